@@ -1,0 +1,79 @@
+#include "jounce/cam/followed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/roots.hpp"
+
+namespace jounce {
+namespace {
+
+/// Every master position within [lo, hi] at which the cam, repeated if it wraps, has a break.
+std::vector<double> levels(const Cam& cam, double lo, double hi) {
+  std::vector<double> found;
+  const bool wraps = cam.outside() == Outside::wrap;
+  const double first = wraps ? std::floor((lo - cam.start()) / cam.length()) : 0;
+  const double last = wraps ? std::floor((hi - cam.start()) / cam.length()) : 0;
+  for (double period = first; period <= last; ++period)
+    for (const double x : cam.breaks()) {
+      const double level = x + period * cam.length();
+      if (level >= lo && level <= hi) found.push_back(level);
+    }
+  return found;
+}
+
+/// Which way the master moves on the given side of an instant: the sign of its first derivative
+/// that is not zero.
+bool backwards(const Jet& x, Side side) {
+  const double s = side == Side::right ? 1 : -1;
+  if (x[1] != 0) return x[1] < 0;
+  if (x[2] != 0) return s * x[2] < 0;
+  return x[3] < 0;
+}
+
+}  // namespace
+
+Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(std::move(master)) {
+  const Range travel = extrema(master_, 0);
+  if (cam_.outside() == Outside::refuse &&
+      (travel.min.value < cam_.start() || travel.max.value > cam_.end()))
+    throw InputError(
+        "master", number(travel.min.value) + " to " + number(travel.max.value),
+        "must stay within the cam, " + number(cam_.start()) + " to " + number(cam_.end()));
+  breaks_.assign(master_.breaks().begin(), master_.breaks().end());
+  for (const double level : levels(cam_, travel.min.value, travel.max.value)) {
+    const auto times = crossings(master_, 0, level);
+    breaks_.insert(breaks_.end(), times.begin(), times.end());
+  }
+  std::sort(breaks_.begin(), breaks_.end());
+  const double apart = 1e-12 * master_.length();
+  breaks_.erase(std::unique(breaks_.begin(), breaks_.end(),
+                            [&](double a, double b) { return b - a <= apart; }),
+                breaks_.end());
+  breaks_.back() = master_.end();
+}
+
+Jet Followed::jet(double t, Side side) const {
+  const Jet x = master_.jet(t, side);
+  // Time-backwards and master-backwards cancel: the cam's side is the right one if they agree. A
+  // master within rounding of a break is on it, so that the side asked for is the side that counts.
+  const Side cam_side = (side == Side::left) == backwards(x, side) ? Side::right : Side::left;
+  const double at =
+      cam_.outside() == Outside::wrap ? wrapped(x[0], cam_.start(), cam_.length()) : x[0];
+  const auto above = std::lower_bound(cam_.breaks().begin(), cam_.breaks().end(), at);
+  double master = at;
+  for (const auto near : {above, above == cam_.breaks().begin() ? above : above - 1})
+    if (near != cam_.breaks().end() && std::abs(*near - at) <= 1e-12 * cam_.length())
+      master = *near;
+  if (cam_.outside() == Outside::wrap && cam_side == Side::left && master == cam_.start())
+    master = cam_.end();
+  const Jet f = cam_.jet(master, cam_side);
+  return {f[0], f[1] * x[1],                                                  // (1)
+          f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
+          f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
+}
+
+}  // namespace jounce

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/signal.hpp"
+
+namespace jounce {
+
+/// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
+///
+///     const Followed slave(cam, trapezoid({.to = 1080, .velocity = 200, .acceleration =
+///     1000}).curve()); Motion now = slave.at(0.5);
+///
+/// Full chain rule, with the master's acceleration and jerk (f = cam, x = master):
+///
+///     (1)  y'   = f' x'
+///     (2)  y''  = f'' x'^2 + f' x''
+///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
+///
+/// Its breaks are the master's breaks and every instant at which the master passes a break of the
+/// cam. A master that runs backwards meets the cam's left limits; so does the query. Throws
+/// InputError where the master leaves a cam that refuses it.
+class Followed {
+ public:
+  Followed(Cam cam, Trajectory master);
+
+  [[nodiscard]] double start() const { return master_.start(); }
+  [[nodiscard]] double end() const { return master_.end(); }
+  [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
+  [[nodiscard]] Motion at(double t, Side side = Side::right) const {
+    return point<OverTime>(jet(t, side));
+  }
+
+  [[nodiscard]] const Cam& cam() const { return cam_; }
+  [[nodiscard]] const Trajectory& master() const { return master_; }
+
+ private:
+  Cam cam_;
+  Trajectory master_;
+  std::vector<double> breaks_;
+};
+
+static_assert(Signal<Trajectory> && Signal<Cam> && Signal<Followed>);
+
+}  // namespace jounce

@@ -1,0 +1,34 @@
+# jounce_room(NAME SOURCES a.cpp ... [USES room ...] [LINKS target ...] [PRIVATE_LINKS target ...])
+#
+# One static library a room, target jounce::NAME. A room's headers are seen as <jounce/NAME/x.hpp>
+# through an include folder of its own, which holds a link to that one room: so a room sees only the
+# rooms it USES, and a wrong include does not build.
+set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
+endif()
+
+function(jounce_options target)
+  target_compile_options(${target} PRIVATE ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
+endfunction()
+
+function(jounce_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  set(view ${PROJECT_BINARY_DIR}/rooms/${name})
+  file(MAKE_DIRECTORY ${view}/jounce)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${view}/jounce/${name} SYMBOLIC)
+
+  add_library(jounce_${name} STATIC ${ROOM_SOURCES})
+  add_library(jounce::${name} ALIAS jounce_${name})
+  set_target_properties(jounce_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  jounce_options(jounce_${name})
+  target_compile_features(jounce_${name} PUBLIC cxx_std_20)
+  target_include_directories(jounce_${name} PUBLIC
+    $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  list(TRANSFORM ROOM_USES PREPEND jounce::)
+  target_link_libraries(jounce_${name} PUBLIC ${ROOM_USES} ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
+
+  install(TARGETS jounce_${name} EXPORT jounceTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/jounce/${name}
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
+endfunction()

@@ -1,0 +1,59 @@
+#include "jounce/gear/gear.hpp"
+
+#include <cassert>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+__extension__ using Wide = __int128;
+
+struct Division {
+  Wide quotient;  // rounded towards minus infinity
+  std::int64_t remainder;
+};
+
+Division floor_divide(Wide a, std::int64_t b) {
+  Wide q = a / b;
+  Wide r = a % b;
+  if (r < 0) {
+    r += b;
+    --q;
+  }
+  return {q, static_cast<std::int64_t>(r)};
+}
+
+std::int64_t narrow(Wide a) {
+  assert(a >= std::numeric_limits<std::int64_t>::min() &&
+         a <= std::numeric_limits<std::int64_t>::max());
+  return static_cast<std::int64_t>(a);
+}
+
+}  // namespace
+
+Gear Gear::ratio(std::int64_t numerator, std::int64_t denominator) {
+  if (denominator <= 0)
+    throw InputError("denominator", std::to_string(denominator), "must be greater than 0");
+  if (numerator == 0) throw InputError("numerator", "0", "must not be 0");
+  if (numerator == std::numeric_limits<std::int64_t>::min())
+    throw InputError("numerator", std::to_string(numerator), "must be greater than -2^63");
+  const std::int64_t common = std::gcd(numerator, denominator);
+  return {numerator / common, denominator / common};
+}
+
+std::int64_t Gear::slave(std::int64_t master) const {
+  return narrow(floor_divide(Wide{master} * numerator_, denominator_).quotient);
+}
+
+std::int64_t Gear::advance(State& state, std::int64_t master_increment) const {
+  const auto [quotient, remainder] =
+      floor_divide(Wide{master_increment} * numerator_ + state.remainder, denominator_);
+  state.remainder = remainder;
+  return narrow(quotient);
+}
+
+}  // namespace jounce

@@ -1,0 +1,224 @@
+#include "jounce/profiles/curve.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+void require_valid(const Segment& f, std::size_t index) {
+  const std::string key = "segment[" + std::to_string(index) + "]";
+  require_positive((key + ".length").c_str(), f.length);
+  if (!std::isfinite(magnitude(f))) throw InputError(key, "", "every coefficient must be finite");
+}
+
+/// Running sum of the lengths, compensated (Neumaier), so that 1e6 segments end where they should.
+std::vector<double> running_sum(double start, const std::vector<Segment>& segments) {
+  std::vector<double> breaks{start};
+  breaks.reserve(segments.size() + 1);
+  double total = start;
+  double lost = 0;
+  for (const auto& f : segments) {
+    const double next = total + f.length;
+    lost += std::abs(total) >= f.length ? (total - next) + f.length : (f.length - next) + total;
+    total = next;
+    breaks.push_back(total + lost);
+  }
+  return breaks;
+}
+
+}  // namespace
+
+template <class Over>
+Curve<Over>::Curve(std::vector<Segment> segments, double start, Outside outside)
+    : segments_(std::move(segments)), outside_(outside) {
+  if (segments_.empty()) throw InputError("segments", "none", "a curve needs at least one segment");
+  require_finite("start", start);
+  for (std::size_t i = 0; i < segments_.size(); ++i) require_valid(segments_[i], i);
+  breaks_ = running_sum(start, segments_);
+  require_finite("end", breaks_.back());
+}
+
+template <class Over>
+std::size_t Curve<Over>::find(double x, Side side) const {
+  // Interior breaks only, so that the result is always a segment.
+  const auto first = breaks_.begin() + 1;
+  const auto last = breaks_.end() - 1;
+  const auto it =
+      side == Side::right ? std::upper_bound(first, last, x) : std::lower_bound(first, last, x);
+  return static_cast<std::size_t>(it - first);
+}
+
+template <class Over>
+Jet Curve<Over>::inside(std::size_t segment, double x) const {
+  const double s = (x - breaks_[segment]) / segments_[segment].length;
+  return evaluate(segments_[segment], std::clamp(s, 0.0, 1.0));
+}
+
+template <class Over>
+Jet Curve<Over>::jet(double x, Side side) const {
+  if (x < start() || x > end() ||
+      (x == end() && side == Side::right && outside_ == Outside::wrap)) {
+    assert(outside_ != Outside::refuse && "query outside a curve that refuses it");
+    if (outside_ != Outside::wrap)
+      return {inside(x < start() ? 0 : segments_.size() - 1, x)[0], 0, 0, 0};
+    x = wrapped(x, start(), length());
+    if (side == Side::left && x == start()) x = end();
+  }
+  return inside(find(x, side), x);
+}
+
+template <class Over>
+void Curve<Over>::sample(std::span<const double> x, std::span<Point> out) const {
+  assert(x.size() == out.size());
+  std::size_t k = 0;  // the segment of the query before
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool near = x[i] >= breaks_[k] && x[i] < breaks_[k + 1];
+    if (!near && !(x[i] >= start() && x[i] < end())) {
+      out[i] = at(x[i]);
+      continue;
+    }
+    if (!near)
+      k = x[i] >= breaks_[k + 1] && k + 2 < breaks_.size() && x[i] < breaks_[k + 2]
+              ? k + 1
+              : find(x[i], Side::right);
+    out[i] = point<Over>(inside(k, x[i]));
+  }
+}
+
+template class Curve<OverTime>;
+template class Curve<OverMaster>;
+
+namespace {
+
+template <class Over, class Map>
+Curve<Over> mapped(const Curve<Over>& f, Map map) {
+  std::vector<Segment> segments;
+  segments.reserve(f.segments().size());
+  for (const auto& piece : f.segments()) segments.push_back(map(piece));
+  return Curve<Over>(std::move(segments), f.start(), f.outside());
+}
+
+bool close(double a, double b, double scale) {
+  return std::abs(a - b) <= 1e-12 * scale;
+}
+
+}  // namespace
+
+template <class Over>
+Curve<Over> derivative(const Curve<Over>& f) {
+  return mapped(f, [](const Segment& piece) { return derivative(piece); });
+}
+
+template <class Over>
+Curve<Over> integral(const Curve<Over>& f, double start_value) {
+  double at_break = start_value;
+  return mapped(f, [&](const Segment& piece) {
+    const auto g = integral(piece, at_break);
+    if (!g) throw InputError("degree", piece.degree, "the integral would pass degree 11");
+    at_break = value(*g, 1);
+    return *g;
+  });
+}
+
+template <class Over>
+Curve<Over> shifted(const Curve<Over>& f, double dx, double dy) {
+  const auto moved = mapped(f, [&](const Segment& piece) { return scaled(piece, 1, dy); });
+  return Curve<Over>({moved.segments().begin(), moved.segments().end()}, f.start() + dx,
+                     f.outside());
+}
+
+template <class Over>
+Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch) {
+  require_positive("stretch", stretch);
+  const auto g = mapped(f, [&](const Segment& piece) {
+    Segment piece_scaled = scaled(piece, factor);
+    piece_scaled.length *= stretch;
+    return piece_scaled;
+  });
+  return Curve<Over>({g.segments().begin(), g.segments().end()}, f.start() * stretch, f.outside());
+}
+
+template <class Over>
+Curve<Over> reversed(const Curve<Over>& f) {
+  std::vector<Segment> segments;
+  segments.reserve(f.segments().size());
+  for (auto it = f.segments().rbegin(); it != f.segments().rend(); ++it)
+    segments.push_back(reversed(*it));
+  return Curve<Over>(std::move(segments), f.start(), f.outside());
+}
+
+template <class Over>
+Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g) {
+  std::vector<Segment> segments(f.segments().begin(), f.segments().end());
+  segments.insert(segments.end(), g.segments().begin(), g.segments().end());
+  return Curve<Over>(std::move(segments), f.start(), f.outside());
+}
+
+template <class Over>
+Curve<Over> repeated(const Curve<Over>& f, int times) {
+  if (times < 1) throw InputError("times", times, "must be at least 1");
+  std::vector<Segment> segments;
+  segments.reserve(f.segments().size() * static_cast<std::size_t>(times));
+  for (int i = 0; i < times; ++i)
+    segments.insert(segments.end(), f.segments().begin(), f.segments().end());
+  return Curve<Over>(std::move(segments), f.start(), f.outside());
+}
+
+template <class Over>
+Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
+  const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
+  if (!close(f.start(), g.start(), scale) || !close(f.end(), g.end(), scale))
+    throw InputError("interval", number(g.start()) + " to " + number(g.end()),
+                     "a sum needs one interval; the other curve has " + number(f.start()) + " to " +
+                         number(f.end()));
+  std::vector<Segment> segments;
+  double x = f.start();
+  for (std::size_t i = 0, k = 0; i < f.segments().size() && k < g.segments().size();) {
+    const double f_end = f.breaks()[i + 1];
+    const double g_end = g.breaks()[k + 1];
+    const bool both = close(f_end, g_end, scale);
+    const double next = both ? f_end : std::min(f_end, g_end);
+    const auto piece = [&](const Curve<Over>& c, std::size_t n, bool ends_here) {
+      const double length = c.segments()[n].length;
+      const double s0 = std::clamp((x - c.breaks()[n]) / length, 0.0, 1.0);
+      Segment cut = part(c.segments()[n], s0, ends_here ? 1.0 : (next - c.breaks()[n]) / length);
+      cut.length = next - x;
+      return cut;
+    };
+    const bool f_ends = both || next == f_end;
+    const bool g_ends = both || next == g_end;
+    const auto added = sum(piece(f, i, f_ends), piece(g, k, g_ends));
+    if (!added) throw InputError("sum", number(x), "needs more than three sines in one segment");
+    segments.push_back(*added);
+    i += f_ends ? 1 : 0;
+    k += g_ends ? 1 : 0;
+    x = next;
+  }
+  return Curve<Over>(std::move(segments), f.start(), f.outside());
+}
+
+template <class Over>
+Curve<Over> with(const Curve<Over>& f, Outside outside) {
+  return Curve<Over>({f.segments().begin(), f.segments().end()}, f.start(), outside);
+}
+
+#define JOUNCE_INSTANTIATE(Over)                                             \
+  template Curve<Over> derivative(const Curve<Over>&);                       \
+  template Curve<Over> integral(const Curve<Over>&, double);                 \
+  template Curve<Over> shifted(const Curve<Over>&, double, double);          \
+  template Curve<Over> scaled(const Curve<Over>&, double, double);           \
+  template Curve<Over> reversed(const Curve<Over>&);                         \
+  template Curve<Over> concatenated(const Curve<Over>&, const Curve<Over>&); \
+  template Curve<Over> repeated(const Curve<Over>&, int);                    \
+  template Curve<Over> sum(const Curve<Over>&, const Curve<Over>&);          \
+  template Curve<Over> with(const Curve<Over>&, Outside);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

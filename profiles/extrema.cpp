@@ -1,0 +1,93 @@
+#include "jounce/profiles/extrema.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "jounce/profiles/roots.hpp"
+
+namespace jounce {
+namespace {
+
+void widen(Range& range, const Extremum& candidate) {
+  if (candidate.value < range.min.value) range.min = candidate;
+  if (candidate.value > range.max.value) range.max = candidate;
+}
+
+/// Range of g, whose derivative by u is dg, on the segment that begins at `start` on the axis.
+Range segment_range(const Segment& g, const Segment& dg, double start, double end) {
+  const Extremum first{value(g, 0), start, Side::right};
+  Range range{first, first};
+  // Where |g'| stays below this, g moves by less than its own rounding over the whole segment.
+  const double flat = 2e-16 * magnitude(g) / g.length;
+  if (flat > 0) {
+    thread_local std::vector<double> critical;
+    roots(dg, flat, critical);
+    for (const double s : critical) widen(range, {value(g, s), start + s * g.length, Side::right});
+  }
+  widen(range, {value(g, 1), end, Side::left});
+  return range;
+}
+
+}  // namespace
+
+const Extremum& Range::peak() const {
+  return std::abs(min.value) > std::abs(max.value) ? min : max;
+}
+
+template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
+  Ranges ranges;
+  Segment g = f.segments()[segment];
+  for (auto& range : ranges) {
+    const Segment dg = derivative(g);
+    range = segment_range(g, dg, f.breaks()[segment], f.breaks()[segment + 1]);
+    g = dg;
+  }
+  return ranges;
+}
+
+template <class Over>
+Ranges extrema(const Curve<Over>& f) {
+  Ranges all = segment_extrema(f, 0);
+  for (std::size_t i = 1; i < f.segments().size(); ++i) {
+    const Ranges here = segment_extrema(f, i);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      widen(all[k], here[k].min);
+      widen(all[k], here[k].max);
+    }
+  }
+  return all;
+}
+
+template <class Over>
+Range extrema(const Curve<Over>& f, int order) {
+  assert(order >= 0 && order <= 3);
+  return extrema(f)[static_cast<std::size_t>(order)];
+}
+
+template <class Over>
+Jump largest_jump(const Curve<Over>& f, int order) {
+  assert(order >= 0 && order <= 3);
+  const auto k = static_cast<std::size_t>(order);
+  const auto pieces = f.segments();
+  Jump largest;
+  const auto consider = [&](const Segment& before, const Segment& after, double where) {
+    const double step = evaluate(after, 0)[k] - evaluate(before, 1)[k];
+    if (std::abs(step) > std::abs(largest.step)) largest = {step, where};
+  };
+  for (std::size_t i = 1; i < pieces.size(); ++i) consider(pieces[i - 1], pieces[i], f.breaks()[i]);
+  if (f.outside() == Outside::wrap) consider(pieces.back(), pieces.front(), f.end());
+  return largest;
+}
+
+#define JOUNCE_INSTANTIATE(Over)                                    \
+  template Ranges segment_extrema(const Curve<Over>&, std::size_t); \
+  template Ranges extrema(const Curve<Over>&);                      \
+  template Range extrema(const Curve<Over>&, int);                  \
+  template Jump largest_jump(const Curve<Over>&, int);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

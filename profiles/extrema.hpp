@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+
+namespace jounce {
+
+/// A value a curve really takes (or tends to, from `side`) and where.
+struct Extremum {
+  double value = 0;
+  double where = 0;
+  Side side = Side::right;
+};
+
+/// The least and the greatest value.
+struct Range {
+  Extremum min;
+  Extremum max;
+
+  /// Whichever of the two is larger in magnitude.
+  [[nodiscard]] const Extremum& peak() const;
+};
+
+/// Value, first, second and third derivative of one stretch of the curve.
+using Ranges = std::array<Range, 4>;
+
+/// The exact range of the `order`th derivative (0: the value) over the closed curve, both one-sided
+/// limits at every jump included. Critical points are isolated, not sampled (see roots.hpp); the
+/// first of equal extrema is reported. Accurate to rounding: about 1e-15 of the curve's magnitude.
+template <class Over>
+Range extrema(const Curve<Over>& f, int order);
+
+/// The same for all four orders at once.
+template <class Over>
+Ranges extrema(const Curve<Over>& f);
+
+/// The same for one segment of the curve, by index.
+template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
+
+/// A step of the `order`th derivative at a break: how much, and where.
+struct Jump {
+  double step = 0;  ///< right limit minus left limit
+  double where = 0;
+};
+
+/// The largest step (in magnitude) at the interior breaks and, where the curve wraps, from its end
+/// to its start. Zero if there is none.
+template <class Over>
+Jump largest_jump(const Curve<Over>& f, int order);
+
+}  // namespace jounce

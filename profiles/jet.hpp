@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace jounce {
+
+/// A value with its first three derivatives by whatever the curve runs over: [f, f', f'', f'''].
+using Jet = std::array<double, 4>;
+
+/// Which limit is meant where a derivative jumps. Curves are right-continuous, so right is the
+/// rule.
+enum class Side { right, left };
+
+/// What happens outside [start, end]; named when a signal is made.
+enum class Outside {
+  refuse,  ///< a query outside is the caller's mistake: asserts, and holds in a release build
+  hold,    ///< the end value, at rest
+  wrap,    ///< periodic: the query is reduced into [start, end)
+};
+
+/// Position and its derivatives by time, in user units u: u, u/s, u/s^2, u/s^3.
+struct Motion {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double jerk = 0;
+};
+
+/// Slave position and its derivatives by *master position* (VDI 2143: transfer functions of order
+/// 0 to 3). The prefix keeps them from being taken for derivatives by time: at master speed w the
+/// slave's velocity is geo_velocity * w, its acceleration geo_acceleration * w^2.
+struct Transfer {
+  double position = 0;
+  double geo_velocity = 0;
+  double geo_acceleration = 0;
+  double geo_jerk = 0;
+};
+
+/// Tags: a curve over time is a Trajectory, one over master position is a Cam. A compile-time tag,
+/// so that one cannot be played as the other.
+struct OverTime {
+  using Point = Motion;
+  static constexpr std::array<const char*, 4> names{"position", "velocity", "acceleration", "jerk"};
+};
+struct OverMaster {
+  using Point = Transfer;
+  static constexpr std::array<const char*, 4> names{"position", "geo_velocity", "geo_acceleration",
+                                                    "geo_jerk"};
+};
+
+/// x reduced into [start, start + length): what Outside::wrap does to a query.
+inline double wrapped(double x, double start, double length) {
+  const double u = std::fmod(x - start, length);
+  return start + (u < 0 ? u + length : u);
+}
+
+template <class Over>
+constexpr typename Over::Point point(const Jet& f) {
+  return {f[0], f[1], f[2], f[3]};
+}
+
+}  // namespace jounce

@@ -1,0 +1,151 @@
+#include "jounce/profiles/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+/// One bound on one derivative: the curve must stay on `inner` side of `limit`.
+struct Bound {
+  std::size_t order;
+  std::string rule;
+  double limit;
+  bool upper;
+  double scale;  // what a margin of 1 means
+};
+
+std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
+                             double stroke) {
+  std::vector<Bound> bounds;
+  const bool both = limits.position_min && limits.position_max;
+  const double travel = both ? *limits.position_max - *limits.position_min : stroke;
+  const double scale = travel > 0 ? travel : 1;
+  if (limits.position_min)
+    bounds.push_back({0, "limit/position_min", *limits.position_min, false, scale});
+  if (limits.position_max)
+    bounds.push_back({0, "limit/position_max", *limits.position_max, true, scale});
+  const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    if (!rates[k]) continue;
+    const std::string rule = std::string("limit/") + names[k + 1];
+    bounds.push_back({k + 1, rule, *rates[k], true, *rates[k]});
+    bounds.push_back({k + 1, rule, -*rates[k], false, *rates[k]});
+  }
+  return bounds;
+}
+
+const char* advice(std::size_t order) {
+  constexpr std::array texts{
+      "the curve overshoots between its knots: move them, or lower the velocities there",
+      "lengthen the segment, or take a law with a lower velocity coefficient",
+      "lengthen the segment, or take a law with a lower acceleration coefficient",
+      "lengthen the segment, or take a law with a lower jerk coefficient"};
+  return texts[order];
+}
+
+Finding compare(const Bound& bound, const Range& range, const char* quantity, std::size_t segment) {
+  const Extremum& worst = bound.upper ? range.max : range.min;
+  const double room = bound.upper ? bound.limit - worst.value : worst.value - bound.limit;
+  Finding finding{bound.rule,         "",    quantity, worst.where, worst.value, bound.limit,
+                  room / bound.scale, false, segment,  ""};
+  // A limit that is met exactly is met: what is left is the rounding of the evaluation.
+  finding.broken = room < -1e-12 * std::max(std::abs(bound.limit), std::abs(worst.value));
+  if (finding.broken) finding.advice = advice(bound.order);
+  return finding;
+}
+
+}  // namespace
+
+void require_valid(const Limits& limits) {
+  if (limits.position_min) require_finite("position_min", *limits.position_min);
+  if (limits.position_max) require_finite("position_max", *limits.position_max);
+  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
+    throw InputError("position_min", *limits.position_min,
+                     "must not be above position_max = " + number(*limits.position_max));
+  if (limits.velocity) require_positive("velocity", *limits.velocity);
+  if (limits.acceleration) require_positive("acceleration", *limits.acceleration);
+  if (limits.jerk) require_positive("jerk", *limits.jerk);
+}
+
+bool Report::ok() const {
+  return broken() == 0;
+}
+
+std::size_t Report::broken() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.broken; }));
+}
+
+void sort(Report& report) {
+  std::stable_sort(report.findings.begin(), report.findings.end(),
+                   [](const Finding& a, const Finding& b) {
+                     return a.broken != b.broken ? a.broken : a.margin < b.margin;
+                   });
+}
+
+template <class Over>
+Report check(const Curve<Over>& f, const Limits& limits) {
+  require_valid(limits);
+  const Range travel = extrema(f, 0);
+  const auto bounds = bounds_of(limits, Over::names, travel.max.value - travel.min.value);
+  std::vector<std::optional<Finding>> closest(bounds.size());
+  Report report;
+  for (std::size_t i = 0; i < f.segments().size() && !bounds.empty(); ++i) {
+    const Ranges ranges = segment_extrema(f, i);
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+      const auto order = bounds[b].order;
+      Finding finding = compare(bounds[b], ranges[order], Over::names[order], i);
+      if (finding.broken)
+        report.findings.push_back(std::move(finding));
+      else if (!closest[b] || finding.margin < closest[b]->margin)
+        closest[b] = std::move(finding);
+    }
+  }
+  // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.
+  for (const auto& candidate : closest) {
+    if (!candidate) continue;
+    const auto same =
+        std::find_if(report.findings.begin(), report.findings.end(),
+                     [&](const Finding& other) { return other.rule == candidate->rule; });
+    if (same == report.findings.end())
+      report.findings.push_back(*candidate);
+    else if (!same->broken && candidate->margin < same->margin)
+      *same = *candidate;
+  }
+  sort(report);
+  return report;
+}
+
+template <class Over>
+Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
+  const Ranges ranges = extrema(f);
+  Report report;
+  for (int k = 0; k <= order; ++k) {
+    const auto& range = ranges[static_cast<std::size_t>(k)];
+    const char* name = Over::names[static_cast<std::size_t>(k)];
+    const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
+    // Below the rounding of the values themselves nothing can be called a step.
+    const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
+    const Jump jump = largest_jump(f, k);
+    const double step = std::abs(jump.step);
+    const double margin = limit > 0 ? (limit - step) / limit : -step;
+    report.findings.push_back({std::string("continuity/") + name, "",
+                               std::string("step of ") + name, jump.where, step, limit, margin,
+                               step > limit, std::nullopt,
+                               step > limit ? "make both sides of the joint agree" : ""});
+  }
+  sort(report);
+  return report;
+}
+
+#define JOUNCE_INSTANTIATE(Over)                            \
+  template Report check(const Curve<Over>&, const Limits&); \
+  template Report check_continuity(const Curve<Over>&, int, double);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/extrema.hpp"
+
+namespace jounce {
+
+/// What an axis may do, in its own unit u; what is left out is not limited. For a Cam the three
+/// rates are per master unit: u/m, u/m^2, u/m^3. All rates are magnitudes > 0.
+struct Limits {
+  std::optional<double> position_min;
+  std::optional<double> position_max;
+  std::optional<double> velocity;
+  std::optional<double> acceleration;
+  std::optional<double> jerk;
+};
+
+/// Throws InputError for a limit that is not finite, a rate that is not positive, or min > max.
+void require_valid(const Limits& limits);
+
+/// One statement of a check: a quantity at its worst place against its limit.
+struct Finding {
+  std::string rule;      ///< "limit/velocity", "continuity/position", ...: stable, for machines
+  std::string axis;      ///< whose, where several are checked; may be empty
+  std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
+  double where = 0;      ///< on the curve's axis
+  double value = 0;      ///< what the curve does there
+  double limit = 0;      ///< what it may do, with the value's sign
+  /// Room left, as a share of the limit (a position: of the permitted travel, or of the stroke
+  /// where only one end is limited); below 0: broken.
+  double margin = 0;
+  bool broken = false;
+  std::optional<std::size_t> segment;  ///< which segment of the curve, counted from 0
+  std::string advice;                  ///< what to change, in a few words; may be empty
+};
+
+/// What a check returns: it never prints and never throws for what it finds.
+struct Report {
+  std::vector<Finding> findings;  ///< the broken ones first, worst first; then the smallest margins
+
+  [[nodiscard]] bool ok() const;
+  [[nodiscard]] std::size_t broken() const;
+};
+
+/// Puts the broken findings first, worst first, then the others by margin.
+void sort(Report& report);
+
+/// Exact extrema against limits. One finding for each segment and quantity that breaks a limit; for
+/// a limit that holds, one with the smallest margin of the whole curve.
+template <class Over>
+Report check(const Curve<Over>& f, const Limits& limits);
+
+/// Continuity up to the `order`th derivative, wrap included where the curve wraps. A step counts if
+/// it exceeds `tolerance` of that derivative's range: 1e-9 forgives rounded input, 0 nothing.
+template <class Over>
+Report check_continuity(const Curve<Over>& f, int order, double tolerance = 1e-9);
+
+}  // namespace jounce

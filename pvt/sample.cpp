@@ -1,0 +1,105 @@
+#include "jounce/pvt/sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+
+namespace jounce {
+namespace {
+
+template <class Over>
+Columns columns_at(const Curve<Over>& f, Rule rule, std::vector<double> knots) {
+  Columns columns;
+  for (const double x : knots) {
+    const Jet jet = f.jet(x, x == f.end() ? Side::left : Side::right);
+    columns.p.push_back(jet[0]);
+    if (rule != Rule::linear) columns.v.push_back(jet[1]);
+    if (rule == Rule::quintic_hermite) columns.a.push_back(jet[2]);
+  }
+  columns.x = std::move(knots);
+  return columns;
+}
+
+/// The exact error of the table: the difference is a curve of the same kind (a Hermite piece minus
+/// a segment keeps the segment's sines), so its extrema are exact too.
+template <class Over>
+SampleError certified(const Curve<Over>& f, const Table& table) {
+  const auto difference = sum(table.curve<Over>(), scaled(with(f, table.outside()), -1));
+  const Ranges ranges = extrema(difference);
+  return {std::abs(ranges[0].peak().value), ranges[0].peak().where,
+          std::abs(ranges[1].peak().value)};
+}
+
+std::vector<double> equal_parts(double from, double to, std::size_t intervals) {
+  std::vector<double> knots;
+  for (std::size_t i = 0; i < intervals; ++i)
+    knots.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  return knots;
+}
+
+}  // namespace
+
+template <class Over>
+Sampled sample(const Curve<Over>& f, Rule rule, const std::vector<double>& knots) {
+  if (knots.size() < 2)
+    throw InputError("knots", std::to_string(knots.size()), "at least two are needed");
+  if (knots.front() != f.start() || knots.back() != f.end())
+    throw InputError("knots", number(knots.front()) + " to " + number(knots.back()),
+                     "must span the curve, " + number(f.start()) + " to " + number(f.end()));
+  constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
+  Table table(axis, rule, f.outside(), columns_at(f, rule, knots));
+  const SampleError error = certified(f, table);
+  return {std::move(table), error};
+}
+
+template <class Over>
+Sampled sample(const Curve<Over>& f, Rule rule, std::size_t intervals) {
+  if (intervals < 1) throw InputError("intervals", 0.0, "must be at least 1");
+  auto knots = equal_parts(f.start(), f.end(), intervals);
+  knots.push_back(f.end());
+  return sample(f, rule, knots);
+}
+
+template <class Over>
+Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::size_t most) {
+  require_positive("tolerance", tolerance);
+  std::vector<double> knots;
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    const Curve<Over> piece({f.segments()[i]}, f.breaks()[i]);
+    const auto fits = [&](std::size_t n) {
+      return sample(piece, rule, n).error.position <= tolerance;
+    };
+    std::size_t enough = 1;
+    while (!fits(enough)) {
+      enough *= 2;
+      if (knots.size() + enough > most)
+        throw InputError(
+            "tolerance", tolerance,
+            "needs more than " + std::to_string(most) + " knots with a " + name(rule) + " table");
+    }
+    std::size_t too_few = enough / 2;
+    while (enough - too_few > 1) {
+      const std::size_t middle = (enough + too_few) / 2;
+      (fits(middle) ? enough : too_few) = middle;
+    }
+    const auto inner = equal_parts(f.breaks()[i], f.breaks()[i + 1], enough);
+    knots.insert(knots.end(), inner.begin(), inner.end());
+  }
+  knots.push_back(f.end());
+  return sample(f, rule, knots);
+}
+
+#define JOUNCE_INSTANTIATE(Over)                                                 \
+  template Sampled sample(const Curve<Over>&, Rule, const std::vector<double>&); \
+  template Sampled sample(const Curve<Over>&, Rule, std::size_t);                \
+  template Sampled sample_within(const Curve<Over>&, Rule, double, std::size_t);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

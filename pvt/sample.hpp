@@ -1,0 +1,37 @@
+#pragma once
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// How far a table may stray from the curve it was made from, and where it strays most.
+struct SampleError {
+  double position = 0;  ///< max |table - curve| over the whole interval, unit of the position
+  double where = 0;     ///< on the curve's axis
+  double velocity = 0;  ///< max |table' - curve'|, unit of the first derivative
+};
+
+struct Sampled {
+  Table table;
+  SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
+};
+
+/// The table through the curve at the given knots (strictly ascending, first and last at the ends
+/// of the curve). At a knot where a derivative jumps the right limit is taken (the left one at the
+/// end).
+template <class Over>
+Sampled sample(const Curve<Over>& f, Rule rule, const std::vector<double>& knots);
+
+/// `intervals` >= 1 equal ones.
+template <class Over>
+Sampled sample(const Curve<Over>& f, Rule rule, std::size_t intervals);
+
+/// Each segment of the curve in as few equal intervals as keep the position error within
+/// `tolerance` > 0 (unit of the position). A segment that the rule holds exactly gets one. Breaks
+/// of the curve are knots. Throws InputError where more than `most` knots would be needed.
+template <class Over>
+Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance,
+                      std::size_t most = 1'000'000);
+
+}  // namespace jounce

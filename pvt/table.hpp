@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+
+namespace jounce {
+
+/// How a table is read between its knots: each rule with the columns it needs.
+enum class Rule {
+  linear,           ///< p; position continuous
+  cubic_hermite,    ///< p, v; velocity continuous (a PVT table)
+  quintic_hermite,  ///< p, v, a; acceleration continuous (a PVA or XYVA table)
+};
+
+/// What the first column of a table is.
+enum class Axis { time, master };
+
+/// The columns of a table; each has one entry a knot, v and a only where the rule needs them.
+struct Columns {
+  std::vector<double> x;  ///< time or master position, strictly ascending
+  std::vector<double> p;  ///< position
+  std::vector<double> v;  ///< dp/dx
+  std::vector<double> a;  ///< d2p/dx2
+};
+
+/// Knots in columns plus the rule between them: what a controller holds and what the executor
+/// plays. It is a Signal, and evaluates without allocating.
+///
+///     Table table(Axis::master, Rule::quintic_hermite, Outside::wrap, columns);
+///     double slave = table.jet(master)[0];
+///     Cam exact = table.curve<OverMaster>();     // the same formulas, for exact checks
+///
+/// Intervals are half-open, the last closed, as in a Curve. Throws InputError, naming knot and
+/// rule, for fewer than two knots, columns of unequal size, a column that the rule does not know or
+/// lacks, x that does not ascend, and numbers that are not finite.
+class Table {
+ public:
+  Table(Axis axis, Rule rule, Outside outside, Columns columns);
+
+  [[nodiscard]] Axis axis() const { return axis_; }
+  [[nodiscard]] Rule rule() const { return rule_; }
+  [[nodiscard]] Outside outside() const { return outside_; }
+  [[nodiscard]] const Columns& columns() const { return columns_; }
+  [[nodiscard]] std::size_t size() const { return columns_.x.size(); }
+
+  [[nodiscard]] double start() const { return columns_.x.front(); }
+  [[nodiscard]] double end() const { return columns_.x.back(); }
+  [[nodiscard]] double length() const { return end() - start(); }
+  [[nodiscard]] std::span<const double> breaks() const { return columns_.x; }
+  [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
+
+  /// The interval between knots i and i + 1 as a segment.
+  [[nodiscard]] Segment segment(std::size_t i) const;
+
+  /// The same function as a curve. Over must agree with axis(); anything else is an InputError.
+  template <class Over>
+  [[nodiscard]] Curve<Over> curve() const;
+
+ private:
+  Axis axis_;
+  Rule rule_;
+  Outside outside_;
+  Columns columns_;
+};
+
+/// "linear", "cubic_hermite", "quintic_hermite"; "time", "master"; "refuse", "hold", "wrap": the
+/// words of every file.
+const char* name(Rule rule);
+const char* name(Axis axis);
+const char* name(Outside outside);
+
+}  // namespace jounce
