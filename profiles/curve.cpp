@@ -11,7 +11,7 @@ namespace jounce {
 namespace {
 
 void require_valid(const Segment& f, std::size_t index) {
-  const std::string key = "segment[" + std::to_string(index) + "]";
+  const std::string key = "segment[" + std::to_string(index + 1) + "]";
   require_positive((key + ".length").c_str(), f.length);
   if (!std::isfinite(magnitude(f))) throw InputError(key, "", "every coefficient must be finite");
 }

@@ -48,9 +48,9 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
 }
 
 template <class Over>
-Ranges extrema(const Curve<Over>& f) {
-  Ranges all = segment_extrema(f, 0);
-  for (std::size_t i = 1; i < f.segments().size(); ++i) {
+Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last) {
+  Ranges all = segment_extrema(f, first);
+  for (std::size_t i = first + 1; i <= last; ++i) {
     const Ranges here = segment_extrema(f, i);
     for (std::size_t k = 0; k < all.size(); ++k) {
       widen(all[k], here[k].min);
@@ -58,6 +58,11 @@ Ranges extrema(const Curve<Over>& f) {
     }
   }
   return all;
+}
+
+template <class Over>
+Ranges extrema(const Curve<Over>& f) {
+  return segment_extrema(f, 0, f.segments().size() - 1);
 }
 
 template <class Over>
@@ -81,10 +86,11 @@ Jump largest_jump(const Curve<Over>& f, int order) {
   return largest;
 }
 
-#define JOUNCE_INSTANTIATE(Over)                                    \
-  template Ranges segment_extrema(const Curve<Over>&, std::size_t); \
-  template Ranges extrema(const Curve<Over>&);                      \
-  template Range extrema(const Curve<Over>&, int);                  \
+#define JOUNCE_INSTANTIATE(Over)                                                 \
+  template Ranges segment_extrema(const Curve<Over>&, std::size_t);              \
+  template Ranges segment_extrema(const Curve<Over>&, std::size_t, std::size_t); \
+  template Ranges extrema(const Curve<Over>&);                                   \
+  template Range extrema(const Curve<Over>&, int);                               \
   template Jump largest_jump(const Curve<Over>&, int);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

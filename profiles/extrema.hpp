@@ -36,9 +36,11 @@ Range extrema(const Curve<Over>& f, int order);
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// The same for one segment of the curve, by index.
+/// The same for one segment of the curve, by index, and for several from `first` up to `last`.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
+template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
 /// A step of the `order`th derivative at a break: how much, and where.
 struct Jump {

@@ -52,7 +52,8 @@ Finding compare(const Bound& bound, const Range& range, const char* quantity, st
   Finding finding{bound.rule,         "",    quantity, worst.where, worst.value, bound.limit,
                   room / bound.scale, false, segment,  ""};
   // A limit that is met exactly is met: what is left is the rounding of the evaluation.
-  finding.broken = room < -1e-12 * std::max(std::abs(bound.limit), std::abs(worst.value));
+  finding.broken =
+      room < -1e-12 * std::max({std::abs(bound.limit), std::abs(worst.value), bound.scale});
   if (finding.broken) finding.advice = advice(bound.order);
   return finding;
 }

@@ -12,11 +12,11 @@ namespace jounce {
 /// What an axis may do, in its own unit u; what is left out is not limited. For a Cam the three
 /// rates are per master unit: u/m, u/m^2, u/m^3. All rates are magnitudes > 0.
 struct Limits {
-  std::optional<double> position_min;
-  std::optional<double> position_max;
-  std::optional<double> velocity;
-  std::optional<double> acceleration;
-  std::optional<double> jerk;
+  std::optional<double> position_min = {};
+  std::optional<double> position_max = {};
+  std::optional<double> velocity = {};
+  std::optional<double> acceleration = {};
+  std::optional<double> jerk = {};
 };
 
 /// Throws InputError for a limit that is not finite, a rate that is not positive, or min > max.
@@ -36,6 +36,7 @@ struct Finding {
   bool broken = false;
   std::optional<std::size_t> segment;  ///< which segment of the curve, counted from 0
   std::string advice;                  ///< what to change, in a few words; may be empty
+  std::string unit = {};               ///< of value and limit, where the quantity does not tell it
 };
 
 /// What a check returns: it never prints and never throws for what it finds.

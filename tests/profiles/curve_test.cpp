@@ -1,0 +1,108 @@
+#include "jounce/profiles/curve.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/profile.hpp"
+
+#include "support/invariants.hpp"
+
+namespace jounce {
+namespace {
+
+/// Two lines, 0 -> 1 over [10, 12] and 5 -> 4 over [12, 13]: it jumps at 12.
+Trajectory two_lines(Outside outside = Outside::hold) {
+  return Trajectory({line(2, 0, 1), line(1, 5, 4)}, 10, outside);
+}
+
+TEST(Curve, IsRightContinuousWithALeftLimitOnDemand) {
+  const Trajectory f = two_lines();
+  EXPECT_DOUBLE_EQ(f.at(12).position, 5);
+  EXPECT_DOUBLE_EQ(f.at(12, Side::left).position, 1);
+  EXPECT_DOUBLE_EQ(f.at(13).position, 4) << "the last segment is closed";
+  EXPECT_DOUBLE_EQ(f.at(12).velocity, -1);
+  EXPECT_DOUBLE_EQ(f.at(12, Side::left).velocity, 0.5);
+}
+
+TEST(Curve, HoldsOrWrapsOutside) {
+  EXPECT_DOUBLE_EQ(two_lines().at(9).position, 0);
+  EXPECT_DOUBLE_EQ(two_lines().at(20).position, 4);
+  EXPECT_DOUBLE_EQ(two_lines().at(20).velocity, 0);
+  const Trajectory f = two_lines(Outside::wrap);
+  EXPECT_DOUBLE_EQ(f.at(13).position, 0) << "the end is the next start";
+  EXPECT_DOUBLE_EQ(f.at(13, Side::left).position, 4);
+  EXPECT_DOUBLE_EQ(f.at(14).position, 0.5);
+  EXPECT_DOUBLE_EQ(f.at(9.5).position, 4.5);
+  EXPECT_DOUBLE_EQ(f.at(10 + 3e6 + 1).position, 0.5);
+}
+
+TEST(Curve, SamplesABlockLikeSinglePoints) {
+  for (const Outside outside : {Outside::hold, Outside::wrap}) {
+    const Trajectory f = two_lines(outside);
+    const std::vector<double> x{8, 10, 11, 12, 12.5, 11.5, 13, 14.25, 10.5};
+    std::vector<Motion> block(x.size());
+    f.sample(x, block);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      EXPECT_EQ(block[i].position, f.at(x[i]).position) << x[i];
+      EXPECT_EQ(block[i].velocity, f.at(x[i]).velocity) << x[i];
+    }
+  }
+}
+
+TEST(Curve, BreaksOfAMillionSegmentsEndWhereTheyShould) {
+  const Trajectory f(std::vector<Segment>(1'000'000, line(0.1, 0, 1)));
+  EXPECT_NEAR(f.end(), 100'000, 1e-10);
+}
+
+TEST(Curve, AlgebraKeepsItsPromises) {
+  const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  const double end = f.end();
+
+  EXPECT_DOUBLE_EQ(shifted(f, 3, 7).at(3).position, 7);
+  EXPECT_DOUBLE_EQ(shifted(f, 3, 7).end(), end + 3);
+  EXPECT_DOUBLE_EQ(scaled(f, -2, 3).at(3 * end).position, -100);
+  EXPECT_NEAR(scaled(f, -2, 3).at(3).velocity, f.at(1).velocity * -2 / 3, 1e-14);
+
+  const Trajectory there_and_back = concatenated(f, reversed(f));
+  EXPECT_NEAR(there_and_back.at(end).position, 50, 1e-13);
+  EXPECT_NEAR(there_and_back.at(2 * end).position, 0, 1e-13);
+  testing::expect_invariants(there_and_back, 2);
+
+  const Trajectory thrice = repeated(there_and_back, 3);
+  EXPECT_NEAR(thrice.end(), 6 * end, 1e-13);
+  EXPECT_NEAR(thrice.at(4 * end + 0.3).position, f.at(0.3).position, 1e-12);
+}
+
+TEST(Curve, SumHasTheBreaksOfBoth) {
+  const Trajectory f({line(1, 0, 1), line(2, 1, 0)});
+  const Trajectory g({line(2, 5, 5), line(1, 5, 8)});
+  const Trajectory h = sum(f, g);
+  EXPECT_EQ(h.segments().size(), 3U);
+  for (const double x : {0.0, 0.5, 1.0, 1.5, 2.0, 2.9, 3.0})
+    EXPECT_NEAR(h.at(x).position, f.at(x).position + g.at(x).position, 1e-14) << x;
+  EXPECT_THROW(sum(f, Trajectory({line(4, 0, 1)})), InputError);
+}
+
+TEST(Curve, RefusesWhatIsNoCurve) {
+  EXPECT_THROW(Trajectory(std::vector<Segment>{}), InputError);
+  EXPECT_THROW(Trajectory({line(0, 0, 1)}), InputError);
+  EXPECT_THROW(Trajectory({line(-1, 0, 1)}), InputError);
+  EXPECT_THROW(Trajectory({line(1, 0, std::nan(""))}), InputError);
+  EXPECT_THROW(Trajectory({line(1, 0, 1)}, std::numeric_limits<double>::infinity()), InputError);
+  EXPECT_THROW(Trajectory({line(1e308, 0, 1), line(1e308, 0, 1)}), InputError)
+      << "the end overflows";
+}
+
+TEST(InputErrorText, NamesPlaceKeyValueAndRule) {
+  const InputError error =
+      InputError("move.velocity", -3, "must be greater than 0").at("a.toml", 4, 12);
+  EXPECT_STREQ(error.what(), "a.toml:4:12: move.velocity = -3: must be greater than 0");
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,82 @@
+#include "jounce/profiles/extrema.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+namespace {
+
+TEST(Extrema, OfARestToRestQuinticAreItsClosedForms) {
+  const Trajectory f({quintic(1, 0, 0, 0, 1, 0, 0)});  // 3-4-5 polynomial
+  const Ranges r = extrema(f);
+  EXPECT_NEAR(r[1].max.value, 1.875, 1e-14);
+  EXPECT_NEAR(r[1].max.where, 0.5, 1e-12);
+  EXPECT_NEAR(r[2].max.value, 10 / std::sqrt(3), 1e-13);
+  EXPECT_NEAR(r[2].max.where, (3 - std::sqrt(3)) / 6, 1e-12);
+  EXPECT_NEAR(r[2].min.where, (3 + std::sqrt(3)) / 6, 1e-12);
+  EXPECT_NEAR(r[3].max.value, 60, 1e-12);
+  EXPECT_NEAR(r[3].min.value, -30, 1e-12);
+}
+
+TEST(Extrema, SeeAPeakThatAThousandSamplesMiss) {
+  // A line with a bump 1e-4 wide in its middle: no multiple of 1/1000 comes near its top.
+  const double w = 1e-4;
+  const double x = 0.5004;
+  const Segment bump = quintic(w / 2, x, 1, 0, x + w / 2 + 0.01, 1, 0);
+  const Segment fall = quintic(w / 2, x + w / 2 + 0.01, 1, 0, x + w, 1, 0);
+  const Trajectory f({line(x, 0, x), bump, fall, line(1 - x - w, x + w, 1)});
+  double sampled = 0;
+  for (int i = 0; i <= 1000; ++i) sampled = std::max(sampled, f.at(i / 1000.0).velocity);
+  EXPECT_DOUBLE_EQ(sampled, 1);
+  EXPECT_GT(extrema(f, 1).max.value, 300);
+}
+
+TEST(Extrema, TakeBothSidesOfAJump) {
+  const Trajectory f({line(1, 0, 2), line(1, -3, 0)});
+  const Range r = extrema(f, 0);
+  EXPECT_DOUBLE_EQ(r.max.value, 2);
+  EXPECT_EQ(r.max.side, Side::left);
+  EXPECT_DOUBLE_EQ(r.max.where, 1);
+  EXPECT_DOUBLE_EQ(r.min.value, -3);
+  EXPECT_EQ(r.min.side, Side::right);
+  const Jump jump = largest_jump(f, 0);
+  EXPECT_DOUBLE_EQ(jump.step, -5);
+  EXPECT_DOUBLE_EQ(jump.where, 1);
+}
+
+TEST(Extrema, OfSinesAreExact) {
+  // z - sin(2 pi z)/(2 pi): the inclined sine.
+  Segment f = line(1, 0, 1);
+  f.sines = 1;
+  f.sine[0] = {-1 / (2 * std::numbers::pi), 2 * std::numbers::pi, 0};
+  const Ranges r = extrema(Trajectory({f}));
+  EXPECT_NEAR(r[1].max.value, 2, 1e-15);
+  EXPECT_NEAR(r[2].max.value, 2 * std::numbers::pi, 1e-14);
+  EXPECT_NEAR(r[2].max.where, 0.25, 1e-9);
+  EXPECT_NEAR(r[3].min.value, -4 * std::numbers::pi * std::numbers::pi, 1e-12);
+}
+
+TEST(Extrema, DoNotDependOnTheUnit) {
+  for (const double p : {1e-9, 1.0, 1e9})
+    for (const double t : {1e-6, 1.0, 1e6}) {
+      const Trajectory f({quintic(t, 0, 0, 0, p, 0.5 * p / t, 0)});
+      const Trajectory unit({quintic(1, 0, 0, 0, 1, 0.5, 0)});
+      double factor = p;
+      for (int k = 0; k < 4; ++k, factor /= t)
+        EXPECT_NEAR(extrema(f, k).peak().value / factor, extrema(unit, k).peak().value,
+                    1e-12 * std::abs(extrema(unit, k).peak().value));
+    }
+}
+
+TEST(Extrema, OfAConstantAreTheConstant) {
+  const Range r = extrema(Trajectory({line(1, 7, 7)}), 0);
+  EXPECT_EQ(r.min.value, 7);
+  EXPECT_EQ(r.max.value, 7);
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,73 @@
+#include "jounce/profiles/limits.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/profile.hpp"
+
+namespace jounce {
+namespace {
+
+Trajectory move() {
+  return trapezoid({.to = 10, .velocity = 2, .acceleration = 4}).curve();
+}
+
+TEST(Check, SaysHowCloseTheNearestLimitIs) {
+  const Report report = check(move(), {.velocity = 2.5, .acceleration = 4});
+  EXPECT_TRUE(report.ok());
+  ASSERT_EQ(report.findings.size(), 2U);
+  EXPECT_EQ(report.findings[0].rule, "limit/acceleration");
+  EXPECT_NEAR(report.findings[0].margin, 0, 1e-15) << "a limit that is just met is met";
+  EXPECT_EQ(report.findings[1].rule, "limit/velocity");
+  EXPECT_NEAR(report.findings[1].margin, 0.2, 1e-15);
+}
+
+TEST(Check, NamesWhereAndByHowMuch) {
+  const Report report = check(move(), {.position_max = 8, .velocity = 1.6});
+  EXPECT_FALSE(report.ok());
+  const Finding& worst = report.findings.front();
+  EXPECT_EQ(worst.rule, "limit/velocity");
+  EXPECT_DOUBLE_EQ(worst.value, 2);
+  EXPECT_DOUBLE_EQ(worst.limit, 1.6);
+  EXPECT_NEAR(worst.margin, -0.25, 1e-15);
+  EXPECT_DOUBLE_EQ(worst.where, 0.5);
+  ASSERT_TRUE(worst.segment);
+  EXPECT_FALSE(worst.advice.empty());
+  // One finding for each segment that breaks it: ramp up, cruise, ramp down; position in the last
+  // two.
+  EXPECT_EQ(report.broken(), 5U);
+}
+
+TEST(Check, ALimitBrokenByALittleIsBroken) {
+  EXPECT_FALSE(check(move(), {.velocity = 2 * (1 - 1e-9)}).ok());
+  EXPECT_TRUE(check(move(), {.velocity = 2 * (1 - 1e-14)}).ok()) << "rounding is forgiven";
+}
+
+TEST(Check, WithoutLimitsFindsNothing) {
+  EXPECT_TRUE(check(move(), {}).findings.empty());
+}
+
+TEST(Check, RefusesLimitsThatAreNone) {
+  EXPECT_THROW(check(move(), {.velocity = 0}), InputError);
+  EXPECT_THROW(check(move(), {.acceleration = std::nan("")}), InputError);
+  EXPECT_THROW(check(move(), {.position_min = 1, .position_max = 0}), InputError);
+}
+
+TEST(CheckContinuity, FindsTheFirstDerivativeThatJumps) {
+  EXPECT_TRUE(check_continuity(move(), 1).ok());
+  const Report report = check_continuity(move(), 2);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.findings.front().rule, "continuity/acceleration");
+  EXPECT_DOUBLE_EQ(report.findings.front().value, 4) << "at the first joint the ramp's 4 end";
+}
+
+TEST(CheckContinuity, IncludesTheWrap) {
+  const Trajectory ramp({line(1, 0, 1)}, 0, Outside::wrap);
+  EXPECT_FALSE(check_continuity(ramp, 0).ok());
+  EXPECT_TRUE(check_continuity(with(ramp, Outside::hold), 0).ok());
+}
+
+}  // namespace
+}  // namespace jounce

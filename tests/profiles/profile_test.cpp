@@ -1,0 +1,150 @@
+#include "jounce/profiles/profile.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+
+#include "support/invariants.hpp"
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::oracle;
+
+/// What every rest-to-rest move promises, for the move and its mirror image.
+void expect_move(const Profile& move, double velocity, double acceleration, double deceleration,
+                 double jerk, int order) {
+  const Trajectory f = move.curve();
+  const Ranges r = extrema(f);
+  EXPECT_EQ(f.at(0).position, move.from);
+  EXPECT_NEAR(f.at(f.end(), Side::left).position, move.to,
+              4e-16 * std::max(std::abs(move.from), std::abs(move.to)));
+  EXPECT_LE(std::abs(r[1].peak().value), velocity * (1 + 1e-12));
+  const double sign = move.to > move.from ? 1 : -1;
+  const Range& a = r[2];
+  EXPECT_LE(sign > 0 ? a.max.value : -a.min.value, acceleration * (1 + 1e-12));
+  EXPECT_LE(sign > 0 ? -a.min.value : a.max.value, deceleration * (1 + 1e-12));
+  if (std::isfinite(jerk)) {
+    EXPECT_LE(std::abs(r[3].peak().value), jerk * (1 + 1e-12));
+  }
+  testing::expect_invariants(f, order);
+}
+
+TEST(Trapezoid, Googol71TakesThirteenHundredMilliseconds) {
+  const Profile move =
+      trapezoid({.to = 50000, .velocity = 50, .acceleration = 0.25, .deceleration = 0.125});
+  EXPECT_DOUBLE_EQ(move.duration(), 1300);
+  const auto& expected = oracle("googol_7_1")["trapezoid"];
+  const Trajectory f = move.curve();
+  for (std::size_t i = 0; i < expected["t"].size(); ++i)
+    EXPECT_NEAR(f.at(expected["t"][i]).position, expected["position"][i].get<double>(), 1e-9);
+}
+
+TEST(SCurve, Googol71SmoothedTakesThirteenHundredAndTwentyFive) {
+  const Profile move = s_curve({.to = 50000,
+                                .velocity = 50,
+                                .acceleration = 0.25,
+                                .deceleration = 0.125,
+                                .jerk = 0.25 / 25,
+                                .deceleration_jerk = 0.125 / 25});
+  EXPECT_DOUBLE_EQ(move.duration(), 1325);
+  const auto& expected = oracle("googol_7_1")["smoothed"];
+  const Trajectory f = move.curve();
+  for (std::size_t i = 0; i < expected["t"].size(); ++i) {
+    EXPECT_NEAR(f.at(expected["t"][i]).position, expected["position"][i].get<double>(), 1e-9);
+    EXPECT_NEAR(f.at(expected["t"][i]).acceleration, expected["acceleration"][i].get<double>(),
+                1e-13);
+  }
+}
+
+TEST(SCurve, HmplSmoothingExample) {
+  // HIMC HMPL manual 5.1: v 100, a 500, smoothing 50 ms: ramp 250 ms, jerk 10000.
+  const Profile move =
+      s_curve({.to = 1000, .velocity = 100, .acceleration = 500, .jerk = 500 / 0.05});
+  EXPECT_NEAR(move.phases[0].duration + move.phases[1].duration + move.phases[2].duration, 0.25,
+              1e-15);
+}
+
+TEST(Trapezoid, MeetsTheOracle) {
+  for (const auto& c : oracle("trapezoids")) {
+    SCOPED_TRACE(c["name"].get<std::string>());
+    const Profile move =
+        trapezoid({c["from"], c["to"], c["velocity"], c["acceleration"], c["deceleration"]});
+    const double duration = c["duration"];
+    EXPECT_NEAR(move.duration(), duration, 1e-13 * duration);
+    EXPECT_NEAR(std::abs(move.peak_velocity), std::abs(c["peak_velocity"].get<double>()),
+                1e-13 * std::abs(c["peak_velocity"].get<double>()));
+    expect_move(move, c["velocity"], c["acceleration"], c["deceleration"],
+                std::numeric_limits<double>::infinity(), 1);
+  }
+}
+
+TEST(SCurve, MeetsTheOracle) {
+  for (const auto& c : oracle("s_curves")) {
+    SCOPED_TRACE(c["name"].get<std::string>());
+    const Profile move = s_curve({c["from"], c["to"], c["velocity"], c["acceleration"],
+                                  c["deceleration"], c["jerk"], c["deceleration_jerk"]});
+    const double duration = c["duration"];
+    // The distance is all that a solver has: where from and to nearly cancel, so does the accuracy.
+    const double given = c["distance"];
+    const double rounding =
+        std::abs(std::abs(move.to - move.from) - std::abs(given)) / std::abs(given);
+    EXPECT_NEAR(move.duration(), duration, (2e-13 + rounding) * duration);
+    expect_move(move, c["velocity"], c["acceleration"], c["deceleration"],
+                std::max(c["jerk"].get<double>(), c["deceleration_jerk"].get<double>()), 2);
+  }
+}
+
+TEST(SCurve, HoldsItsLimitsOverSixDecadesForwardAndBack) {
+  testing::Random random(20);
+  for (int i = 0; i < 2000; ++i) {
+    SCurveSpec s;
+    s.from = random.uniform(-1, 1);
+    s.to = s.from + random.log_uniform(1e-3, 1e3);
+    s.velocity = random.log_uniform(1e-3, 1e3);
+    s.acceleration = random.log_uniform(1e-3, 1e3);
+    s.deceleration = random.log_uniform(1e-3, 1e3);
+    s.jerk = random.log_uniform(1e-3, 1e3);
+    s.deceleration_jerk = random.log_uniform(1e-3, 1e3);
+    SCOPED_TRACE(i);
+    const Profile move = s_curve(s);
+    expect_move(move, s.velocity, s.acceleration, s.deceleration,
+                std::max(s.jerk, s.deceleration_jerk), 2);
+    std::swap(s.from, s.to);
+    const Profile mirror = s_curve(s);
+    EXPECT_DOUBLE_EQ(mirror.duration(), move.duration());
+    if (HasFailure()) break;
+  }
+}
+
+TEST(SCurve, DurationDoesNotDependOnTheUnit) {
+  const SCurveSpec metres{0, 0.3, 1.1, 7, 5, 90, 60};
+  for (const double k : {1e3, 1e6, 1e-6}) {
+    const SCurveSpec other{0, 0.3 * k, 1.1 * k, 7 * k, 5 * k, 90 * k, 60 * k};
+    EXPECT_NEAR(s_curve(other).duration(), s_curve(metres).duration(), 1e-14);
+  }
+}
+
+TEST(Moves, RefuseWhatIsNoMove) {
+  EXPECT_THROW(trapezoid({.to = 0, .velocity = 1, .acceleration = 1}), InputError);
+  EXPECT_THROW(trapezoid({.to = 1, .velocity = 0, .acceleration = 1}), InputError);
+  EXPECT_THROW(trapezoid({.to = 1, .velocity = 1, .acceleration = -1}), InputError);
+  EXPECT_THROW(trapezoid({.to = std::nan(""), .velocity = 1, .acceleration = 1}), InputError);
+  EXPECT_THROW(trapezoid({.from = -1e308, .to = 1e308, .velocity = 1, .acceleration = 1}),
+               InputError);
+  EXPECT_THROW(s_curve({.to = 1, .velocity = 1, .acceleration = 1, .jerk = 0}), InputError);
+  EXPECT_THROW(s_curve({.to = 1,
+                        .velocity = 1,
+                        .acceleration = 1,
+                        .jerk = std::numeric_limits<double>::infinity()}),
+               InputError);
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+namespace jounce::testing {
+
+/// The numbers of tests/oracle/oracles.json, made by tests/oracle/make_oracles.py without any of
+/// our code.
+inline const nlohmann::json& oracle(const char* name) {
+  static const nlohmann::json all =
+      nlohmann::json::parse(std::ifstream(JOUNCE_SOURCE_DIR "/tests/oracle/oracles.json"));
+  return all.at(name);
+}
+
+}  // namespace jounce::testing
