@@ -38,7 +38,6 @@ std::int64_t narrow(Wide a) {
 Gear Gear::ratio(std::int64_t numerator, std::int64_t denominator) {
   if (denominator <= 0)
     throw InputError("denominator", std::to_string(denominator), "must be greater than 0");
-  if (numerator == 0) throw InputError("numerator", "0", "must not be 0");
   if (numerator == std::numeric_limits<std::int64_t>::min())
     throw InputError("numerator", std::to_string(numerator), "must be greater than -2^63");
   const std::int64_t common = std::gcd(numerator, denominator);

@@ -17,7 +17,8 @@ namespace jounce {
 /// 64-bit master count whose slave count fits 64 bits; outside that slave() asserts.
 class Gear {
  public:
-  /// Throws InputError where the denominator is 0 or less (PMC600 error 675) or the numerator is 0.
+  /// Throws InputError where the denominator is 0 or less (PMC600 error 675). A numerator of 0
+  /// holds the slave still.
   static Gear ratio(std::int64_t numerator, std::int64_t denominator);
 
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }

@@ -4,42 +4,15 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace jounce {
 namespace {
 
-struct Interval {
-  double lo = 0;
-  double hi = 0;
-};
-
-Interval operator+(Interval a, Interval b) {
-  return {a.lo + b.lo, a.hi + b.hi};
-}
-bool excludes_zero(Interval a) {
-  return a.lo > 0 || a.hi < 0;
-}
-
-/// The exact range of amplitude * sin over [from, to] (rad, any order).
-Interval sine_range(double amplitude, double from, double to) {
-  constexpr double pi = std::numbers::pi;
-  if (from > to) std::swap(from, to);
-  double lo = std::min(std::sin(from), std::sin(to));
-  double hi = std::max(std::sin(from), std::sin(to));
-  // A crest lies at pi/2 + 2 k pi, a trough half a turn later.
-  const auto holds = [&](double at) {
-    return std::floor((to - at) / (2 * pi)) >= std::ceil((from - at) / (2 * pi));
-  };
-  if (holds(pi / 2)) hi = 1;
-  if (holds(-pi / 2)) lo = -1;
-  return amplitude < 0 ? Interval{amplitude * hi, amplitude * lo}
-                       : Interval{amplitude * lo, amplitude * hi};
-}
-
 using Bernstein = std::array<double, Segment::max_degree + 1>;
 
-/// A piece [a, b] of the segment with the Bernstein coefficients of its polynomial over that piece.
+/// A piece [a, b] of the segment with the Bernstein coefficients of f over it: f lies within their
+/// hull, and f' within the hull of their differences.
 struct Piece {
   double a = 0;
   double b = 1;
@@ -47,7 +20,7 @@ struct Piece {
 };
 
 Bernstein to_bernstein(const Segment& f) {
-  // beta_i = sum over k <= i of C(i, k) / C(n, k) * c_k, by differences of the scaled coefficients.
+  // beta_i = sum over k <= i of C(i, k) / C(n, k) c_k: by differences of the scaled coefficients.
   const auto n = static_cast<std::size_t>(f.degree);
   Bernstein beta{};
   double binomial = 1;
@@ -60,60 +33,77 @@ Bernstein to_bernstein(const Segment& f) {
   return beta;
 }
 
+/// The widest angle over which a sine is its Taylor polynomial of degree 11 to within rounding:
+/// the remainder is at most angle^12 / 12! = 1.3e-16.
+constexpr double widest_angle = 0.25;
+
+/// f with each sine, which spans at most widest_angle, replaced by that polynomial. Only so do a
+/// sine and a polynomial that nearly cancel (the error of a table) leave a tight enclosure.
+Segment as_polynomial(const Segment& f) {
+  Segment g = f;
+  g.sines = 0;
+  g.degree = Segment::max_degree;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    const auto& [amplitude, angle, phase] = f.sine[i];
+    const double sn = std::sin(phase);
+    const double cs = std::cos(phase);
+    const std::array cycle{sn, cs, -sn, -cs};  // sin and its derivatives
+    double factor = amplitude;
+    for (std::size_t k = 0; k < g.c.size(); ++k) {
+      g.c[k] += factor * cycle[k % 4];
+      factor *= angle / static_cast<double>(k + 1);
+    }
+  }
+  return g;
+}
+
+/// Isolates the roots of f piece by piece.
 class Isolation {
  public:
   Isolation(const Segment& f, double flat, std::vector<double>& out)
-      : f_(f), n_(static_cast<std::size_t>(f.degree)), flat_(flat), out_(out) {}
+      : f_(f), flat_(flat), out_(out) {
+    double widest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+      widest = std::max(widest, std::abs(f.sine[i].angle));
+      remainder_ += 2e-16 * std::abs(f.sine[i].amplitude);
+    }
+    n_ = static_cast<std::size_t>(f.sines == 0 ? f.degree : Segment::max_degree);
+    const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
+    for (double i = 0; i < pieces; ++i) {
+      const double a = i / pieces;
+      const double b = (i + 1) / pieces;
+      run({a, b, to_bernstein(f.sines == 0 ? f : as_polynomial(part(f, a, b)))});
+    }
+  }
 
+ private:
   void run(const Piece& piece) {
-    const Interval range = enclosure(piece);
-    if (excludes_zero(range)) return;
-    const double middle = (piece.a + piece.b) / 2;
-    if ((range.lo >= -flat_ && range.hi <= flat_) || piece.b - piece.a < 1e-13) {
-      out_.push_back(middle);
+    const auto [lo, hi] = std::minmax_element(piece.beta.begin(), piece.beta.begin() + count());
+    if (*lo > remainder_ || *hi < -remainder_) return;
+    if ((*lo >= -flat_ && *hi <= flat_) || piece.b - piece.a < 1e-13) {
+      out_.push_back((piece.a + piece.b) / 2);
       return;
     }
-    const Interval slope = slope_enclosure(piece);
-    if (excludes_zero(slope)) {
+    if (is_monotone(piece)) {
       bracket(piece.a, piece.b);
       return;
     }
-    // The mean-value form closes in quadratically where the plain enclosure is slow (sines).
-    const double radius = (piece.b - piece.a) / 2 * std::max(-slope.lo, slope.hi);
-    if (std::abs(value(f_, middle)) > radius) return;
     const auto [left, right] = halves(piece);
     run(left);
     run(right);
   }
 
- private:
-  [[nodiscard]] Interval enclosure(const Piece& piece) const {
-    const auto end = piece.beta.begin() + static_cast<std::ptrdiff_t>(n_) + 1;
-    const auto [lo, hi] = std::minmax_element(piece.beta.begin(), end);
-    Interval range{*lo, *hi};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f_.sines); ++i) {
-      const auto& t = f_.sine[i];
-      range =
-          range + sine_range(t.amplitude, t.angle * piece.a + t.phase, t.angle * piece.b + t.phase);
-    }
-    return range;
-  }
+  [[nodiscard]] std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(n_) + 1; }
 
-  [[nodiscard]] Interval slope_enclosure(const Piece& piece) const {
-    Interval range;
+  [[nodiscard]] bool is_monotone(const Piece& piece) const {
+    bool rises = true;
+    bool falls = true;
     for (std::size_t i = 0; i < n_; ++i) {
-      const double difference =
-          static_cast<double>(n_) * (piece.beta[i + 1] - piece.beta[i]) / (piece.b - piece.a);
-      range = i == 0 ? Interval{difference, difference}
-                     : Interval{std::min(range.lo, difference), std::max(range.hi, difference)};
+      const double difference = piece.beta[i + 1] - piece.beta[i];
+      rises = rises && difference > remainder_;
+      falls = falls && difference < -remainder_;
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f_.sines); ++i) {
-      const auto& t = f_.sine[i];
-      const double quarter = t.phase + std::numbers::pi / 2;
-      range = range + sine_range(t.amplitude * t.angle, t.angle * piece.a + quarter,
-                                 t.angle * piece.b + quarter);
-    }
-    return range;
+    return rises || falls;
   }
 
   /// De Casteljau at the middle: the coefficients of both halves.
@@ -132,7 +122,7 @@ class Isolation {
 
   /// f is monotone over [a, b]: one sign change at the most, found by Newton kept inside a bracket.
   void bracket(double a, double b) {
-    double fa = value(f_, a);
+    const double fa = value(f_, a);
     const double fb = value(f_, b);
     if (fa == 0 || fb == 0) {
       out_.push_back(fa == 0 ? a : b);
@@ -153,21 +143,42 @@ class Isolation {
   }
 
   const Segment& f_;
-  std::size_t n_;
   double flat_;
   std::vector<double>& out_;
+  std::size_t n_ = 0;     // degree of the Bernstein form
+  double remainder_ = 0;  // what the polynomials may differ from f
 };
 
 }  // namespace
 
 void roots(const Segment& f, double flat, std::vector<double>& out) {
   out.clear();
-  Isolation(f, flat, out).run({0, 1, to_bernstein(f)});
+  const Isolation isolation(f, flat, out);
   std::erase_if(out, [](double s) { return s <= 0 || s >= 1; });
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end(), [](double a, double b) { return b - a < 1e-13; }),
             out.end());
 }
+
+namespace {
+
+/// Every s in [0, 1] where g vanishes, each stretch within `flat` of zero once.
+void zeros(const Segment& g, double flat, std::vector<double>& out) {
+  thread_local std::vector<double> interior;
+  roots(g, flat, interior);
+  out.clear();
+  const auto is_new = [&](double s) {
+    return out.empty() || std::abs(value(g, (out.back() + s) / 2)) > flat;
+  };
+  if (std::abs(value(g, 0)) <= flat) out.push_back(0);
+  for (const double s : interior)
+    if (is_new(s)) out.push_back(s);
+  if (std::abs(value(g, 1)) > flat) return;
+  if (!is_new(1) && out.back() > 0) out.pop_back();  // an end that touches: the end itself is meant
+  if (is_new(1)) out.push_back(1);
+}
+
+}  // namespace
 
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
@@ -179,15 +190,13 @@ std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
     for (int k = 0; k < order; ++k) g = derivative(g);
     const double flat = 4e-16 * (magnitude(g) + std::abs(level));
     g.c[0] -= level;
-    if (std::abs(value(g, 0)) <= flat) found.push_back(f.breaks()[i]);
-    roots(g, flat, s);
-    for (const double at : s) found.push_back(f.breaks()[i] + at * g.length);
-    if (std::abs(value(g, 1)) <= flat) found.push_back(f.breaks()[i + 1]);
+    zeros(g, flat, s);
+    for (const double at : s)
+      found.push_back(at == 1 ? f.breaks()[i + 1] : f.breaks()[i] + at * g.length);
   }
   const double apart = 1e-13 * f.length();
-  found.erase(
-      std::unique(found.begin(), found.end(), [&](double a, double b) { return b - a <= apart; }),
-      found.end());
+  const auto same = [&](double a, double b) { return b - a <= apart; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "jounce/pvt/table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -12,20 +13,31 @@
 namespace jounce {
 namespace {
 
-std::string entry(const char* column, std::size_t knot) {
-  return std::string("knot[") + std::to_string(knot) + "]." + column;
+/// The names of the columns, which depend on the axis: "time", "velocity"; "master",
+/// "geo_velocity".
+const char* column_name(Axis axis, std::size_t column) {
+  if (column == 0) return name(axis);
+  return axis == Axis::time ? OverTime::names[column - 1] : OverMaster::names[column - 1];
 }
 
-void require_column(const char* column, const std::vector<double>& values, std::size_t knots,
-                    bool needed, Rule rule) {
+/// Knots are counted from 1 for people, as in a spec.
+std::string entry(Axis axis, std::size_t column, std::size_t knot) {
+  return "knot[" + std::to_string(knot + 1) + "]." + column_name(axis, column);
+}
+
+void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<double>& values,
+                    std::size_t knots) {
+  const bool needed =
+      column < 2 || rule == Rule::quintic_hermite || (column == 2 && rule == Rule::cubic_hermite);
   const std::size_t expected = needed ? knots : 0;
   if (values.size() != expected)
-    throw InputError(std::string("column ") + column, std::to_string(values.size()) + " values",
+    throw InputError(std::string("column ") + column_name(axis, column),
+                     std::to_string(values.size()) + " values",
                      std::string("a ") + name(rule) + " table of " + std::to_string(knots) +
                          " knots needs " + std::to_string(expected));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      throw InputError(entry(column, i), values[i], "must be a finite number");
+      throw InputError(entry(axis, column, i), values[i], "must be a finite number");
 }
 
 }  // namespace
@@ -34,13 +46,12 @@ Table::Table(Axis axis, Rule rule, Outside outside, Columns columns)
     : axis_(axis), rule_(rule), outside_(outside), columns_(std::move(columns)) {
   const std::size_t knots = columns_.x.size();
   if (knots < 2) throw InputError("knots", std::to_string(knots), "a table needs at least two");
-  require_column("x", columns_.x, knots, true, rule);
-  require_column("p", columns_.p, knots, true, rule);
-  require_column("v", columns_.v, knots, rule != Rule::linear, rule);
-  require_column("a", columns_.a, knots, rule == Rule::quintic_hermite, rule);
+  const std::array all{&columns_.x, &columns_.p, &columns_.v, &columns_.a};
+  for (std::size_t column = 0; column < all.size(); ++column)
+    require_column(axis, rule, column, *all[column], knots);
   for (std::size_t i = 1; i < knots; ++i)
     if (!(columns_.x[i] > columns_.x[i - 1]))
-      throw InputError(entry("x", i), columns_.x[i],
+      throw InputError(entry(axis, 0, i), columns_.x[i],
                        "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");
 }
 
@@ -60,22 +71,23 @@ Segment Table::segment(std::size_t i) const {
 }
 
 Jet Table::jet(double x, Side side) const {
-  double at = x;
   if (x < start() || x > end() ||
       (x == end() && side == Side::right && outside_ == Outside::wrap)) {
     assert(outside_ != Outside::refuse && "query outside a table that refuses it");
-    if (outside_ != Outside::wrap)
-      return {x < start() ? columns_.p.front() : columns_.p.back(), 0, 0, 0};
-    at = wrapped(x, start(), length());
-    if (side == Side::left && at == start()) at = end();
+    if (outside_ != Outside::wrap) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
+    x = wrapped(x, start(), length());
+    if (side == Side::left && x == start()) x = end();
   }
   const auto first = columns_.x.begin() + 1;
   const auto last = columns_.x.end() - 1;
   const auto it =
-      side == Side::right ? std::upper_bound(first, last, at) : std::lower_bound(first, last, at);
-  const auto i = static_cast<std::size_t>(it - first);
-  const Segment f = segment(i);
-  return evaluate(f, std::clamp((at - columns_.x[i]) / f.length, 0.0, 1.0));
+      side == Side::right ? std::upper_bound(first, last, x) : std::lower_bound(first, last, x);
+  return inside(static_cast<std::size_t>(it - first), x);
+}
+
+Jet Table::inside(std::size_t interval, double x) const {
+  const Segment f = segment(interval);
+  return evaluate(f, std::clamp((x - columns_.x[interval]) / f.length, 0.0, 1.0));
 }
 
 template <class Over>

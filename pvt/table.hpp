@@ -60,6 +60,8 @@ class Table {
   [[nodiscard]] Curve<Over> curve() const;
 
  private:
+  [[nodiscard]] Jet inside(std::size_t interval, double x) const;
+
   Axis axis_;
   Rule rule_;
   Outside outside_;

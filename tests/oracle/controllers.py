@@ -86,6 +86,10 @@ def master():
 def follow(curve, m, t, left=False):
     """Slave position, velocity, acceleration, jerk at t, one-sided; the cam repeats every 360."""
     x, v, a, j = (m.derivative(k)(t, left) for k in range(4))
+    for knot in curve.knots:  # a break is not exact in binary: on a knot means on the knot, not just beside it
+        laps = mp.nint((x - knot) / 360)
+        if abs(x - knot - 360 * laps) < mpf("1e-40"):
+            x = knot + 360 * laps
     phase = x - 360 * mp.floor(x / 360)
     if phase == 0 and (left and x > 0 or t == m.knots[-1]):
         phase = mpf(360)

@@ -1,0 +1,122 @@
+#include "jounce/cam/design.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+
+#include "support/fig_6_14.hpp"
+#include "support/invariants.hpp"
+#include "support/oracle.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::fig_6_14;
+using testing::oracle;
+
+/// Whether a value has all the digits that the manual prints. Its column cuts digits off rather
+/// than rounding them, so the value lies between the printed number and the next one.
+bool has_printed_digits(double value, const std::string& printed) {
+  const auto point = printed.find('.');
+  const double unit = point == std::string::npos
+                          ? 1
+                          : std::pow(10, -static_cast<double>(printed.size() - point - 1));
+  const double shown = std::stod(printed);
+  return value >= shown - 1e-12 * std::abs(shown) - 1e-13 && value < shown + unit;
+}
+
+TEST(Design, Pmc600Fig614HasAllPrintedDigits) {
+  const Cam cam = design(fig_6_14()).cam;
+  const auto& segments = oracle("pmc600_fig_6_14")["segments"];
+  ASSERT_EQ(cam.segments().size(), segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    SCOPED_TRACE(i + 1);
+    const Ranges r = segment_extrema(cam, i);
+    const auto& printed = segments[i]["printed"];
+    EXPECT_TRUE(has_printed_digits(r[0].min.value, printed["min_position"])) << r[0].min.value;
+    EXPECT_TRUE(has_printed_digits(r[0].max.value, printed["max_position"])) << r[0].max.value;
+    EXPECT_TRUE(has_printed_digits(std::abs(r[1].peak().value), printed["max_abs_v"]))
+        << r[1].peak().value;
+    EXPECT_TRUE(has_printed_digits(std::abs(r[2].peak().value), printed["max_abs_a"]))
+        << r[2].peak().value;
+
+    const double stroke = 232;
+    EXPECT_NEAR(r[0].min.value, segments[i]["min_position"].get<double>(), 1e-14 * stroke);
+    EXPECT_NEAR(r[0].max.value, segments[i]["max_position"].get<double>(), 1e-14 * stroke);
+    EXPECT_NEAR(std::abs(r[1].peak().value), segments[i]["max_abs_v"].get<double>(), 1e-13);
+    EXPECT_NEAR(std::abs(r[2].peak().value), segments[i]["max_abs_a"].get<double>(), 1e-14);
+  }
+  EXPECT_NEAR(segment_extrema(cam, 0)[1].max.where, 42, 1e-9) << "peak slope at master 42";
+}
+
+TEST(Design, Fig614IsSmoothAlsoWhereItWraps) {
+  const Cam cam = design(fig_6_14()).cam;
+  testing::expect_invariants(cam, 2);
+  EXPECT_NEAR(cam.at(360 * 1000 + 100).position, 125, 1e-9);
+}
+
+TEST(Design, PlacesRestToRestLawsAndKeepsTheirOrigin) {
+  CamSpec spec;
+  spec.start = {10, 5, {}, {}};
+  spec.segments = {{Law::modified_sine, {130, 55, {}, {}}, "rise"},
+                   {Law::dwell, {200, 55, {}, {}}, "dwell"},
+                   {Law::modified_trapezoid, {360, -45, {}, {}}, "return"}};
+  const CamDesign made = design(spec);
+  EXPECT_EQ(made.origin, (std::vector<std::size_t>{0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2}));
+  EXPECT_NEAR(made.cam.at(70).position, 30, 1e-13);
+  EXPECT_NEAR(made.cam.at(150).position, 55, 1e-13);
+  EXPECT_NEAR(made.cam.at(500).position, -45, 1e-13) << "not periodic: holds";
+  EXPECT_NEAR(extrema(made.cam, 1).min.value, -2 * 100.0 / 160, 1e-13)
+      << "Cv of the modified trapezoid";
+  testing::expect_invariants(made.cam, 2);
+}
+
+TEST(Design, TakesTheSlopeOfALineWhereNoneIsGiven) {
+  CamSpec spec;
+  spec.segments = {{Law::quintic, {100, 50, {}, {}}, ""}, {Law::line, {200, 150, {}, {}}, ""}};
+  const auto knots = resolved_knots(spec);
+  EXPECT_DOUBLE_EQ(*knots[1].geo_velocity, 1);
+  EXPECT_DOUBLE_EQ(*knots[0].geo_velocity, 0);
+  EXPECT_TRUE(check_continuity(design(spec).cam, 2).ok());
+}
+
+std::string complaint(const CamSpec& spec) {
+  try {
+    (void)design(spec);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Design, NamesWhatContradictsItself) {
+  CamSpec spec;
+  EXPECT_EQ(complaint(spec), "segment = none: a cam needs at least one segment");
+
+  spec.segments = {{Law::quintic, {75, 100, 1, 0}, ""}, {Law::quintic, {75, 225, 1, 0}, ""}};
+  EXPECT_EQ(complaint(spec),
+            "segment[2].end.master = 75: must be greater than 75, the knot before");
+
+  spec.segments = {{Law::line, {100, 50, 0.6, {}}, ""}};
+  EXPECT_EQ(
+      complaint(spec),
+      "segment[1].end.geo_velocity = 0.6: must be 0.5, which the law `line` beside it has there");
+
+  spec.segments = {{Law::modified_sine, {100, 50, 1, {}}, ""}};
+  EXPECT_EQ(complaint(spec),
+            "segment[1].end.geo_velocity = 1: must be 0, which the law `modified_sine` beside it "
+            "has there");
+
+  spec.segments = {{Law::dwell, {100, 50, {}, {}}, ""}};
+  EXPECT_EQ(complaint(spec), "segment[1].end.slave = 50: a dwell must stay at 0");
+
+  spec.segments = {{Law::quintic, {100, std::nan(""), {}, {}}, ""}};
+  EXPECT_EQ(complaint(spec), "segment[1].end.slave = nan: must be a finite number");
+}
+
+}  // namespace
+}  // namespace jounce

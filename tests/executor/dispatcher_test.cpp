@@ -1,0 +1,332 @@
+#include "jounce/executor/dispatcher.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "executor/tables.hpp"
+#include "executor/virtual_pacer.hpp"
+#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/memory_transport.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+const Units over_time{.x = "s", .position = "mm"};
+const Units over_master{.x = "deg", .position = "mm"};
+const Units of_master{.x = "s", .position = "deg"};
+
+/// An executor and a streamer on one memory network and one virtual clock: whenever the streamer
+/// waits, the executor's threads have their turns.
+struct Site {
+  explicit Site(ExecutorOptions given = {}) : options(std::move(given)), axis(options.axis) {
+    network.on_wait = [this](Nanos time) { advance(time); };
+  }
+
+  static ExecutorOptions defaults() {
+    ExecutorOptions options;
+    options.axis.limits = limits(1000, 1e5);
+    options.units = over_master;
+    options.receiver.executor = "feeder";
+    return options;
+  }
+
+  void advance(Nanos time) {
+    for (const Nanos end = clock() + time; clock() < end;) {
+      cycle.once();
+      dispatcher.turn(0ns);
+    }
+  }
+
+  StreamOutcome stream(StreamPlan plan, std::int64_t session) {
+    plan.executor = "feeder";
+    return stream_tables(link, std::move(plan), {}, clock, session);
+  }
+  StreamOutcome play(const Table& table, std::int64_t session) {
+    return stream({.executor = {}, .tables = {{table, over_time}}}, session);
+  }
+
+  ExecutorOptions options;
+  MemoryNetwork network;
+  MemoryTransport own_link{network};
+  MemoryTransport link{network};
+  MotionAxis axis;
+  VirtualPacer pacer;
+  Clock clock = [this] { return Nanos(pacer.now()); };
+  std::unique_ptr<Mail> mail = std::make_unique<Mail>();
+  Dispatcher dispatcher{own_link, options, *mail, clock};
+  Cycle cycle{axis, pacer, *mail};
+};
+
+TEST(Dispatcher, StreamsArmsStartsAndPlaysATable) {
+  Site site(Site::defaults());
+  const StreamOutcome outcome = site.play(*trapezoid_table(50, 100, 1000, 1000), 1);
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_TRUE(outcome.started);
+  EXPECT_TRUE(site.dispatcher.moving());
+  site.advance(1s);
+  EXPECT_FALSE(site.dispatcher.moving());
+  EXPECT_EQ(site.dispatcher.last().position, 50);
+  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+  EXPECT_FALSE(site.dispatcher.owned());
+}
+
+/// A log as columns of numbers: local tick, master, master velocity, position, velocity.
+struct Line {
+  double time, master, position, velocity;
+  std::string state;
+};
+
+std::vector<Line> moving_lines(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text;
+  std::getline(file, text);
+  std::vector<Line> lines;
+  while (std::getline(file, text)) {
+    std::vector<std::string> cells;
+    for (std::size_t at = 0, comma = 0; comma != std::string::npos; at = comma + 1) {
+      comma = text.find(',', at);
+      cells.push_back(text.substr(at, comma - at));
+    }
+    const auto number = [&](std::size_t i) {
+      double value = NAN;
+      std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
+      return value;
+    };
+    if (cells.at(8) != "0") lines.push_back({number(1), number(3), number(5), number(6), cells[2]});
+  }
+  return lines;
+}
+
+// PMC600 manual 6.2, example 4.3, from the streamer's tables to the file that the executor leaves.
+TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
+  ExecutorOptions options = Site::defaults();
+  options.axis.limits = limits(700, 7000);
+  options.log = std::filesystem::temp_directory_path() /
+                ("jounce_dispatcher_" + std::to_string(getpid()) + ".csv");
+  const TablePtr cam = pmc600_cam();
+  const TablePtr master = constant_master(1080, 200);
+  {
+    Site site(options);
+    const StreamOutcome outcome = site.stream({.executor = {},
+                                               .tables = {{*cam, over_master}, {*master, of_master}},
+                                               .mode = wire::ArmMode::follow_table},
+                                              1);
+    ASSERT_TRUE(outcome.ok()) << outcome.reason;
+    site.advance(6s);
+    EXPECT_EQ(site.dispatcher.last().finished, 1U);
+    site.dispatcher.close();
+  }
+  const auto lines = moving_lines(*options.log);
+  std::filesystem::remove(*options.log);
+  ASSERT_EQ(lines.size(), 5400U);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const double t = static_cast<double>(k * 1'000'000) / 1e9;
+    const Jet m = master->jet(t);
+    ASSERT_EQ(lines[k].master, m[0]);
+    ASSERT_EQ(lines[k].position, cam->jet(m[0])[0]);
+    ASSERT_EQ(lines[k].velocity, cam->jet(m[0])[1] * m[1]);
+    ASSERT_EQ(lines[k].state, "synchronized_motion");
+  }
+}
+
+TEST(Dispatcher, ATableThatBreaksALimitIsRefusedWithItsNumbers) {
+  Site site(Site::defaults());
+  const StreamOutcome outcome = site.play(*trapezoid_table(5000, 1500, 5000, 5000), 1);
+  EXPECT_EQ(outcome.error, StreamError::refused);
+  EXPECT_EQ(outcome.refusal, wire::Refusal::axis);
+  EXPECT_EQ(outcome.cause, static_cast<int>(Cause::velocity_limit));
+  EXPECT_THAT(outcome.reason, HasSubstr("1500"));
+  EXPECT_THAT(outcome.reason, HasSubstr("1000"));
+  site.advance(1s);
+  EXPECT_EQ(site.dispatcher.last().position, 0);
+  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
+}
+
+TEST(Dispatcher, OtherUnitsAndAMasterInputAreRefused) {
+  Site site(Site::defaults());
+  const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
+  StreamOutcome outcome =
+      site.stream({.executor = {}, .tables = {{*move, {.x = "s", .position = "pulse"}}}}, 1);
+  EXPECT_EQ(outcome.cause, static_cast<int>(Cause::wrong_unit));
+  outcome = site.stream({.executor = {},
+                         .tables = {{*pmc600_cam(), {.x = "rad", .position = "mm"}},
+                                    {*move, {.x = "s", .position = "rad"}}},
+                         .mode = wire::ArmMode::follow_table},
+                        2);
+  EXPECT_EQ(outcome.cause, static_cast<int>(Cause::wrong_unit));
+  outcome = site.stream({.executor = {},
+                         .tables = {{*pmc600_cam(), over_master}},
+                         .mode = wire::ArmMode::follow_input},
+                        3);
+  EXPECT_EQ(outcome.cause, static_cast<int>(Cause::no_master_input));
+}
+
+TEST(Dispatcher, AnOperatorsStopEndsTheMotionOnItsPath) {
+  Site site(Site::defaults());
+  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000), 1).ok());
+  site.advance(500ms);
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 2s, site.clock));
+  site.advance(1s);
+  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
+  EXPECT_EQ(site.dispatcher.last().stopped, 1U);
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
+}
+
+TEST(Dispatcher, AnAbortIsAFaultThatTheNextSessionResets) {
+  ExecutorOptions options = Site::defaults();
+  std::vector<std::string> notices;
+  options.notify = [&](const std::string& notice) { notices.push_back(notice); };
+  Site site(options);
+  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000), 1).ok());
+  site.advance(500ms);
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::abort, 2s, site.clock));
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  EXPECT_THAT(notices, ::testing::Contains(HasSubstr("fault: aborted")));
+  const double where = site.dispatcher.last().position;
+  EXPECT_GT(where, 10);
+  // The same table begins elsewhere; one that begins here is played.
+  EXPECT_EQ(site.play(*trapezoid_table(500, 100, 1000, 1000), 2).cause,
+            static_cast<int>(Cause::start_position));
+  EXPECT_TRUE(site.play(*there_and_back(where, 5, 1, Outside::hold), 3).ok());
+  site.advance(2s);
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
+  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+}
+
+/// A streamer by hand: it can fall silent.
+void exchange(Site& site, Sender& sender) {
+  for (const auto& message : sender.poll(site.clock())) send_message(site.link, message);
+  Rejects rejects;
+  while (const auto message = next_message(site.link, 0ns, rejects))
+    sender.receive(*message, site.clock());
+  site.advance(1ms);
+}
+
+Sender holding(Site& site, const Table& table, std::int64_t session) {
+  site.link.subscribe(wire::channel("feeder", wire::Lane::reply), 64);
+  Sender sender({.executor = "feeder", .tables = {{table, over_time}}}, session);
+  for (int i = 0; i < 500 && !sender.at_goal(); ++i) exchange(site, sender);
+  EXPECT_TRUE(sender.at_goal());
+  return sender;
+}
+
+TEST(Dispatcher, AFaultIsNotResetByTheSessionItCameIn) {
+  Site site(Site::defaults());
+  Sender sender = holding(site, *trapezoid_table(500, 100, 1000, 1000), 1);
+  sender.stop(wire::StopMode::abort);
+  for (int i = 0; i < 100; ++i) exchange(site, sender);
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  const wire::Arm again{.command = 1000,
+                        .slave = content_hash(*trapezoid_table(500, 100, 1000, 1000), over_time)};
+  if (site.dispatcher.owned()) {
+    send_message(site.link, {"feeder", 1, again});
+    site.advance(20ms);
+  }
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  EXPECT_EQ(site.dispatcher.last().state, State::error_stop);
+}
+
+TEST(Dispatcher, AnOwnerThatFallsSilentInMotionStopsTheAxis) {
+  for (const bool stop : {true, false}) {
+    ExecutorOptions options = Site::defaults();
+    options.stop_when_silent = stop;
+    Site site(options);
+    const TablePtr cycle = there_and_back(0, 10, 1, Outside::wrap);
+    const Sender sender = holding(site, *cycle, 1);
+    site.advance(900ms);
+    EXPECT_EQ(site.dispatcher.last().state, State::discrete_motion);
+    site.advance(2s);  // of which one is the session's time-out
+    EXPECT_FALSE(site.dispatcher.owned());
+    EXPECT_EQ(site.dispatcher.last().state, stop ? State::standstill : State::discrete_motion);
+  }
+}
+
+TEST(Dispatcher, AnArmedTableIsDisarmedWithItsSession) {
+  Site site(Site::defaults());
+  const StreamOutcome outcome =
+      site.stream({.executor = {},
+                   .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}},
+                   .goal = StreamGoal::arm},
+                  1);
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  site.advance(100ms);
+  EXPECT_EQ(site.dispatcher.last().armed, 0U);
+}
+
+TEST(Dispatcher, AnAxisThatAdoptsTheStartTakesAnyTableAtStandstill) {
+  ExecutorOptions options = Site::defaults();
+  options.adopt_start = true;
+  Site site(options);
+  EXPECT_TRUE(site.play(*there_and_back(40, 5, 1, Outside::hold), 1).ok());
+  site.advance(1500ms);
+  EXPECT_EQ(site.dispatcher.last().position, 40);
+}
+
+TEST(Dispatcher, AStartAtATickBeginsThere) {
+  Site site(Site::defaults());
+  StreamPlan plan{.executor = {},
+                  .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}},
+                  .start_tick = 300};
+  ASSERT_TRUE(site.stream(plan, 1).ok());
+  while (site.dispatcher.last().tick < 299) site.advance(1ms);
+  EXPECT_EQ(site.dispatcher.last().job, 0U);
+  site.advance(1ms);
+  EXPECT_NE(site.dispatcher.last().job, 0U);
+  EXPECT_EQ(site.dispatcher.last().position, 0);
+}
+
+TEST(Dispatcher, PublishesWhatTheAxisDoes) {
+  Site site(Site::defaults());
+  site.link.subscribe(wire::channel("feeder", wire::Lane::status), 64);
+  const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
+  ASSERT_TRUE(site.play(*move, 1).ok());
+  site.pacer.delay = 5'000'000;
+  site.advance(250ms);
+  std::vector<wire::Status> published;
+  Rejects rejects;
+  while (const auto message = next_message(site.link, 0ns, rejects))
+    if (const auto* status = std::get_if<wire::Status>(&message->body)) published.push_back(*status);
+  ASSERT_GE(published.size(), 5U);
+  const wire::Status& now = published.back();
+  EXPECT_EQ(now.state, wire::AxisState::discrete_motion);
+  EXPECT_EQ(now.cycle_ns, 1'000'000);
+  EXPECT_TRUE(std::isnan(now.master_position));
+  EXPECT_EQ(now.slave_velocity, 100);
+  EXPECT_EQ(now.late_ticks, 1);
+  EXPECT_EQ(now.last_error, 0);
+  const Sha256 hash = content_hash(*move, over_time);
+  EXPECT_TRUE(std::equal(now.table.begin(), now.table.end(), hash.begin()));
+}
+
+TEST(Dispatcher, ALossyLinkChangesNothingButTheTimeItTakes) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Site site(Site::defaults());
+    LossyTransport lossy(
+        site.link, {.seed = seed, .lost = 0.1, .doubled = 0.1, .corrupted = 0.05, .delayed = 0.1},
+        site.clock);
+    const StreamOutcome outcome =
+        stream_tables(lossy,
+                      {.executor = "feeder",
+                       .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}}},
+                      {}, site.clock, 1);
+    ASSERT_TRUE(outcome.ok()) << seed << ": " << outcome.reason;
+    site.advance(1s);
+    EXPECT_EQ(site.dispatcher.last().finished, 1U) << seed;
+    EXPECT_EQ(site.dispatcher.last().position, 50) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,80 @@
+#include "jounce/executor/log.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace jounce {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TickLogTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+
+  const fs::path folder =
+      fs::temp_directory_path() / ("jounce_tick_log_" + std::to_string(getpid()));
+};
+
+TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
+  const fs::path path = folder / "run.csv";
+  TickLog log(path, {.x = "deg", .position = "mm"});
+  log.add({.tick = 0, .time = 0, .state = State::standstill});
+  log.add({.tick = 12,
+           .time = 0.012,
+           .state = State::synchronized_motion,
+           .master = 0.1 + 0.2,
+           .master_velocity = 1e-9,
+           .position = -1.0 / 3,
+           .velocity = 1e300,
+           .acceleration = -0.0,
+           .job = 18446744073709551615U});
+  log.add({.tick = 13, .time = 0.013, .state = State::error_stop, .fault = Cause::aborted});
+  EXPECT_FALSE(fs::exists(path));
+  log.close();
+  EXPECT_EQ(files(), 1U);
+
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(text.str(),
+            "tick,time [s],state,master [deg],master_velocity [deg/s],position [mm],"
+            "velocity [mm/s],acceleration [mm/s^2],job,fault\n"
+            "0,0,standstill,0,0,0,0,0,0,none\n"
+            "12,0.012,synchronized_motion,0.30000000000000004,1e-09,-0.3333333333333333,"
+            "1e+300,-0,18446744073709551615,none\n"
+            "13,0.013,error_stop,0,0,0,0,0,0,aborted\n");
+}
+
+TEST_F(TickLogTest, LeavesNothingBehindIfItIsNeverClosed) {
+  { TickLog(folder / "run.csv", {.x = "deg", .position = "mm"}).add({}); }
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(TickLogTest, SaysWhereItCannotWrite) {
+  try {
+    TickLog log(folder / "absent" / "run.csv", {});
+    FAIL() << "opened a file in a folder that does not exist";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find("absent"), std::string::npos) << error.what();
+    EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);
+  }
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,115 @@
+#include "jounce/executor/shell.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "executor/tables.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/sender.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+const Units over_time{.x = "s", .position = "mm"};
+
+ExecutorOptions options() {
+  ExecutorOptions options;
+  options.axis.limits = limits(1000, 1e5);
+  // The machine that runs the tests may be busy: no gap shall be a fault here.
+  options.axis.longest_gap = 1'000'000;
+  options.receiver.executor = "feeder";
+  return options;
+}
+
+/// A streamer that has its turn whenever the executor waits for the link.
+struct Streamer {
+  Streamer(MemoryNetwork& network, const Table& table)
+      : link(network), sender({.executor = "feeder", .tables = {{table, over_time}}}, 1) {
+    link.subscribe(wire::channel("feeder", wire::Lane::reply), 64);
+    network.on_wait = [this](Nanos) { turn(); };
+  }
+
+  void turn() {
+    std::this_thread::sleep_for(1ms);
+    for (const auto& message : sender.poll(steady_now())) send_message(link, message);
+    Rejects rejects;
+    while (const auto message = next_message(link, 0ns, rejects))
+      sender.receive(*message, steady_now());
+    if (!sender.at_goal()) return;
+    if (at_goal) at_goal();
+    at_goal = nullptr;
+    if (release) sender.release();
+  }
+
+  MemoryTransport link;
+  Sender sender;
+  bool release = true;
+  std::function<void()> at_goal;
+};
+
+TEST(Shell, PlaysOneJobAndLeaves) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  Streamer streamer(network, *there_and_back(0, 5, 0.1, Outside::hold));
+  const ExecutorSummary summary =
+      run_executor(link, options(), {.seconds = 60, .once = true});
+  EXPECT_EQ(summary.finished, 1U);
+  EXPECT_EQ(summary.stopped, 0U);
+  EXPECT_EQ(summary.fault, Cause::none);
+  EXPECT_EQ(summary.position, 0);
+  EXPECT_GE(summary.cycle.ticks + summary.cycle.skipped, 100);
+  EXPECT_EQ(summary.cycle.lost, 0);
+  EXPECT_TRUE(streamer.sender.outcome().started);
+  EXPECT_EQ(streamer.sender.outcome().error, StreamError::none);
+}
+
+TEST(Shell, ASignalStopsTheMotionFirst) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    MemoryNetwork network;
+    MemoryTransport link(network);
+    Streamer streamer(network, *there_and_back(0, 5, 0.5, Outside::wrap));
+    streamer.at_goal = [signal] { std::raise(signal); };
+    const ExecutorSummary summary = run_executor(link, options(), {.seconds = 60});
+    EXPECT_EQ(summary.finished, 0U);
+    EXPECT_EQ(summary.stopped, 1U);
+    EXPECT_EQ(summary.fault, Cause::none);
+  }
+}
+
+TEST(Shell, EndsWithItsTimeAndSaysWhatItWasGranted) {
+  MemoryNetwork network;
+  network.on_wait = [](Nanos time) { std::this_thread::sleep_for(time); };
+  MemoryTransport link(network);
+  ExecutorOptions given = options();
+  std::vector<std::string> notices;
+  given.notify = [&](const std::string& notice) { notices.push_back(notice); };
+  const ExecutorSummary summary =
+      run_executor(link, given, {.seconds = 0.02, .realtime_priority = 1});
+  EXPECT_EQ(summary.finished, 0U);
+  EXPECT_THAT(summary.realtime, ::testing::HasSubstr("SCHED_FIFO"));
+  EXPECT_THAT(notices, ::testing::ElementsAre(summary.realtime));
+}
+
+TEST(Shell, BadOptionsAreBadInput) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  EXPECT_THROW(run_executor(link, options(), {.seconds = 0.0}), InputError);
+  ExecutorOptions bad = options();
+  bad.receiver.executor = "no blanks";
+  EXPECT_THROW(run_executor(link, bad, {.seconds = 0.01}), InputError);
+  bad = options();
+  bad.axis.limits.velocity.reset();
+  EXPECT_THROW(run_executor(link, bad, {.seconds = 0.01}), InputError);
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,3 @@
+#include "jounce/optimize/bound.hpp"
+
+#include <gtest/gtest.h>

@@ -1,0 +1,246 @@
+#include "jounce/plot/figure.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/plot/detail/panel.hpp"
+#include "jounce/plot/detail/text.hpp"
+
+#include "plot/markup.hpp"
+#include "plot/samples.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Figure with(Series series) {
+  Figure figure{.title = "t", .x_label = "x"};
+  figure.panels.push_back({.y_label = "y", .series = {std::move(series)}});
+  return figure;
+}
+
+std::vector<std::string> texts(const Markup& markup, std::string_view kind = {}) {
+  std::vector<std::string> out;
+  for (const Element& e : markup.with("text", kind)) out.push_back(e.text);
+  return out;
+}
+
+/// The estimated place of each text.
+std::vector<Box> text_boxes(const Markup& markup) {
+  std::vector<Box> boxes;
+  for (const Element& e : markup.with("text")) {
+    const double size = e.has_class("title")   ? title_font
+                        : e.has_class("label") ? label_font
+                                               : small_font;
+    const double width = text_width(e.text, size);
+    const double shift = e.has_class("mid") ? width / 2 : e.has_class("end") ? width : 0;
+    const double left = e.number("x") - shift;
+    boxes.push_back({left, e.number("y") - 0.75 * size, left + width, e.number("y") + 0.2 * size});
+  }
+  return boxes;
+}
+
+/// What no figure may do: be malformed, show a text outside or over another, or print a nan.
+void expect_tidy(const Figure& figure, double width = 860) {
+  const Markup markup(svg(figure, {.width = width}));
+  for (const Element& e : markup.elements())
+    for (const char* place : {"d", "x", "y", "cx", "cy", "width", "height", "viewBox"})
+      if (const auto it = e.attributes.find(place); it != e.attributes.end()) {
+        EXPECT_EQ(it->second.find_first_not_of("0123456789 .-MVHvhlz"), std::string::npos)
+            << it->second;
+      }
+  for (const Element& e : markup.with("text"))
+    for (const char* broken : {"nan", "inf", "e+", "e-"})
+      EXPECT_EQ(e.text.find(broken), std::string::npos) << e.text;
+  const double height = markup.with("svg").at(0).number("height");
+  const auto boxes = text_boxes(markup);
+  const auto words = texts(markup);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    EXPECT_GE(boxes[i].left, 0) << words[i];
+    EXPECT_LE(boxes[i].right, width) << words[i];
+    EXPECT_GE(boxes[i].top, 0) << words[i];
+    EXPECT_LE(boxes[i].bottom, height) << words[i];
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_FALSE(overlap(boxes[i], boxes[k])) << words[i] << " over " << words[k];
+  }
+  for (const Element& path : markup.with("path", "l"))
+    for (const auto& line : lines_of(path.attributes.at("d")))
+      for (const Pixel& p : line) {
+        EXPECT_TRUE(p.x >= 0 && p.x <= width) << p.x;
+        EXPECT_TRUE(p.y >= 0 && p.y <= height) << p.y;
+      }
+}
+
+TEST(Svg, IsTidyForTheSamples) {
+  for (const double width : {860.0, 500.0, 370.0}) {
+    expect_tidy(curve_figure(pmc600_cam(), pmc600_look()), width);
+    expect_tidy(curve_figure(trapezoid_move(), {.title = "move", .axis_unit = "s", .unit = "mm"}),
+                width);
+    const Trajectory s =
+        s_curve(
+            {.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100, .deceleration_jerk = 50})
+            .curve();
+    CurveLook look{.title = "S-curve", .axis_unit = "s", .unit = "mm"};
+    look.limits = {
+        .position_min = -1, .position_max = 50, .velocity = 9, .acceleration = 19, .jerk = 1e9};
+    expect_tidy(curve_figure(s, trapezoid_move(), look), width);
+  }
+}
+
+TEST(Svg, IsTidyForDegenerateData) {
+  for (const double c : {0.0, 1.0, -7.5, 1e12, -1e12, 1e-12, 1e300, -1e300, 5e-324}) {
+    expect_tidy(with({"constant", {0, 1}, {c, c}, Style::line}));
+    expect_tidy(with({"point", {c}, {c}, Style::line}));
+    expect_tidy(with({"ramp", {0, 1}, {0, c}, Style::line}));
+    expect_tidy(with({"long", {0, c}, {0, 1}, Style::dots}));
+    expect_tidy(with({"tiny step", {0, 1}, {c, c * (1 + 1e-15)}, Style::under}));
+  }
+  expect_tidy(with({"negative", {-5, -4}, {-3, -2}, Style::line}));
+  expect_tidy(with({"widest", {-1e300, 1e300}, {-1e300, 1e300}, Style::line}));
+  expect_tidy(with({"empty", {}, {}, Style::line}));
+  expect_tidy(with({"none", {nan, 0}, {0, infinity}, Style::line}));
+  expect_tidy(Figure{});
+}
+
+TEST(Svg, IsTidyForCurvesOfAnySize) {
+  for (const double size : {1e12, 1e-12})
+    for (const double stretch : {1e6, 1e-6}) {
+      const auto figure = curve_figure(scaled(pmc600_cam(), size, stretch), {.title = "scaled"});
+      expect_tidy(figure);
+      EXPECT_EQ(Markup(svg(figure)).with("path", "l").size(), 4U);
+    }
+}
+
+TEST(Svg, IsDeterministic) {
+  EXPECT_EQ(svg(curve_figure(pmc600_cam(), pmc600_look())),
+            svg(curve_figure(pmc600_cam(), pmc600_look())));
+}
+
+TEST(Svg, BreaksALineWhereAPointIsNotFinite) {
+  const Markup markup(svg(with({"gap", {0, 1, 2, 3, 4}, {0, 1, nan, 1, 0}, Style::line})));
+  EXPECT_EQ(lines_of(markup.with("path", "l").at(0).attributes.at("d")).size(), 2U);
+}
+
+TEST(Svg, DrawsOneDotAPoint) {
+  const Markup markup(svg(with({"dots", {0, 1, 2, 3}, {0, 1, 2, 3}, Style::dots})));
+  EXPECT_EQ(lines_of(markup.with("path", "dots").at(0).attributes.at("d")).size(), 4U);
+}
+
+TEST(Svg, DrawsLimitsAsDashedLinesWithTheirNumbers) {
+  Figure figure = with({"v", {0, 1}, {-2, 4}, Style::line});
+  figure.panels[0].upper = 3;
+  figure.panels[0].lower = -3;
+  const Markup markup(svg(figure));
+  EXPECT_EQ(markup.with("path", "lim").size(), 2U);
+  EXPECT_EQ(markup.with("path", "over").size(), 2U);
+  EXPECT_THAT(texts(markup, "limtext"), testing::UnorderedElementsAre("limit 3", "limit −3"));
+  // To scale: the line at 3 divides the curve from -2 to 4 at 5/6 of its rise.
+  const auto line = lines_of(markup.with("path", "l").at(0).attributes.at("d")).at(0);
+  std::vector<double> y;
+  for (const Element& e : markup.with("path", "lim"))
+    y.push_back(lines_of(e.attributes.at("d"))[0][0].y);
+  EXPECT_NEAR(y.at(0), line.front().y + 5.0 / 6 * (line.back().y - line.front().y), 0.02);
+  EXPECT_NEAR(y.at(1), line.front().y - 1.0 / 6 * (line.back().y - line.front().y), 0.02);
+}
+
+TEST(Svg, NotesALimitFarBeyondTheData) {
+  Figure figure = with({"v", {0, 1}, {-2, 4}, Style::line});
+  figure.panels[0].upper = 3000;
+  figure.panels[0].lower = -3000;
+  const Markup markup(svg(figure));
+  EXPECT_TRUE(markup.with("path", "lim").empty());
+  EXPECT_THAT(texts(markup), Contains("limits ±3000 off scale"));
+}
+
+TEST(Svg, MarksBrokenPointsByShapeToo) {
+  Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
+  figure.panels[0].markers = {{0, 0, "low", "", false}, {1, 1, "high", "the hint", true}};
+  const Markup markup(svg(figure));
+  EXPECT_EQ(markup.with("circle", "mark").size(), 1U);
+  EXPECT_EQ(markup.with("path", "badmark").size(), 1U);
+  EXPECT_THAT(texts(markup), Contains("low"));
+  EXPECT_THAT(texts(markup, "bad"), Contains("high"));
+  EXPECT_EQ(markup.with("title").at(0).text, "the hint");
+}
+
+TEST(Svg, GivesALabelOneStyleInAllPanels) {
+  Figure figure;
+  for (int panel = 0; panel < 2; ++panel) {
+    figure.panels.emplace_back();
+    for (const char* label : {"axis 1", "axis 2"})
+      if (panel == 0 || std::string(label) == "axis 2")
+        figure.panels.back().series.push_back({label, {0, 1}, {0, 1}, Style::line});
+  }
+  figure.panels[1].series.push_back({"before", {0, 1}, {0, 1}, Style::under});
+  const Markup markup(svg(figure));
+  EXPECT_EQ(markup.with("path", "l1").size(), 2U);  // the line and its place in the legend
+  EXPECT_EQ(markup.with("path", "l2").size(), 3U);
+  for (const char* label : {"axis 1", "axis 2", "before"})
+    EXPECT_THAT(texts(markup), Contains(label));
+}
+
+TEST(Svg, NeedsNoLegendForOneLabel) {
+  EXPECT_THAT(texts(Markup(svg(with({"alone", {0, 1}, {0, 1}, Style::line})))),
+              Not(Contains("alone")));
+}
+
+TEST(Svg, DrawsKnotsAndShades) {
+  const Markup markup(svg(curve_figure(pmc600_cam(), pmc600_look())));
+  for (const Element& e : markup.with("path", "knot"))
+    EXPECT_EQ(lines_of(e.attributes.at("d")).size(), 3U);  // the ends are the frame's
+  EXPECT_EQ(markup.with("path", "knot").size(), 4U);
+  for (const char* knot : {"75", "200", "280"}) EXPECT_THAT(texts(markup), Contains(knot));
+  EXPECT_EQ(markup.with("path", "zone").size(), 4U);
+  EXPECT_THAT(texts(markup, "zonetext"), Contains("synchronous"));
+}
+
+TEST(Svg, SaysThatKnotsAreTooDense) {
+  Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
+  for (int i = 0; i <= 1000; ++i) figure.knots.push_back(i / 1000.0);
+  const Markup markup(svg(figure));
+  EXPECT_TRUE(markup.with("path", "knot").empty());
+  EXPECT_THAT(texts(markup), Contains("x · 1001 knots, too dense to draw"));
+}
+
+TEST(Svg, EscapesEveryText) {
+  const std::string evil = "<script>alert(\"1\")</script>&'\x01";
+  Figure figure{.title = evil, .x_label = evil};
+  figure.panels.push_back(
+      {.y_label = evil,
+       .series = {{evil, {0, 1}, {0, 1}, Style::line}, {"other", {0, 1}, {0, 1}, Style::under}},
+       .markers = {{0, 0, evil, evil, true}}});
+  figure.shades = {{0, 1, evil}};
+  const std::string text = svg(figure);
+  EXPECT_THAT(text, Not(HasSubstr("<script")));
+  const Markup markup(text);
+  EXPECT_TRUE(markup.with("script").empty());
+  EXPECT_THAT(texts(markup), Contains(HasSubstr("&lt;script&gt;")).Times(6));
+}
+
+TEST(Svg, CutsLongTexts) {
+  const std::string longest(500, 'w');
+  Figure figure{.title = longest, .x_label = longest};
+  figure.panels.push_back({.y_label = longest,
+                           .series = {{longest, {0, 1}, {0, 1}, Style::line},
+                                      {longest + "2", {0, 1}, {0, 1}, Style::dots}}});
+  figure.shades = {{0, 0.1, longest}};
+  expect_tidy(figure);
+  expect_tidy(figure, 370);
+}
+
+TEST(Svg, SurvivesAWidthTooSmall) {
+  EXPECT_NO_THROW(
+      Markup(svg(curve_figure(pmc600_cam(), pmc600_look()), {.width = 40, .panel_height = 10})));
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,75 @@
+#include "jounce/pvt/sample.hpp"
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/cam/law.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/profile.hpp"
+
+#include "support/oracle.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::oracle;
+
+const std::map<std::string, Rule> rules{
+    {"linear", Rule::linear}, {"cubic", Rule::cubic_hermite}, {"quintic", Rule::quintic_hermite}};
+
+Cam cycloid() {
+  return Cam(normalised(Law::inclined_sine));
+}
+
+TEST(Sample, ErrorIsTheTrueMaximumOfTheCycloid) {
+  for (const auto& [key, rule] : rules) {
+    const auto& expected = oracle("hermite_error")["rules"][key];
+    for (std::size_t i = 0; i < expected["n"].size(); ++i) {
+      const std::size_t n = expected["n"][i];
+      const double error = expected["max_error"][i];
+      EXPECT_NEAR(sample(cycloid(), rule, n).error.position, error, 1e-9 * error + 4e-16)
+          << key << " " << n;
+    }
+  }
+}
+
+TEST(Sample, FortyCubicIntervalsAsMeasured) {
+  EXPECT_NEAR(sample(cycloid(), Rule::cubic_hermite, 40).error.position, 2.514e-7, 0.5e-10);
+}
+
+TEST(SampleWithin, NeedsAsFewIntervalsAsKnown) {
+  // To 1e-6 of the stroke: 887 linear, 29 cubic, 8 quintic.
+  for (const auto& [key, rule] : rules) {
+    const std::size_t expected = oracle("hermite_error")["rules"][key]["smallest_n_by_error"];
+    EXPECT_EQ(sample_within(cycloid(), rule, 1e-6).table.size() - 1, expected) << key;
+  }
+}
+
+TEST(SampleWithin, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
+  const Trajectory move =
+      s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  const Sampled sampled = sample_within(move, Rule::cubic_hermite, 1e-12);
+  EXPECT_EQ(sampled.table.size(), move.breaks().size()) << "cubics are cubics";
+  EXPECT_LT(sampled.error.position, 1e-13);
+}
+
+TEST(Sample, FindsTheErrorBetweenKnotsThatMissABreak) {
+  // A triangle with its tip between two knots: the table cuts it off.
+  const Trajectory triangle({line(1, 0, 1), line(1, 1, 0)});
+  const Sampled sampled = sample(triangle, Rule::linear, 3);
+  EXPECT_NEAR(sampled.error.position, 1.0 / 3, 1e-15);
+  EXPECT_NEAR(sampled.error.where, 1, 1e-15);
+}
+
+TEST(Sample, RefusesKnotsThatDoNotSpanTheCurve) {
+  EXPECT_THROW(sample(cycloid(), Rule::linear, std::vector<double>{0, 0.5}), InputError);
+  EXPECT_THROW(sample(cycloid(), Rule::linear, std::size_t{0}), InputError);
+  EXPECT_THROW(sample_within(cycloid(), Rule::linear, 0), InputError);
+  EXPECT_THROW(sample_within(cycloid(), Rule::linear, 1e-12, 1000), InputError) << "too many knots";
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,247 @@
+#include "jounce/validate/witness.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/cam/design.hpp"
+#include "jounce/cam/followed.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/profile.hpp"
+#include "jounce/pvt/sample.hpp"
+
+#include "validate/references.hpp"
+
+namespace jounce {
+namespace {
+
+using test::MadeUp;
+
+/// All three quantities within `limit`, whatever the report's own limit is.
+void expect_agreement(const Witness& w, double limit) {
+  EXPECT_TRUE(w.report.ok());
+  EXPECT_TRUE(w.integration.ok()) << w.integration.reason;
+  EXPECT_LE(w.position.relative, limit);
+  EXPECT_LE(w.velocity.relative, limit);
+  EXPECT_LE(w.acceleration.relative, limit);
+  EXPECT_EQ(w.report.findings.size(), 3u);
+}
+
+bool breaks_rule(const Witness& w, const std::string& rule) {
+  for (const Finding& f : w.report.findings)
+    if (f.rule == rule) return f.broken;
+  return false;
+}
+
+/// The cam of PMC600 manual Fig. 6.14.
+Cam pmc600_cam() {
+  CamSpec spec{{0, 0, 0, 0}, {}, true};
+  spec.segments = {{Law::quintic, {75, 100, 1, 0}, ""},
+                   {Law::quintic, {200, 225, 1, 0}, ""},
+                   {Law::quintic, {280, 100, 0.01739120485, 0}, ""},
+                   {Law::quintic, {360, 0, 0, 0}, ""}};
+  return design(spec).cam;
+}
+
+Followed three_periods() {
+  return {pmc600_cam(),
+          trapezoid({.from = 0, .to = 1080, .velocity = 200, .acceleration = 1000}).curve()};
+}
+
+// ---- the truth is believed ----------------------------------------------------------------------
+
+class Laws : public testing::TestWithParam<Law> {};
+
+TEST_P(Laws, AgreeWithTheirOwnJerk) {
+  expect_agreement(witness(Cam(normalised(GetParam()))), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Laws,
+                         testing::Values(Law::line, Law::poly345, Law::modified_sine,
+                                         Law::modified_trapezoid, Law::inclined_sine));
+
+TEST(Witness, AgreesOnTrapezoidAndSCurve) {
+  expect_agreement(witness(test::trapezoid_move()), 1e-13);
+  expect_agreement(witness(test::s_curve_move()), 1e-13);
+}
+
+TEST(Witness, AgreesOnThePmc600CamAndOnItsTable) {
+  expect_agreement(witness(pmc600_cam()), 1e-12);
+  for (const std::size_t knots : {36u, 360u})
+    expect_agreement(witness(sample(pmc600_cam(), Rule::quintic_hermite, knots).table), 1e-12);
+}
+
+TEST(Witness, AgreesOnTheCamThatFollowsATrapezoidalMaster) {
+  expect_agreement(witness(three_periods()), 2e-11);
+}
+
+TEST(Witness, AgreesOnCubicTablesWhoseAccelerationStepsAtEveryKnot) {
+  const Table table = sample(test::law_345(50, 2), Rule::cubic_hermite, 200).table;
+  expect_agreement(witness(table), 1e-12);
+}
+
+TEST(Witness, DoesNotMindTheUnit) {
+  for (const double factor : {1e-9, 1e9})
+    for (const double stretch : {1e-6, 1e6})
+      expect_agreement(witness(scaled(test::law_345(1, 1), factor, stretch)), 1e-12);
+}
+
+TEST(Witness, ASignalThatStandsStillAgreesExactly) {
+  const Witness w = witness(Trajectory({line(1, 0.1, 0.1)}));
+  EXPECT_TRUE(w.report.ok());
+  EXPECT_EQ(w.position.relative, 0);
+}
+
+TEST(Witness, AllowsForTheRoundingOfAPlaceFarFromZero) {
+  const Witness w = witness(shifted(test::s_curve_move(), 1e6, 1e9));
+  EXPECT_TRUE(w.report.ok());
+  EXPECT_GT(w.position.limit, 1e-10);  // the breaks are known to 1e-10 s only
+  EXPECT_LT(w.position.limit, 1e-5);
+}
+
+TEST(Witness, NamesQuantitiesAfterTheAxis) {
+  EXPECT_EQ(witness(test::s_curve_move()).report.findings[0].quantity.find("geo_"),
+            std::string::npos);
+  const Table table = sample(pmc600_cam(), Rule::quintic_hermite, 36).table;
+  for (const Report& report : {witness(pmc600_cam()).report, witness(table).report}) {
+    std::size_t geo = 0;
+    for (const Finding& f : report.findings) geo += f.quantity.starts_with("geo_") ? 1 : 0;
+    EXPECT_EQ(geo, 2u);
+  }
+}
+
+// ---- lies are caught ----------------------------------------------------------------------------
+
+/// The followed cam with one derivative changed.
+MadeUp lying(std::size_t order, const std::function<double(double, double)>& change) {
+  const auto truth = std::make_shared<Followed>(three_periods());
+  const auto breaks = truth->breaks();
+  return {[=](double t, Side side) {
+            Jet f = truth->jet(t, side);
+            f[order] = change(f[order], t);
+            return f;
+          },
+          {breaks.begin(), breaks.end()}};
+}
+
+TEST(Witness, TheSignalUnchangedPasses) {
+  EXPECT_TRUE(witness(lying(0, [](double f, double) { return f; })).report.ok());
+}
+
+TEST(Witness, CatchesAJerkOffByOneInAMillion) {
+  const Witness w = witness(lying(3, [](double f, double) { return f * (1 + 1e-6); }));
+  EXPECT_TRUE(breaks_rule(w, "witness/position"));
+  EXPECT_TRUE(breaks_rule(w, "witness/velocity"));
+  EXPECT_TRUE(breaks_rule(w, "witness/acceleration"));
+}
+
+TEST(Witness, CatchesAVelocityThatIsNotThePositionsDerivative) {
+  const Witness w = witness(lying(1, [](double f, double) { return f * (1 + 1e-9); }));
+  EXPECT_TRUE(breaks_rule(w, "witness/velocity"));
+  EXPECT_FALSE(breaks_rule(w, "witness/acceleration"));
+}
+
+TEST(Witness, CatchesAConstantAddedToTheVelocity) {
+  // Velocity, acceleration and jerk agree with each other; only the position betrays them.
+  const Witness w = witness(lying(1, [](double f, double) { return f + 1e-4; }));
+  EXPECT_TRUE(breaks_rule(w, "witness/position"));
+  EXPECT_FALSE(breaks_rule(w, "witness/velocity"));
+}
+
+TEST(Witness, CatchesABumpBetweenTwoBreaks) {
+  const auto bump = [](double f, double t) {
+    return t > 0.5 && t < 1 ? f + 1e-6 * (t - 0.5) * (1 - t) : f;  // nothing at any break
+  };
+  const Witness w = witness(lying(0, bump));
+  EXPECT_TRUE(breaks_rule(w, "witness/position"));
+  EXPECT_NEAR(w.position.where, 0.75, 0.15);
+}
+
+TEST(Witness, CatchesAJumpOfPosition) {
+  const Trajectory jump = concatenated(test::law_345(1, 1), shifted(test::law_345(1, 1), 0, 1.001));
+  const Witness w = witness(jump);
+  EXPECT_TRUE(breaks_rule(w, "witness/position"));
+  EXPECT_NEAR(w.position.relative, 0.001 / 2.001, 1e-9);
+}
+
+TEST(Witness, AStepOfVelocityIsBrokenUnlessItIsDeclared) {
+  const Table table = sample(test::law_345(1, 1), Rule::linear, 50).table;
+  EXPECT_TRUE(breaks_rule(witness(table), "witness/velocity"));
+  expect_agreement(witness(table, {.velocity_steps = true}), 1e-13);
+}
+
+TEST(Witness, FindingCarriesValueLimitAndMargin) {
+  const Witness w =
+      witness(lying(3, [](double f, double) { return f * (1 + 1e-6); }), {.limit = 1e-8});
+  const Finding& worst = w.report.findings.front();
+  EXPECT_TRUE(worst.broken);
+  EXPECT_EQ(worst.limit, 1e-8);
+  EXPECT_GT(worst.value, 1e-7);
+  EXPECT_NEAR(worst.margin, 1 - worst.value / 1e-8, 1e-9 * std::abs(worst.margin));
+  EXPECT_FALSE(worst.advice.empty());
+}
+
+// ---- trouble ------------------------------------------------------------------------------------
+
+TEST(Witness, ASignalThatIsNotFiniteIsAnOutcome) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const MadeUp signal{[bad](double t, Side) { return Jet{t, 1, 0, t > 0.6 ? bad : 0}; }};
+    const Witness w = witness(signal);
+    EXPECT_EQ(w.integration.ended, Ended::not_finite);
+    EXPECT_FALSE(w.report.ok());
+    EXPECT_TRUE(breaks_rule(w, "witness/integration"));
+    EXPECT_LE(w.integration.reached, 0.66);
+  }
+}
+
+TEST(Witness, APositionThatIsNotFiniteIsBroken) {
+  const MadeUp signal{[](double t, Side) {
+    return Jet{t > 0.6 ? std::numeric_limits<double>::quiet_NaN() : t, 1, 0, 0};
+  }};
+  EXPECT_TRUE(breaks_rule(witness(signal), "witness/position"));
+}
+
+TEST(Witness, RunningOutOfStepsIsAnOutcome) {
+  const Witness w = witness(pmc600_cam(), {.max_steps = 30});
+  EXPECT_EQ(w.integration.ended, Ended::too_many_steps);
+  EXPECT_EQ(w.integration.steps, 30);
+  EXPECT_LT(w.integration.reached, 360);
+  EXPECT_THAT(w.integration.reason, testing::HasSubstr("30 steps"));
+  EXPECT_TRUE(breaks_rule(w, "witness/integration"));
+}
+
+TEST(Witness, AnExceptionOfTheSignalComesThrough) {
+  const MadeUp signal{[](double t, Side) -> Jet {
+    if (t > 0.8 && t < 0.9) throw std::runtime_error("out of paper");
+    return {t * t * t, 3 * t * t, 6 * t, 6};
+  }};
+  EXPECT_THROW(static_cast<void>(witness(signal)), std::runtime_error);
+}
+
+TEST(Witness, RefusesBadOptionsAndBreaks) {
+  const Trajectory f = test::s_curve_move();
+  const auto key = [&](const WitnessOptions& options) {
+    try {
+      witness(f, options);
+    } catch (const InputError& error) {
+      return error.key();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(key({.limit = 0}), "limit");
+  EXPECT_EQ(key({.tolerance = 1}), "tolerance");
+  EXPECT_EQ(key({.max_steps = 0}), "max_steps");
+  const auto zero = [](double, Side) { return Jet{}; };
+  EXPECT_THROW(static_cast<void>(witness(MadeUp{zero, {0}})), InputError);
+  EXPECT_THROW(static_cast<void>(witness(MadeUp{zero, {0, 2, 1, 3}})), InputError);
+}
+
+}  // namespace
+}  // namespace jounce
