@@ -1,0 +1,95 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/units.hpp"
+
+#include "input.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> limits;
+  int continuity = 1;
+  bool json = false;
+};
+
+/// `velocity=3` or `velocity="3 mm/s"`: a limit from the command line, over the spec's own.
+void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
+  const std::vector<std::pair<std::string, std::optional<double>*>> all{
+      {"position_min", &limits.position_min},
+      {"position_max", &limits.position_max},
+      {names[1], &limits.velocity},
+      {names[2], &limits.acceleration},
+      {names[3], &limits.jerk}};
+  for (const auto& [name, target] : all) {
+    if (equals == std::string::npos || key != name) continue;
+    const std::string quantity_name = name.starts_with("position") ? "position" : name;
+    try {
+      *target = quantity(text.substr(equals + 1), labels.unit_of(quantity_name));
+    } catch (const InputError& error) {
+      throw InputError("--limit " + key, error.value(), error.rule());
+    }
+    return;
+  }
+  std::string known;
+  for (const auto& [name, target] : all) known += (known.empty() ? "" : ", ") + name;
+  throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
+}
+
+template <class Over>
+Report findings(const Curve<Over>& curve, const Limits& limits, int continuity) {
+  Report report = check(curve, limits);
+  const Report joints = check_continuity(curve, continuity);
+  report.findings.insert(report.findings.end(), joints.findings.begin(), joints.findings.end());
+  sort(report);
+  return report;
+}
+
+int run(const Options& options) {
+  Input input = load(options.file);
+  for (const auto& text : options.limits) set_limit(input.limits, text, input.labels);
+  const Report report = std::visit(
+      [&](const auto& curve) { return findings(curve, input.limits, options.continuity); },
+      input.curve);
+  if (options.json) {
+    auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
+    document["segments"] = nlohmann::ordered_json::parse(std::visit(
+        [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
+    fmt::print("{}\n", document.dump(1));
+  } else {
+    fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
+    fmt::print("{}\n",
+               std::visit([&](const auto& curve) { return extrema_text(curve, input.labels); },
+                          input.curve));
+    fmt::print("{}", full_text(report, input.labels));
+  }
+  return report.ok() ? fine : finding;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = add_verb(app, "check", "Check exact limits and continuity of a spec or a table",
+                            "jounce check cam.toml --limit geo_acceleration=0.02");
+  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  verb->add_option("--limit", options->limits,
+                   "KEY=VALUE: a limit beside or over the spec's own; repeatable")
+      ->allow_extra_args(false);
+  verb->add_option("--continuity", options->continuity,
+                   "Highest derivative that must be continuous: 0 position ... 2 acceleration")
+      ->check(CLI::Range(0, 3))
+      ->capture_default_str();
+  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

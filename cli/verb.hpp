@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace jounce::cli {
+
+/// Exit statuses, the same in every verb.
+enum Exit : int {
+  fine = 0,
+  finding = 1,    ///< a limit is broken, a validation failed, the problem is infeasible
+  bad_input = 2,  ///< or bad usage
+  fault = 3,      ///< of the machine or of Jounce itself
+};
+
+/// What the chosen verb will do once the command line is understood; answers the exit status.
+using Work = std::function<int()>;
+
+/// Adds a verb: its options, its help with an example, and what it does.
+void add_new(CLI::App& app, Work& work);
+void add_design(CLI::App& app, Work& work);
+void add_check(CLI::App& app, Work& work);
+
+/// A verb with its one-line description and the example that closes its --help.
+CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example);
+
+}  // namespace jounce::cli

@@ -1,0 +1,14 @@
+#include "jounce/io/document.hpp"
+
+namespace jounce {
+
+InputError Document::located(const InputError& error) const {
+  if (!error.document().empty()) return error;
+  for (std::string key = error.key();; key.erase(key.find_last_of(".["))) {
+    if (const auto it = places.find(key); it != places.end())
+      return error.at(name, it->second.line, it->second.column);
+    if (key.find_last_of(".[") == std::string::npos) return error.at(name);
+  }
+}
+
+}  // namespace jounce

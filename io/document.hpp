@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "jounce/io/hash.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+/// A document that was read, with the place of every key: what turns an InputError of a generator,
+/// which knows only the key, into one that names file, line and column.
+struct Document {
+  struct Place {
+    int line = 0;
+    int column = 0;
+  };
+
+  std::string name;  ///< as the user gave it
+  std::string text;
+  Sha256 hash{};  ///< of the text
+  std::map<std::string, Place> places;
+
+  /// The error with the place of its key, or of the nearest enclosing key that is known.
+  [[nodiscard]] InputError located(const InputError& error) const;
+};
+
+}  // namespace jounce

@@ -1,0 +1,177 @@
+#include "jounce/io/report_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/units.hpp"
+
+namespace jounce {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? rounded(value) : rounded(value) + " " + unit;
+}
+
+std::string unit(const Finding& finding, const Labels& labels) {
+  return finding.unit.empty() ? labels.unit_of(finding.quantity) : finding.unit;
+}
+
+std::string place(const Finding& finding, const Labels& labels) {
+  std::string text = with_unit(finding.where, labels.units.x);
+  if (finding.segment && *finding.segment < labels.segments.size())
+    text += " (segment " + labels.segments[*finding.segment] + ")";
+  return text;
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.3g} %", 100 * std::abs(share));
+}
+
+/// What a curve does against a limit, with its margin.
+std::string verdict(const Finding& finding) {
+  const std::string limit = rounded(finding.limit);
+  if (finding.broken && finding.rule.starts_with("limit/position"))
+    return fmt::format("is outside the limit {} by {}", limit,
+                       rounded(std::abs(finding.value - finding.limit)));
+  if (finding.broken)
+    return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
+  if (std::abs(finding.margin) < 1e-9) return fmt::format("just meets the limit {}", limit);
+  if (finding.rule.starts_with("limit/position"))
+    return fmt::format("stays within the limit {} by {} of the travel", limit,
+                       percent(finding.margin));
+  return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
+}
+
+/// The segments of a curve that share a label: the pieces of one law.
+struct Group {
+  std::string label;
+  std::size_t first;
+  std::size_t last;
+};
+
+std::vector<Group> groups(std::size_t segments, const Labels& labels) {
+  std::vector<Group> all;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const std::string label =
+        i < labels.segments.size() ? labels.segments[i] : std::to_string(i + 1);
+    if (!all.empty() && all.back().label == label)
+      all.back().last = i;
+    else
+      all.push_back({label, i, i});
+  }
+  return all;
+}
+
+Json to_object(const Finding& finding, const Labels& labels) {
+  Json object{{"rule", finding.rule},          {"quantity", finding.quantity},
+              {"unit", unit(finding, labels)}, {"where", finding.where},
+              {"value", finding.value},        {"limit", finding.limit},
+              {"margin", finding.margin},      {"broken", finding.broken}};
+  if (!finding.axis.empty()) object["axis"] = finding.axis;
+  if (finding.segment) object["segment"] = *finding.segment + 1;
+  if (!finding.advice.empty()) object["advice"] = finding.advice;
+  return object;
+}
+
+}  // namespace
+
+std::string rounded(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string Labels::unit_of(const std::string& quantity) const {
+  const auto& names = over_master ? OverMaster::names : OverTime::names;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (quantity == names[k] || quantity == std::string("step of ") + names[k])
+      return rate_unit(units.position, units.x, static_cast<int>(k));
+  return "";
+}
+
+std::string sentence(const Finding& finding, const Labels& labels) {
+  if (finding.rule.starts_with("continuity/")) {
+    const std::string step = with_unit(finding.value, unit(finding, labels));
+    const std::string where = place(finding, labels);
+    return finding.broken ? fmt::format("{} is {} at {}", finding.quantity, step, where)
+                          : fmt::format("{} is continuous (largest step {})",
+                                        finding.quantity.substr(8), step);
+  }
+  return fmt::format("{} {} at {} {}", finding.quantity,
+                     with_unit(finding.value, unit(finding, labels)), place(finding, labels),
+                     verdict(finding));
+}
+
+std::string one_line(const Report& report, const Labels& labels) {
+  if (report.findings.empty()) return "nothing was limited, so nothing was checked";
+  const std::string worst = sentence(report.findings.front(), labels);
+  if (report.ok()) return "all limits hold; the closest: " + worst;
+  const std::size_t n = report.broken();
+  return fmt::format("{} {}; the worst: {}", n, n == 1 ? "finding" : "findings", worst);
+}
+
+std::string full_text(const Report& report, const Labels& labels, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, report.findings.size()); ++i) {
+    const Finding& finding = report.findings[i];
+    text += fmt::format("  {:<6} {:<26} {}\n", finding.broken ? "BROKEN" : "ok", finding.rule,
+                        sentence(finding, labels));
+    if (!finding.advice.empty())
+      text += fmt::format("  {:<6} {:<26} -> {}\n", "", "", finding.advice);
+  }
+  if (report.findings.size() > most)
+    text += fmt::format("  ... and {} more findings\n", report.findings.size() - most);
+  return text;
+}
+
+std::string to_json(const Report& report, const Labels& labels) {
+  Json findings = Json::array();
+  for (const auto& finding : report.findings) findings.push_back(to_object(finding, labels));
+  return Json{{"ok", report.ok()}, {"findings", findings}}.dump();
+}
+
+template <class Over>
+std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
+  std::string text = fmt::format("  {:<20} {:>22} {:>22} {:>22} {:>22}\n", "segment", "position",
+                                 "max |" + std::string(Over::names[1]) + "|",
+                                 "max |" + std::string(Over::names[2]) + "|",
+                                 "max |" + std::string(Over::names[3]) + "|");
+  for (const auto& [label, first, last] : groups(curve.segments().size(), labels)) {
+    const Ranges ranges = segment_extrema(curve, first, last);
+    text += fmt::format("  {:<20} {:>22}", label,
+                        rounded(ranges[0].min.value) + " .. " + rounded(ranges[0].max.value));
+    for (std::size_t k = 1; k < ranges.size(); ++k) {
+      const Extremum& peak = ranges[k].peak();
+      text += fmt::format(
+          " {:>22}", fmt::format("{} @ {}", rounded(std::abs(peak.value)), rounded(peak.where)));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+template <class Over>
+std::string extrema_json(const Curve<Over>& curve, const Labels& labels) {
+  Json list = Json::array();
+  for (const auto& [label, first, last] : groups(curve.segments().size(), labels)) {
+    const Ranges ranges = segment_extrema(curve, first, last);
+    Json object{
+        {"segment", label}, {"from", curve.breaks()[first]}, {"to", curve.breaks()[last + 1]}};
+    for (std::size_t k = 0; k < ranges.size(); ++k)
+      for (const auto& [bound, extremum] :
+           {std::pair{"min", ranges[k].min}, {"max", ranges[k].max}})
+        object[Over::names[k]][bound] = {{"value", extremum.value}, {"where", extremum.where}};
+    list.push_back(std::move(object));
+  }
+  return list.dump();
+}
+
+template std::string extrema_text(const Curve<OverTime>&, const Labels&);
+template std::string extrema_text(const Curve<OverMaster>&, const Labels&);
+template std::string extrema_json(const Curve<OverTime>&, const Labels&);
+template std::string extrema_json(const Curve<OverMaster>&, const Labels&);
+
+}  // namespace jounce

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/io/hash.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// What a report's numbers are called and counted in.
+struct Labels {
+  Units units;
+  bool over_master = false;
+  std::vector<std::string> segments;  ///< "2 sync", one a segment of the curve; may be empty
+
+  /// Unit of "position", "geo_velocity", "acceleration", ...; "" for a quantity that is none of
+  /// ours.
+  [[nodiscard]] std::string unit_of(const std::string& quantity) const;
+};
+
+/// A number for people: six significant digits.
+std::string rounded(double value);
+
+/// One sentence: how many findings and the worst, or the smallest margin.
+std::string one_line(const Report& report, const Labels& labels);
+
+/// One finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
+/// return) exceeds the limit -3 by 13.1 %".
+std::string sentence(const Finding& finding, const Labels& labels);
+
+/// A line a finding, broken ones marked and with advice, more than `most` of them counted only.
+std::string full_text(const Report& report, const Labels& labels, std::size_t most = 10);
+
+/// {"ok": ..., "findings": [...]}, every number in full.
+std::string to_json(const Report& report, const Labels& labels);
+
+/// The exact extrema of every segment as a table for people, and as a JSON list.
+template <class Over>
+std::string extrema_text(const Curve<Over>& curve, const Labels& labels);
+template <class Over>
+std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
+
+}  // namespace jounce

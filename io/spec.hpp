@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/cam/design.hpp"
+#include "jounce/io/document.hpp"
+#include "jounce/io/hash.hpp"
+#include "jounce/optimize/problem.hpp"
+#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/profile.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// How a curve becomes a table: the rule, and either a tolerance or a number of equal intervals.
+struct TableOptions {
+  Rule rule = Rule::quintic_hermite;
+  std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
+  std::optional<std::size_t> intervals;  ///< equal ones, instead of a tolerance
+};
+
+/// How the master runs when a cam is played: a trapezoidal move from 0.
+struct MasterSpec {
+  double velocity = 0;                 ///< master unit / time unit
+  double distance = 0;                 ///< master unit
+  std::optional<double> acceleration;  ///< left out: the (virtual) master starts at full speed
+};
+
+/// What `jounce optimize` may change, and to what end: the `free` of the knots and [optimize].
+struct OptimizeSpec {
+  std::vector<FreeKnot> free;
+  std::vector<Objective> minimize{Objective::peak_acceleration};
+  std::optional<std::size_t> seed;
+  std::optional<std::size_t> starts;
+  std::optional<double> tolerance;
+};
+
+using MoveSpec = std::variant<TrapezoidSpec, SCurveSpec>;
+
+/// A whole spec file: what to make, for which axis, within which limits.
+struct Spec {
+  static constexpr int version = 1;  ///< the `jounce = 1` of the file
+
+  Document document;
+  std::string name;
+  Units units;            ///< x is the master's unit for a cam, the time's for the others
+  std::string time_unit;  ///< "s" unless the spec says otherwise
+  std::variant<CamSpec, MoveSpec, Table> subject;
+  TableOptions table;
+  Limits limits;  ///< of a cam: per master unit
+  std::optional<MasterSpec> master;
+  OptimizeSpec optimize;
+
+  [[nodiscard]] bool is_cam() const { return std::holds_alternative<CamSpec>(subject); }
+};
+
+/// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
+/// rule: syntax, unknown keys (with the nearest known one), a missing key, a wrong type, unit or
+/// version, a number that is not finite, a choice that does not exist.
+Spec read_spec(const std::string& path);
+
+/// The same from text; `name` stands for the file in messages.
+Spec parse_spec(std::string text, std::string name);
+
+}  // namespace jounce

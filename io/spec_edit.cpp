@@ -1,0 +1,94 @@
+#include "jounce/io/spec_edit.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+struct Edit {
+  std::size_t begin;
+  std::size_t end;
+  std::string text;
+};
+
+/// Byte offset of a place that TOML counts in lines and code points, both from 1.
+std::size_t offset(const std::string& text, const toml::source_position& place) {
+  std::size_t at = 0;
+  for (toml::source_index line = 1; line < place.line; ++line) at = text.find('\n', at) + 1;
+  for (toml::source_index column = 1; column < place.column; ++column) do
+      ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U);
+  return at;
+}
+
+/// `key = value` as the last entry of a table: before the brace of an inline one, otherwise below
+/// its header.
+Edit insertion(const std::string& text, const toml::table& table, const char* key, double value) {
+  const std::string entry = std::string(key) + " = " + number(value);
+  if (table.is_inline()) {
+    const std::size_t brace = text.rfind('}', offset(text, table.source().end) - 1);
+    const std::size_t last = text.find_last_not_of(" \t", brace - 1) + 1;
+    return {last, last, ", " + entry};  // never the first: master and slave stand before
+  }
+  const std::size_t below = text.find('\n', offset(text, table.source().begin));
+  return {below, below, "\n" + entry};
+}
+
+class Editor {
+ public:
+  explicit Editor(const std::string& text) : text_(text) {}
+
+  void set(const toml::table& table, const char* key, double before, double after, bool may_add) {
+    const toml::node* node = table.get(key);
+    if (before == after || (node == nullptr && !may_add)) return;
+    if (node == nullptr)
+      edits_.push_back(insertion(text_, table, key, after));
+    else
+      edits_.push_back(
+          {offset(text_, node->source().begin), offset(text_, node->source().end), number(after)});
+  }
+
+  void set(const toml::table& table, const CamKnot& before, const CamKnot& after) {
+    set(table, "master", before.master, after.master, false);
+    set(table, "slave", before.slave, after.slave, false);
+    set(table, "geo_velocity", *before.geo_velocity, *after.geo_velocity, true);
+    set(table, "geo_acceleration", *before.geo_acceleration, *after.geo_acceleration, true);
+  }
+
+  std::string result() {
+    std::stable_sort(edits_.begin(), edits_.end(),
+                     [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
+    std::string text = text_;
+    for (const Edit& edit : edits_) text.replace(edit.begin, edit.end - edit.begin, edit.text);
+    return text;
+  }
+
+ private:
+  const std::string& text_;
+  std::vector<Edit> edits_;
+};
+
+}  // namespace
+
+std::string with_knots(const Spec& spec, const CamSpec& cam) {
+  const std::string& text = spec.document.text;
+  const toml::table root =
+      toml::parse(std::string_view(text), std::string_view(spec.document.name));
+  const auto before = resolved_knots(std::get<CamSpec>(spec.subject));
+  const auto after = resolved_knots(cam);
+  assert(before.size() == after.size());
+  Editor editor(text);
+  editor.set(*root.get("start")->as_table(), before[0], after[0]);
+  for (std::size_t i = 1; i < after.size(); ++i)
+    editor.set(*root["segment"][i - 1]["end"].as_table(), before[i], after[i]);
+  return editor.result();
+}
+
+}  // namespace jounce

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace jounce {
+
+/// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
+///
+/// Known: m with mm, um, cm, in; rad with deg, arcmin, arcsec, rev; pulse (also count, inc); s with
+/// ms, us, min, h; kg with g; N, J, W, Hz, and their products, quotients and powers. Metres,
+/// radians and pulses are different things here: none converts into another.
+
+/// Whether the text is a unit. The empty text is not.
+bool is_unit(std::string_view text);
+
+/// How many `to` one `from` is. Throws InputError (key "unit") if either is not a unit or they do
+/// not measure the same thing.
+double conversion(std::string_view from, std::string_view to);
+
+/// A number with or without a unit ("12.5", "12.5 mm/s", "-3e2 deg") as a number of `unit`; without
+/// one it already is in `unit`. Throws InputError (no key; the rule says what is wrong and which
+/// unit is expected): not a number, not finite, not a unit, a unit that measures something else.
+double quantity(std::string_view text, std::string_view unit);
+
+/// position / x^order, simplified for reading: "mm", "mm/deg", "mm/deg^2".
+std::string rate_unit(const std::string& position, const std::string& x, int order);
+
+}  // namespace jounce

@@ -1,0 +1,209 @@
+#include "jounce/io/spec.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/io/make.hpp"
+
+namespace jounce {
+namespace {
+
+const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+/// The error that reading and making this text gives, or "".
+std::string complaint(const std::string& text) {
+  try {
+    (void)make(parse_spec(text, "a.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Spec, ReadsTheCamOfThePmc600Manual) {
+  const Spec spec = read_spec(examples + "pmc600-cam/cam.toml");
+  ASSERT_TRUE(spec.is_cam());
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  EXPECT_TRUE(cam.periodic);
+  ASSERT_EQ(cam.segments.size(), 4U);
+  EXPECT_EQ(cam.segments[1].name, "in step");
+  EXPECT_EQ(cam.segments[2].end.geo_velocity, 0.01739120485);
+  EXPECT_EQ(spec.units.x, "pulse");
+  EXPECT_EQ(spec.limits.velocity, 3);
+  EXPECT_EQ(make_master(spec).at(1e9).position, 1080);
+}
+
+TEST(Spec, MakesTheGoogolMoveFromItsSmoothingTime) {
+  const Made made = make(read_spec(examples + "googol-move/move.toml"));
+  EXPECT_DOUBLE_EQ(std::get<Trajectory>(made.curve).end(), 1325) << "ms, as the spec counts";
+  EXPECT_LT(made.sampled.error.position, 1e-9);
+}
+
+TEST(Spec, TakesUnitsInQuotes) {
+  const Spec spec = read_spec(examples + "hmpl-pvt/pvt.toml");
+  EXPECT_DOUBLE_EQ(std::get<Table>(spec.subject).columns().x[1], 2) << "2000 ms";
+}
+
+constexpr const char* cam = R"(jounce = 1
+kind = "cam"
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+[[segment]]
+law = "quintic"
+end = { master = 180, slave = 50 }
+[limits]
+geo_velocity = 1
+)";
+
+constexpr const char* move = R"(jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "s_curve"
+to = 100
+velocity = 10
+acceleration = 50
+jerk = 500
+)";
+
+constexpr const char* pvt = R"(jounce = 1
+kind = "pvt"
+units = { position = "mm" }
+[table]
+rule = "cubic_hermite"
+[[knot]]
+time = 0
+position = 0
+velocity = 0
+[[knot]]
+time = 1
+position = 5
+velocity = 0
+)";
+
+TEST(Spec, TheBasesOfTheErrorTestsAreGood) {
+  for (const char* text : {cam, move, pvt}) EXPECT_EQ(complaint(text), "") << text;
+}
+
+struct Bad {
+  const char* base;
+  const char* what;
+  const char* with;
+  const char* message;
+};
+
+class BadSpec : public ::testing::TestWithParam<Bad> {};
+
+TEST_P(BadSpec, GetsOneMessageWithPlaceKeyValueAndRule) {
+  const auto& [base, what, with, message] = GetParam();
+  EXPECT_EQ(complaint(replaced(base, what, with)), message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadSpec,
+    ::testing::Values(
+        Bad{cam, "jounce = 1", "jounce = 2",
+            "a.toml:1:10: jounce = 2: this program reads format version 1"},
+        Bad{cam, "jounce = 1\n", "",
+            "a.toml: jounce: is missing: a spec begins with `jounce = 1`, the version of its "
+            "format"},
+        Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
+            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, move, pvt"},
+        Bad{cam, "\"deg\"", "\"degrees\"",
+            "a.toml:3:20: units.master = \"degrees\": is not a unit that Jounce knows, such as mm, "
+            "deg, rev, pulse, s, ms"},
+        Bad{cam, "position = \"mm\"", "position = 3",
+            "a.toml:3:38: units.position = 3: must be a text in quotes"},
+        Bad{cam, "slave = 50", "slave = \"50 deg\"",
+            "a.toml:7:31: segment[1].end.slave = \"50 deg\": the unit deg does not fit; here a "
+            "value in mm is expected"},
+        Bad{cam, "slave = 50", "slave = nan",
+            "a.toml:7:31: segment[1].end.slave = nan: must be a finite number"},
+        Bad{cam, "slave = 50", "slave = -inf",
+            "a.toml:7:31: segment[1].end.slave = -inf: must be a finite number"},
+        Bad{cam, "slave = 50", "slave = true",
+            "a.toml:7:31: segment[1].end.slave = true: must be a number in mm, or a quantity such "
+            "as \"12.5 mm\""},
+        Bad{cam, "slave = 50", "slave = 2024-01-01",
+            "a.toml:7:31: segment[1].end.slave = 2024-01-01: must be a number in mm, or a quantity "
+            "such as \"12.5 mm\""},
+        Bad{cam, ", slave = 50", "", "a.toml:7:7: segment[1].end.slave: is missing"},
+        Bad{cam, "master = 180", "master = 0",
+            "a.toml:7:18: segment[1].end.master = 0: must be greater than 0, the knot before"},
+        Bad{cam, "master = 180", "master = -5",
+            "a.toml:7:18: segment[1].end.master = -5: must be greater than 0, the knot before"},
+        Bad{cam, "\"quintic\"", "\"modified_sin\"",
+            "a.toml:6:7: segment[1].law = \"modified_sin\": did you mean \"modified_sine\"? It "
+            "must be one of line, dwell, quintic, 345, modified_sine, modified_trapezoid, "
+            "inclined_sine"},
+        Bad{cam, "\"quintic\"", "\"dwell\"",
+            "a.toml:7:31: segment[1].end.slave = 50: a dwell must stay at 0"},
+        Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
+            "a.toml:9:1: limits.geo_velocty = 1: is not a key that belongs here: did you mean "
+            "geo_velocity?"},
+        Bad{cam, "geo_velocity = 1", "geo_velocity = 0",
+            "a.toml:9:16: limits.geo_velocity = 0: a limit must be greater than 0"},
+        Bad{cam, "geo_velocity = 1", "velocity = 1",
+            "a.toml:9:1: limits.velocity = 1: is not a key that belongs here; known: "
+            "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min"},
+        Bad{cam, "[limits]", "[limits",
+            "a.toml:8:8: is not TOML: Error while parsing table header: expected ']', saw "
+            "'\\n'"},
+        Bad{cam, "law = \"quintic\"", "law = \"quintic\"\nlaw = \"line\"",
+            "a.toml:7:7: is not TOML: Error while parsing key-value pair: cannot redefine existing "
+            "string 'law'"},
+        Bad{move, "velocity = 10", "velocity = 0",
+            "a.toml:7:12: move.velocity = 0: must be greater than 0"},
+        Bad{move, "velocity = 10", "velocity = 1e400",
+            "a.toml:7:17: is not TOML: Error while parsing floating-point: '1e400' could not "
+            "be interpreted as a value"},
+        Bad{move, "to = 100", "to = 0",
+            "a.toml:6:6: move.to = 0: must differ from `from`: there is no move"},
+        Bad{move, "to = 100", "to = \"1e999 m\"",
+            "a.toml:6:6: move.to = \"1e999 m\": must be a finite number, with or without a unit, "
+            "such as \"12.5 mm\""},
+        Bad{move, "to = 100", "from = -1e308\nto = 1e308",
+            "a.toml:4:1: move.to - from = inf: must be a finite number"},
+        Bad{move, "jerk = 500", "",
+            "a.toml:4:1: move.jerk: an s_curve needs either jerk or smoothing (the time in which "
+            "the acceleration builds up)"},
+        Bad{move, "jerk = 500", "smoothing = 0",
+            "a.toml:9:13: move.smoothing = 0: must be greater than 0"},
+        Bad{move, "\"s_curve\"", "\"trapezoid\"",
+            "a.toml:9:1: move.jerk = 500: is not a key that belongs here; known: acceleration, "
+            "deceleration, from, profile, to, velocity"},
+        Bad{pvt, "time = 1\n", "time = 0\n",
+            "a.toml:11:8: knot[2].time = 0: must be greater than 0, the knot before"},
+        Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
+            "a.toml: knots = 1: a table needs at least two"},
+        Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
+            "a.toml:6:1: knot[1].acceleration: is missing"},
+        Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
+            "a.toml: knots = 1: a table needs at least two"}));
+
+TEST(BadSpecs, EmptyFilesSaySo) {
+  EXPECT_EQ(complaint(""), "a.toml:1: the file is empty");
+  EXPECT_EQ(complaint(" \n\t\n"), "a.toml:1: the file is empty");
+}
+
+TEST(BadSpecs, EveryTruncationOfASpecIsRefusedOrStillASpec) {
+  const std::string text = read_file(examples + "pmc600-cam/cam.toml");
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const std::string message = complaint(text.substr(0, length));  // throws nothing but InputError
+    if (!message.empty()) {
+      EXPECT_TRUE(message.starts_with("a.toml")) << message;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jounce
