@@ -22,6 +22,13 @@ using Work = std::function<int()>;
 void add_new(CLI::App& app, Work& work);
 void add_design(CLI::App& app, Work& work);
 void add_check(CLI::App& app, Work& work);
+void add_optimize(CLI::App& app, Work& work);
+void add_validate(CLI::App& app, Work& work);
+void add_plot(CLI::App& app, Work& work);
+void add_report(CLI::App& app, Work& work);
+void add_stream(CLI::App& app, Work& work);
+void add_run(CLI::App& app, Work& work);
+void add_monitor(CLI::App& app, Work& work);
 
 /// A verb with its one-line description and the example that closes its --help.
 CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "jounce/io/units.hpp"
+
 namespace jounce {
 namespace {
 
@@ -44,6 +46,8 @@ Profile make_profile(const MoveSpec& move) {
 }
 
 Made make_any(const Spec& spec) {
+  if (std::holds_alternative<AxisSpec>(spec.subject))
+    throw InputError("kind", "\"axis\"", "an axis makes no table; it is what `jounce run` takes");
   if (const auto* cam = std::get_if<CamSpec>(&spec.subject)) return make_cam(*cam, spec.table);
   if (const auto* knots = std::get_if<Table>(&spec.subject))
     return make_trajectory(knots->curve<OverTime>(), {*knots, {}});
@@ -69,12 +73,19 @@ Trajectory make_master(const Spec& spec) {
         "is missing: a cam is played by a master; add [master] with velocity and distance")
         .at(spec.document.name);
   const MasterSpec& master = *spec.master;
+  const double unit = seconds_per_unit(spec);
+  const double velocity = master.velocity / unit;
   const double start = std::get<CamSpec>(spec.subject).start.master;
   if (!master.acceleration)
-    return Trajectory({line(master.distance / master.velocity, start, start + master.distance)}, 0,
+    return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Outside::hold);
-  return trapezoid({start, start + master.distance, master.velocity, *master.acceleration, 0})
+  return trapezoid(
+             {start, start + master.distance, velocity, *master.acceleration / (unit * unit), 0})
       .curve();
+}
+
+double seconds_per_unit(const Spec& spec) {
+  return conversion(spec.time_unit, "s");
 }
 
 CamProblem make_problem(const Spec& spec) {

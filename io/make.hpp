@@ -19,9 +19,12 @@ struct Made {
 /// Spec -> generator -> curve -> table. Throws InputError, placed in the spec's document.
 Made make(const Spec& spec);
 
-/// The master's motion of a cam spec over time, in time units of the spec; without a [master] it is
-/// an InputError that says what to add.
+/// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError
+/// that says what to add.
 Trajectory make_master(const Spec& spec);
+
+/// How many seconds one time unit of the spec is.
+double seconds_per_unit(const Spec& spec);
 
 /// The optimisation problem of a cam spec. Throws InputError, placed in the document, unless it is
 /// well posed.

@@ -14,7 +14,7 @@ namespace {
 
 using detail::TomlReader;
 
-const std::vector<std::string> kinds{"cam", "move", "pvt"};
+const std::vector<std::string> kinds{"cam", "move", "pvt", "axis"};
 const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
 
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
@@ -155,6 +155,15 @@ MoveSpec read_move(TomlReader move, const Units& units) {
   return t;
 }
 
+AxisSpec read_axis(TomlReader axis, const Units& units) {
+  AxisSpec spec;
+  spec.cycle = axis.optional_number("cycle", "s").value_or(spec.cycle);
+  if (!(spec.cycle > 0)) axis.fail("cycle", number(spec.cycle), "must be greater than 0");
+  spec.position = axis.optional_number("position", units.position).value_or(0);
+  axis.finish();
+  return spec;
+}
+
 Table read_knots(TomlReader& top, const Units& units, Rule rule) {
   Columns columns;
   for (TomlReader& knot : top.tables("knot")) {
@@ -220,6 +229,50 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
   return master;
 }
 
+void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
+  const std::string damping = "N m s/rad";
+  const auto read = [&](const char* key, const std::string& unit, double& value) {
+    value = table.optional_number(key, unit).value_or(value);
+  };
+  read("motor_inertia", "kg m^2", drive.motor_inertia);
+  read("load_inertia", "kg m^2", drive.load_inertia);
+  read("shaft_stiffness", "N m/rad", drive.shaft_stiffness);
+  read("shaft_damping", damping, drive.shaft_damping);
+  read("motor_friction", damping, drive.motor_friction);
+  read("load_friction", damping, drive.load_friction);
+  read("position_gain", "1/s", drive.position_gain);
+  read("velocity_gain", damping, drive.velocity_gain);
+  read("integral_time", "s", drive.integral_time);
+  read("velocity_feed_forward", "1", drive.velocity_feed_forward);
+  read("torque_feed_forward", "1", drive.torque_feed_forward);
+  read("torque_limit", "N m", drive.torque_limit);
+  drive.position_per_rev = table.number("position_per_rev", units.position + "/rev");
+}
+
+std::optional<DriveSpec> read_drive(TomlReader& top, const Units& units) {
+  auto table = top.optional_table("drive");
+  if (!table) return std::nullopt;
+  DriveSpec spec;
+  const std::vector<std::string> models{"servo_400w"};
+  if (table->has("model") && table->choice("model", models) == 0) spec.drive = servo_400w();
+  read_drive_numbers(*table, spec.drive, units);
+  spec.settle = table->optional_number("settle", "s").value_or(spec.settle);
+  if (auto limits = table->optional_table("limits")) {
+    spec.limits.torque = limits->optional_number("torque", "N m");
+    spec.limits.rms_torque = limits->optional_number("rms_torque", "N m");
+    spec.limits.following_error = limits->optional_number("following_error", units.position);
+    spec.limits.residual = limits->optional_number("residual", units.position);
+    limits->finish();
+  }
+  table->finish();
+  try {
+    require_valid(spec.drive);
+  } catch (const InputError& error) {  // the model names its own fields
+    throw InputError("drive." + error.key(), error.value(), error.rule());
+  }
+  return spec;
+}
+
 void require_version(TomlReader& top) {
   if (!top.has("jounce"))
     top.fail("jounce", "",
@@ -237,14 +290,17 @@ void read_body(TomlReader& top, Spec& spec) {
   read_units(top, spec, kind == "cam");
   spec.table = read_table_options(top, spec.units);
   spec.limits = read_limits(top, spec.units, kind == "cam");
+  spec.drive = read_drive(top, spec.units);
   if (kind == "cam") {
     spec.subject = read_cam(top, spec.units, spec.optimize);
     read_optimize(top, spec.optimize);
     spec.master = read_master(top, spec);
   } else if (kind == "move") {
     spec.subject = read_move(top.table("move"), spec.units);
-  } else {
+  } else if (kind == "pvt") {
     spec.subject = read_knots(top, spec.units, spec.table.rule);
+  } else {
+    spec.subject = read_axis(top.table("axis"), spec.units);
   }
   top.finish();
 }
@@ -267,7 +323,7 @@ Spec parse_spec(std::string text, std::string name) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
   const toml::table root = parse_toml(document);
-  Spec spec{std::move(document), "", {}, "", CamSpec{}, {}, {}, {}, {}};
+  Spec spec{std::move(document), "", {}, "", CamSpec{}, {}, {}, {}, {}, {}};
   TomlReader top(root, "", spec.document);
   try {
     read_body(top, spec);

@@ -13,6 +13,7 @@
 #include "jounce/profiles/limits.hpp"
 #include "jounce/profiles/profile.hpp"
 #include "jounce/pvt/table.hpp"
+#include "jounce/validate/drive.hpp"
 
 namespace jounce {
 
@@ -39,6 +40,19 @@ struct OptimizeSpec {
   std::optional<double> tolerance;
 };
 
+/// The servo axis that the table is proven against: [drive] and [drive.limits].
+struct DriveSpec {
+  Drive drive;
+  DriveLimits limits;
+  double settle = 0.2;  ///< s of standstill after the motion's end
+};
+
+/// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
+struct AxisSpec {
+  double cycle = 1e-3;  ///< s
+  double position = 0;  ///< where the axis stands at first
+};
+
 using MoveSpec = std::variant<TrapezoidSpec, SCurveSpec>;
 
 /// A whole spec file: what to make, for which axis, within which limits.
@@ -49,11 +63,12 @@ struct Spec {
   std::string name;
   Units units;            ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;  ///< "s" unless the spec says otherwise
-  std::variant<CamSpec, MoveSpec, Table> subject;
+  std::variant<CamSpec, MoveSpec, Table, AxisSpec> subject;
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit
   std::optional<MasterSpec> master;
   OptimizeSpec optimize;
+  std::optional<DriveSpec> drive;
 
   [[nodiscard]] bool is_cam() const { return std::holds_alternative<CamSpec>(subject); }
 };

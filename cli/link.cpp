@@ -1,0 +1,22 @@
+#include "link.hpp"
+
+#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/lossy_transport.hpp"
+
+namespace jounce::cli {
+
+void add_link_options(CLI::App& verb, LinkOptions& options) {
+  verb.add_option("--url", options.url, "LCM URL; without a ttl it stays on this machine")
+      ->capture_default_str();
+  verb.add_option("--inject-loss", options.inject_loss, "Share of packets to lose, each way")
+      ->group("");
+  verb.add_option("--seed", options.seed, "Of --inject-loss")->group("");
+}
+
+Link::Link(const LinkOptions& options) : lcm_(std::make_unique<LcmTransport>(options.url)) {
+  if (options.inject_loss > 0)
+    lossy_ = std::make_unique<LossyTransport>(
+        *lcm_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);
+}
+
+}  // namespace jounce::cli

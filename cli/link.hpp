@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "jounce/stream/transport.hpp"
+
+namespace jounce::cli {
+
+/// Where executors and streamers meet.
+struct LinkOptions {
+  std::string url = "udpm://239.255.76.67:7667";
+  double inject_loss = 0;  ///< share of packets to lose, for tests
+  std::uint64_t seed = 1;
+};
+
+/// Adds --url, and the hidden --inject-loss and --seed.
+void add_link_options(CLI::App& verb, LinkOptions& options);
+
+/// A link made from the options, and made worse if they ask for it. Throws TransportError with
+/// advice where the network is missing.
+class Link {
+ public:
+  explicit Link(const LinkOptions& options);
+  [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *lcm_; }
+
+ private:
+  std::unique_ptr<Transport> lcm_;
+  std::unique_ptr<Transport> lossy_;
+};
+
+}  // namespace jounce::cli

@@ -1,0 +1,87 @@
+#include "picture.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/plot/curve_figure.hpp"
+
+extern char** environ;
+
+namespace jounce::cli {
+namespace {
+
+/// The stretches in which the slave runs in step with the master: a constant velocity that is not
+/// zero, under the name of their segment.
+std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
+  std::vector<Shade> shades;
+  for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+    const Range v = segment_extrema(cam, i)[1];
+    const double peak = std::abs(v.peak().value);
+    if (peak == 0 || v.max.value - v.min.value > 1e-9 * peak) continue;
+    const std::string& label = labels.segments.empty() ? "" : labels.segments[i];
+    shades.push_back({cam.breaks()[i], cam.breaks()[i + 1],
+                      label.substr(std::min(label.size(), label.find(' ') + 1))});
+  }
+  return shades;
+}
+
+CurveLook look_of(const Input& input) {
+  CurveLook look{.title = input.name,
+                 .axis_unit = input.labels.units.x,
+                 .unit = input.labels.units.position,
+                 .limits = input.limits};
+  if (const auto* cam = std::get_if<Cam>(&input.curve)) look.shades = in_step(*cam, input.labels);
+  return look;
+}
+
+}  // namespace
+
+Figure figure_of(const Input& input, const std::optional<Input>& before) {
+  CurveLook look = look_of(input);
+  if (!before)
+    return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, input.curve);
+  look.label = input.name;
+  look.before = before->name == input.name ? "before" : before->name;
+  return std::visit(
+      [&]<class Over>(const Curve<Over>& curve) {
+        const auto* other = std::get_if<Curve<Over>>(&before->curve);
+        if (other == nullptr)
+          throw InputError("--before", before->name, "runs over another axis than " + input.name);
+        return curve_figure(curve, *other, look);
+      },
+      input.curve);
+}
+
+void write_png(const std::string& path, const std::string& svg) {
+  const std::string source = path + ".part.svg";
+  const std::string target = path + ".part.png";
+  write_file(source, svg);
+  const std::array<std::string, 6> words{"rsvg-convert", "--zoom=2", "--background-color=white",
+                                         "-o",           target,     source};
+  std::array<char*, 7> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = const_cast<char*>(words[i].c_str());
+  pid_t child = 0;
+  int status = -1;
+  const int spawned =
+      posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
+  if (spawned == 0) waitpid(child, &status, 0);
+  std::filesystem::remove(source);
+  if (spawned != 0)
+    throw std::runtime_error(
+        "PNG needs rsvg-convert, which is not installed (Debian: librsvg2-bin); SVG needs nothing");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    std::filesystem::remove(target);
+    throw std::runtime_error("rsvg-convert could not write " + path);
+  }
+  std::filesystem::rename(target, path);
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,92 @@
+#include "proof.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/io/file.hpp"
+
+#include "reference.hpp"
+
+namespace jounce::cli {
+namespace {
+
+void add(Report& all, const Report& part, const char* axis) {
+  for (Finding finding : part.findings) {
+    finding.axis = axis;
+    all.findings.push_back(std::move(finding));
+  }
+}
+
+Played played(const Input& input, const std::string& log) {
+  const Reference designed = exact_reference(input);
+  const Range travel = std::visit([](const auto& curve) { return extrema(curve, 0); }, input.curve);
+  return compare_played(read_played(read_file(log), log),
+                        {[&](double t) { return at(designed, t).position; }, duration(designed),
+                         travel.max.value - travel.min.value});
+}
+
+}  // namespace
+
+Proof prove(const Input& input, const std::string& log, std::size_t drive_samples) {
+  // A table of straight lines steps in velocity: its rule says so.
+  const WitnessOptions options{.velocity_steps = input.table.table.rule() == Rule::linear};
+  Proof proof{std::visit([](const auto& curve) { return witness(curve); }, input.curve),
+              witness(input.table.table, options),
+              std::nullopt,
+              std::nullopt,
+              {}};
+  add(proof.report, proof.curve.report, "exact curve");
+  add(proof.report, proof.table.report, "table");
+  if (input.spec && input.spec->drive) {
+    const DriveSpec& drive = *input.spec->drive;
+    const Reference reference = table_reference(input);
+    proof.drive =
+        drive_through(view(reference), drive.drive,
+                      {.settle = drive.settle, .samples = drive_samples, .limits = drive.limits});
+    add(proof.report, proof.drive->report, "drive");
+  }
+  if (!log.empty()) {
+    proof.played = played(input, log);
+    add(proof.report, proof.played->report, "executor");
+  }
+  sort(proof.report);
+  return proof;
+}
+
+std::string proof_text(const Proof& proof, const Input& input) {
+  const std::string& u = input.labels.units.position;
+  std::string text;
+  const auto line = [&](const char* who, const std::string& says) {
+    text += fmt::format("  {:<12} {}\n", who, says);
+  };
+  for (const auto& [who, w] : {std::pair{"exact curve", &proof.curve}, {"table", &proof.table}})
+    line(who, fmt::format("{}: the jerk integrated three times gives back position, velocity, "
+                          "acceleration to {:.1e}, {:.1e}, {:.1e} ({} steps)",
+                          w->report.ok() ? "ok" : "BROKEN", w->position.relative,
+                          w->velocity.relative, w->acceleration.relative, w->integration.steps));
+  if (proof.drive) {
+    const DriveResult& d = *proof.drive;
+    line("drive",
+         fmt::format("{}: torque {} N m peak at {} s, {} N m rms", d.report.ok() ? "ok" : "BROKEN",
+                     rounded(d.torque.value), rounded(d.torque.where), rounded(d.rms_torque)));
+    line("", fmt::format("following error {} {} at {} s; {} {} at the end",
+                         rounded(d.following_error.value), u, rounded(d.following_error.where),
+                         rounded(d.end_following_error), u));
+    line("", fmt::format("residual vibration {} {}{}", rounded(d.residual.value), u,
+                         d.residual_frequency > 0
+                             ? fmt::format(" at {} Hz", rounded(d.residual_frequency))
+                             : ""));
+    for (const auto& s : d.saturation)
+      line("", fmt::format("at the {} torque limit from {} to {} s", s.sign > 0 ? "upper" : "lower",
+                           rounded(s.from), rounded(s.to)));
+  }
+  if (proof.played)
+    line("executor", fmt::format("{}: {} ticks, at most {} {} from the designed curve",
+                                 proof.played->report.ok() ? "ok" : "BROKEN", proof.played->ticks,
+                                 rounded(proof.played->error), u));
+  return text;
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,155 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/plot/findings.hpp"
+#include "jounce/plot/label.hpp"
+#include "jounce/plot/page.hpp"
+
+#include "picture.hpp"
+#include "proof.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string before;
+  std::string log;
+  std::string output = "-";
+};
+
+Report checked(const Input& input) {
+  return std::visit(
+      [&](const auto& curve) {
+        Report report = check(curve, input.limits);
+        const Report joints = check_continuity(curve, 1);
+        report.findings.insert(report.findings.end(), joints.findings.begin(),
+                               joints.findings.end());
+        sort(report);
+        return report;
+      },
+      input.curve);
+}
+
+DataTable extrema_table(const Input& input) {
+  return std::visit(
+      [&]<class Over>(const Curve<Over>& curve) {
+        DataTable table{.caption = "Exact extrema of each segment",
+                        .columns = {"segment", "from", "to"}};
+        for (const char* quantity : Over::names) {
+          const std::string unit = " [" + input.labels.unit_of(quantity) + "]";
+          if (quantity == Over::names[0])
+            table.columns.insert(table.columns.end(),
+                                 {"least position" + unit, "greatest position" + unit});
+          else
+            table.columns.push_back(std::string("max |") + quantity + "|" + unit);
+        }
+        for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+          const Ranges r = segment_extrema(curve, i);
+          DataTable::Row row{
+              {i < input.labels.segments.size() ? input.labels.segments[i] : std::to_string(i + 1),
+               short_number(curve.breaks()[i]), short_number(curve.breaks()[i + 1]),
+               short_number(r[0].min.value), short_number(r[0].max.value)},
+              false};
+          for (std::size_t k = 1; k < r.size(); ++k)
+            row.cells.push_back(short_number(std::abs(r[k].peak().value)));
+          table.rows.push_back(std::move(row));
+        }
+        return table;
+      },
+      input.curve);
+}
+
+Figure drive_figure(const DriveResult& drive, const std::string& unit) {
+  Figure figure{.title = "Through the servo model", .x_label = "time [s]"};
+  Panel torque{.y_label = "torque [N m]"};
+  Panel error{.y_label = "following error [" + unit + "]"};
+  Series t{.label = "torque"};
+  Series e{.label = "following error"};
+  for (const auto& sample : drive.samples) {
+    t.x.push_back(sample.time), t.y.push_back(sample.torque);
+    e.x.push_back(sample.time), e.y.push_back(sample.following_error);
+  }
+  torque.series.push_back(std::move(t));
+  error.series.push_back(std::move(e));
+  figure.panels = {std::move(torque), std::move(error)};
+  return figure;
+}
+
+Facts facts(const Input& input) {
+  const Table& table = input.table.table;
+  Facts f;
+  f.rows = {{"table", fmt::format("{} knots, {}", table.size(), name(table.rule()))},
+            {"range", fmt::format("{} to {} {}", short_number(table.start()),
+                                  short_number(table.end()), input.labels.units.x)},
+            {"error against the exact curve",
+             fmt::format("{} {} at the most (certified)", short_number(input.error.position),
+                         input.labels.units.position)},
+            {"sha256", hex(content_hash(table, input.labels.units))}};
+  if (!input.table.provenance.spec.empty())
+    f.rows.emplace_back("spec", input.table.provenance.spec + ", sha256 " +
+                                    input.table.provenance.spec_sha256.substr(0, 16) + "...");
+  return f;
+}
+
+Section proof_section(const Proof& proof, const Input& input) {
+  Section section{"Proof", {}};
+  section.blocks.emplace_back(
+      Prose{"The witness integrates the jerk alone, three times, with SUNDIALS CVODES, and "
+            "compares what comes out with the position, velocity and acceleration that the curve "
+            "and its table claim. The table is read as the executor reads it."});
+  DataTable table = findings_table(proof.report);
+  section.blocks.emplace_back(std::move(table));
+  if (proof.drive)
+    section.blocks.emplace_back(Chart{drive_figure(*proof.drive, input.labels.units.position),
+                                      "The table driven through two masses on a shaft, under a "
+                                      "P-PI cascade with feed-forward, and held after its end."});
+  return section;
+}
+
+int run(const Options& options) {
+  const Input input = load(options.file);
+  const auto before = options.before.empty() ? std::nullopt : std::optional(load(options.before));
+  const Report report = checked(input);
+  const Proof proof = prove(input, options.log, 2000);
+  Report all = report;
+  all.findings.insert(all.findings.end(), proof.report.findings.begin(),
+                      proof.report.findings.end());
+
+  Page page{.title = input.name,
+            .subtitle = "Motion table report",
+            .verdict = verdict(all),
+            .footer = "Made by " + made_by()};
+  Figure figure = figure_of(input, before);
+  figure.title.clear();
+  page.sections.push_back(
+      {"Curve",
+       {Chart{std::move(figure), before ? "The pale line is " + before->name +
+                                              " as it was before. Marked are the exact extrema."
+                                        : "Marked are the exact extrema."},
+        extrema_table(input)}});
+  page.sections.push_back({"Limits and joints", {findings_table(report)}});
+  page.sections.push_back(proof_section(proof, input));
+  page.sections.push_back({"Table", {facts(input)}});
+  write_file(options.output, html(page));
+  return all.ok() ? fine : finding;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      add_verb(app, "report", "Write one self-contained HTML page with curve, limits and proof",
+               "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
+  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  verb->add_option("--before", options->before, "Another one, drawn paler underneath");
+  verb->add_option("--log", options->log, "Tick log of an executor, compared with the exact curve");
+  verb->add_option("-o,--output", options->output, "Page to write; - is standard output");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,78 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "proof.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string log;
+  bool json = false;
+};
+
+void print_json(const Proof& proof, const Input& input) {
+  using Json = nlohmann::ordered_json;
+  Json document = Json::parse(to_json(proof.report, input.labels));
+  const auto witness_json = [](const Witness& w) {
+    return Json{{"position", w.position.relative},
+                {"velocity", w.velocity.relative},
+                {"acceleration", w.acceleration.relative},
+                {"steps", w.integration.steps}};
+  };
+  document["witness"] = {{"curve", witness_json(proof.curve)},
+                         {"table", witness_json(proof.table)}};
+  if (proof.drive) {
+    const DriveResult& d = *proof.drive;
+    document["drive"] = {{"peak_torque", d.torque.value},
+                         {"rms_torque", d.rms_torque},
+                         {"following_error", d.following_error.value},
+                         {"end_following_error", d.end_following_error},
+                         {"residual", d.residual.value},
+                         {"residual_frequency", d.residual_frequency},
+                         {"saturations", d.saturation.size()},
+                         {"steps", d.integration.steps}};
+  }
+  if (proof.played)
+    document["executor"] = {{"ticks", proof.played->ticks},
+                            {"error", proof.played->error},
+                            {"where", proof.played->where}};
+  fmt::print("{}\n", document.dump(1));
+}
+
+int run(const Options& options) {
+  const Input input = load(options.file);
+  const Proof proof = prove(input, options.log);
+  if (options.json) {
+    print_json(proof, input);
+  } else {
+    fmt::print("{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
+               proof_text(proof, input));
+    if (!proof.drive)
+      fmt::print("  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
+                 "drive");
+    if (!proof.report.ok()) fmt::print("\n{}", full_text(proof.report, input.labels));
+  }
+  return proof.report.ok() ? fine : finding;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      add_verb(app, "validate",
+               "Prove it by integration, against a servo model, and against what was played",
+               "jounce validate cam.toml --log run.csv");
+  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  verb->add_option("--log", options->log,
+                   "Tick log of an executor: compare every tick with the exact curve");
+  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/refusal.hpp"
+#include "jounce/stream/table_store.hpp"
+
+namespace jounce {
+
+/// Bytes of the knots that a header without contradiction announces.
+std::size_t bytes_of(const wire::Header& header);
+
+/// A table under way: its columns, filled chunk by chunk in any order.
+class Assembly {
+ public:
+  /// Takes the memory for all knots: bound them first. The header must not contradict itself.
+  explicit Assembly(const wire::Header& header);
+
+  /// A chunk seen before changes nothing. False if it contradicts the header.
+  bool add(const wire::Chunk& chunk);
+
+  /// Every chunk below has arrived.
+  [[nodiscard]] std::uint32_t next() const { return next_; }
+  /// Bit i: chunk next() + 1 + i has arrived.
+  [[nodiscard]] std::uint64_t mask() const;
+  [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
+
+  /// Of a complete assembly, once: the table, constructed and hashed anew from what arrived.
+  [[nodiscard]] std::variant<StoredTable, Refused> finish();
+
+ private:
+  wire::Header header_;
+  wire::Cut cut_;
+  Columns columns_;
+  std::vector<bool> arrived_;
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace jounce

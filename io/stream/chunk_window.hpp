@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/transport.hpp"
+
+namespace jounce {
+
+/// How a table's chunks are sent. The defaults suit a local network and Linux' default socket
+/// buffer, which 8 chunks fill.
+struct Pace {
+  std::uint32_t window = 8;                          ///< chunks under way, 1...64
+  Nanos resend = std::chrono::milliseconds(6);       ///< least time until a chunk is sent again
+  Nanos slowest = std::chrono::milliseconds(100);    ///< most: it doubles while nothing arrives
+  Nanos fast_resend = std::chrono::milliseconds(2);  ///< least, for a hole below a later arrival
+};
+
+/// One table's chunks under way: which are to be sent now, and again. Selective repeat within a
+/// window; the time until a repeat follows the measured round trip (RFC 6298) with back-off.
+class ChunkWindow {
+ public:
+  ChunkWindow(std::uint32_t chunks, Pace pace);
+
+  /// Whether at least one more chunk has arrived. An ack that makes no sense changes nothing.
+  bool acknowledge(const wire::Ack& ack, Nanos now);
+
+  /// The chunks to be sent now; they count as sent.
+  [[nodiscard]] std::vector<std::uint32_t> due(Nanos now);
+
+  [[nodiscard]] std::size_t arrived() const { return arrived_; }
+  [[nodiscard]] std::size_t resent() const { return resent_; }
+
+ private:
+  struct State {
+    Nanos sent{};
+    std::uint32_t times = 0;
+    bool arrived = false;
+  };
+
+  bool mark(std::uint32_t seq, Nanos now);
+  void measure(Nanos round_trip);
+  [[nodiscard]] Nanos patience() const;
+
+  Pace pace_;
+  std::vector<State> chunks_;
+  std::uint32_t next_ = 0;     // every chunk below has arrived
+  std::uint32_t highest_ = 0;  // no chunk from here on has arrived
+  std::uint32_t credit_ = 0;
+  unsigned back_off_ = 0;
+  bool measured_ = false;
+  Nanos round_trip_{}, deviation_{};
+  std::size_t arrived_ = 0;
+  std::size_t resent_ = 0;
+};
+
+}  // namespace jounce

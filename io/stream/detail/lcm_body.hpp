@@ -1,0 +1,71 @@
+#pragma once
+
+#include <type_traits>
+
+#include "jounce/stream/message.hpp"
+
+#include "jounce_lcm/ack_t.hpp"
+#include "jounce_lcm/arm_t.hpp"
+#include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/header_t.hpp"
+#include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/reply_t.hpp"
+#include "jounce_lcm/start_t.hpp"
+#include "jounce_lcm/status_t.hpp"
+#include "jounce_lcm/stop_t.hpp"
+
+/// Each message's own fields, to and from the generated type; the envelope and the checksum are
+/// wire.cpp's.
+namespace jounce::wire {
+
+/// Text that fits `size` bytes with a final zero, as zero-padded bytes.
+void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size);
+
+/// The reverse; false unless zeros and nothing else follow a first zero, or for a control
+/// character.
+bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text);
+
+// Throws InputError for a value that does not fit the wire.
+void put(const Header& from, jounce_lcm::header_t& to);
+void put(const Chunk& from, jounce_lcm::chunk_t& to);
+void put(const Arm& from, jounce_lcm::arm_t& to);
+void put(const Start& from, jounce_lcm::start_t& to);
+void put(const Stop& from, jounce_lcm::stop_t& to);
+void put(const Heartbeat& from, jounce_lcm::heartbeat_t& to);
+void put(const Ack& from, jounce_lcm::ack_t& to);
+void put(const Reply& from, jounce_lcm::reply_t& to);
+void put(const Status& from, jounce_lcm::status_t& to);
+
+// False where a field is out of its range.
+bool get(const jounce_lcm::header_t& from, Header& to);
+bool get(const jounce_lcm::chunk_t& from, Chunk& to);
+bool get(const jounce_lcm::arm_t& from, Arm& to);
+bool get(const jounce_lcm::start_t& from, Start& to);
+bool get(const jounce_lcm::stop_t& from, Stop& to);
+bool get(const jounce_lcm::heartbeat_t& from, Heartbeat& to);
+bool get(const jounce_lcm::ack_t& from, Ack& to);
+bool get(const jounce_lcm::reply_t& from, Reply& to);
+bool get(const jounce_lcm::status_t& from, Status& to);
+
+template <class Body>
+struct LcmOf;
+template <>
+struct LcmOf<Header> : std::type_identity<jounce_lcm::header_t> {};
+template <>
+struct LcmOf<Chunk> : std::type_identity<jounce_lcm::chunk_t> {};
+template <>
+struct LcmOf<Arm> : std::type_identity<jounce_lcm::arm_t> {};
+template <>
+struct LcmOf<Start> : std::type_identity<jounce_lcm::start_t> {};
+template <>
+struct LcmOf<Stop> : std::type_identity<jounce_lcm::stop_t> {};
+template <>
+struct LcmOf<Heartbeat> : std::type_identity<jounce_lcm::heartbeat_t> {};
+template <>
+struct LcmOf<Ack> : std::type_identity<jounce_lcm::ack_t> {};
+template <>
+struct LcmOf<Reply> : std::type_identity<jounce_lcm::reply_t> {};
+template <>
+struct LcmOf<Status> : std::type_identity<jounce_lcm::status_t> {};
+
+}  // namespace jounce::wire

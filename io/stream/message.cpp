@@ -1,0 +1,65 @@
+#include "jounce/stream/message.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace jounce::wire {
+namespace {
+
+bool is_name_character(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+}  // namespace
+
+const char* name(ArmMode mode) {
+  switch (mode) {
+    case ArmMode::play:
+      return "play";
+    case ArmMode::follow_input:
+      return "follow_input";
+    case ArmMode::follow_table:
+      break;
+  }
+  return "follow_table";
+}
+
+const char* name(Refusal refusal) {
+  constexpr const char* names[] = {
+      "none",          "busy",          "unknown_session", "session_ended", "bad_header",
+      "too_large",     "out_of_memory", "bad_chunk",       "hash_mismatch", "bad_table",
+      "table_missing", "wrong_axis",    "wrong_unit",      "not_armed",     "axis"};
+  return names[static_cast<std::size_t>(refusal)];
+}
+
+const char* name(AxisState state) {
+  constexpr const char* names[] = {
+      "disabled", "standstill", "discrete_motion", "synchronized_motion", "stopping", "error_stop"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+const char* name(Next next) {
+  constexpr const char* names[] = {"nothing", "armed", "waiting"};
+  return names[static_cast<std::size_t>(next)];
+}
+
+Cut cut(Rule rule, std::uint32_t knots) {
+  Cut result;
+  result.columns = rule == Rule::linear ? 2 : rule == Rule::cubic_hermite ? 3 : 4;
+  result.per_chunk = static_cast<std::uint32_t>(chunk_values) / result.columns;
+  result.chunks = knots / result.per_chunk + (knots % result.per_chunk != 0 ? 1 : 0);
+  return result;
+}
+
+std::uint32_t Cut::knots_of(std::uint32_t seq, std::uint32_t knots) const {
+  assert(seq < chunks);
+  return std::min(per_chunk, knots - seq * per_chunk);
+}
+
+bool is_executor_name(std::string_view name) {
+  return !name.empty() && name.size() < executor_bytes &&
+         std::all_of(name.begin(), name.end(), is_name_character);
+}
+
+}  // namespace jounce::wire

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/stream/assembly.hpp"
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/refusal.hpp"
+#include "jounce/stream/table_store.hpp"
+#include "jounce/stream/transport.hpp"
+
+namespace jounce {
+
+struct ReceiverOptions {
+  std::string executor;                             ///< the name this axis answers to
+  std::uint32_t most_knots = 1U << 24U;             ///< of one table
+  std::size_t memory = std::size_t{1} << 28U;       ///< bytes of all tables, complete or under way
+  Nanos session_timeout = std::chrono::seconds(1);  ///< of silence, then the axis is free again
+  std::uint32_t credit = 8;  ///< chunks under way, 1...64; 8 fit a socket's default buffer
+};
+
+/// A table is complete and has proved itself. It stays in the store.
+struct TableReady {
+  std::int64_t session = 0;
+  StoredTable table;
+};
+
+/// The tables are complete, and their axes and units fit the mode. Owes an answer.
+struct ArmRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  wire::ArmMode mode = wire::ArmMode::play;
+  StoredTable slave;
+  std::optional<StoredTable> master;  ///< with follow_table
+};
+
+/// Follows an accepted arm of the same session. Owes an answer.
+struct StartRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  std::int64_t tick = -1;  ///< of the executor; -1: the next one
+};
+
+/// A stop, or an abort: always to be obeyed. Owes an answer.
+struct StopRequested {
+  std::int64_t session = 0;  ///< 0: an operator
+  std::int32_t command = 0;
+  wire::StopMode mode = wire::StopMode::stop;
+};
+
+/// Nobody owns the axis any longer. What is armed but not started must be disarmed; whether a
+/// motion goes on is the axis's choice.
+struct SessionEnded {
+  enum class Why { released, silent, operator_stop };
+  std::int64_t session = 0;
+  Why why = Why::released;
+};
+
+using StreamEvent =
+    std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded>;
+
+/// The executor's half of the protocol: a pure state machine without thread, clock or link.
+///
+///     Receiver receiver({.executor = "feeder"}, random_id());
+///     receiver.receive(message, now);                      // whatever has arrived
+///     for (const auto& answer : receiver.poll(now)) ...    // to be sent; calls every few ms
+///     while (const auto event = receiver.take_event()) ... // for the axis, in order
+///     receiver.accept(arm.session, arm.command);           // the axis's answer
+///
+/// Any message may be lost, doubled, delayed or reordered. None is trusted: counts are bounded
+/// before memory is taken, the hash is computed from what arrived, and the table is constructed
+/// anew. Messages for another executor are ignored, and so are those that executors send.
+class Receiver {
+ public:
+  /// `boot` > 0: a random number, another one at every start. Throws InputError for a bad name.
+  Receiver(ReceiverOptions options, std::int64_t boot);
+
+  void receive(const wire::Message& message, Nanos now);
+
+  /// Ends a session that has been silent for too long, and answers what has arrived. Take in what
+  /// waits on the link first, so that waiting is not taken for silence.
+  [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+
+  [[nodiscard]] std::optional<StreamEvent> take_event();
+
+  /// The axis's answer to the event of this session and command. One that comes too late, after
+  /// another command or the session's end, does nothing.
+  void accept(std::int64_t session, std::int32_t command);
+  /// `cause`: the axis's own number.
+  void refuse(std::int64_t session, std::int32_t command, std::string reason,
+              std::int32_t cause = 0);
+
+  [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
+  [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be handed to the axis
+  [[nodiscard]] const TableStore& store() const { return store_; }
+
+  /// The status message of this axis, ready to be sent.
+  [[nodiscard]] wire::Message status(const wire::Status& status) const;
+
+ private:
+  /// A table of the live session: under way, stored, or refused.
+  struct Slot {
+    wire::Header header;
+    std::optional<Assembly> assembly{};
+    std::optional<StoredTable> stored{};
+    Refused refused{};
+    bool ack_due = true;
+  };
+
+  /// The newest command of a session and what became of it.
+  struct Record {
+    enum class Kind { heartbeat, arm, start, stop };
+    std::int64_t session = 0;
+    Kind kind = Kind::heartbeat;
+    wire::Reply reply{};
+    bool due = false;
+  };
+
+  void take(const wire::Header& header, std::int64_t session);
+  void take(const wire::Chunk& chunk, std::int64_t session);
+  void take(const wire::Arm& arm, std::int64_t session);
+  void take(const wire::Start& start, std::int64_t session);
+  void take(const wire::Stop& stop, std::int64_t session);
+  void take(const wire::Heartbeat& heartbeat, std::int64_t session);
+  template <class Other>
+  void take(const Other& /*from an executor*/, std::int64_t /*session*/) {}
+
+  void open(std::int64_t session);
+  void end(SessionEnded::Why why);
+  void expire(Nanos now);
+  [[nodiscard]] Refused stranger(std::int64_t session) const;
+
+  [[nodiscard]] Slot announced(const wire::Header& header);
+  void finish(Slot& slot);
+  [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
+  void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
+
+  bool is_new(Record& record, Record::Kind kind, std::int32_t command) const;
+  bool is_new_of_live(Record::Kind kind, std::int64_t session, std::int32_t command);
+  void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
+  void settle(Record& record, Refused refused);
+  [[nodiscard]] Record* pending(std::int64_t session, std::int32_t command);
+  void send(std::int64_t session, wire::Body body);
+
+  ReceiverOptions options_;
+  std::int64_t boot_;
+  TableStore store_;
+
+  std::int64_t session_ = 0;
+  Nanos heard_{};
+  bool armed_ = false;
+  std::map<std::uint32_t, Slot> slots_;
+  Record command_;   // of the live session, or else of the last one
+  Record operator_;  // of session 0
+  std::deque<std::int64_t> ended_;
+
+  std::vector<wire::Message> outgoing_;
+  std::deque<StreamEvent> events_;
+};
+
+}  // namespace jounce

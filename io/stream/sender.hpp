@@ -1,0 +1,174 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/stream/chunk_window.hpp"
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/transport.hpp"
+
+namespace jounce {
+
+/// How far a streamer goes.
+enum class StreamGoal { download, arm, start };
+
+/// What is to be streamed where, and what is to become of it.
+struct StreamPlan {
+  struct Item {
+    Table table;
+    Units units;
+  };
+  std::string executor;      ///< its name
+  std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
+  StreamGoal goal = StreamGoal::start;
+  wire::ArmMode mode = wire::ArmMode::play;
+  std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
+};
+
+/// Times of a streamer.
+struct SenderOptions {
+  Pace pace;
+  Nanos repeat = std::chrono::milliseconds(20);        ///< of headers and commands, until answered
+  Nanos heartbeat = std::chrono::milliseconds(100);    ///< between signs of life
+  Nanos patience = std::chrono::seconds(5);            ///< without any answer
+  Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
+  Nanos progress_patience = std::chrono::seconds(10);  ///< without one more chunk arriving
+};
+
+/// Why a stream failed.
+enum class StreamError {
+  none,             ///< it did not
+  no_answer,        ///< the executor has never answered
+  contact_lost,     ///< it has, but no longer does
+  stalled,          ///< it answers, but no chunk gets through
+  command_timeout,  ///< it answers, but does not say whether it arms, starts or stops
+  out_of_time,      ///< the bound on the total time was reached
+  restarted,        ///< the executor has restarted and forgotten
+  refused,          ///< see refusal and reason
+};
+const char* name(StreamError error);
+
+enum class StreamStage {
+  downloading,
+  arming,
+  starting,
+  stopping,
+  holding,    ///< the goal is reached, heartbeats hold the session
+  releasing,  ///< the session is about to end; a motion goes on
+  released,
+  failed,
+};
+const char* name(StreamStage stage);
+
+struct StreamProgress {
+  StreamStage stage = StreamStage::downloading;
+  std::size_t chunks = 0;   ///< of all tables
+  std::size_t arrived = 0;  ///< of those, acknowledged
+  std::size_t resent = 0;   ///< chunks sent again
+};
+
+/// How a stream ended, or stands. Each flag is set where the executor confirmed it.
+struct StreamOutcome {
+  StreamError error = StreamError::none;
+  wire::Refusal refusal = wire::Refusal::none;
+  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::string reason;      ///< in words; may be empty
+  bool downloaded = false;
+  bool armed = false;
+  bool started = false;
+  bool stopped = false;
+  StreamProgress progress;
+
+  [[nodiscard]] bool ok() const { return error == StreamError::none; }
+};
+
+/// The streamer's half of the protocol: a pure state machine without thread, clock or link.
+///
+///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
+///     while (!sender.ended()) {
+///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
+///       sender.receive(message, now);                      // whatever has arrived
+///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
+///     }
+///
+/// A failed sender has one farewell, which frees the axis: poll once more.
+class Sender {
+ public:
+  /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
+  Sender(StreamPlan plan, std::int64_t session, SenderOptions options = {});
+
+  [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  void receive(const wire::Message& message, Nanos now);
+
+  /// Goes on to a further goal.
+  void raise(StreamGoal goal);
+  /// Stops the axis if anything was armed, and gives the goal up.
+  void stop(wire::StopMode mode);
+  /// Ends the session; a motion goes on.
+  void release();
+  /// Gives up.
+  void fail(StreamError error, std::string reason);
+
+  [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
+  [[nodiscard]] bool ended() const {
+    return stage() == StreamStage::released || stage() == StreamStage::failed;
+  }
+  [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] std::int64_t session() const { return session_; }
+
+ private:
+  struct Command {
+    wire::Body body;
+    std::int32_t number = 0;
+    std::optional<Nanos> issued;
+    Nanos sent{};
+  };
+
+  [[nodiscard]] StreamStage stage() const { return outcome_.progress.stage; }
+  void enter(StreamStage stage) { outcome_.progress.stage = stage; }
+
+  void download(Nanos now);
+  void command(Nanos now);
+  void farewell();
+  void check_patience(Nanos now);
+  void send(wire::Body body, Nanos now);
+  template <class Body>
+  void issue(Body body);
+
+  void take(const wire::Ack& ack, Nanos now);
+  void take(const wire::Reply& reply, Nanos now);
+  template <class Other>
+  void take(const Other& /*not for a streamer*/, Nanos /*now*/) {}
+  [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
+  void accepted();
+  void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
+  void next_table(Nanos now);
+  void pursue();
+  void count();
+
+  StreamPlan plan_;
+  std::int64_t session_;
+  SenderOptions options_;
+  StreamOutcome outcome_;
+  std::vector<wire::Header> headers_;
+  bool given_up_ = false;  // the goal, after a stop
+  std::vector<wire::Message> outgoing_;
+
+  std::size_t table_ = 0;              // the one under way
+  std::optional<ChunkWindow> window_;  // once its header is acknowledged
+  std::size_t arrived_before_ = 0, resent_before_ = 0;
+
+  std::int32_t last_number_ = 0;
+  std::optional<Command> command_;  // the one without an outcome
+
+  std::vector<std::int64_t> boots_;  // of the executor, the present one last
+  bool begun_ = false;
+  bool farewell_due_ = false;
+  Nanos heard_{}, progressed_{}, sent_{};
+  std::optional<Nanos> header_sent_;
+};
+
+}  // namespace jounce
