@@ -43,7 +43,7 @@ AxisConfig axis_of(const Spec& spec) {
 ExecutorOptions executor_of(const Options& options, const Spec& spec) {
   ExecutorOptions executor;
   executor.axis = axis_of(spec);
-  executor.units = {"", spec.units.position};
+  executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;
   if (!options.log.empty()) executor.log = options.log;

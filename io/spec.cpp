@@ -26,7 +26,7 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
   return unit;
 }
 
-void read_units(TomlReader& top, Spec& spec, bool over_master) {
+void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
   TomlReader units = top.table("units");
   spec.units.position = read_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
@@ -35,7 +35,8 @@ void read_units(TomlReader& top, Spec& spec, bool over_master) {
   } catch (const InputError&) {
     units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
   }
-  spec.units.x = over_master ? read_unit(units, "master", nullptr) : spec.time_unit;
+  spec.units.x = kind == "cam" ? read_unit(units, "master", nullptr) : spec.time_unit;
+  if (kind == "axis" && units.has("master")) spec.master_unit = read_unit(units, "master", nullptr);
   units.finish();
 }
 
@@ -287,7 +288,7 @@ void read_body(TomlReader& top, Spec& spec) {
   require_version(top);
   const std::string kind = kinds[top.choice("kind", kinds)];
   spec.name = top.optional_text("name").value_or("");
-  read_units(top, spec, kind == "cam");
+  read_units(top, spec, kind);
   spec.table = read_table_options(top, spec.units);
   spec.limits = read_limits(top, spec.units, kind == "cam");
   spec.drive = read_drive(top, spec.units);
@@ -323,7 +324,8 @@ Spec parse_spec(std::string text, std::string name) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
   const toml::table root = parse_toml(document);
-  Spec spec{std::move(document), "", {}, "", CamSpec{}, {}, {}, {}, {}, {}};
+  Spec spec;
+  spec.document = std::move(document);
   TomlReader top(root, "", spec.document);
   try {
     read_body(top, spec);

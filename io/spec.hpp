@@ -61,8 +61,9 @@ struct Spec {
 
   Document document;
   std::string name;
-  Units units;            ///< x is the master's unit for a cam, the time's for the others
-  std::string time_unit;  ///< "s" unless the spec says otherwise
+  Units units;              ///< x is the master's unit for a cam, the time's for the others
+  std::string time_unit;    ///< "s" unless the spec says otherwise
+  std::string master_unit;  ///< of an axis that follows a master; otherwise ""
   std::variant<CamSpec, MoveSpec, Table, AxisSpec> subject;
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit

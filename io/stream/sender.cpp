@@ -2,70 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/refusal.hpp"
 #include "jounce/stream/wire.hpp"
 
 namespace jounce {
 namespace {
-
-wire::Header header_of(const StreamPlan::Item& item, std::size_t index) {
-  const Table& table = item.table;
-  if (table.size() > std::numeric_limits<std::int32_t>::max())
-    throw InputError("knots", std::to_string(table.size()), "must fit 31 bits");
-  const auto knots = static_cast<std::uint32_t>(table.size());
-  const wire::Cut cut = wire::cut(table.rule(), knots);
-  return {.table = static_cast<std::uint32_t>(index),
-          .hash = content_hash(table, item.units),
-          .axis = table.axis(),
-          .rule = table.rule(),
-          .outside = table.outside(),
-          .units = item.units,
-          .knots = knots,
-          .columns = cut.columns,
-          .chunks = cut.chunks};
-}
-
-wire::Chunk chunk_of(const Table& table, const wire::Header& header, std::uint32_t seq) {
-  const wire::Cut cut = wire::cut(header.rule, header.knots);
-  wire::Chunk chunk{.table = header.table,
-                    .seq = seq,
-                    .first_knot = seq * cut.per_chunk,
-                    .knots = cut.knots_of(seq, header.knots),
-                    .columns = cut.columns};
-  const auto& [x, p, v, a] = table.columns();
-  chunk.values.reserve(std::size_t{chunk.knots} * chunk.columns);
-  for (const auto* column : {&x, &p, &v, &a})
-    if (!column->empty())
-      chunk.values.insert(chunk.values.end(), column->begin() + chunk.first_knot,
-                          column->begin() + chunk.first_knot + chunk.knots);
-  return chunk;
-}
-
-void require_armable(const StreamPlan& plan) {
-  if (plan.goal == StreamGoal::download) return;
-  const auto in_units = [](const StreamPlan::Item& item) {
-    return TableInUnits{item.table, item.units};
-  };
-  std::optional<TableInUnits> master;
-  if (plan.tables.size() > 1) master.emplace(in_units(plan.tables[1]));
-  const Refused refused = misfit(plan.mode, in_units(plan.tables[0]), master ? &*master : nullptr);
-  if (refused) throw InputError("mode", name(plan.mode), refused.reason);
-}
-
-void require_valid(const StreamPlan& plan, const SenderOptions& options) {
-  if (plan.tables.empty() || plan.tables.size() > wire::most_tables)
-    throw InputError("tables", std::to_string(plan.tables.size()), "must be 1 to 64");
-  if (options.pace.window < 1 || options.pace.window > 64)
-    throw InputError("window", std::to_string(options.pace.window), "must be 1 to 64");
-  if (plan.start_tick < -1)
-    throw InputError("start_tick", std::to_string(plan.start_tick), "must be -1 or more");
-  require_armable(plan);
-}
 
 std::string milliseconds(Nanos time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
@@ -77,7 +20,10 @@ std::string milliseconds(Nanos time) {
 Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
     : plan_(std::move(plan)), session_(session), options_(options) {
   assert(session > 0);
-  require_valid(plan_, options_);
+  require_valid(plan_);
+  const std::uint32_t window = options_.pace.window;
+  if (window < 1 || window > 64)
+    throw InputError("window", std::to_string(window), "must be 1 to 64");
   for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
     headers_.push_back(header_of(plan_.tables[i], i));
     static_cast<void>(wire::encode({plan_.executor, session_, headers_[i]}));  // throws if it must
@@ -280,7 +226,7 @@ void Sender::pursue() {
 void Sender::raise(StreamGoal goal) {
   if (ended() || goal <= plan_.goal) return;
   plan_.goal = goal;
-  require_armable(plan_);
+  require_valid(plan_);
   if (stage() == StreamStage::holding) pursue();
 }
 

@@ -8,25 +8,10 @@
 
 #include "jounce/stream/chunk_window.hpp"
 #include "jounce/stream/message.hpp"
+#include "jounce/stream/stream_plan.hpp"
 #include "jounce/stream/transport.hpp"
 
 namespace jounce {
-
-/// How far a streamer goes.
-enum class StreamGoal { download, arm, start };
-
-/// What is to be streamed where, and what is to become of it.
-struct StreamPlan {
-  struct Item {
-    Table table;
-    Units units;
-  };
-  std::string executor;      ///< its name
-  std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
-  StreamGoal goal = StreamGoal::start;
-  wire::ArmMode mode = wire::ArmMode::play;
-  std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
-};
 
 /// Times of a streamer.
 struct SenderOptions {

@@ -1,0 +1,126 @@
+#include "jounce/executor/played.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> all;
+  for (;;) {
+    const auto comma = line.find(',');
+    all.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return all;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+struct Place {
+  const std::string& name;
+  int line;
+
+  [[noreturn]] void fail(const std::string& key, std::string_view value, const char* rule) const {
+    throw InputError(key, std::string(value), rule).at(name, line);
+  }
+};
+
+double real(std::string_view cell, const char* column, const Place& place) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+    place.fail(column, cell, "must be a finite number");
+  return value;
+}
+
+/// The index of the column whose heading begins with this name.
+std::size_t column(const std::vector<std::string_view>& header, std::string_view wanted,
+                   const Place& place) {
+  const auto it = std::find_if(header.begin(), header.end(), [&](std::string_view cell) {
+    return cell.substr(0, cell.find(' ')) == wanted;
+  });
+  if (it == header.end()) place.fail(std::string(wanted), "", "is missing: this is not a tick log");
+  return static_cast<std::size_t>(it - header.begin());
+}
+
+}  // namespace
+
+std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  Place place{name, 1};
+  const auto header = cells(line);
+  const std::size_t time = column(header, "time", place);
+  const std::size_t position = column(header, "position", place);
+  const std::size_t job = column(header, "job", place);
+  const std::size_t width = header.size();
+
+  std::vector<PlayedTick> ticks;
+  std::string current = "0";
+  double start = 0;
+  for (std::string row; std::getline(lines, row);) {
+    ++place.line;
+    const auto row_cells = cells(row);
+    if (row_cells.size() != width)
+      place.fail("row", row, "does not have as many values as the header");
+    const double now = real(row_cells[time], "time", place);
+    const double at = real(row_cells[position], "position", place);
+    if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
+      ticks.clear();
+      start = now;
+    }
+    current = row_cells[job];
+    if (current != "0") ticks.push_back({now - start, at});
+  }
+  if (ticks.empty()) throw InputError("job", "", "the log holds no motion").at(name);
+  return ticks;
+}
+
+Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed,
+                      double limit) {
+  assert(!ticks.empty() && designed.stroke > 0);
+  Played played;
+  played.ticks = ticks.size();
+  for (const PlayedTick& tick : ticks) {
+    const double error =
+        std::abs(tick.position - designed.position(std::min(tick.time, designed.duration)));
+    if (!(error <= played.error)) {
+      played.error = error;
+      played.where = tick.time;
+    }
+  }
+  const double allowed = limit * designed.stroke;
+  const auto add = [&](const char* rule, const char* quantity, double where, double value,
+                       double bound, bool broken, const char* advice) {
+    played.report.findings.push_back({rule,
+                                      "",
+                                      quantity,
+                                      where,
+                                      value,
+                                      bound,
+                                      (bound - value) / bound,
+                                      broken,
+                                      std::nullopt,
+                                      broken ? advice : "",
+                                      {}});
+  };
+  add("played/position", "error of the position", played.where, played.error, allowed,
+      !(played.error <= allowed), "the executor played another table than the one designed");
+  // Times in a log are multiples of the cycle: the last tick may lie one cycle before the end.
+  const double cycle = ticks.size() > 1 ? ticks[1].time - ticks[0].time : designed.duration;
+  const double missing = std::max(0.0, designed.duration - ticks.back().time);
+  add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
+      missing > cycle * (1 + 1e-9), "the motion was stopped, or the log is cut off");
+  played.report.findings.back().unit = "s";
+  sort(played.report);
+  return played;
+}
+
+}  // namespace jounce
