@@ -54,9 +54,9 @@ int run(const Options& options) {
   };
   const Nanos begun = steady_now();
   Nanos heard = begun;
-  Rejects rejects{};
   while (options.seconds == 0 || steady_now() - begun < seconds(options.seconds)) {
-    const auto message = next_message(link.transport(), std::chrono::milliseconds(100), rejects);
+    const auto message =
+        next_status(link.transport(), options.executor, std::chrono::milliseconds(100));
     const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
     if (status != nullptr) {
       heard = steady_now();

@@ -78,7 +78,7 @@ int run(const Options& options) {
         p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),
         name(p.stage));
   };
-  return report(stream_tables(link.transport(), plan, stream, steady_now, random_id()), options);
+  return report(stream_tables(link.transport(), plan, stream), options);
 }
 
 }  // namespace

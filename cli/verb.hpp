@@ -27,6 +27,7 @@ void add_validate(CLI::App& app, Work& work);
 void add_plot(CLI::App& app, Work& work);
 void add_report(CLI::App& app, Work& work);
 void add_stream(CLI::App& app, Work& work);
+void add_stop(CLI::App& app, Work& work);
 void add_run(CLI::App& app, Work& work);
 void add_monitor(CLI::App& app, Work& work);
 

@@ -1,0 +1,263 @@
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
+const std::string cam = examples + "pmc600-cam/cam.toml";
+
+std::string slurp(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Result {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+/// Each test works in a folder of its own, which must hold only what the test expects.
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = ::testing::TempDir() + "jounce_cli_XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  Result run(const std::string& arguments) {
+    const std::string err = folder.string() + ".err";
+    const std::string command =
+        "cd " + folder.string() + " && " JOUNCE_EXE " " + arguments + " 2> " + err;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    std::string out;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+      out.append(buffer.data(), n);
+    const int status = WEXITSTATUS(pclose(pipe));
+    const Result result{status, out, slurp(err)};
+    std::filesystem::remove(err);
+    return result;
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder / name, std::ios::binary) << text;
+  }
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
+  EXPECT_EQ(run("--help").status, 0);
+  for (const char* verb : {"new", "design", "check", "optimize", "validate", "plot", "report",
+                           "stream", "run", "monitor", "stop"}) {
+    const Result help = run(std::string(verb) + " --help");
+    EXPECT_EQ(help.status, 0) << verb;
+    EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  jounce ") + verb)) << verb;
+  }
+}
+
+TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
+  EXPECT_EQ(run("").status, 2);
+  const Result verb = run("chek x");
+  EXPECT_EQ(verb.status, 2);
+  EXPECT_THAT(verb.err, HasSubstr("Did you mean check?"));
+  const Result option = run("check --limt x");
+  EXPECT_EQ(option.status, 2);
+  EXPECT_THAT(option.err, HasSubstr("Did you mean --limit?"));
+  EXPECT_EQ(run("check nothing.toml").status, 2);
+}
+
+TEST_F(Cli, EveryStartingSpecIsGood) {
+  for (const char* kind : {"cam", "move", "pvt"}) {
+    const std::string file = std::string(kind) + ".toml";
+    EXPECT_EQ(run(std::string("new ") + kind + " -o " + file).status, 0);
+    const Result check = run("check " + file);
+    EXPECT_EQ(check.status, 0) << check.out << check.err;
+    EXPECT_EQ(run("validate " + file).status, 0) << kind;
+  }
+  EXPECT_EQ(run("new axis -o axis.toml").status, 0);
+  EXPECT_EQ(run("new lathe").status, 2);
+}
+
+TEST_F(Cli, CheckNamesWhereThePmc600CamBreaksItsLimits) {
+  const Result check = run("check --json " + cam);
+  EXPECT_EQ(check.status, 1);
+  const json report = json::parse(check.out);
+  EXPECT_FALSE(report["ok"].get<bool>());
+  const auto& worst = report["findings"][0];
+  EXPECT_EQ(worst["rule"], "limit/geo_velocity");
+  EXPECT_EQ(worst["segment"], 3);
+  EXPECT_NEAR(worst["value"].get<double>(), -3.392270802, 1e-9);
+  EXPECT_NEAR(worst["where"].get<double>(), 241.8976648927, 1e-9);
+  EXPECT_NEAR(report["segments"][0]["geo_velocity"]["max"]["value"].get<double>(), 2.107392, 1e-12);
+}
+
+TEST_F(Cli, CheckFindsTheOvershootOfTheHmplExample) {
+  const Result check = run("check --json " + examples + "hmpl-pvt/pvt.toml");
+  EXPECT_EQ(check.status, 1);
+  const json report = json::parse(check.out);
+  int outside = 0;
+  for (const auto& finding : report["findings"]) outside += finding["broken"].get<bool>() ? 1 : 0;
+  EXPECT_EQ(outside, 6);
+  EXPECT_NEAR(report["findings"][0]["value"].get<double>(), 596.1, 0.05);
+  EXPECT_THAT(run("check " + examples + "hmpl-pvt/pvt.toml").out,
+              HasSubstr("position -188.701 mm at 1.2126 s (segment 1)"));
+}
+
+TEST_F(Cli, LimitsFromTheCommandLineTakeUnits) {
+  EXPECT_EQ(run("check " + cam + " --limit geo_velocity=4 --limit geo_acceleration=0.2").status, 0);
+  const Result wrong = run("check " + cam + " --limit geo_velocity='4 mm'");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err,
+              HasSubstr("the unit mm does not fit; here a value in pulse/pulse is expected"));
+  EXPECT_EQ(run("check " + cam + " --limit velocity=4").status, 2);
+  EXPECT_EQ(run("check " + cam + " --limit geo_velocity=nan").status, 2);
+}
+
+TEST_F(Cli, DesignPipesAndReadsBack) {
+  const Result csv = run("design " + cam);
+  EXPECT_EQ(csv.status, 0);
+  EXPECT_THAT(csv.out, StartsWith("# jounce table 1\n"));
+  EXPECT_EQ(run("design " + cam + " | " JOUNCE_EXE " check - --limit geo_velocity=4").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o t.csv --curve c.json").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o t.json").status, 0);
+  EXPECT_EQ(files(), (std::vector<std::string>{"c.json", "t.csv", "t.json"}));
+  EXPECT_EQ(json::parse(slurp(folder / "c.json"))["segments"].size(), 4U);
+  EXPECT_EQ(run("check t.json").status, 0);
+}
+
+TEST_F(Cli, BadInputLeavesNothingBehind) {
+  const std::string text = slurp(cam);
+  const auto with = [&](const std::string& what, const std::string& by) {
+    std::string changed = text;
+    changed.replace(changed.find(what), what.size(), by);
+    return changed;
+  };
+  const std::vector<std::string> bad{"",
+                                     with("jounce = 1", "jounce = 9"),
+                                     with("master = 75", "master = nan"),
+                                     with("master = 75", "master = inf"),
+                                     with("master = 200", "master = 75"),
+                                     with("master = 200", "master = 60"),
+                                     with("slave = 225", "slave = \"225 mm\""),
+                                     with("periodic", "periodc"),
+                                     text.substr(0, text.find("\"in step\"") + 4)};
+  for (const std::string& spec : bad) {
+    write("bad.toml", spec);
+    for (const char* verb :
+         {"design bad.toml -o out.csv --curve out.json", "plot bad.toml -o out.svg",
+          "plot bad.toml -o out.png", "report bad.toml -o out.html",
+          "optimize bad.toml -o out.toml --table out.csv"}) {
+      const Result result = run(verb);
+      EXPECT_EQ(result.status, 2) << verb << "\n" << spec.substr(0, 80);
+      EXPECT_THAT(result.err, StartsWith("jounce: bad.toml")) << verb;
+      EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1)
+          << "one message: " << result.err;
+      EXPECT_EQ(files(), std::vector<std::string>{"bad.toml"}) << verb;
+    }
+  }
+}
+
+TEST_F(Cli, AMachineThatCannotIsThree) {
+  const Result result = run("design " + cam + " -o /nonexistent/folder/t.csv");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.err, HasSubstr("cannot write /nonexistent/folder/t.csv"));
+}
+
+TEST_F(Cli, OptimizeWritesTheSameTextWithOtherNumbers) {
+  const Result result = run("optimize --json " + cam + " -o better.toml --table better.csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json outcome = json::parse(result.out);
+  EXPECT_TRUE(outcome["usable"].get<bool>());
+  for (const auto& objective : outcome["objectives"]) {
+    EXPECT_GE(objective["reached"].get<double>(), objective["bound"].get<double>() * (1 - 1e-12))
+        << objective;
+    EXPECT_LE(objective["reached"].get<double>(), objective["given"].get<double>()) << objective;
+  }
+  EXPECT_EQ(run("check better.toml").status, 0);
+  EXPECT_EQ(run("check better.csv --limit geo_velocity=3 --limit geo_acceleration=0.15").status, 0);
+  // The stretch in step, 75 to 200, is as it was.
+  const std::string better = slurp(folder / "better.toml");
+  EXPECT_THAT(
+      better,
+      HasSubstr("end = { master = 75, slave = 100, geo_velocity = 1, geo_acceleration = 0 }"));
+  EXPECT_THAT(
+      better,
+      HasSubstr("end = { master = 200, slave = 225, geo_velocity = 1, geo_acceleration = 0 }"));
+  EXPECT_THAT(better, HasSubstr("# pulse/s"));
+}
+
+TEST_F(Cli, OptimizeSaysWhatIsInfeasibleAndWritesNothing) {
+  std::string text = slurp(cam);
+  text.replace(text.find("geo_velocity = 3\n"), 17, "geo_velocity = 2\n");
+  write("tight.toml", text);
+  const Result result = run("optimize tight.toml -o out.toml --table out.csv");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, StartsWith("infeasible"));
+  EXPECT_THAT(result.out, HasSubstr("limit/geo_velocity"));
+  EXPECT_EQ(files(), std::vector<std::string>{"tight.toml"});
+}
+
+TEST_F(Cli, ValidateProvesAndFindsALie) {
+  const Result good = run("validate --json " + cam);
+  EXPECT_EQ(good.status, 0);
+  const json proof = json::parse(good.out);
+  EXPECT_LE(proof["witness"]["curve"]["position"].get<double>(), 1e-10);
+  EXPECT_GT(
+      proof["drive"]["peak_torque"].get<double>() * proof["drive"]["peak_torque"].get<double>(), 0);
+
+  std::string text = slurp(cam);
+  text.replace(text.find("following_error = 1"), 19, "following_error = 0.001");
+  write("tight.toml", text);
+  EXPECT_EQ(run("validate tight.toml").status, 1);
+}
+
+TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
+  EXPECT_EQ(run("plot " + cam + " -o cam.svg").status, 0);
+  EXPECT_EQ(run("plot " + cam + " -o cam.png").status, 0);
+  EXPECT_EQ(run("report " + cam + " -o cam.html").status, 1)
+      << "this cam breaks its limits, and the page says so";
+  EXPECT_EQ(files(), (std::vector<std::string>{"cam.html", "cam.png", "cam.svg"}));
+  EXPECT_THAT(slurp(folder / "cam.svg"), HasSubstr("3.39227"));
+  EXPECT_THAT(slurp(folder / "cam.png"), StartsWith("\x89PNG"));
+  const std::string page = slurp(folder / "cam.html");
+  EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+}
+
+TEST_F(Cli, WithoutANetworkTheStreamSaysWhatItNeeds) {
+  // memq:// reaches nobody but this process.
+  const Result result = run("stream " + cam + " --to feeder --url memq:// --patience 8");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.err, HasSubstr("no_answer"));
+  EXPECT_EQ(run("stream " + cam + " --to feeder --url ''").status, 2);
+  EXPECT_EQ(run("run " + cam + " --url memq:// --seconds 0.1").status, 2) << "a cam is no axis";
+}
+
+}  // namespace
