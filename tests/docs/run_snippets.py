@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Runs what the documentation shows.
+
+usage: run_snippets.py JOUNCE PAGE.md...
+
+A fence tagged `sh run` is executed with the jounce given, in one scratch folder per page; `exit N` as a
+second tag (`sh run exit=1`) is the status expected. A fence `output` right after it must be found in what
+was printed, line by line. Prints file and line of what fails.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+FENCE = re.compile(r"^```(.*)\n(.*?)^```$", re.M | re.S)
+
+
+def run_page(path, env):
+    text = open(path, encoding="utf-8").read()
+    failures = 0
+    with tempfile.TemporaryDirectory() as folder:
+        printed = None
+        for fence in FENCE.finditer(text):
+            line = text.count("\n", 0, fence.start()) + 1
+            tags, body = fence.group(1).split(), fence.group(2)
+            if tags[:2] == ["sh", "run"]:
+                expected = next((int(t[5:]) for t in tags if t.startswith("exit=")), 0)
+                done = subprocess.run(["sh", "-e", "-c", body], cwd=folder, env=env, timeout=60,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                printed = done.stdout
+                if done.returncode != expected:
+                    print(f"{path}:{line}: exit status {done.returncode}, expected {expected}\n{printed}")
+                    failures += 1
+            elif tags == ["output"] and printed is not None:
+                for wanted in body.splitlines():
+                    if wanted.strip() not in ("", "...") and wanted.rstrip() not in printed:
+                        print(f"{path}:{line}: not printed: {wanted}\n{printed}")
+                        failures += 1
+                printed = None
+    return failures
+
+
+def main():
+    jounce, pages = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+    env = dict(os.environ, PATH=os.path.dirname(jounce) + ":" + os.environ["PATH"], EXAMPLES=root + "/examples")
+    sys.exit(1 if sum(run_page(page, env) for page in pages) else 0)
+
+
+main()
