@@ -68,7 +68,16 @@ Ranges extrema(const Curve<Over>& f) {
 template <class Over>
 Range extrema(const Curve<Over>& f, int order) {
   assert(order >= 0 && order <= 3);
-  return extrema(f)[static_cast<std::size_t>(order)];
+  Range all;
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    Segment g = f.segments()[i];
+    for (int k = 0; k < order; ++k) g = derivative(g);
+    const Range here = segment_range(g, derivative(g), f.breaks()[i], f.breaks()[i + 1]);
+    if (i == 0) all = here;
+    widen(all, here.min);
+    widen(all, here.max);
+  }
+  return all;
 }
 
 template <class Over>

@@ -1,0 +1,105 @@
+// What a cam and a move cost. Run: build/release/bench/bench_jounce --benchmark_repetitions=9
+// Results: docs/performance.md.
+#include <cstdint>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "jounce/cam/design.hpp"
+#include "jounce/cam/followed.hpp"
+#include "jounce/optimize/optimize.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/profile.hpp"
+#include "jounce/pvt/sample.hpp"
+#include "jounce/validate/witness.hpp"
+
+namespace {
+
+using namespace jounce;
+
+/// A cam of n quintic segments that swings up and down over 360.
+CamSpec swinging(int n) {
+  CamSpec spec;
+  for (int i = 1; i <= n; ++i)
+    spec.segments.push_back(
+        {Law::quintic, {360.0 * i / n, i % 2 == 0 ? 0.0 : 1.0 + 0.01 * (i % 7), {}, {}}, ""});
+  return spec;
+}
+
+std::vector<double> positions(std::size_t n, bool random) {
+  std::vector<double> x(n);
+  std::uint64_t state = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    x[i] = random ? 360 * static_cast<double>(state >> 11U) * 0x1p-53
+                  : 360 * static_cast<double>(i) / static_cast<double>(n);
+  }
+  return x;
+}
+
+void evaluate_360_segments(benchmark::State& state) {
+  const Cam cam = design(swinging(360)).cam;
+  const auto x = positions(4096, state.range(0) != 0);
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(cam.at(x[i++ & 4095U]));
+}
+BENCHMARK(evaluate_360_segments)->ArgName("random")->Arg(0)->Arg(1);
+
+void sample_a_block(benchmark::State& state) {
+  const Cam cam = design(swinging(64)).cam;
+  const auto x = positions(4096, false);
+  std::vector<Transfer> out(x.size());
+  for (auto _ : state) {
+    cam.sample(x, out);
+    benchmark::DoNotOptimize(out.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(x.size()));
+}
+BENCHMARK(sample_a_block);
+
+void design_and_certify_1000_segments(benchmark::State& state) {
+  const CamSpec spec = swinging(1000);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(check(design(spec).cam, {.velocity = 10, .acceleration = 100}));
+}
+BENCHMARK(design_and_certify_1000_segments)->Unit(benchmark::kMillisecond);
+
+void extrema_of_a_modified_sine(benchmark::State& state) {
+  const Cam cam(normalised(Law::modified_sine));
+  for (auto _ : state) benchmark::DoNotOptimize(extrema(cam));
+}
+BENCHMARK(extrema_of_a_modified_sine)->Unit(benchmark::kMicrosecond);
+
+void solve_s_curve(benchmark::State& state) {
+  SCurveSpec spec{.to = 50, .velocity = 10, .acceleration = 20, .deceleration = 30, .jerk = 100};
+  for (auto _ : state) {
+    spec.to = spec.to == 50 ? 51 : 50;
+    benchmark::DoNotOptimize(s_curve(spec));
+  }
+}
+BENCHMARK(solve_s_curve);
+
+void solve_trapezoid(benchmark::State& state) {
+  TrapezoidSpec spec{.to = 50, .velocity = 10, .acceleration = 20, .deceleration = 30};
+  for (auto _ : state) {
+    spec.to = spec.to == 50 ? 51 : 50;
+    benchmark::DoNotOptimize(trapezoid(spec));
+  }
+}
+BENCHMARK(solve_trapezoid);
+
+void table_within_a_millionth(benchmark::State& state) {
+  const Cam cycloid(normalised(Law::inclined_sine));
+  for (auto _ : state) benchmark::DoNotOptimize(sample_within(cycloid, Rule::cubic_hermite, 1e-6));
+}
+BENCHMARK(table_within_a_millionth)->Unit(benchmark::kMillisecond);
+
+void witness_of_a_followed_cam(benchmark::State& state) {
+  const Followed slave(design(swinging(12)).cam,
+                       trapezoid({.to = 360, .velocity = 180, .acceleration = 720}).curve());
+  for (auto _ : state) benchmark::DoNotOptimize(witness(slave));
+}
+BENCHMARK(witness_of_a_followed_cam)->Unit(benchmark::kMillisecond);
+
+}  // namespace
