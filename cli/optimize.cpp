@@ -49,10 +49,10 @@ std::string active_sentence(const Finding& finding, const Labels& labels) {
 
 void print_text(const Outcome& outcome, const Labels& labels) {
   fmt::print("{}: {}\n", name(outcome.status), outcome.reason);
-  fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>9}   ({} evaluations, {} starts)\n", "", "given",
-             "reached", "bound", "above it", outcome.evaluations, outcome.starts);
+  fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "", "given",
+             "reached", "bound", "could save", outcome.evaluations, outcome.starts);
   for (const auto& r : outcome.objectives)
-    fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>8.2f} %   {}\n", name(r.objective),
+    fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>9.2f} %   {}\n", name(r.objective),
                rounded(r.given), rounded(r.reached), rounded(r.bound), 100 * r.gap(),
                objective_unit(r.objective, labels.units));
   if (outcome.usable())

@@ -33,12 +33,21 @@ std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
   return shades;
 }
 
+/// Where the segments of the spec meet, not the pieces of a law.
+std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
+  std::vector<double> all{breaks.front()};
+  for (const auto& group : groups(breaks.size() - 1, labels)) all.push_back(breaks[group.last + 1]);
+  return all;
+}
+
 CurveLook look_of(const Input& input) {
   CurveLook look{.title = input.name,
                  .axis_unit = input.labels.units.x,
                  .unit = input.labels.units.position,
                  .limits = input.limits};
   if (const auto* cam = std::get_if<Cam>(&input.curve)) look.shades = in_step(*cam, input.labels);
+  look.knots = std::visit([&](const auto& curve) { return knots(curve.breaks(), input.labels); },
+                          input.curve);
   return look;
 }
 

@@ -34,28 +34,28 @@ Report checked(const Input& input) {
       input.curve);
 }
 
+/// A position for people: what is rounding beside the range is 0.
+std::string tidy(double value, const Range& range) {
+  return short_number(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
+}
+
+/// A row a segment of the spec: range of the position, peak of each derivative and where it is.
 DataTable extrema_table(const Input& input) {
   return std::visit(
       [&]<class Over>(const Curve<Over>& curve) {
         DataTable table{.caption = "Exact extrema of each segment",
-                        .columns = {"segment", "from", "to"}};
-        for (const char* quantity : Over::names) {
-          const std::string unit = " [" + input.labels.unit_of(quantity) + "]";
-          if (quantity == Over::names[0])
-            table.columns.insert(table.columns.end(),
-                                 {"least position" + unit, "greatest position" + unit});
-          else
-            table.columns.push_back(std::string("max |") + quantity + "|" + unit);
-        }
-        for (std::size_t i = 0; i < curve.segments().size(); ++i) {
-          const Ranges r = segment_extrema(curve, i);
-          DataTable::Row row{
-              {i < input.labels.segments.size() ? input.labels.segments[i] : std::to_string(i + 1),
-               short_number(curve.breaks()[i]), short_number(curve.breaks()[i + 1]),
-               short_number(r[0].min.value), short_number(r[0].max.value)},
-              false};
+                        .columns = {"segment", "least", "greatest"}};
+        table.caption +=
+            "; position in " + input.labels.unit_of("position") + ", @ in " + input.labels.units.x;
+        for (std::size_t k = 1; k < Over::names.size(); ++k)
+          table.columns.push_back(std::string("|") + Over::names[k] + "|");
+        for (const auto& [label, first, last] : groups(curve.segments().size(), input.labels)) {
+          const Ranges r = segment_extrema(curve, first, last);
+          DataTable::Row row{{label, tidy(r[0].min.value, r[0]), tidy(r[0].max.value, r[0])},
+                             false};
           for (std::size_t k = 1; k < r.size(); ++k)
-            row.cells.push_back(short_number(std::abs(r[k].peak().value)));
+            row.cells.push_back(short_number(std::abs(r[k].peak().value)) + " @ " +
+                                short_number(r[k].peak().where, 4));
           table.rows.push_back(std::move(row));
         }
         return table;
@@ -101,7 +101,7 @@ Section proof_section(const Proof& proof, const Input& input) {
       Prose{"The witness integrates the jerk alone, three times, with SUNDIALS CVODES, and "
             "compares what comes out with the position, velocity and acceleration that the curve "
             "and its table claim. The table is read as the executor reads it."});
-  DataTable table = findings_table(proof.report);
+  DataTable table = findings_table(proof.report, input.labels);
   section.blocks.emplace_back(std::move(table));
   if (proof.drive)
     section.blocks.emplace_back(Chart{drive_figure(*proof.drive, input.labels.units.position),
@@ -131,7 +131,7 @@ int run(const Options& options) {
                                               " as it was before. Marked are the exact extrema."
                                         : "Marked are the exact extrema."},
         extrema_table(input)}});
-  page.sections.push_back({"Limits and joints", {findings_table(report)}});
+  page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
   write_file(options.output, html(page));

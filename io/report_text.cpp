@@ -17,15 +17,10 @@ std::string with_unit(double value, const std::string& unit) {
   return unit.empty() ? rounded(value) : rounded(value) + " " + unit;
 }
 
-std::string unit(const Finding& finding, const Labels& labels) {
-  return finding.unit.empty() ? labels.unit_of(finding.quantity) : finding.unit;
-}
-
 std::string place(const Finding& finding, const Labels& labels) {
-  std::string text = with_unit(finding.where, labels.units.x);
-  if (finding.segment && *finding.segment < labels.segments.size())
-    text += " (segment " + labels.segments[*finding.segment] + ")";
-  return text;
+  const std::string segment = labels.segment_of(finding);
+  return with_unit(finding.where, labels.units.x) +
+         (segment.empty() ? "" : " (segment " + segment + ")");
 }
 
 std::string percent(double share) {
@@ -47,15 +42,26 @@ std::string verdict(const Finding& finding) {
   return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
 }
 
-/// The segments of a curve that share a label: the pieces of one law.
-struct Group {
-  std::string label;
-  std::size_t first;
-  std::size_t last;
-};
+/// A position for people: what is rounding beside the range is 0.
+std::string tidy(double value, const Range& range) {
+  return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
+}
 
-std::vector<Group> groups(std::size_t segments, const Labels& labels) {
-  std::vector<Group> all;
+Json to_object(const Finding& finding, const Labels& labels) {
+  Json object{
+      {"rule", finding.rule},     {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
+      {"where", finding.where},   {"value", finding.value},       {"limit", finding.limit},
+      {"margin", finding.margin}, {"broken", finding.broken}};
+  if (!finding.axis.empty()) object["axis"] = finding.axis;
+  if (finding.segment) object["segment"] = *finding.segment + 1;
+  if (!finding.advice.empty()) object["advice"] = finding.advice;
+  return object;
+}
+
+}  // namespace
+
+std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels) {
+  std::vector<SegmentGroup> all;
   for (std::size_t i = 0; i < segments; ++i) {
     const std::string label =
         i < labels.segments.size() ? labels.segments[i] : std::to_string(i + 1);
@@ -66,19 +72,6 @@ std::vector<Group> groups(std::size_t segments, const Labels& labels) {
   }
   return all;
 }
-
-Json to_object(const Finding& finding, const Labels& labels) {
-  Json object{{"rule", finding.rule},          {"quantity", finding.quantity},
-              {"unit", unit(finding, labels)}, {"where", finding.where},
-              {"value", finding.value},        {"limit", finding.limit},
-              {"margin", finding.margin},      {"broken", finding.broken}};
-  if (!finding.axis.empty()) object["axis"] = finding.axis;
-  if (finding.segment) object["segment"] = *finding.segment + 1;
-  if (!finding.advice.empty()) object["advice"] = finding.advice;
-  return object;
-}
-
-}  // namespace
 
 std::string rounded(double value) {
   return fmt::format("{:.6g}", value);
@@ -92,17 +85,28 @@ std::string Labels::unit_of(const std::string& quantity) const {
   return "";
 }
 
+std::string Labels::unit_of(const Finding& finding) const {
+  return finding.unit.empty() ? unit_of(finding.quantity) : finding.unit;
+}
+
+std::string Labels::segment_of(const Finding& finding) const {
+  if (!finding.segment) return "";
+  return *finding.segment < segments.size() ? segments[*finding.segment]
+                                            : std::to_string(*finding.segment + 1);
+}
+
 std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("continuity/")) {
-    const std::string step = with_unit(finding.value, unit(finding, labels));
+    const std::string step = with_unit(finding.value, labels.unit_of(finding));
     const std::string where = place(finding, labels);
     return finding.broken ? fmt::format("{} is {} at {}", finding.quantity, step, where)
                           : fmt::format("{} is continuous (largest step {})",
                                         finding.quantity.substr(8), step);
   }
+  const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;
   return fmt::format("{} {} at {} {}", finding.quantity,
-                     with_unit(finding.value, unit(finding, labels)), place(finding, labels),
-                     verdict(finding));
+                     with_unit(met ? finding.limit : finding.value, labels.unit_of(finding)),
+                     place(finding, labels), verdict(finding));
 }
 
 std::string one_line(const Report& report, const Labels& labels) {
@@ -141,8 +145,9 @@ std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
                                  "max |" + std::string(Over::names[3]) + "|");
   for (const auto& [label, first, last] : groups(curve.segments().size(), labels)) {
     const Ranges ranges = segment_extrema(curve, first, last);
-    text += fmt::format("  {:<20} {:>22}", label,
-                        rounded(ranges[0].min.value) + " .. " + rounded(ranges[0].max.value));
+    text += fmt::format(
+        "  {:<20} {:>22}", label,
+        tidy(ranges[0].min.value, ranges[0]) + " .. " + tidy(ranges[0].max.value, ranges[0]));
     for (std::size_t k = 1; k < ranges.size(); ++k) {
       const Extremum& peak = ranges[k].peak();
       text += fmt::format(

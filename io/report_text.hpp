@@ -19,7 +19,18 @@ struct Labels {
   /// Unit of "position", "geo_velocity", "acceleration", ...; "" for a quantity that is none of
   /// ours.
   [[nodiscard]] std::string unit_of(const std::string& quantity) const;
+  /// Unit of a finding's value, and the name of its segment: "" where there is none.
+  [[nodiscard]] std::string unit_of(const Finding& finding) const;
+  [[nodiscard]] std::string segment_of(const Finding& finding) const;
 };
+
+/// The segments of a curve that share a label: the pieces of one law.
+struct SegmentGroup {
+  std::string label;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels);
 
 /// A number for people: six significant digits.
 std::string rounded(double value);

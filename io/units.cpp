@@ -130,8 +130,9 @@ double quantity(std::string_view text, std::string_view unit) {
 }
 
 std::string rate_unit(const std::string& position, const std::string& x, int order) {
-  if (order == 0) return position;
-  std::string unit = position + "/" + (x.find('/') == std::string::npos ? x : "(" + x + ")");
+  if (order == 0 || x.empty()) return position;
+  std::string unit = (position.empty() ? "1" : position) + "/" +
+                     (x.find('/') == std::string::npos ? x : "(" + x + ")");
   if (order > 1) unit += "^" + std::to_string(order);
   return unit;
 }

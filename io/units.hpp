@@ -23,7 +23,8 @@ double conversion(std::string_view from, std::string_view to);
 /// unit is expected): not a number, not finite, not a unit, a unit that measures something else.
 double quantity(std::string_view text, std::string_view unit);
 
-/// position / x^order, simplified for reading: "mm", "mm/deg", "mm/deg^2".
+/// position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". An empty position is a pure
+/// number, "1/s"; without x there is nothing to divide by.
 std::string rate_unit(const std::string& position, const std::string& x, int order);
 
 }  // namespace jounce

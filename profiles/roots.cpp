@@ -128,7 +128,13 @@ class Isolation {
       out_.push_back(fa == 0 ? a : b);
       return;
     }
-    if ((fa > 0) == (fb > 0)) return;
+    if ((fa > 0) == (fb > 0)) {
+      // The Bernstein form saw a change of sign at an end of the piece, where rounding gives f the
+      // other sign: the root is that end.
+      const double nearest = std::min(std::abs(fa), std::abs(fb));
+      if (nearest <= 2e-15 * magnitude(f_)) out_.push_back(nearest == std::abs(fa) ? a : b);
+      return;
+    }
     double s = a + (b - a) * fa / (fa - fb);
     for (int i = 0; i < 100; ++i) {
       const Jet f = evaluate(f_, s);

@@ -105,6 +105,15 @@ Curve<Over> Table::curve() const {
 template Curve<OverTime> Table::curve() const;
 template Curve<OverMaster> Table::curve() const;
 
+Table stretched(const Table& table, double factor) {
+  require_positive("factor", factor);
+  Columns columns = table.columns();
+  for (double& x : columns.x) x *= factor;
+  for (double& v : columns.v) v /= factor;
+  for (double& a : columns.a) a /= factor * factor;
+  return Table(table.axis(), table.rule(), table.outside(), std::move(columns));
+}
+
 const char* name(Rule rule) {
   switch (rule) {
     case Rule::linear:

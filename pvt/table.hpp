@@ -68,6 +68,10 @@ class Table {
   Columns columns_;
 };
 
+/// The same table with its first column in another unit: x times `factor` > 0, the derivatives
+/// accordingly. Milliseconds become seconds with 1e-3.
+Table stretched(const Table& table, double factor);
+
 /// "linear", "cubic_hermite", "quintic_hermite"; "time", "master"; "refuse", "hold", "wrap": the
 /// words of every file.
 const char* name(Rule rule);

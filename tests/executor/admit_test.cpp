@@ -118,6 +118,24 @@ TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {
   EXPECT_DOUBLE_EQ(refusal->limit, 1);
 }
 
+TEST(Admit, AnAccelerationAtEitherEndIsAStepToo) {
+  const AxisConfig config{.limits = limits(100, 100, 2000)};  // 2 u/s^2 in one tick
+  const auto refusal_of = [&](double a0, double a1) {
+    return admit(Job(1, table(Axis::time, Rule::quintic_hermite, Outside::hold,
+                              {{0, 1}, {0, 1}, {0, 0}, {a0, a1}})),
+                 config, 0);
+  };
+  EXPECT_FALSE(refusal_of(2, -2));
+  const auto at_start = refusal_of(3, 0);
+  ASSERT_EQ(cause_of(at_start), Cause::acceleration_step);
+  EXPECT_EQ(at_start->value, 3);
+  EXPECT_EQ(at_start->where, 0);
+  const auto at_end = refusal_of(0, -3);
+  ASSERT_EQ(cause_of(at_end), Cause::acceleration_step);
+  EXPECT_NEAR(at_end->value, -3, 1e-12);
+  EXPECT_EQ(at_end->where, 1);
+}
+
 TEST(Admit, ARepeatingTableMustClose) {
   EXPECT_FALSE(admit(Job(1, there_and_back(3, 10, 1, Outside::wrap)), generous, 3));
   const Job open(

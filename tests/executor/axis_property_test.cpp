@@ -85,11 +85,11 @@ class RandomRun {
     check_start(command, now);
     check_fault(command, now);
     check_stop(now);
-    for (const Job* job : now.handed_back)
-      if (job) {
-        ASSERT_EQ(jobs_.count(job->id()), 1U) << "handed back twice";
-        jobs_.erase(job->id());
-      }
+    for (const Job* job : now.handed_back) {
+      if (job == nullptr) continue;
+      ASSERT_EQ(jobs_.count(job->id()), 1U) << "handed back twice";
+      jobs_.erase(job->id());
+    }
     ASSERT_EQ(now.job != 0 ? jobs_.count(now.job) : 1, 1U) << "handed back too early";
     ASSERT_EQ(now.armed != 0 ? jobs_.count(now.armed) : 1, 1U) << "handed back too early";
     ASSERT_LE(jobs_.size(), 2U) << "kept too long";
@@ -155,13 +155,6 @@ class RandomRun {
     ASSERT_LE(std::abs(now.velocity), 500 * (1 + 1e-9));
     // The velocity is continuous, at an end too, except where a fault freezes the setpoint.
     if (now.fault == Cause::none) {
-      if (std::abs(now.velocity - last_.velocity) > 4e4 * elapsed * (1 + 1e-9))
-        fprintf(
-            stderr,
-            "cmd %d state %s->%s t %ld v %g -> %g p %g->%g fin %lu stopped %lu->%lu skipped %ld\n",
-            (int)command.kind, name(last_.state), name(now.state), (long)now.tick, last_.velocity,
-            now.velocity, last_.position, now.position, now.finished, last_.stopped, now.stopped,
-            (long)now.skipped);
       ASSERT_LE(std::abs(now.velocity - last_.velocity), 4e4 * elapsed * (1 + 1e-9));
     }
     ASSERT_EQ(is_motion(now.state), now.job != 0);
@@ -218,7 +211,8 @@ TEST(MotionAxisProperty, AMillionRandomCommands) {
     ASSERT_FALSE(::testing::Test::HasFatalFailure()) << "seed " << seed << ", step " << i;
   }
   // The run was worth something: it met every state, and what there is to meet of faults and
-  // refusals by commands alone (overspeed and out_of_range need a job that was never admitted).
+  // refusals by commands alone (overspeed and out_of_range need a table that changes after it was
+  // admitted).
   EXPECT_EQ(run.states.size(), 6U);
   EXPECT_GT(run.last().finished, 1000U);
   EXPECT_GT(run.last().stopped, 300U);

@@ -1,6 +1,9 @@
 #include "jounce/executor/axis.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -263,7 +266,7 @@ TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
   Bench bench(wide);
   started(bench, job);
   EXPECT_NEAR(bench.run(250).position, 10, 1e-12);
-  EXPECT_NEAR(bench.run(500 * 20).position, 10, 1e-9);
+  EXPECT_NEAR(bench.run(10'000).position, 10, 1e-9);
   EXPECT_EQ(bench.axis.state(), State::discrete_motion);
   EXPECT_EQ(refusal(bench.arm(job)), Cause::in_motion);  // it has no end to begin from
   bench.tell(Kind::stop);
@@ -314,6 +317,32 @@ TEST(MotionAxis, DisablingInMotionIsAFaultThatEnableComesBackTo) {
   tick = bench.tell(Kind::reset);
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.fault, Cause::none);
+}
+
+// What the guard in motion is for: the table in memory is no longer the one that was admitted.
+TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
+  AxisConfig config{.limits = limits(10, 20)};
+  config.limits.position_max = 60;
+  const auto fault = [&](const TablePtr& other) {
+    const auto table = std::make_shared<Table>(*trapezoid_table(50, 10, 20, 20));
+    const Job job(1, table);
+    Bench bench(config);
+    started(bench, job);
+    const double before = bench.run(1000).position;
+    *table = *other;
+    Tick tick = bench.step();
+    while (tick.state == State::discrete_motion) tick = bench.step();
+    EXPECT_EQ(tick.state, State::error_stop);
+    EXPECT_GE(tick.position, before);
+    EXPECT_EQ(tick.velocity, 0);
+    return std::pair(tick.fault, tick.position);
+  };
+  const auto jumped = fault(trapezoid_table(100, 20, 40, 40));
+  EXPECT_EQ(jumped.first, Cause::overspeed);
+  EXPECT_NEAR(jumped.second, 7.5, 1e-9);  // where it was: 2.5 u of ramp, 0.5 s at 10 u/s
+  const auto left = fault(trapezoid_table(100, 10, 20, 20));
+  EXPECT_EQ(left.first, Cause::out_of_range);
+  EXPECT_NEAR(left.second, 60, 1e-9);
 }
 
 TEST(MotionAxis, TheFirstFaultStays) {
@@ -374,9 +403,9 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   EXPECT_EQ(tick.refused->value, 3);
 }
 
-TEST(MotionAxis, StopOrDisarmTakesBackAWaitingStart) {
+TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
   const Job job(9, trapezoid_table(50, 10, 20, 20));
-  for (const Kind kind : {Kind::stop, Kind::disarm, Kind::disable}) {
+  for (const Kind kind : {Kind::stop, Kind::disable}) {
     Bench bench(wide);
     bench.tell(Kind::enable);
     bench.arm(job);
@@ -387,6 +416,19 @@ TEST(MotionAxis, StopOrDisarmTakesBackAWaitingStart) {
     EXPECT_EQ(bench.run(50).position, 0);
     EXPECT_EQ(bench.step().fault, Cause::none);
   }
+}
+
+TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
+  const Job job(9, trapezoid_table(50, 10, 20, 20));
+  Bench bench(wide);
+  bench.tell(Kind::enable);
+  bench.arm(job);
+  EXPECT_TRUE(handed_back(bench.tell(Kind::disarm), job));
+  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
+  bench.arm(job);
+  bench.step({.kind = Kind::start, .at = 10});
+  EXPECT_TRUE(bench.tell(Kind::disarm).waiting);
+  EXPECT_EQ(bench.run(10).state, State::discrete_motion);
 }
 
 // ---- slots -------------------------------------------------------------------------------------

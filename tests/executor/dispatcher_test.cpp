@@ -1,9 +1,5 @@
 #include "jounce/executor/dispatcher.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -11,10 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "executor/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include "jounce/stream/lossy_transport.hpp"
 #include "jounce/stream/memory_transport.hpp"
+
+#include "executor/tables.hpp"
+#include "executor/virtual_pacer.hpp"
 
 namespace jounce {
 namespace {
@@ -119,10 +120,11 @@ TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
   const TablePtr master = constant_master(1080, 200);
   {
     Site site(options);
-    const StreamOutcome outcome = site.stream({.executor = {},
-                                               .tables = {{*cam, over_master}, {*master, of_master}},
-                                               .mode = wire::ArmMode::follow_table},
-                                              1);
+    const StreamOutcome outcome =
+        site.stream({.executor = {},
+                     .tables = {{*cam, over_master}, {*master, of_master}},
+                     .mode = wire::ArmMode::follow_table},
+                    1);
     ASSERT_TRUE(outcome.ok()) << outcome.reason;
     site.advance(6s);
     EXPECT_EQ(site.dispatcher.last().finished, 1U);
@@ -274,6 +276,21 @@ TEST(Dispatcher, AnAxisThatAdoptsTheStartTakesAnyTableAtStandstill) {
   EXPECT_EQ(site.dispatcher.last().position, 40);
 }
 
+TEST(Dispatcher, RetiringStopsTheMotionAndArmsNothingMore) {
+  Site site(Site::defaults());
+  ASSERT_TRUE(site.play(*there_and_back(0, 10, 1, Outside::wrap), 1).ok());
+  site.advance(300ms);
+  EXPECT_FALSE(site.dispatcher.settled());
+  site.dispatcher.retire();
+  EXPECT_FALSE(site.dispatcher.settled());
+  site.advance(1s);
+  EXPECT_TRUE(site.dispatcher.settled());
+  EXPECT_EQ(site.dispatcher.last().stopped, 1U);
+  const double here = site.dispatcher.last().position;
+  const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Outside::hold), 2);
+  EXPECT_EQ(outcome.cause, static_cast<int>(Cause::leaving));
+}
+
 TEST(Dispatcher, AStartAtATickBeginsThere) {
   Site site(Site::defaults());
   StreamPlan plan{.executor = {},
@@ -296,8 +313,10 @@ TEST(Dispatcher, PublishesWhatTheAxisDoes) {
   site.advance(250ms);
   std::vector<wire::Status> published;
   Rejects rejects;
-  while (const auto message = next_message(site.link, 0ns, rejects))
-    if (const auto* status = std::get_if<wire::Status>(&message->body)) published.push_back(*status);
+  while (const auto message = next_message(site.link, 0ns, rejects)) {
+    if (const auto* status = std::get_if<wire::Status>(&message->body))
+      published.push_back(*status);
+  }
   ASSERT_GE(published.size(), 5U);
   const wire::Status& now = published.back();
   EXPECT_EQ(now.state, wire::AxisState::discrete_motion);
@@ -316,11 +335,10 @@ TEST(Dispatcher, ALossyLinkChangesNothingButTheTimeItTakes) {
     LossyTransport lossy(
         site.link, {.seed = seed, .lost = 0.1, .doubled = 0.1, .corrupted = 0.05, .delayed = 0.1},
         site.clock);
-    const StreamOutcome outcome =
-        stream_tables(lossy,
-                      {.executor = "feeder",
-                       .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}}},
-                      {}, site.clock, 1);
+    const StreamOutcome outcome = stream_tables(
+        lossy,
+        {.executor = "feeder", .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}}}, {},
+        site.clock, 1);
     ASSERT_TRUE(outcome.ok()) << seed << ": " << outcome.reason;
     site.advance(1s);
     EXPECT_EQ(site.dispatcher.last().finished, 1U) << seed;

@@ -32,11 +32,9 @@ TEST(Ring, TwoThreadsLoseDoubleAndTearNothing) {
   constexpr std::uint64_t key = 0x9e3779b97f4a7c15;
   Ring<Pair, 64> ring;
   std::thread producer([&] {
-    for (std::uint64_t i = 0; i < items;)
-      if (ring.push({i, i * key}))
-        ++i;
-      else
-        std::this_thread::yield();
+    for (std::uint64_t i = 0; i < items; ++i) {
+      while (!ring.push({i, i * key})) std::this_thread::yield();
+    }
   });
   std::uint64_t expected = 0;
   std::uint64_t wrong = 0;

@@ -1,17 +1,18 @@
 #include "jounce/executor/shell.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "executor/tables.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/memory_transport.hpp"
 #include "jounce/stream/sender.hpp"
+
+#include "executor/tables.hpp"
 
 namespace jounce {
 namespace {
@@ -60,8 +61,7 @@ TEST(Shell, PlaysOneJobAndLeaves) {
   MemoryNetwork network;
   MemoryTransport link(network);
   Streamer streamer(network, *there_and_back(0, 5, 0.1, Outside::hold));
-  const ExecutorSummary summary =
-      run_executor(link, options(), {.seconds = 60, .once = true});
+  const ExecutorSummary summary = run_executor(link, options(), {.seconds = 60, .once = true});
   EXPECT_EQ(summary.finished, 1U);
   EXPECT_EQ(summary.stopped, 0U);
   EXPECT_EQ(summary.fault, Cause::none);

@@ -46,9 +46,8 @@ inline TablePtr trapezoid_table(double distance, double v, double a, double d,
 
 /// There and back by the 3-4-5 polynomial, `reach` in T/2 each way.
 inline TablePtr there_and_back(double from, double reach, double T, Outside outside) {
-  return table(
-      Axis::time, Rule::quintic_hermite, outside,
-      {{0, T / 2, T}, {from, from + reach, from}, {0, 0, 0}, {0, 0, 0}});
+  return table(Axis::time, Rule::quintic_hermite, outside,
+               {{0, T / 2, T}, {from, from + reach, from}, {0, 0, 0}, {0, 0, 0}});
 }
 
 inline Limits limits(double velocity, double acceleration) {

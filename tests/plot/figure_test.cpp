@@ -161,6 +161,12 @@ TEST(Svg, NotesALimitFarBeyondTheData) {
   EXPECT_THAT(texts(markup), Contains("limits ±3000 off scale"));
 }
 
+TEST(Svg, DrawsABrokenLimitHoweverFar) {
+  Figure figure = with({"v", {0, 1}, {-2, 4}, Style::line});
+  figure.panels[0].upper = -3000;
+  EXPECT_EQ(Markup(svg(figure)).with("path", "lim").size(), 1U);
+}
+
 TEST(Svg, MarksBrokenPointsByShapeToo) {
   Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
   figure.panels[0].markers = {{0, 0, "low", "", false}, {1, 1, "high", "the hint", true}};
@@ -235,6 +241,17 @@ TEST(Svg, CutsLongTexts) {
   figure.shades = {{0, 0.1, longest}};
   expect_tidy(figure);
   expect_tidy(figure, 370);
+}
+
+TEST(Svg, TakesFewerTicksWhereTheirLabelsAreLong) {
+  for (const double width : {860.0, 370.0})
+    expect_tidy(with({"v", {1000, 1000.001}, {0, 1}, Style::line}), width);
+}
+
+TEST(Svg, LeavesRoomForNumbersAboveAndBelowTheData) {
+  const Markup markup(svg(with({"v", {0, 1}, {-2, 4}, Style::line}), {.panel_height = 120}));
+  const auto line = lines_of(markup.with("path", "l").at(0).attributes.at("d")).at(0);
+  EXPECT_NEAR(line.front().y - line.back().y, 120 - 2 * 17, 0.02);
 }
 
 TEST(Svg, SurvivesAWidthTooSmall) {

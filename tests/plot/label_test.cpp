@@ -18,16 +18,6 @@ TEST(Superscripts, LeaveEverythingElse) {
     EXPECT_EQ(superscripts(text), text);
 }
 
-TEST(RateUnit, DividesByTheAxis) {
-  EXPECT_EQ(rate_unit("mm", "deg", 0), "mm");
-  EXPECT_EQ(rate_unit("mm", "deg", 1), "mm/deg");
-  EXPECT_EQ(rate_unit("m", "s", 2), "m/s²");
-  EXPECT_EQ(rate_unit("pulse", "pulse", 3), "pulse/pulse³");
-  EXPECT_EQ(rate_unit("", "s", 1), "1/s");
-  EXPECT_EQ(rate_unit("mm", "", 2), "mm");
-  EXPECT_EQ(rate_unit("", "", 3), "");
-}
-
 TEST(ShortNumber, IsShort) {
   EXPECT_EQ(short_number(0), "0");
   EXPECT_EQ(short_number(-0.0), "0");

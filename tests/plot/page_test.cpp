@@ -25,7 +25,7 @@ Page sample() {
   page.sections = {
       {"Summary", {Prose{"First.\n\nSecond."}, Facts{{{"slope [mm/deg^2]", "3 mm"}}}}},
       {"Curve", {Chart{curve_figure(pmc600_cam(), pmc600_look()), "Extrema are exact."}}},
-      {"Findings", {findings_table(report, "All limits")}},
+      {"Findings", {findings_table(report, {}, "All limits")}},
   };
   page.footer = "Jounce 0.1.0";
   return page;

@@ -7,6 +7,8 @@
 
 #include "jounce/profiles/limits.hpp"
 
+#include "support/random.hpp"
+
 namespace jounce {
 namespace {
 
@@ -70,6 +72,29 @@ TEST(Extrema, DoNotDependOnTheUnit) {
         EXPECT_NEAR(extrema(f, k).peak().value / factor, extrema(unit, k).peak().value,
                     1e-12 * std::abs(extrema(unit, k).peak().value));
     }
+}
+
+TEST(Extrema, KeepARootThatRoundingPutsOnABisectionPoint) {
+  // 2026-11-21: the peak of a rest-to-rest quintic lies at its middle, where the two halves of the
+  // bisection meet; by rounding neither half saw a change of sign, and the peak velocity came out
+  // 0.
+  const double t = 0.1988858103462883 / 2;
+  const double r = -10.213799038291999;
+  const double f = 6.9847148702096646;
+  const Trajectory there_and_back(
+      {quintic(t, f, 0, 0, f + r, 0, 0), quintic(t, f + r, 0, 0, f, 0, 0)});
+  EXPECT_NEAR(extrema(there_and_back, 1).max.value, 1.875 * -r / t, 1e-11);
+  EXPECT_NEAR(extrema(there_and_back, 1).min.value, 1.875 * r / t, 1e-11);
+
+  testing::Random random(4);
+  for (int i = 0; i < 20'000; ++i) {
+    const double length = random.log_uniform(1e-3, 1e3);
+    const double from = random.uniform(-10, 10);
+    const double rise = random.uniform(-10, 10);
+    const Trajectory one({quintic(length, from, 0, 0, from + rise, 0, 0)});
+    const double peak = 1.875 * rise / length;
+    ASSERT_NEAR(extrema(one, 1).peak().value, peak, 1e-13 * std::abs(peak) + 1e-14 / length) << i;
+  }
 }
 
 TEST(Extrema, OfAConstantAreTheConstant) {

@@ -1,0 +1,246 @@
+#include "jounce/executor/job.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "jounce/cam/followed.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double same = 1e-9;  // relative: forgives rounded input, as check_continuity does
+
+double seconds(std::int64_t ns) {
+  return static_cast<double>(ns) / 1e9;
+}
+
+double required(const char* key, const std::optional<double>& limit) {
+  if (!limit) throw InputError(key, "missing", "an axis needs this limit");
+  return *limit;
+}
+
+double stop_limit(const char* key, double value, double limit) {
+  if (value == 0) return 2 * limit;
+  require_finite(key, value);
+  if (value > limit) return value;
+  throw InputError(key, value,
+                   "must be greater than " + number(limit) + ", which a table may already use");
+}
+
+void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
+  Range& range = ranges[order];
+  if (value < range.min.value) range.min = {value, where, side};
+  if (value > range.max.value) range.max = {value, where, side};
+}
+
+/// Where the derivative of the given order is zero in (a, b), at whose ends its signs differ.
+double turning_point(const Followed& f, std::size_t order, double a, double b) {
+  const bool rising = f.jet(a)[order] < 0;
+  double middle = a + (b - a) / 2;
+  while (middle > a && middle < b) {
+    ((f.jet(middle)[order] < 0) == rising ? a : b) = middle;
+    middle = a + (b - a) / 2;
+  }
+  return middle;
+}
+
+void survey(const Followed& f, double a, double b, Ranges& ranges) {
+  constexpr int points = 16;
+  double t = a;
+  Jet here = f.jet(a);
+  for (int i = 1; i <= points; ++i) {
+    const double next_t = i == points ? b : a + (b - a) * i / points;
+    const Jet next = f.jet(next_t, Side::left);
+    for (std::size_t k = 0; k < 4; ++k) {
+      include(ranges, k, here[k], t, Side::right);
+      include(ranges, k, next[k], next_t, Side::left);
+      if (k == 3 || here[k + 1] * next[k + 1] >= 0) continue;
+      const double peak = turning_point(f, k + 1, t, next_t);
+      include(ranges, k, f.jet(peak)[k], peak, Side::right);
+    }
+    t = next_t;
+    here = f.jet(t);
+  }
+}
+
+Ranges survey(const Followed& f) {
+  const Jet first = f.jet(f.start());
+  Ranges ranges;
+  for (std::size_t k = 0; k < 4; ++k)
+    ranges[k] = {{first[k], f.start(), Side::right}, {first[k], f.start(), Side::right}};
+  for (std::size_t i = 0; i + 1 < f.breaks().size(); ++i)
+    survey(f, f.breaks()[i], f.breaks()[i + 1], ranges);
+  return ranges;
+}
+
+Jump largest_step(const Followed& f, std::size_t order, bool repeats) {
+  Jump largest;
+  const auto consider = [&](double left, double right, double where) {
+    if (std::abs(right - left) > std::abs(largest.step)) largest = {right - left, where};
+  };
+  for (const double t : f.breaks().subspan(1, f.breaks().size() - 2))
+    consider(f.jet(t, Side::left)[order], f.jet(t)[order], t);
+  if (repeats) consider(f.jet(f.end(), Side::left)[order], f.jet(f.start())[order], f.end());
+  return largest;
+}
+
+/// By how much the master leaves a cam that refuses it; rounding is forgiven.
+Extremum excess(const Table& cam, const Range& master) {
+  if (cam.outside() != Outside::refuse) return {};
+  const double below = cam.start() - master.min.value;
+  const double above = master.max.value - cam.end();
+  const Extremum worst = below > above ? Extremum{below, master.min.where, Side::right}
+                                       : Extremum{above, master.max.where, Side::right};
+  return worst.value > same * cam.length() ? worst : Extremum{};
+}
+
+}  // namespace
+
+AxisConfig resolved(AxisConfig config) {
+  if (config.period <= 0)
+    throw InputError("period", std::to_string(config.period), "must be greater than 0 ns");
+  if (config.longest_gap < 1)
+    throw InputError("longest_gap", std::to_string(config.longest_gap), "must be at least 1 tick");
+  require_valid(config.limits);
+  require_finite("position", config.position);
+  required("limits.velocity", config.limits.velocity);
+  config.stop_acceleration =
+      stop_limit("stop_acceleration", config.stop_acceleration,
+                 required("limits.acceleration", config.limits.acceleration));
+  if (config.limits.jerk)
+    config.stop_jerk = stop_limit("stop_jerk", config.stop_jerk, *config.limits.jerk);
+  return config;
+}
+
+Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam)
+    : id_(id), time_(std::move(time)), cam_(std::move(cam)) {
+  const Trajectory trajectory = time_->curve<OverTime>();
+  if (cam_) {
+    // Held instead of refused, so that a master that leaves the cam is a finding of admit().
+    const Cam curve = cam_->outside() == Outside::refuse
+                          ? with(cam_->curve<OverMaster>(), Outside::hold)
+                          : cam_->curve<OverMaster>();
+    const Followed slave(curve, trajectory);
+    ranges_ = survey(slave);
+    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats());
+    master_excess_ = excess(*cam_, extrema(trajectory, 0));
+  } else {
+    ranges_ = extrema(trajectory);
+    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_jump(trajectory, static_cast<int>(k));
+  }
+  first_ = follow(time_->jet(time_->start()));
+  last_ = follow(time_->jet(time_->end(), Side::left));
+}
+
+Setpoint Job::follow(const Jet& x) const {
+  if (!cam_) return {0, 0, x};
+  // Rounding may carry an admitted master past the end of its cam by an ulp.
+  const double master =
+      cam_->outside() == Outside::refuse ? std::clamp(x[0], cam_->start(), cam_->end()) : x[0];
+  const Jet f = cam_->jet(master);
+  // The chain rule; see cam/followed.hpp (1) to (3).
+  return {x[0],
+          x[1],
+          {f[0], f[1] * x[1], f[2] * x[1] * x[1] + f[1] * x[2],
+           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]}};
+}
+
+Setpoint Job::at(double t) const {
+  if (repeats() || t < duration()) return follow(time_->jet(time_->start() + t));
+  return {last_.master, 0, {last_.slave[0], 0, 0, 0}};
+}
+
+double Job::tolerance() const {
+  const double stroke = ranges_[0].max.value - ranges_[0].min.value;
+  return same * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
+}
+
+std::string Refusal::text() const {
+  return std::string(name(cause)) + ": " + meaning(cause) + " (" + number(value) + " at " +
+         number(where) + " s, limit " + number(limit) + ")";
+}
+
+std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double position) {
+  const AxisConfig config = resolved(given);
+  const Limits& limits = config.limits;
+  const auto& [p, v, a, j] = job.ranges();
+  const auto& [p_step, v_step, a_step] = job.steps();
+  const double dt = seconds(config.period);
+  const double v_most = *limits.acceleration * dt;
+  const double near = job.tolerance();
+  const double p0 = job.first().slave[0];
+  const double p1 = job.last().slave[0];
+  const double end = job.start() + job.duration();
+
+  std::optional<Refusal> refusal;
+  const auto rule = [&](bool holds, Cause cause, double value, double limit, double where) {
+    if (!holds && !refusal) refusal = Refusal{cause, value, limit, where - job.start()};
+  };
+  const auto within = [&](Cause cause, double value, double limit, double where) {
+    rule(std::abs(value) <= limit * (1 + same), cause, value, limit, where);
+  };
+  const auto peak = [&](Cause cause, const Range& range, const std::optional<double>& limit) {
+    if (limit) within(cause, range.peak().value, *limit, range.peak().where);
+  };
+
+  within(Cause::master_outside_cam, job.master_excess().value, 0, job.master_excess().where);
+  rule(std::abs(p0 - position) <= near, Cause::start_position, p0, position, job.start());
+  within(Cause::start_velocity, job.first().slave[1], v_most, job.start());
+  if (job.repeats()) rule(std::abs(p1 - p0) <= near, Cause::not_closed, p1, p0, end);
+  if (!job.repeats()) within(Cause::end_velocity, job.last().slave[1], v_most, end);
+  within(Cause::position_step, p_step.step, near, p_step.where);
+  const double lowest = limits.position_min.value_or(p.min.value);
+  const double highest = limits.position_max.value_or(p.max.value);
+  rule(p.min.value >= lowest - near, Cause::position_limit, p.min.value, lowest, p.min.where);
+  rule(p.max.value <= highest + near, Cause::position_limit, p.max.value, highest, p.max.where);
+  peak(Cause::velocity_limit, v, limits.velocity);
+  peak(Cause::acceleration_limit, a, limits.acceleration);
+  peak(Cause::jerk_limit, j, limits.jerk);
+  within(Cause::velocity_step, v_step.step, v_most, v_step.where);
+  if (!limits.jerk) return refusal;
+
+  const double a_most = *limits.jerk * dt;
+  const double a1 = job.repeats() ? 0 : job.last().slave[2];
+  within(Cause::acceleration_step, job.first().slave[2], a_most, job.start());
+  within(Cause::acceleration_step, a_step.step, a_most, a_step.where);
+  within(Cause::acceleration_step, a1, a_most, end);
+  return refusal;
+}
+
+// A stop on the path. The table goes on being played, but its local time s slows down: over the
+// duration D, with u = (time since the stop) / D,
+//
+//     (1)  ds/dt = r = 1 - 3u^2 + 2u^3
+//     (2)  s = s0 + D (u - u^3 + u^4 / 2)
+//
+// so the position never leaves the table's path, and it comes to rest D/2 of local time further on.
+// By the chain rule, with p the table and r' = dr/dt = -6u(1 - u) / D, r'' = -6(1 - 2u) / D^2,
+//
+//     (3)  velocity      p' r
+//     (4)  acceleration  p'' r^2 + p' r'
+//     (5)  jerk          p''' r^3 + 3 p'' r r' + p' r''
+//
+// With V, A, J the peaks of the table, and |r| <= 1, |r'| <= 3/(2D), |r r'| <= 1/D, |r''| <= 6/D^2,
+// the stop keeps the limits a and j that are set for it if
+//
+//     (6)  A + 3V / (2D) <= a             that is  D >= 3V / (2 (a - A))
+//     (7)  J + 3A / D + 6V / D^2 <= j     that is  D >= (3A + sqrt(9A^2 + 24V (j - J))) / (2(j -
+//     J))
+//
+// A step of the velocity within the table counts as the acceleration that makes it in one tick.
+double stop_duration(const Job& job, const AxisConfig& given) {
+  const AxisConfig config = resolved(given);
+  const double V = std::abs(job.ranges()[1].peak().value);
+  const double A = std::max(std::abs(job.ranges()[2].peak().value),
+                            std::abs(job.steps()[1].step) / seconds(config.period));
+  const double by_acceleration = 1.5 * V / (config.stop_acceleration - A);  // (6)
+  if (!config.limits.jerk) return by_acceleration;
+  const double room = config.stop_jerk - std::abs(job.ranges()[3].peak().value);
+  const double by_jerk = (3 * A + std::sqrt(9 * A * A + 24 * V * room)) / (2 * room);  // (7)
+  return std::max(by_acceleration, by_jerk);
+}
+
+}  // namespace jounce

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "jounce/executor/cause.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/limits.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// What an axis is allowed to do, fixed when the executor starts.
+struct AxisConfig {
+  std::int64_t period = 1'000'000;  ///< of the tick, ns, > 0
+  Limits limits;                    ///< velocity and acceleration are required
+  double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
+  double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
+  double position = 0;              ///< u; where the axis stands at first
+  std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
+};
+
+/// The same with the defaults filled in. Throws InputError for a value out of range.
+AxisConfig resolved(AxisConfig config);
+
+/// The commanded point at one instant.
+struct Setpoint {
+  double master = 0;           ///< m; 0 without a master
+  double master_velocity = 0;  ///< m/s
+  Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
+};
+
+/// What an axis plays, made and checked away from the cyclic thread: a table over time, or a cam
+/// table over a virtual master whose position is a table over time.
+///
+///     Job move(1, std::make_shared<Table>(pvt));
+///     Job cam(2, std::make_shared<Table>(master), std::make_shared<Table>(cam_table));
+///     if (auto refused = admit(cam, config, 0)) std::cerr << refused->text();
+///
+/// Local time runs from 0 at the start. A time table that wraps repeats until it is stopped; any
+/// other ends after one run. A cam table that wraps is periodic in the master.
+///
+/// Throws InputError where the tables are not over time and over master position in this order.
+class Job {
+ public:
+  Job(std::uint64_t id, std::shared_ptr<const Table> time,
+      std::shared_ptr<const Table> cam = nullptr);
+
+  [[nodiscard]] std::uint64_t id() const { return id_; }
+  [[nodiscard]] bool synchronized() const { return cam_ != nullptr; }
+  [[nodiscard]] bool repeats() const { return time_->outside() == Outside::wrap; }
+  [[nodiscard]] double start() const { return time_->start(); }      ///< of the time table, s
+  [[nodiscard]] double duration() const { return time_->length(); }  ///< s, of one run
+
+  /// The point at local time t >= 0, s: bit for bit what the tables give. After the end of a job
+  /// that does not repeat, its last point at rest. Never allocates.
+  [[nodiscard]] Setpoint at(double t) const;
+
+  /// Extreme values over time of position, velocity, acceleration and jerk. Exact for a table over
+  /// time. For a cam over a master: of 16 points between any two breaks, refined to the exact peak
+  /// of position, velocity and acceleration wherever the next derivative changes sign.
+  [[nodiscard]] const Ranges& ranges() const { return ranges_; }
+
+  /// The largest jump of position, velocity and acceleration inside the run, and from its end to
+  /// its start where it repeats.
+  [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
+
+  [[nodiscard]] const Setpoint& first() const { return first_; }
+  [[nodiscard]] const Setpoint& last() const { return last_; }
+
+  /// How far, in master units, and when the master leaves a cam that refuses it; 0 if it does not.
+  [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
+
+  /// What counts as the same position: 1e-9 of the stroke, and rounding.
+  [[nodiscard]] double tolerance() const;
+
+ private:
+  [[nodiscard]] Setpoint follow(const Jet& time) const;
+
+  std::uint64_t id_;
+  std::shared_ptr<const Table> time_;
+  std::shared_ptr<const Table> cam_;
+  Setpoint first_;
+  Setpoint last_;
+  Ranges ranges_{};
+  std::array<Jump, 3> steps_{};
+  Extremum master_excess_;
+};
+
+/// Why a job is not admitted, with the number, the bound it breaks, and the instant in s of local
+/// time.
+struct Refusal {
+  Cause cause = Cause::none;
+  double value = 0;
+  double limit = 0;
+  double where = 0;
+
+  /// "velocity_limit: The table is faster ... (678.45 at 0.61 s, limit 500)"
+  [[nodiscard]] std::string text() const;
+};
+
+/// Checks a job against an axis that stands at `position`: where it begins, rest at both ends, the
+/// position range, velocity, acceleration and jerk, and jumps. Nothing if all is well, otherwise
+/// the first rule broken. Never allocates: a Job carries what is needed.
+///
+/// A jump of the velocity, at an end or between, counts as the acceleration that makes it within
+/// one tick: so a table of straight lines passes exactly if no tick exceeds the limit. A jump of
+/// the acceleration is judged alike where a jerk limit is set.
+std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position);
+
+/// How long a stop on the path takes, s: from the job's peaks, so that it holds wherever the stop
+/// comes. For an admitted job only.
+double stop_duration(const Job& job, const AxisConfig& config);
+
+}  // namespace jounce

@@ -1,0 +1,240 @@
+#include "jounce/optimize/bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "jounce/optimize/detail/freedom.hpp"
+#include "jounce/optimize/detail/quadrature.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/roots.hpp"
+
+// Peak acceleration, d = displacement, after a reflection that makes d >= (v0 + v1) L / 2.
+// Full acceleration A up to the speed w, full deceleration after it, takes the greatest way:
+//     (1)  w = (v0 + v1 + A L) / 2,   d = (v0 + v1) L / 2 + A L^2 / 4 - (v1 - v0)^2 / (4 A)
+// which gives the least A; with a speed limit V < w there is a coast at V between:
+//     (2)  A = (2 d' + sqrt(4 d'^2 + (v1 - v0)^2 L^2)) / L^2,   d' = d - (v0 + v1) L / 2
+//     (3)  d = V L - ((V - v0)^2 + (V - v1)^2) / (2 A)
+//
+// Peak jerk, x = 1 - u / L in [0, 1], j the jerk. What is given at the ends fixes moments of j:
+//     (4)  M0 = integral of j     = (a1 - a0) / L
+//     (5)  M1 = integral of x j   = (v1 - v0 - a0 L) / L^2
+//     (6)  M2 = integral of x^2 j = 2 (d - v0 L - a0 L^2 / 2) / L^3
+// so for any polynomial q = q0 + q1 x + q2 x^2 in the moments that are known
+//     (7)  max |j| >= |q0 M0 + q1 M1 + q2 M2| / integral of |q|,
+// with equality where j = +-J sign(q) has these moments: the perfect spline, which switches at the
+// roots of q. Any q gives a valid bound, so a root found inexactly can only give a lower one.
+// Both accelerations given, switches at t1 <= t2, r = 1 / J signed:
+//     (8)  t2 - t1 = w = (1 - M0 r) / 2,   t2^2 - t1^2 = g = 1/2 - M1 r,
+//          t2^3 - t1^3 = (1 - 3 M2 r) / 2,  hence  2 w (1 - 3 M2 r) - 3 g^2 - w^4 = 0
+// a0 given, a1 free (q0 = 0), one switch at t:
+//     (9)  M1 (2 t^3 - 1) / 3 = M2 (t^2 - 1/2)
+// Both free: only M1 - M2 does not depend on a0, and q = x - x^2 keeps its sign, so the cubic
+// attains
+//     (10) J = 6 |M1 - M2| = 6 |v0 + v1 - 2 d / L| / L^2
+//
+// Square of acceleration: the cubic solves f'''' = 0, natural for the integral of f''^2:
+//     (11) 4 (v0^2 + v0 v1 + v1^2) / L - 12 d (v0 + v1) / L^2 + 12 d^2 / L^3
+
+namespace jounce {
+namespace {
+
+using optimizer::Freedom;
+using optimizer::Knot;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Moments {
+  double m0 = 0;
+  double m1 = 0;
+  double m2 = 0;
+};
+
+Moments moments(const Stretch& s, double a0, double a1) {
+  const double L = s.length;
+  return {(a1 - a0) / L, (s.v1 - s.v0 - a0 * L) / (L * L),                  // (4), (5)
+          2 * (s.displacement - s.v0 * L - a0 * L * L / 2) / (L * L * L)};  // (6)
+}
+
+/// Integral over [0, 1] of |(x - t1)(x - t2)|.
+double magnitude_of_quadratic(double t1, double t2) {
+  const auto primitive = [&](double x) { return x * (x * (x / 3 - (t1 + t2) / 2) + t1 * t2); };
+  const double a = std::clamp(std::min(t1, t2), 0.0, 1.0);
+  const double b = std::clamp(std::max(t1, t2), 0.0, 1.0);
+  return primitive(a) - (primitive(b) - primitive(a)) + primitive(1) - primitive(b);
+}
+
+/// (7) for q = (x - t1)(x - t2).
+double bound_with_switches(const Moments& m, double t1, double t2) {
+  return std::abs(m.m2 - (t1 + t2) * m.m1 + t1 * t2 * m.m0) / magnitude_of_quadratic(t1, t2);
+}
+
+/// The roots of a polynomial in [-radius, radius].
+template <std::size_t N>
+std::vector<double> real_roots(const std::array<double, N>& c, double radius) {
+  Segment f;
+  f.degree = static_cast<int>(N) - 1;
+  double power = 1;
+  for (std::size_t k = 0; k < N; ++k, power *= radius) f.c[k] = c[k] * power;
+  // t = radius (2 s - 1)
+  Segment shifted = f;
+  for (double& x : shifted.c) x = 0;
+  for (std::size_t k = N; k-- > 0;) {
+    for (std::size_t i = N - 1; i > 0; --i) shifted.c[i] = 2 * shifted.c[i - 1] - shifted.c[i];
+    shifted.c[0] = f.c[k] - shifted.c[0];
+  }
+  std::vector<double> found;
+  roots(shifted, 0, found);
+  for (double& t : found) t = radius * (2 * t - 1);
+  return found;
+}
+
+/// Both end accelerations given.
+double jerk_with_two_switches(const Moments& m) {
+  // (7) with q = 1, x, x^2: simple bounds, which also bracket r.
+  const double floor = std::max({std::abs(m.m0), 2 * std::abs(m.m1), 3 * std::abs(m.m2)});
+  if (floor == 0) return 0;
+  const Moments n{m.m0 / floor, m.m1 / floor, m.m2 / floor};
+  // (8) times 16, expanded in r.
+  const double a = n.m0;
+  const double b = n.m1;
+  const double c = 3 * n.m2;
+  const std::array<double, 5> quartic{16 - 12 - 1, -16 * (a + c) + 48 * b + 4 * a,
+                                      16 * a * c - 48 * b * b - 6 * a * a, 4 * a * a * a,
+                                      -a * a * a * a};
+  double best = floor;
+  for (const double r : real_roots(quartic, 1)) {
+    const double w = (1 - a * r) / 2;
+    const double g = 0.5 - b * r;
+    if (!(w > 0)) continue;
+    const double t1 = (g / w - w) / 2;
+    const double t2 = (g / w + w) / 2;
+    if (std::isfinite(t1) && std::isfinite(t2))
+      best = std::max(best, floor * bound_with_switches(n, t1, t2));
+  }
+  return best;
+}
+
+/// a0 given, a1 free: q = x (x - t).
+double jerk_with_one_switch(const Moments& m) {
+  double best = std::max(2 * std::abs(m.m1), 3 * std::abs(m.m2));
+  if (best == 0) return 0;
+  const double a = m.m1 / best;
+  const double c = m.m2 / best;
+  const Moments n{0, a, c};
+  const double scale = best;
+  for (const double t : real_roots(std::array{c / 2 - a / 3, 0.0, -c, 2 * a / 3}, 1))  // (9)
+    if (t > 0) best = std::max(best, scale * bound_with_switches(n, 0, t));
+  return best;
+}
+
+Stretch run_backwards(const Stretch& s) {
+  Stretch back{s.length, s.displacement, s.v1, s.v0, {}, {}};
+  if (s.a1) back.a0 = -*s.a1;
+  if (s.a0) back.a1 = -*s.a0;
+  return back;
+}
+
+// ---- the whole cam ------------------------------------------------------------------------------
+
+/// Whether master, slave and geo_velocity stay as they are.
+bool stays(const Freedom& f) {
+  return !f[0] && !f[1] && !f[2];
+}
+
+Stretch stretch_between(const Knot& from, const Freedom& free_from, const Knot& to,
+                        const Freedom& free_to) {
+  Stretch s{to[0] - from[0], to[1] - from[1], from[2], to[2], {}, {}};
+  if (!free_from[3]) s.a0 = from[3];
+  if (!free_to[3]) s.a1 = to[3];
+  return s;
+}
+
+double bound_of_stretch(const Stretch& s, Objective objective, const Limits& limits) {
+  switch (objective) {
+    case Objective::peak_acceleration:
+      return least_peak_acceleration(s, limits.velocity);
+    case Objective::peak_jerk:
+      return least_peak_jerk(s);
+    case Objective::rms_acceleration:
+      break;
+  }
+  return least_square_acceleration(s);
+}
+
+/// The objective's share of one segment that cannot change: its peak, or its integral.
+double exact_share(const CamSpec& spec, std::size_t segment, Objective objective) {
+  CamSpec alone;
+  alone.start = segment == 0 ? spec.start : spec.segments[segment - 1].end;
+  alone.segments = {spec.segments[segment]};
+  const Cam cam = design(alone).cam;
+  const double value = value_of(objective, cam);
+  return objective == Objective::rms_acceleration ? value * value * cam.length() : value;
+}
+
+/// The spec with every derivative filled in, so that each segment can stand alone.
+CamSpec resolved(CamSpec spec) {
+  const auto knots = resolved_knots(spec);
+  spec.start = knots.front();
+  for (std::size_t i = 0; i < spec.segments.size(); ++i) spec.segments[i].end = knots[i + 1];
+  return spec;
+}
+
+}  // namespace
+
+double least_peak_acceleration(const Stretch& s, std::optional<double> velocity_limit) {
+  const double L = s.length;
+  const double chord = (s.v0 + s.v1) * L / 2;
+  const double sign = s.displacement < chord ? -1 : 1;
+  const double v0 = sign * s.v0;
+  const double v1 = sign * s.v1;
+  const double d = sign * s.displacement;
+  const double surplus = d - sign * chord;
+  const double free = (2 * surplus + std::hypot(2 * surplus, (v1 - v0) * L)) / (L * L);  // (2)
+  if (!velocity_limit || (v0 + v1 + free * L) / 2 <= *velocity_limit) {                  // (1)
+    const bool kept = !velocity_limit || std::max(std::abs(v0), std::abs(v1)) <= *velocity_limit;
+    return kept ? free : infinite;
+  }
+  const double V = *velocity_limit;
+  if (std::max(std::abs(v0), std::abs(v1)) > V || V * L <= d) return infinite;
+  return ((V - v0) * (V - v0) + (V - v1) * (V - v1)) / (2 * (V * L - d));  // (3)
+}
+
+double least_peak_jerk(const Stretch& s) {
+  if (s.a0 && s.a1) return jerk_with_two_switches(moments(s, *s.a0, *s.a1));
+  if (s.a0) return jerk_with_one_switch(moments(s, *s.a0, 0));
+  if (s.a1) return least_peak_jerk(run_backwards(s));
+  return 6 * std::abs(s.v0 + s.v1 - 2 * s.displacement / s.length) / (s.length * s.length);  // (10)
+}
+
+double least_square_acceleration(const Stretch& s) {
+  const double L = s.length;
+  const double d = s.displacement;
+  return 4 * (s.v0 * s.v0 + s.v0 * s.v1 + s.v1 * s.v1) / L - 12 * d * (s.v0 + s.v1) / (L * L) +
+         12 * d * d / (L * L * L);  // (11)
+}
+
+double lower_bound(const CamProblem& problem, Objective objective) {
+  const auto knots = optimizer::knots_of(problem.cam);
+  const auto free = optimizer::freedom(problem);
+  const CamSpec spec = resolved(problem.cam);
+  const bool rms = objective == Objective::rms_acceleration;
+  double bound = 0;
+  const auto combine = [&](double share) { bound = rms ? bound + share : std::max(bound, share); };
+  std::optional<std::size_t> from;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!stays(free[i])) continue;
+    if (from && from == i - 1 && !free[*from][3] && !free[i][3])
+      combine(exact_share(spec, *from, objective));
+    else if (from)
+      combine(bound_of_stretch(stretch_between(knots[*from], free[*from], knots[i], free[i]),
+                               objective, problem.limits));
+    from = i;
+  }
+  return rms ? std::sqrt(bound / (knots.back()[0] - knots.front()[0])) : bound;
+}
+
+}  // namespace jounce

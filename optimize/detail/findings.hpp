@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/optimize/detail/stage.hpp"
+#include "jounce/optimize/optimize.hpp"
+
+/// The words and numbers of an outcome.
+namespace jounce::optimizer {
+
+/// Six digits: for sentences.
+std::string brief(double value);
+
+/// "geo_velocity is -2.55 at master 273.6, the limit -2.5".
+std::string sentence(const Finding& finding);
+
+/// Outcome::active for the cam at z.
+std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
+                                     const Point& z, std::span<const ObjectiveResult> objectives);
+
+}  // namespace jounce::optimizer

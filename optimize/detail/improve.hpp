@@ -1,0 +1,19 @@
+#pragma once
+
+#include "jounce/optimize/detail/stage.hpp"
+
+namespace jounce::optimizer {
+
+struct Attempt {
+  Point z;  ///< the best found: least value without violation, or else the least violation
+  Standing standing;
+  bool converged = false;
+  int evaluations = 0;
+};
+
+/// The exchange method: solve with the ceilings and the epigraph imposed at a few places, find the
+/// exact extrema of the result, add the places where they break a ceiling or exceed the epigraph,
+/// solve again, until none does and neither a restart nor the linearised problem gains anything.
+Attempt improve(const Stage& stage, const Point& start, int max_evaluations);
+
+}  // namespace jounce::optimizer

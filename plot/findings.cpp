@@ -1,0 +1,66 @@
+#include "jounce/plot/findings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/plot/label.hpp"
+
+namespace jounce {
+namespace {
+
+std::string margin(const Finding& f) {
+  if (f.limit == 0 && f.rule.starts_with("continuity/")) return short_number(f.margin, 3);
+  if (f.margin < -10) return "< −1000 %";  // a tolerance, not a limit: its multiples say nothing
+  if (!f.broken && std::abs(f.margin) < 1e-9) return "0 %";
+  return short_number(100 * f.margin, 3) + " %";
+}
+
+std::vector<std::string> cells(const Finding& f, const Labels& labels) {
+  return {f.rule,
+          f.axis,
+          labels.segment_of(f),
+          short_number(f.where),
+          short_number(f.value),
+          short_number(f.limit),
+          superscripts(labels.unit_of(f)),
+          margin(f),
+          f.advice};
+}
+
+void drop_empty_columns(DataTable& table) {
+  for (std::size_t k = table.columns.size(); k-- > 0;) {
+    const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
+                                   [&](const DataTable::Row& row) { return row.cells[k].empty(); });
+    if (!empty) continue;
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    table.columns.erase(table.columns.begin() + at);
+    for (DataTable::Row& row : table.rows) row.cells.erase(row.cells.begin() + at);
+  }
+}
+
+}  // namespace
+
+DataTable findings_table(const Report& report, const Labels& labels, std::string caption) {
+  DataTable table{
+      std::move(caption),
+      {"rule", "of", "segment", "at", "value", "limit", "unit", "margin", "what to change"},
+      {}};
+  for (const Finding& f : report.findings) table.rows.push_back({cells(f, labels), f.broken});
+  if (!table.rows.empty()) drop_empty_columns(table);
+  return table;
+}
+
+Verdict verdict(const Report& report) {
+  const std::size_t total = report.findings.size();
+  const std::size_t broken = report.broken();
+  if (total == 0) return {true, "Nothing was checked."};
+  if (broken == 0) return {true, fmt::format("All checks hold ({}).", total)};
+  return {false,
+          fmt::format("{} of {} findings {} broken.", broken, total, broken == 1 ? "is" : "are")};
+}
+
+}  // namespace jounce

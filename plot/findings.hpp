@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "jounce/io/report_text.hpp"
+#include "jounce/plot/page.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// What a check found, for a page: one row a finding, in the report's order, the broken ones
+/// marked. Columns that are empty throughout (of, segment, unit, what to change) are left out.
+DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
+
+/// "All 4 limits hold.", "2 of 5 findings are broken.", ...
+Verdict verdict(const Report& report);
+
+}  // namespace jounce

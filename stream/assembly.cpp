@@ -1,0 +1,75 @@
+#include "jounce/stream/assembly.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+/// The columns in the order of the wire.
+std::array<std::vector<double>*, 4> in_order(Columns& columns) {
+  return {&columns.x, &columns.p, &columns.v, &columns.a};
+}
+
+}  // namespace
+
+std::size_t bytes_of(const wire::Header& header) {
+  return std::size_t{header.knots} * header.columns * sizeof(double);
+}
+
+Assembly::Assembly(const wire::Header& header)
+    : header_(header), cut_(wire::cut(header.rule, header.knots)), arrived_(cut_.chunks) {
+  assert(!contradiction(header));
+  for (std::size_t i = 0; i < cut_.columns; ++i) in_order(columns_)[i]->resize(header.knots);
+}
+
+bool Assembly::add(const wire::Chunk& chunk) {
+  if (chunk.seq >= cut_.chunks || chunk.columns != cut_.columns ||
+      chunk.first_knot != chunk.seq * cut_.per_chunk ||
+      chunk.knots != cut_.knots_of(chunk.seq, header_.knots) ||
+      chunk.values.size() != std::size_t{chunk.knots} * chunk.columns)
+    return false;
+  if (arrived_[chunk.seq]) return true;
+
+  const auto columns = in_order(columns_);
+  for (std::uint32_t i = 0; i < cut_.columns; ++i) {
+    std::copy_n(chunk.values.begin() + std::ptrdiff_t{i} * chunk.knots, chunk.knots,
+                columns[i]->begin() + chunk.first_knot);
+  }
+  arrived_[chunk.seq] = true;
+  while (next_ < cut_.chunks && arrived_[next_]) ++next_;
+  return true;
+}
+
+std::uint64_t Assembly::mask() const {
+  std::uint64_t mask = 0;
+  for (std::uint32_t i = 0; i < 64 && next_ + 1 + i < cut_.chunks; ++i)
+    if (arrived_[next_ + 1 + i]) mask |= std::uint64_t{1} << i;
+  return mask;
+}
+
+std::variant<StoredTable, Refused> Assembly::finish() {
+  assert(complete());
+  try {
+    auto table = std::make_shared<const Table>(header_.axis, header_.rule, header_.outside,
+                                               std::move(columns_));
+    const Sha256 hash = content_hash(*table, header_.units);
+    if (hash != header_.hash) {
+      return Refused{wire::Refusal::hash_mismatch,
+                     "announced " + hex(header_.hash) + ", arrived " + hex(hash)};
+    }
+    return StoredTable{hash, header_.units, std::move(table)};
+  } catch (const InputError& error) {
+    return Refused{wire::Refusal::bad_table, error.what()};
+  } catch (const std::bad_alloc&) {
+    return Refused{wire::Refusal::out_of_memory, "no memory to hash the table"};
+  }
+}
+
+}  // namespace jounce

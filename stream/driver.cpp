@@ -1,0 +1,131 @@
+#include "jounce/stream/driver.hpp"
+
+#include <numeric>
+#include <random>
+#include <utility>
+#include <variant>
+
+namespace jounce {
+namespace {
+
+// More than a window's worth may wait: repeats, and what other streamers send.
+constexpr int queue_capacity = 64;
+constexpr int most_at_once = 256;  // packets between two turns of the protocol
+
+/// Hands every message that waits on the link to `take`, waiting for the first at most `timeout`.
+template <class Take>
+void drain(Transport& link, Nanos timeout, Rejects& rejects, Take take) {
+  for (int i = 0; i < most_at_once; ++i) {
+    const std::size_t rejected = rejects.total();
+    const auto message = next_message(link, i == 0 ? timeout : Nanos{}, rejects);
+    if (message) {
+      take(*message);
+    } else if (rejects.total() == rejected) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t Rejects::total() const {
+  return std::accumulate(by_reason.begin(), by_reason.end(), std::size_t{0});
+}
+
+std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects) {
+  const auto packet = link.receive(timeout);
+  if (!packet) return std::nullopt;
+  auto decoded = wire::decode(packet->bytes);
+  if (const auto* reject = std::get_if<wire::Reject>(&decoded)) {
+    ++rejects.by_reason[static_cast<std::size_t>(*reject)];
+    return std::nullopt;
+  }
+  return std::get<wire::Message>(std::move(decoded));
+}
+
+void send_message(Transport& link, const wire::Message& message) {
+  link.send(wire::channel(message.executor, wire::lane(message.body)), wire::encode(message));
+}
+
+std::int64_t random_id() {
+  std::random_device device;
+  const std::uint64_t high = device();
+  const std::uint64_t bits = high << 32U | device();
+  return static_cast<std::int64_t>(bits >> 1U | 1U);
+}
+
+StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
+                            const Clock& clock, std::int64_t session) {
+  const std::string replies = wire::channel(plan.executor, wire::Lane::reply);
+  Sender sender(std::move(plan), session, options.sender);
+  link.subscribe(replies, queue_capacity);
+  Rejects rejects;
+  bool cancelled = false;
+  for (const Nanos begin = clock();;) {
+    if (clock() - begin > options.total)
+      sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
+    for (const auto& message : sender.poll(clock())) send_message(link, message);
+    if (options.progress) options.progress(sender.outcome().progress);
+    if (sender.ended()) return sender.outcome();
+
+    drain(link, options.period, rejects,
+          [&](const wire::Message& message) { sender.receive(message, clock()); });
+    if (!cancelled && options.cancelled && options.cancelled()) {
+      cancelled = true;
+      sender.stop(wire::StopMode::stop);
+    }
+    if (sender.at_goal()) sender.release();
+  }
+}
+
+bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
+                   Nanos patience, const Clock& clock) {
+  constexpr Nanos repeat = std::chrono::milliseconds(20);
+  link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
+  const auto number = static_cast<std::int32_t>(random_id() & 0x7FFFFFFF);
+  const wire::Message stop{executor, 0, wire::Stop{.command = number, .mode = mode}};
+  Rejects rejects;
+  bool confirmed = false;
+  for (const Nanos begin = clock(); !confirmed && clock() - begin <= patience;) {
+    send_message(link, stop);
+    drain(link, repeat, rejects, [&](const wire::Message& message) {
+      const auto* const reply = std::get_if<wire::Reply>(&message.body);
+      confirmed |= reply != nullptr && message.executor == executor && message.session == 0 &&
+                   reply->command == number && reply->outcome == wire::Outcome::accepted;
+    });
+  }
+  return confirmed;
+}
+
+std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
+                                         Nanos timeout, const Clock& clock) {
+  Rejects rejects;
+  drain(link, Nanos{}, rejects, [](const wire::Message& /*old*/) {});
+  const Nanos end = clock() + timeout;
+  for (Nanos left = timeout; left > Nanos{}; left = end - clock()) {
+    auto message = next_message(link, left, rejects);
+    if (message && message->executor == executor &&
+        std::holds_alternative<wire::Status>(message->body))
+      return message;
+  }
+  return std::nullopt;
+}
+
+ReceiverPump::ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
+                           Clock clock)
+    : link_(link), receiver_(options, boot), clock_(std::move(clock)) {
+  link_.subscribe(wire::channel(options.executor, wire::Lane::table), queue_capacity);
+  link_.subscribe(wire::channel(options.executor, wire::Lane::command), queue_capacity);
+}
+
+void ReceiverPump::run(Nanos timeout) {
+  drain(link_, timeout, rejects_,
+        [&](const wire::Message& message) { receiver_.receive(message, clock_()); });
+  for (const auto& message : receiver_.poll(clock_())) send_message(link_, message);
+}
+
+void ReceiverPump::publish(const wire::Status& status) {
+  send_message(link_, receiver_.status(status));
+}
+
+}  // namespace jounce

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "jounce/stream/receiver.hpp"
+#include "jounce/stream/sender.hpp"
+#include "jounce/stream/transport.hpp"
+#include "jounce/stream/wire.hpp"
+
+namespace jounce {
+
+/// How many packets were no message, by reason.
+struct Rejects {
+  std::array<std::size_t, wire::reject_count> by_reason{};
+
+  [[nodiscard]] std::size_t operator[](wire::Reject reject) const {
+    return by_reason[static_cast<std::size_t>(reject)];
+  }
+  [[nodiscard]] std::size_t total() const;
+};
+
+/// The next message on this link, waiting at most `timeout` for a packet. A packet that is none is
+/// counted and dropped, and ends the wait.
+std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects);
+
+/// Encodes a message and sends it on its channel.
+void send_message(Transport& link, const wire::Message& message);
+
+/// A random number > 0, for sessions, boots and an operator's commands.
+std::int64_t random_id();
+
+struct StreamOptions {
+  SenderOptions sender;
+  Nanos total = std::chrono::seconds(60);               ///< bound on the whole call
+  Nanos period = std::chrono::milliseconds(1);          ///< longest wait on the link
+  std::function<void(const StreamProgress&)> progress;  ///< called in every turn; may be empty
+  std::function<bool()> cancelled;  ///< true: stops what was armed and leaves; may be empty
+};
+
+/// Runs a Sender to its goal, then releases the session; a motion goes on. Returns within
+/// options.total whatever happens on the link. Throws InputError as Sender does, and
+/// TransportError.
+StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
+                            const Clock& clock = steady_now, std::int64_t session = random_id());
+
+/// An operator's stop: it needs no session and ends whatever session lives. Repeated until the
+/// executor answers, at most `patience`. Whether it was confirmed.
+bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
+                   Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now);
+
+/// What an axis does now: drops the status messages that have waited, then waits for the next one,
+/// at most `timeout`. The link has subscribed to the axis's status channel, with capacity 1.
+std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
+                                         Nanos timeout, const Clock& clock = steady_now);
+
+/// What an executor's communication thread runs around its Receiver.
+///
+///     ReceiverPump pump(link, {.executor = "feeder"}, random_id());
+///     for (;;) {
+///       pump.run(2ms);                                              // receives, answers
+///       while (const auto event = pump.receiver().take_event()) ... // to the axis
+///       pump.publish(status);                                       // every few milliseconds
+///     }
+class ReceiverPump {
+ public:
+  /// Subscribes. The link must outlive the pump.
+  ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
+               Clock clock = steady_now);
+
+  /// Takes in what waits, waiting for the first at most `timeout`, and sends the answers. Takes as
+  /// long as hashing does when a table is complete: a second for some hundred megabytes.
+  void run(Nanos timeout);
+  void publish(const wire::Status& status);
+
+  [[nodiscard]] Receiver& receiver() { return receiver_; }
+  [[nodiscard]] const Receiver& receiver() const { return receiver_; }
+  [[nodiscard]] const Rejects& rejects() const { return rejects_; }
+
+ private:
+  Transport& link_;
+  Receiver receiver_;
+  Clock clock_;
+  Rejects rejects_;
+};
+
+}  // namespace jounce

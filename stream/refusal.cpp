@@ -1,0 +1,52 @@
+#include "jounce/stream/refusal.hpp"
+
+#include <utility>
+
+namespace jounce {
+namespace {
+
+Refused not_over_time(const char* which, TableInUnits table) {
+  if (table.table.axis() != Axis::time)
+    return {wire::Refusal::wrong_axis, std::string(which) + " table must be over time"};
+  if (table.units.x != "s") {
+    return {wire::Refusal::wrong_unit,
+            std::string(which) + " table is over " + table.units.x + ", must be over s"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Refused contradiction(const wire::Header& header) {
+  const auto bad = [](std::string reason) {
+    return Refused{wire::Refusal::bad_header, std::move(reason)};
+  };
+  if (header.table >= wire::most_tables) return bad("a session has at most 64 tables");
+  if (header.knots < 2) return bad("a table needs at least 2 knots");
+  const wire::Cut cut = wire::cut(header.rule, header.knots);
+  if (header.columns != cut.columns) {
+    return bad(std::string("a ") + name(header.rule) + " table has " + std::to_string(cut.columns) +
+               " columns, not " + std::to_string(header.columns));
+  }
+  if (header.chunks != cut.chunks) {
+    return bad(std::to_string(header.knots) + " knots are " + std::to_string(cut.chunks) +
+               " chunks, not " + std::to_string(header.chunks));
+  }
+  return {};
+}
+
+Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master) {
+  if (mode == wire::ArmMode::play) return not_over_time("the slave", slave);
+  if (slave.table.axis() != Axis::master)
+    return {wire::Refusal::wrong_axis, "the slave table must be over master position"};
+  if (mode == wire::ArmMode::follow_input) return {};
+  if (master == nullptr) return {wire::Refusal::table_missing, "follow_table needs a master table"};
+  if (Refused refused = not_over_time("the master", *master)) return refused;
+  if (master->units.position != slave.units.x) {
+    return {wire::Refusal::wrong_unit, "the master moves in " + master->units.position +
+                                           ", the slave table is over " + slave.units.x};
+  }
+  return {};
+}
+
+}  // namespace jounce

@@ -1,0 +1,274 @@
+#include "jounce/stream/sender.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/wire.hpp"
+
+namespace jounce {
+namespace {
+
+std::string milliseconds(Nanos time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
+         " ms";
+}
+
+}  // namespace
+
+Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
+    : plan_(std::move(plan)), session_(session), options_(options) {
+  assert(session > 0);
+  require_valid(plan_);
+  const std::uint32_t window = options_.pace.window;
+  if (window < 1 || window > 64)
+    throw InputError("window", std::to_string(window), "must be 1 to 64");
+  for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
+    headers_.push_back(header_of(plan_.tables[i], i));
+    static_cast<void>(wire::encode({plan_.executor, session_, headers_[i]}));  // throws if it must
+    outcome_.progress.chunks += headers_[i].chunks;
+  }
+}
+
+// ---- what to send -------------------------------------------------------------------------------
+
+std::vector<wire::Message> Sender::poll(Nanos now) {
+  if (!std::exchange(begun_, true)) heard_ = progressed_ = now;
+  if (!ended()) check_patience(now);
+  if (stage() == StreamStage::downloading) {
+    download(now);
+  } else if (!ended()) {
+    command(now);
+  } else if (std::exchange(farewell_due_, false)) {
+    farewell();
+  }
+  return std::exchange(outgoing_, {});
+}
+
+void Sender::send(wire::Body body, Nanos now) {
+  outgoing_.push_back({plan_.executor, session_, std::move(body)});
+  sent_ = now;
+}
+
+void Sender::download(Nanos now) {
+  const wire::Header& header = headers_[table_];
+  if (window_) {
+    for (const std::uint32_t seq : window_->due(now))
+      send(chunk_of(plan_.tables[table_].table, header, seq), now);
+    count();
+  }
+  // Repeated while chunks flow, a header asks for an ack and keeps the session alive.
+  const bool quiet = now - sent_ >= options_.heartbeat;
+  const bool unanswered = !window_ && (!header_sent_ || now - *header_sent_ >= options_.repeat);
+  if (!quiet && !unanswered) return;
+  send(header, now);
+  header_sent_ = now;
+}
+
+template <class Body>
+void Sender::issue(Body body) {
+  body.command = ++last_number_;
+  command_ = Command{.body = std::move(body), .number = last_number_, .issued = {}, .sent = {}};
+}
+
+void Sender::command(Nanos now) {
+  if (!command_ && now - sent_ >= options_.heartbeat) issue(wire::Heartbeat{});
+  if (!command_) return;
+  if (command_->issued && now - command_->sent < options_.repeat) return;
+  if (!command_->issued) command_->issued = now;
+  command_->sent = now;
+  send(command_->body, now);
+}
+
+void Sender::farewell() {
+  // Nobody knows whether an unanswered start took place: it must not be left at that.
+  const bool perhaps_started = command_ && std::holds_alternative<wire::Start>(command_->body);
+  if (perhaps_started) {
+    issue(wire::Stop{});
+  } else {
+    issue(wire::Heartbeat{.release = true});
+  }
+  send(command_->body, sent_);
+}
+
+void Sender::check_patience(Nanos now) {
+  const bool silent = now - heard_ > options_.patience;
+  const bool late =
+      command_ && command_->issued && now - *command_->issued > options_.command_patience;
+  if (stage() == StreamStage::releasing && (silent || late)) {
+    outcome_.reason = "the release was not confirmed";
+    return enter(StreamStage::released);
+  }
+  if (silent) {
+    fail(boots_.empty() ? StreamError::no_answer : StreamError::contact_lost,
+         "no answer from executor " + plan_.executor + " for " + milliseconds(options_.patience));
+  } else if (late) {
+    fail(StreamError::command_timeout,
+         "no outcome within " + milliseconds(options_.command_patience));
+  } else if (stage() == StreamStage::downloading &&
+             now - progressed_ > options_.progress_patience) {
+    fail(StreamError::stalled,
+         "no chunk got through for " + milliseconds(options_.progress_patience));
+  }
+}
+
+// ---- what arrives -------------------------------------------------------------------------------
+
+void Sender::receive(const wire::Message& message, Nanos now) {
+  if (ended() || message.executor != plan_.executor || message.session != session_) return;
+  std::visit([&](const auto& body) { take(body, now); }, message.body);
+}
+
+/// Notes a sign of life; whether it comes from the executor as it is now. A new boot means that it
+/// has forgotten what it had: a download begins anew, anything later fails.
+bool Sender::hear(std::int64_t boot, Nanos now) {
+  const bool known = std::find(boots_.begin(), boots_.end(), boot) != boots_.end();
+  if (known && boots_.back() != boot) return false;  // from before its restart
+  heard_ = now;
+  if (known) return true;
+  boots_.push_back(boot);
+  if (boots_.size() == 1) return true;
+  if (stage() != StreamStage::downloading) {
+    fail(StreamError::restarted, "the executor has restarted");
+    return false;
+  }
+  if (window_) resent_before_ += window_->resent();
+  window_.reset();
+  table_ = 0;
+  arrived_before_ = 0;
+  header_sent_.reset();
+  count();
+  return false;
+}
+
+void Sender::take(const wire::Ack& ack, Nanos now) {
+  if (!hear(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
+  // A chunk has overtaken its header, or the session is forgotten: the header opens it anew.
+  if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
+  if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
+  if (ack.complete) return next_table(now);
+  if (!window_) {
+    window_.emplace(headers_[table_].chunks, options_.pace);
+    progressed_ = now;
+  }
+  if (window_->acknowledge(ack, now)) progressed_ = now;
+  count();
+}
+
+void Sender::next_table(Nanos now) {
+  if (window_) resent_before_ += window_->resent();
+  window_.reset();
+  arrived_before_ += headers_[table_].chunks;
+  header_sent_.reset();
+  progressed_ = now;
+  ++table_;
+  count();
+  if (table_ < headers_.size()) return;
+  outcome_.downloaded = true;
+  pursue();
+}
+
+void Sender::count() {
+  outcome_.progress.arrived = arrived_before_ + (window_ ? window_->arrived() : 0);
+  outcome_.progress.resent = resent_before_ + (window_ ? window_->resent() : 0);
+}
+
+void Sender::take(const wire::Reply& reply, Nanos now) {
+  if (!hear(reply.boot, now) || !command_ || reply.command != command_->number) return;
+  if (reply.outcome == wire::Outcome::refused) {
+    refused(reply.refusal, reply.reason, reply.cause);
+  } else if (reply.outcome == wire::Outcome::accepted) {
+    accepted();
+  }
+}
+
+void Sender::accepted() {
+  command_.reset();
+  switch (stage()) {
+    case StreamStage::arming:
+      outcome_.armed = true;
+      break;
+    case StreamStage::starting:
+      outcome_.started = true;
+      break;
+    case StreamStage::stopping:
+      outcome_.stopped = true;
+      break;
+    case StreamStage::releasing:
+      return enter(StreamStage::released);
+    default:
+      return;
+  }
+  pursue();
+}
+
+void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause) {
+  command_.reset();
+  if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // it is over already
+  outcome_.refusal = refusal;
+  outcome_.cause = cause;
+  fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
+}
+
+// ---- where to -----------------------------------------------------------------------------------
+
+void Sender::pursue() {
+  if (!given_up_ && plan_.goal >= StreamGoal::arm && !outcome_.armed) {
+    enter(StreamStage::arming);
+    issue(wire::Arm{
+        .mode = plan_.mode,
+        .slave = headers_[0].hash,
+        .master = plan_.mode == wire::ArmMode::follow_table ? headers_[1].hash : Sha256{}});
+  } else if (!given_up_ && plan_.goal >= StreamGoal::start && !outcome_.started) {
+    enter(StreamStage::starting);
+    issue(wire::Start{.tick = plan_.start_tick});
+  } else {
+    enter(StreamStage::holding);
+  }
+}
+
+void Sender::raise(StreamGoal goal) {
+  if (ended() || goal <= plan_.goal) return;
+  plan_.goal = goal;
+  require_valid(plan_);
+  if (stage() == StreamStage::holding) pursue();
+}
+
+void Sender::stop(wire::StopMode mode) {
+  if (ended()) return;
+  given_up_ = true;
+  if (stage() == StreamStage::downloading) return release();
+  enter(StreamStage::stopping);
+  issue(wire::Stop{.mode = mode});
+}
+
+void Sender::release() {
+  if (ended()) return;
+  if (boots_.empty()) return enter(StreamStage::released);
+  enter(StreamStage::releasing);
+  issue(wire::Heartbeat{.release = true});
+}
+
+void Sender::fail(StreamError error, std::string reason) {
+  if (ended()) return;
+  outcome_.error = error;
+  outcome_.reason = std::move(reason);
+  farewell_due_ = !boots_.empty();
+  enter(StreamStage::failed);
+}
+
+const char* name(StreamError error) {
+  constexpr const char* names[] = {"none",      "no_answer",       "contact_lost",
+                                   "stalled",   "command_timeout", "out_of_time",
+                                   "restarted", "refused"};
+  return names[static_cast<std::size_t>(error)];
+}
+
+const char* name(StreamStage stage) {
+  constexpr const char* names[] = {"downloading", "arming",    "starting", "stopping",
+                                   "holding",     "releasing", "released", "failed"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+}  // namespace jounce

@@ -1,0 +1,68 @@
+#include "jounce/stream/stream_plan.hpp"
+
+#include <limits>
+#include <optional>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/refusal.hpp"
+
+namespace jounce {
+namespace {
+
+void require_armable(const StreamPlan& plan) {
+  if (plan.goal == StreamGoal::download) return;
+  const auto in_units = [](const StreamPlan::Item& item) {
+    return TableInUnits{item.table, item.units};
+  };
+  std::optional<TableInUnits> master;
+  if (plan.tables.size() > 1) master.emplace(in_units(plan.tables[1]));
+  const Refused refused = misfit(plan.mode, in_units(plan.tables[0]), master ? &*master : nullptr);
+  if (refused) throw InputError("mode", name(plan.mode), refused.reason);
+}
+
+}  // namespace
+
+void require_valid(const StreamPlan& plan) {
+  if (plan.tables.empty() || plan.tables.size() > wire::most_tables)
+    throw InputError("tables", std::to_string(plan.tables.size()), "must be 1 to 64");
+  if (plan.start_tick < -1)
+    throw InputError("start_tick", std::to_string(plan.start_tick), "must be -1 or more");
+  require_armable(plan);
+}
+
+wire::Header header_of(const StreamPlan::Item& item, std::size_t index) {
+  const Table& table = item.table;
+  if (table.size() > std::numeric_limits<std::int32_t>::max())
+    throw InputError("knots", std::to_string(table.size()), "must fit 31 bits");
+  const auto knots = static_cast<std::uint32_t>(table.size());
+  const wire::Cut cut = wire::cut(table.rule(), knots);
+  return {.table = static_cast<std::uint32_t>(index),
+          .hash = content_hash(table, item.units),
+          .axis = table.axis(),
+          .rule = table.rule(),
+          .outside = table.outside(),
+          .units = item.units,
+          .knots = knots,
+          .columns = cut.columns,
+          .chunks = cut.chunks};
+}
+
+wire::Chunk chunk_of(const Table& table, const wire::Header& header, std::uint32_t seq) {
+  const wire::Cut cut = wire::cut(header.rule, header.knots);
+  wire::Chunk chunk{.table = header.table,
+                    .seq = seq,
+                    .first_knot = seq * cut.per_chunk,
+                    .knots = cut.knots_of(seq, header.knots),
+                    .columns = cut.columns};
+  const auto& [x, p, v, a] = table.columns();
+  chunk.values.reserve(std::size_t{chunk.knots} * chunk.columns);
+  for (const auto* column : {&x, &p, &v, &a}) {
+    if (!column->empty()) {
+      chunk.values.insert(chunk.values.end(), column->begin() + chunk.first_knot,
+                          column->begin() + chunk.first_knot + chunk.knots);
+    }
+  }
+  return chunk;
+}
+
+}  // namespace jounce

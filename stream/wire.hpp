@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/stream/message.hpp"
+
+/// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool can
+/// read them, with fixed arrays only: a type has one length.
+namespace jounce::wire {
+
+using Bytes = std::vector<std::byte>;
+
+/// Why bytes are no message.
+enum class Reject {
+  too_short,       ///< no room for type, magic and version
+  wrong_magic,     ///< not Jounce's
+  wrong_version,   ///< another version of the protocol
+  unknown_type,    ///< a type hash that this version does not know
+  wrong_length,    ///< not the one length of its type
+  wrong_checksum,  ///< damaged on the way
+  bad_field,       ///< an enumeration, a count or a name out of its range
+};
+inline constexpr std::size_t reject_count = 7;
+const char* name(Reject reject);
+
+/// Throws InputError for a name, unit or count that does not fit the wire. A reason is shortened.
+Bytes encode(const Message& message);
+
+/// Never throws and never reads past the bytes, whatever they are.
+std::variant<Message, Reject> decode(std::span<const std::byte> bytes);
+
+/// The four channels of an executor: each message has its own.
+enum class Lane {
+  table,    ///< Header, Chunk: to the executor
+  command,  ///< Arm, Start, Stop, Heartbeat: to the executor
+  reply,    ///< Ack, Reply: from the executor
+  status,   ///< Status: from the executor; only the newest counts
+};
+Lane lane(const Body& body);
+
+/// "JOUNCE0.<executor>.table", ...
+std::string channel(const std::string& executor, Lane lane);
+
+}  // namespace jounce::wire

@@ -1,0 +1,116 @@
+#include "jounce/stream/driver.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stream/harness.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace std::chrono_literals;
+using test::World;
+using testing::ElementsAre;
+
+TEST(Driver, CountsAndDropsWhatIsNoMessage) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  link.subscribe("a", 10);
+  auto bytes = wire::encode({"feeder", 1, wire::Start{.command = 1}});
+  link.send("a", bytes);
+  bytes.back() ^= std::byte{1};
+  link.send("a", bytes);
+  link.send("a", {});
+  Rejects rejects;
+  EXPECT_TRUE(next_message(link, Nanos{}, rejects).has_value());
+  EXPECT_FALSE(next_message(link, Nanos{}, rejects).has_value());
+  EXPECT_FALSE(next_message(link, Nanos{}, rejects).has_value());
+  EXPECT_EQ(rejects[wire::Reject::wrong_checksum], 1U);
+  EXPECT_EQ(rejects[wire::Reject::too_short], 1U);
+  EXPECT_EQ(rejects.total(), 2U);
+}
+
+TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
+  World world;
+  const std::vector<std::byte> noise(100);
+  for (int i = 0; i < 20; ++i) world.link.send("JOUNCE0.feeder.table", noise);
+  for (const auto& message : test::messages_of(test::sine_table(5), 1))
+    send_message(world.link, message);
+  world.executor->turn();
+  EXPECT_THAT(world.executor->log, ElementsAre("ready 1"));
+  EXPECT_EQ(world.executor->pump.rejects()[wire::Reject::wrong_magic], 20U);
+}
+
+TEST(Driver, PublishesTheStatus) {
+  World world;
+  world.link.subscribe("JOUNCE0.feeder.status", 1);
+  world.executor->pump.publish({.state = wire::AxisState::standstill, .tick = 7});
+  Rejects rejects;
+  const auto message = next_message(world.link, Nanos{}, rejects);
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(std::get<wire::Status>(message->body).tick, 7);
+  EXPECT_EQ(message->session, 0);
+}
+
+TEST(Driver, ReadsTheNewestStatus) {
+  World world;
+  world.link.subscribe("JOUNCE0.feeder.status", 1);
+  EXPECT_FALSE(next_status(world.link, "feeder", 50ms, world.clock).has_value());
+  EXPECT_EQ(world.now, 50ms);
+  std::int64_t tick = 0;
+  const auto publish = [&] { world.executor->pump.publish({.tick = ++tick}); };
+  for (int i = 0; i < 5; ++i) publish();
+  world.each_turn = publish;
+  const auto message = next_status(world.link, "feeder", 50ms, world.clock);
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(std::get<wire::Status>(message->body).tick, 6) << "1 had waited; 2 to 5 found no room";
+}
+
+TEST(Driver, AnOperatorStopsWhoeverStreams) {
+  World world;
+  Sender streamer(test::plan_of(test::sine_table(50'000)), 1);
+  for (const auto& message : streamer.poll(world.now)) send_message(world.link, message);
+  world.pass(1ms);
+  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, world.clock));
+  EXPECT_THAT(world.executor->log, ElementsAre("abort 0", "operator 1"));
+}
+
+TEST(Driver, AnOperatorsStopGetsThroughABadLink) {
+  World world;
+  LossyTransport bad(world.link, {.seed = 3, .lost = 0.5, .corrupted = 0.2}, world.clock);
+  EXPECT_TRUE(operator_stop(bad, "feeder", wire::StopMode::stop, 2s, world.clock));
+  EXPECT_THAT(world.executor->log, ElementsAre("stop 0")) << "once";
+}
+
+TEST(Driver, AnOperatorLearnsThatNobodyStopped) {
+  World world;
+  world.shut_down();
+  EXPECT_FALSE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, world.clock));
+  EXPECT_LT(world.now, 1100ms);
+}
+
+TEST(Driver, RandomIdsArePositiveAndDiffer) {
+  const auto a = random_id(), b = random_id();
+  EXPECT_GT(a, 0);
+  EXPECT_GT(b, 0);
+  EXPECT_NE(a, b);
+}
+
+TEST(MemoryTransport, KeepsTheOldestOfAFullQueue) {
+  MemoryNetwork network;
+  MemoryTransport one(network), two(network);
+  two.subscribe("state", 1);
+  for (const int value : {1, 2, 3}) {
+    const auto byte = static_cast<std::byte>(value);
+    one.send("state", {&byte, 1});
+    one.send("other", {&byte, 1});
+  }
+  const auto packet = two.receive(Nanos{});
+  ASSERT_TRUE(packet.has_value());
+  EXPECT_EQ(packet->bytes, std::vector<std::byte>{std::byte{1}});
+  EXPECT_FALSE(two.receive(Nanos{}).has_value());
+  EXPECT_FALSE(one.receive(Nanos{}).has_value());
+}
+
+}  // namespace
+}  // namespace jounce

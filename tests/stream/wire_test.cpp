@@ -1,0 +1,334 @@
+#include "jounce/stream/wire.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "stream/harness.hpp"
+#include "stream/samples.hpp"
+#include "jounce_lcm/ack_t.hpp"
+#include "jounce_lcm/arm_t.hpp"
+#include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/header_t.hpp"
+#include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/reply_t.hpp"
+#include "jounce_lcm/start_t.hpp"
+#include "jounce_lcm/status_t.hpp"
+#include "jounce_lcm/stop_t.hpp"
+
+namespace jounce {
+namespace {
+
+using wire::Bytes;
+using wire::Message;
+using wire::Reject;
+
+std::string hex(const Bytes& bytes) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::byte byte : bytes) {
+    text += digits[std::to_integer<unsigned>(byte) >> 4U];
+    text += digits[std::to_integer<unsigned>(byte) & 15U];
+  }
+  return text;
+}
+
+/// Makes the checksum right again, as a faulty sender would.
+void seal(Bytes& bytes) {
+  const std::size_t end = bytes.size() - 4;
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(end));
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[end + i] = static_cast<std::byte>(sum >> (24U - 8U * i) & 0xFFU);
+}
+
+/// Why these bytes are refused; fails where they are not.
+Reject reject(const Bytes& bytes) {
+  const auto decoded = wire::decode(bytes);
+  EXPECT_TRUE(std::holds_alternative<Reject>(decoded));
+  const auto* const reason = std::get_if<Reject>(&decoded);
+  return reason != nullptr ? *reason : Reject::too_short;
+}
+
+// lcm-gen exits with 0 on types it does not know. Hash and length of each type as LCM's type
+// specification gives them, computed from the .lcm files by a script that shares no code with it.
+template <class Lcm>
+void expect_type(std::uint64_t hash, int length) {
+  EXPECT_EQ(static_cast<std::uint64_t>(Lcm::getHash()), hash) << Lcm::getTypeName();
+  EXPECT_EQ(Lcm{}.getEncodedSize(), length) << Lcm::getTypeName();
+}
+
+TEST(Wire, TypesAreThoseOfVersionZero) {
+  expect_type<jounce_lcm::header_t>(0x9f422dfa36afebcc, 135);
+  expect_type<jounce_lcm::chunk_t>(0x8b0974683d9a3061, 12872);
+  expect_type<jounce_lcm::arm_t>(0x330c125629667b71, 121);
+  expect_type<jounce_lcm::start_t>(0xa5857b0f3a74f7b6, 64);
+  expect_type<jounce_lcm::stop_t>(0x3c64ff05ba0f4862, 57);
+  expect_type<jounce_lcm::heartbeat_t>(0x718cee7cced11d18, 57);
+  expect_type<jounce_lcm::ack_t>(0x2495756d7c79a814, 242);
+  expect_type<jounce_lcm::reply_t>(0xf694f1a4add04eff, 230);
+  expect_type<jounce_lcm::status_t>(0xaca2a3e9714b79cc, 130);
+}
+
+/// Whether the page that others implement the protocol from says so too.
+template <class Lcm>
+bool is_documented(const std::string& page) {
+  std::ostringstream hash;
+  hash << std::hex << std::setw(16) << std::setfill('0') << Lcm::getHash();
+  const auto row = page.find("| `" + std::string(Lcm::getTypeName()) + "` |");
+  if (row == std::string::npos) return false;
+  return page.substr(row, page.find('\n', row) - row).find(hash.str()) != std::string::npos;
+}
+
+TEST(Wire, IsDocumented) {
+  std::ifstream file(JOUNCE_SOURCE_DIR "/docs/stream-protocol.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::chunk_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::arm_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::start_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::stop_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::ack_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::reply_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::status_t>(page));
+  for (int i = 1; i <= static_cast<int>(wire::Refusal::axis); ++i) {
+    const std::string row = "| " + std::to_string(i) + " | `" + name(static_cast<wire::Refusal>(i));
+    EXPECT_NE(page.find(row + "` |"), std::string::npos) << row;
+  }
+}
+
+TEST(Wire, BytesAreBigEndianWithTheChecksumLast) {
+  // Packed field by field, checksum included, by Python's struct and zlib.
+  const Message message{"feeder", 0x0102030405060708,
+                        wire::Heartbeat{.command = 7, .release = true}};
+  EXPECT_EQ(hex(wire::encode(message)),
+            "718cee7cced11d18"                                  // type
+            "4a4e4345"                                          // magic
+            "00000000"                                          // version
+            "666565646572000000000000000000000000000000000000"  // executor
+            "0102030405060708"                                  // session
+            "00000007"                                          // command
+            "01"                                                // release
+            "6082631a");                                        // checksum
+}
+
+TEST(Wire, EveryMessageComesBackAsItWas) {
+  for (const Message& message : test::samples()) {
+    const Bytes bytes = wire::encode(message);
+    const auto decoded = wire::decode(bytes);
+    ASSERT_TRUE(std::holds_alternative<Message>(decoded)) << message.body.index();
+    const auto& back = std::get<Message>(decoded);
+    EXPECT_EQ(back.executor, message.executor);
+    EXPECT_EQ(back.session, message.session);
+    EXPECT_EQ(test::text(back), test::text(message));
+    EXPECT_EQ(wire::encode(back), bytes);
+  }
+}
+
+TEST(Wire, DoublesComeBackBitByBit) {
+  const std::vector<double> odd{-0.0,
+                                std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::denorm_min(),
+                                std::numeric_limits<double>::max(),
+                                0.1};
+  const Message message{"a", 1, wire::Chunk{.knots = 3, .columns = 2, .values = odd}};
+  const auto decoded = wire::decode(wire::encode(message));
+  const auto& values = std::get<wire::Chunk>(std::get<Message>(decoded).body).values;
+  ASSERT_EQ(values.size(), odd.size());
+  EXPECT_EQ(std::memcmp(values.data(), odd.data(), odd.size() * sizeof(double)), 0);
+}
+
+TEST(Wire, NamesEachWayInWhichBytesAreNoMessage) {
+  const Bytes good = wire::encode(test::samples().front());
+  EXPECT_EQ(reject({}), Reject::too_short);
+  Bytes bytes = good;
+  bytes[8] ^= std::byte{1};
+  EXPECT_EQ(reject(bytes), Reject::wrong_magic);
+  bytes = good;
+  bytes[15] = std::byte{1};
+  seal(bytes);
+  EXPECT_EQ(reject(bytes), Reject::wrong_version) << "even where the rest is sound";
+  bytes = good;
+  bytes[0] ^= std::byte{1};
+  EXPECT_EQ(reject(bytes), Reject::unknown_type);
+  bytes = good;
+  bytes.push_back({});
+  EXPECT_EQ(reject(bytes), Reject::wrong_length);
+  bytes = good;
+  bytes[50] ^= std::byte{1};
+  EXPECT_EQ(reject(bytes), Reject::wrong_checksum);
+}
+
+/// The message with one of its bytes set to another value and the checksum made right.
+Bytes forged(const wire::Body& body, std::size_t at, unsigned value) {
+  Bytes bytes = wire::encode({"feeder", 5, body});
+  bytes.at(at) = static_cast<std::byte>(value);
+  seal(bytes);
+  return bytes;
+}
+
+TEST(Wire, RefusesFieldsOutOfRange) {
+  constexpr std::size_t fields = 48;  // behind type and envelope
+  const wire::Header header{.units = {"s", "mm"}, .knots = 5, .columns = 2, .chunks = 1};
+  const wire::Chunk chunk{.knots = 2, .columns = 2, .values = {1, 2, 3, 4}};
+  EXPECT_EQ(reject(forged(header, 16, 0)), Reject::bad_field) << "no executor";
+  EXPECT_EQ(reject(forged(header, 17, '.')), Reject::bad_field) << "a dot in its name";
+  EXPECT_EQ(reject(forged(header, 30, 'x')), Reject::bad_field) << "letters behind its end";
+  EXPECT_EQ(reject(forged(header, 40, 0x80)), Reject::bad_field) << "session < 0";
+  EXPECT_EQ(reject(forged(header, 47, 0)), Reject::bad_field) << "session 0";
+  EXPECT_EQ(reject(forged(header, fields, 0xFF)), Reject::bad_field) << "table < 0";
+  EXPECT_EQ(reject(forged(header, fields + 3, 64)), Reject::bad_field) << "table 64";
+  EXPECT_EQ(reject(forged(header, fields + 36, 2)), Reject::bad_field) << "axis 2";
+  EXPECT_EQ(reject(forged(header, fields + 37, 0xFF)), Reject::bad_field) << "rule -1";
+  EXPECT_EQ(reject(forged(header, fields + 38, 3)), Reject::bad_field) << "outside 3";
+  EXPECT_EQ(reject(forged(header, fields + 40, 7)), Reject::bad_field) << "a bell in the unit";
+  EXPECT_EQ(reject(forged(header, fields + 71, 0x80)), Reject::bad_field) << "knots < 0";
+  EXPECT_EQ(reject(forged(chunk, fields + 15, 0)), Reject::bad_field) << "no knots";
+  EXPECT_EQ(reject(forged(chunk, fields + 14, 0x04)), Reject::bad_field) << "1026 knots of 2";
+  EXPECT_EQ(reject(forged(chunk, fields + 19, 5)), Reject::bad_field) << "5 columns";
+  EXPECT_EQ(reject(forged(chunk, fields + 20 + 5 * 8, 1)), Reject::bad_field) << "unused values";
+  EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 3, 0)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 11, 0xFE)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Stop{.command = 1}, fields + 4, 2)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Heartbeat{.command = 1}, fields + 4, 2)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Ack{.boot = 1}, fields + 7, 0)), Reject::bad_field) << "boot 0";
+}
+
+TEST(Wire, OperatorsAndFreeAxesHaveNoSession) {
+  for (const wire::Body& body : {wire::Body{wire::Stop{.command = 1}}, wire::Body{wire::Status{}},
+                                 wire::Body{wire::Reply{.boot = 1, .command = 1}}})
+    EXPECT_TRUE(std::holds_alternative<Message>(wire::decode(wire::encode({"a", 0, body}))));
+  EXPECT_EQ(reject(wire::encode({"a", 0, wire::Start{.command = 1}})), Reject::bad_field);
+}
+
+TEST(Wire, RefusesToEncodeWhatDoesNotFit) {
+  const auto units = [](std::string x) { return wire::Header{.units = {std::move(x), "mm"}}; };
+  EXPECT_THROW(wire::encode({"", 1, wire::Start{}}), InputError);
+  EXPECT_THROW(wire::encode({"two words", 1, wire::Start{}}), InputError);
+  EXPECT_THROW(wire::encode({std::string(24, 'a'), 1, wire::Start{}}), InputError);
+  EXPECT_THROW(wire::encode({"a", 1, units("sixteen letters!")}), InputError);
+  EXPECT_THROW(wire::encode({"a", 1, units("m\n")}), InputError);
+  EXPECT_THROW(wire::encode({"a", 1, wire::Chunk{.values = std::vector<double>(1601)}}),
+               InputError);
+  EXPECT_NO_THROW(wire::encode({std::string(23, 'a'), 1, units("fifteen letters")}));
+}
+
+TEST(Wire, ShortensAReasonBetweenCharacters) {
+  const std::string reason = std::string(158, 'x') + "µm";  // µ has the bytes 159 and 160
+  const Message message{"a", 1, wire::Reply{.boot = 1, .command = 1, .reason = reason}};
+  const auto decoded = wire::decode(wire::encode(message));
+  EXPECT_EQ(std::get<wire::Reply>(std::get<Message>(decoded).body).reason, std::string(158, 'x'));
+}
+
+TEST(Wire, SurvivesTruncationAtEveryLength) {
+  for (const Message& message : test::samples()) {
+    const Bytes bytes = wire::encode(message);
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      // A copy of its own, so that a sanitizer sees any byte read behind the end.
+      const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+      ASSERT_EQ(reject(cut), length < 20 ? Reject::too_short : Reject::wrong_length) << length;
+    }
+  }
+}
+
+/// What is not refused must be exactly what its bytes say: there is one encoding of a message.
+bool refused_or_canonical(const Bytes& bytes) {
+  const auto decoded = wire::decode(bytes);
+  const auto* const message = std::get_if<Message>(&decoded);
+  return message == nullptr || wire::encode(*message) == bytes;
+}
+
+TEST(Wire, SurvivesRandomDamage) {
+  test::Random random(20240601);
+  std::size_t wrong_checksum = 0;
+  const auto samples = test::samples();
+  for (int i = 0; i < 10'000; ++i) {
+    Bytes bytes = wire::encode(samples[random.below(samples.size())]);
+    bytes[random.below(bytes.size())] ^= static_cast<std::byte>(1 + random.below(255));
+    const auto decoded = wire::decode(bytes);
+    ASSERT_TRUE(std::holds_alternative<Reject>(decoded)) << "case " << i;
+    wrong_checksum += std::get<Reject>(decoded) == Reject::wrong_checksum ? 1 : 0;
+  }
+  EXPECT_GT(wrong_checksum, 5000U) << "most damage is behind type, magic and version";
+}
+
+TEST(Wire, SurvivesRandomForgery) {
+  test::Random random(20240602);
+  std::size_t passed = 0;
+  const auto samples = test::samples();
+  for (int i = 0; i < 20'000; ++i) {
+    Bytes bytes = wire::encode(samples[random.below(samples.size())]);
+    const std::size_t changes = 1 + random.below(4);
+    // Mostly the front of the message, where the fields with meaning are.
+    for (std::size_t k = 0; k < changes; ++k)
+      bytes[16 + random.below(std::min<std::size_t>(bytes.size() - 20, 120))] =
+          static_cast<std::byte>(random.below(256));
+    seal(bytes);
+    ASSERT_TRUE(refused_or_canonical(bytes)) << "case " << i << ": " << hex(bytes).substr(0, 300);
+    passed += std::holds_alternative<Message>(wire::decode(bytes)) ? 1 : 0;
+  }
+  EXPECT_GT(passed, 100U) << "some forgeries must reach the fields and pass";
+}
+
+TEST(Wire, SurvivesNoise) {
+  test::Random random(20240603);
+  for (int i = 0; i < 5'000; ++i) {
+    Bytes bytes(random.below(400));
+    for (auto& byte : bytes) byte = static_cast<std::byte>(random.below(256));
+    ASSERT_TRUE(std::holds_alternative<Reject>(wire::decode(bytes))) << "case " << i;
+  }
+}
+
+TEST(Wire, EachMessageHasItsChannel) {
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Chunk{})), "JOUNCE0.feeder.table");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Header{})), "JOUNCE0.feeder.table");
+  for (const wire::Body& body : {wire::Body{wire::Arm{}}, wire::Body{wire::Start{}},
+                                 wire::Body{wire::Stop{}}, wire::Body{wire::Heartbeat{}}})
+    EXPECT_EQ(wire::channel("feeder", wire::lane(body)), "JOUNCE0.feeder.command");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Ack{})), "JOUNCE0.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Reply{})), "JOUNCE0.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Status{})), "JOUNCE0.feeder.status");
+  EXPECT_LE(wire::channel(std::string(23, 'a'), wire::Lane::command).size(), 63U) << "LCM's limit";
+}
+
+TEST(Wire, EveryEnumeratorHasItsOwnName) {
+  std::set<std::string> names;
+  for (int i = 0; i <= static_cast<int>(wire::Refusal::axis); ++i)
+    names.insert(name(static_cast<wire::Refusal>(i)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(wire::Refusal::axis) + 1);
+  EXPECT_STREQ(name(wire::Refusal::axis), "axis");
+  EXPECT_STREQ(name(wire::Refusal::hash_mismatch), "hash_mismatch");
+  EXPECT_STREQ(name(Reject::bad_field), "bad_field");
+  EXPECT_STREQ(name(wire::ArmMode::follow_table), "follow_table");
+  EXPECT_STREQ(name(wire::AxisState::error_stop), "error_stop");
+  EXPECT_STREQ(name(wire::Next::waiting), "waiting");
+}
+
+TEST(Wire, CutsATableIntoFullChunksAndARest) {
+  const wire::Cut pvt = wire::cut(Rule::cubic_hermite, 1067);
+  EXPECT_EQ(pvt.columns, 3U);
+  EXPECT_EQ(pvt.per_chunk, 533U);  // floor(1600 / 3)
+  EXPECT_EQ(pvt.chunks, 3U);
+  EXPECT_EQ(pvt.knots_of(0, 1067), 533U);
+  EXPECT_EQ(pvt.knots_of(2, 1067), 1U);
+  EXPECT_EQ(wire::cut(Rule::linear, 1600).chunks, 2U);
+  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 401).chunks, 2U);
+  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 0).chunks, 0U);
+}
+
+}  // namespace
+}  // namespace jounce
