@@ -75,10 +75,8 @@ class ExactDrive {
     x(5) = radians_ * position;
   }
 
-  [[nodiscard]] Vector after(const Vector& x, double time) const {
-    const Matrix transition = (a_ * time).exp();
-    return transition * x;
-  }
+  [[nodiscard]] Matrix transition(double time) const { return (a_ * time).exp(); }
+  [[nodiscard]] Vector after(const Vector& x, double time) const { return transition(time) * x; }
 
   /// The state at t, from rest at the start of the reference, which is held after its end.
   [[nodiscard]] Vector at(const Trajectory& reference, double t) const {
@@ -94,6 +92,7 @@ class ExactDrive {
   }
 
   [[nodiscard]] double torque(const Vector& x) const { return torque_ * x; }
+  [[nodiscard]] double reference(const Vector& x) const { return x(5) / radians_; }
   [[nodiscard]] double motor(const Vector& x) const { return x(0) / radians_; }
   [[nodiscard]] double load(const Vector& x) const { return x(2) / radians_; }
 

@@ -86,6 +86,12 @@ TEST(Witness, AgreesOnCubicTablesWhoseAccelerationStepsAtEveryKnot) {
   expect_agreement(witness(table), 1e-12);
 }
 
+TEST(Witness, DoesNotFightTheRoundingOfTheAxis) {
+  // The breaks are known to 1e-10 of the interval; who asks for 1e-15 resolves the noise.
+  const Trajectory law = scaled(test::law_345(1, 1), 1, 0.01);
+  EXPECT_LT(witness(shifted(law, 1e4)).integration.steps, 100);
+}
+
 TEST(Witness, DoesNotMindTheUnit) {
   for (const double factor : {1e-9, 1e9})
     for (const double stretch : {1e-6, 1e6})
@@ -176,6 +182,24 @@ TEST(Witness, AStepOfVelocityIsBrokenUnlessItIsDeclared) {
   expect_agreement(witness(table, {.velocity_steps = true}), 1e-13);
 }
 
+TEST(Witness, SmallErrorsAddUp) {
+  // A jerk too large by so little that no interval shows it: a hundredth of the limit in each of
+  // 200.
+  const auto truth =
+      std::make_shared<Table>(sample(test::law_345(1, 1), Rule::quintic_hermite, 200u).table);
+  const double peak = 10 / std::sqrt(3.0);  // of the law's acceleration
+  const MadeUp lie{[=](double t, Side side) {
+                     Jet f = truth->jet(t, side);
+                     f[3] += 2e-10 * peak;
+                     return f;
+                   },
+                   {truth->breaks().begin(), truth->breaks().end()}};
+  const Witness w = witness(lie);
+  EXPECT_TRUE(breaks_rule(w, "witness/acceleration"));
+  EXPECT_NEAR(w.acceleration.relative, 2e-10, 1e-11);
+  EXPECT_EQ(w.acceleration.where, 1);
+}
+
 TEST(Witness, FindingCarriesValueLimitAndMargin) {
   const Witness w =
       witness(lying(3, [](double f, double) { return f * (1 + 1e-6); }), {.limit = 1e-8});
@@ -217,12 +241,14 @@ TEST(Witness, RunningOutOfStepsIsAnOutcome) {
   EXPECT_TRUE(breaks_rule(w, "witness/integration"));
 }
 
-TEST(Witness, AnExceptionOfTheSignalComesThrough) {
-  const MadeUp signal{[](double t, Side) -> Jet {
-    if (t > 0.8 && t < 0.9) throw std::runtime_error("out of paper");
-    return {t * t * t, 3 * t * t, 6 * t, 6};
+TEST(Witness, AnExceptionOfTheSignalComesThroughTheSolver) {
+  int calls = 0;
+  const MadeUp signal{[&calls](double t, Side) -> Jet {
+    if (++calls > 30) throw std::runtime_error("out of paper");  // within the integration
+    return {std::sin(t), std::cos(t), -std::sin(t), -std::cos(t)};
   }};
   EXPECT_THROW(static_cast<void>(witness(signal)), std::runtime_error);
+  EXPECT_EQ(calls, 31);
 }
 
 TEST(Witness, RefusesBadOptionsAndBreaks) {

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <concepts>
+#include <span>
+
+#include "jounce/profiles/jet.hpp"
+#include "jounce/profiles/signal.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// Any signal seen through one type, so that what integrates it is compiled once. Made implicitly
+/// where a signal is passed; it refers to the signal and must not outlive it.
+class SignalView {
+ public:
+  template <class S>
+  requires(!std::same_as<S, SignalView> && Signal<S>)
+      SignalView(const S& signal)  // NOLINT(google-explicit-constructor): a view, as std::span is
+      : start_(signal.start()),
+        end_(signal.end()),
+        breaks_(signal.breaks()),
+        over_master_(runs_over_master(signal)),
+        signal_(&signal),
+        jet_([](const void* s, double x, Side side) {
+          return static_cast<const S*>(s)->jet(x, side);
+        }) {}
+
+  [[nodiscard]] double start() const { return start_; }
+  [[nodiscard]] double end() const { return end_; }
+  [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  [[nodiscard]] Jet jet(double x, Side side = Side::right) const { return jet_(signal_, x, side); }
+
+  /// Whether the signal runs over master position (a Cam, or a Table that says so), not time.
+  [[nodiscard]] bool over_master() const { return over_master_; }
+
+ private:
+  template <Signal S>
+  static bool runs_over_master(const S& signal) {
+    if constexpr (requires {
+                    { signal.axis() } -> std::same_as<Axis>;
+                  }) {
+      return signal.axis() == Axis::master;
+    } else {
+      return requires {
+        { signal.at(0.0) } -> std::same_as<Transfer>;
+      };
+    }
+  }
+
+  double start_;
+  double end_;
+  std::span<const double> breaks_;
+  bool over_master_;
+  const void* signal_;
+  Jet (*jet_)(const void*, double, Side);
+};
+
+}  // namespace jounce

@@ -1,0 +1,160 @@
+#include "jounce/validate/detail/solver.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::detail {
+namespace {
+
+void set_up(int flag) {
+  if (flag == CV_MEM_FAIL) throw std::bad_alloc();
+  assert(flag >= 0 && "CVODES refused its settings");
+  static_cast<void>(flag);
+}
+
+template <class Handle>
+Handle made(Handle handle) {
+  if (handle == nullptr) throw std::bad_alloc();
+  return handle;
+}
+
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+}  // namespace
+
+Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double> y0)
+    : ode_(std::move(ode)),
+      options_(std::move(options)),
+      size_(y0.size()),
+      y_(made(N_VNew_Serial(static_cast<sunindextype>(size_), context_))),
+      tolerance_(made(N_VClone(y_.get()))),
+      between_(made(N_VClone(y_.get()))),
+      matrix_(made(SUNDenseMatrix(static_cast<sunindextype>(size_),
+                                  static_cast<sunindextype>(size_), context_))),
+      linear_(made(SUNLinSol_Dense(y_.get(), matrix_.get(), context_))),
+      cvode_(made(CVodeCreate(options_.method == Method::bdf ? CV_BDF : CV_ADAMS, context_))),
+      crossings_(static_cast<std::size_t>(ode_.events)),
+      time_(t0),
+      before_(t0) {
+  std::copy(y0.begin(), y0.end(), state().begin());
+  void* cvode = cvode_.get();
+  set_up(CVodeSetErrHandlerFn(cvode, &Solver::message, this));
+  set_up(CVodeInit(cvode, &Solver::rhs, t0, y_.get()));
+  set_up(CVodeSetUserData(cvode, this));
+  set_up(CVodeSetMaxErrTestFails(cvode, 20));  // enough to find its way over a small step of rhs
+  tolerate(options_.relative, options_.absolute);
+  set_up(CVodeSetLinearSolver(cvode, linear_.get(), matrix_.get()));
+  set_up(CVodeSetJacFn(cvode, &Solver::jacobian));
+  if (ode_.events > 0) {
+    set_up(CVodeRootInit(cvode, ode_.events, &Solver::event));
+    set_up(CVodeSetNoInactiveRootWarn(cvode));
+  }
+}
+
+void Solver::tolerate(double relative, std::span<const double> absolute) {
+  assert(absolute.size() == size_);
+  std::copy(absolute.begin(), absolute.end(), N_VGetArrayPointer(tolerance_.get()));
+  set_up(CVodeSVtolerances(cvode_.get(), relative, tolerance_.get()));
+}
+
+void Solver::restart(double t) {
+  set_up(CVodeReInit(cvode_.get(), t, y_.get()));
+  time_ = before_ = t;
+  fresh_ = true;
+  ++integration_.restarts;
+}
+
+void Solver::limit_step(double longest) {
+  set_up(CVodeSetMaxStep(cvode_.get(), longest));
+}
+
+double Solver::next_step() const {
+  double h = 0;
+  if (!fresh_) set_up(CVodeGetCurrentStep(cvode_.get(), &h));
+  return h;
+}
+
+Step Solver::step(double stop) {
+  before_ = time_;
+  if (stop - time_ <= options_.closest) return Step::stop;
+  if (integration_.steps >= options_.max_steps) {
+    return fail(Ended::too_many_steps,
+                "more than " + std::to_string(options_.max_steps) + " steps");
+  }
+  set_up(CVodeSetStopTime(cvode_.get(), stop));
+  fresh_ = false;
+  ++integration_.steps;
+  const int flag = CVode(cvode_.get(), stop, y_.get(), &time_, CV_ONE_STEP);
+  if (thrown_) std::rethrow_exception(thrown_);
+  if (!finite_) return fail(Ended::not_finite, "the right-hand side is not finite");
+  if (flag < 0) return fail(Ended::failed, message_);
+  if (!all_finite(state())) return fail(Ended::not_finite, "the state is not finite");
+  if (flag == CV_ROOT_RETURN) {
+    set_up(CVodeGetRootInfo(cvode_.get(), crossings_.data()));
+    return Step::event;
+  }
+  return flag == CV_TSTOP_RETURN ? Step::stop : Step::inside;
+}
+
+Step Solver::fail(Ended ended, std::string reason) {
+  integration_.ended = ended;
+  integration_.reason = std::move(reason);
+  return Step::failed;
+}
+
+void Solver::interpolate(double t, std::span<double> state) const {
+  assert(state.size() == size_);
+  set_up(CVodeGetDky(cvode_.get(), t, 0, between_.get()));
+  const double* y = N_VGetArrayPointer(between_.get());
+  std::copy(y, y + size_, state.begin());
+}
+
+/// No exception may pass through C. What was thrown is kept, and the solver told to stop.
+template <class Call>
+int Solver::guarded(Call call) noexcept {
+  try {
+    finite_ = call();
+  } catch (...) {
+    thrown_ = std::current_exception();
+  }
+  return finite_ && !thrown_ ? 0 : -1;
+}
+
+int Solver::rhs(double t, N_Vector y, N_Vector dy, void* self) {
+  auto& s = *static_cast<Solver*>(self);
+  return s.guarded([&] {
+    s.ode_.rhs(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dy));
+    return all_finite({N_VGetArrayPointer(dy), s.size_});
+  });
+}
+
+int Solver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
+                     N_Vector) {
+  auto& s = *static_cast<Solver*>(self);
+  return s.guarded([&] {
+    std::fill_n(SUNDenseMatrix_Data(j), s.size_ * s.size_, 0.0);
+    s.ode_.jacobian(t, N_VGetArrayPointer(y), SUNDenseMatrix_Data(j));
+    return true;
+  });
+}
+
+int Solver::event(double t, N_Vector y, double* g, void* self) {
+  auto& s = *static_cast<Solver*>(self);
+  return s.guarded([&] {
+    s.ode_.event(t, N_VGetArrayPointer(y), g);
+    return true;
+  });
+}
+
+void Solver::message(int, const char*, const char*, char* text, void* self) {
+  static_cast<Solver*>(self)->message_ = text;
+}
+
+}  // namespace jounce::detail
