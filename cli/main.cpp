@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <exception>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -24,25 +26,29 @@ class Help : public CLI::Formatter {
   }
 };
 
-/// "jounce chek": the nearest verb or option, where one is near.
-std::string hint(const CLI::App& app, int argc, char** argv) {
-  std::vector<std::string> known;
-  const CLI::App* scope = &app;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    known.clear();
-    if (word.starts_with("--"))
-      for (const auto* option : scope->get_options())
-        for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-    else if (scope == &app)
-      for (const auto* verb : app.get_subcommands({})) known.push_back(verb->get_name());
-    const bool found =
-        std::find(known.begin(), known.end(), word.substr(0, word.find('='))) != known.end();
-    if (found && scope == &app && !word.starts_with("--")) scope = app.get_subcommand(word);
-    const std::string near = found ? "" : nearest(word, known);
-    if (!near.empty()) return " Did you mean " + near + "?";
+/// What was wrong with the command line, with the nearest verb or option where one is near.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
+  std::vector<std::string> verbs;
+  for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  const std::string given = words.size() > 1 ? words[1] : "";
+  if (given.empty()) return "no verb given";
+  const auto ask = [](const std::string& near) {
+    return near.empty() ? "" : ". Did you mean " + near + "?";
+  };
+  const bool is_verb = std::find(verbs.begin(), verbs.end(), given) != verbs.end();
+  if (!is_verb && given[0] != '-')
+    return "`" + given + "` is not a verb" + ask(nearest(given, verbs));
+
+  std::vector<std::string> options;
+  for (const auto* option : (is_verb ? app.get_subcommand(given) : &app)->get_options())
+    for (const auto& name : option->get_lnames()) options.push_back("--" + name);
+  for (const std::string word : words.subspan(is_verb ? 2 : 1)) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || std::find(options.begin(), options.end(), name) != options.end())
+      continue;
+    return "`" + name + "` is not an option here" + ask(nearest(name, options));
   }
-  return "";
+  return error.what();
 }
 
 int run(int argc, char** argv) {
@@ -67,7 +73,8 @@ int run(int argc, char** argv) {
     fmt::print("{}\n", made_by());
     return fine;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "jounce: {}.{} See --help.\n", error.what(), hint(app, argc, argv));
+    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    fmt::print(stderr, "jounce: {} (jounce --help shows all)\n", complaint(app, error, words));
     return bad_input;
   }
   return work();

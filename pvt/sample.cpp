@@ -12,6 +12,14 @@
 namespace jounce {
 namespace {
 
+/// Lets a periodic table end on exactly the numbers it begins with, where they differ by rounding.
+void close_period(std::vector<double>& column) {
+  if (column.empty()) return;
+  double scale = 0;
+  for (const double value : column) scale = std::max(scale, std::abs(value));
+  if (std::abs(column.back() - column.front()) <= 1e-12 * scale) column.back() = column.front();
+}
+
 template <class Over>
 Columns columns_at(const Curve<Over>& f, Rule rule, std::vector<double> knots) {
   Columns columns;
@@ -22,6 +30,8 @@ Columns columns_at(const Curve<Over>& f, Rule rule, std::vector<double> knots) {
     if (rule == Rule::quintic_hermite) columns.a.push_back(jet[2]);
   }
   columns.x = std::move(knots);
+  if (f.outside() == Outside::wrap)
+    for (auto* column : {&columns.p, &columns.v, &columns.a}) close_period(*column);
   return columns;
 }
 

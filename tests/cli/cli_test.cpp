@@ -86,10 +86,10 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
   EXPECT_EQ(run("").status, 2);
   const Result verb = run("chek x");
   EXPECT_EQ(verb.status, 2);
-  EXPECT_THAT(verb.err, HasSubstr("Did you mean check?"));
+  EXPECT_EQ(verb.err, "jounce: `chek` is not a verb. Did you mean check? (jounce --help shows all)\n");
   const Result option = run("check --limt x");
   EXPECT_EQ(option.status, 2);
-  EXPECT_THAT(option.err, HasSubstr("Did you mean --limit?"));
+  EXPECT_EQ(option.err, "jounce: `--limt` is not an option here. Did you mean --limit? (jounce --help shows all)\n");
   EXPECT_EQ(run("check nothing.toml").status, 2);
 }
 
@@ -215,7 +215,7 @@ TEST_F(Cli, OptimizeWritesTheSameTextWithOtherNumbers) {
 
 TEST_F(Cli, OptimizeSaysWhatIsInfeasibleAndWritesNothing) {
   std::string text = slurp(cam);
-  text.replace(text.find("geo_velocity = 3\n"), 17, "geo_velocity = 2\n");
+  text.replace(text.find("geo_velocity = 3\n"), 17, "geo_velocity = 1\n");
   write("tight.toml", text);
   const Result result = run("optimize tight.toml -o out.toml --table out.csv");
   EXPECT_EQ(result.status, 1);

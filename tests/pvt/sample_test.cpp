@@ -64,6 +64,21 @@ TEST(Sample, FindsTheErrorBetweenKnotsThatMissABreak) {
   EXPECT_NEAR(sampled.error.where, 1, 1e-15);
 }
 
+TEST(Sample, APeriodicTableEndsOnTheNumbersItBeginsWith) {
+  const Cam cam({quintic(0.3, 0.1, 0.2, 0, 7, -1, 0.4), quintic(0.7, 7, -1, 0.4, 0.1, 0.2, 0)}, 0,
+                Outside::wrap);
+  for (const std::size_t intervals : {std::size_t{7}, std::size_t{100}}) {
+    const Sampled sampled = sample(cam, Rule::quintic_hermite, intervals);
+    const Columns& c = sampled.table.columns();
+    EXPECT_EQ(c.p.front(), c.p.back());
+    EXPECT_EQ(c.v.front(), c.v.back());
+    EXPECT_EQ(c.a.front(), c.a.back());
+  }
+  const Cam jump({line(1, 0, 1)}, 0, Outside::wrap);
+  const Sampled sawtooth = sample(jump, Rule::linear, std::size_t{4});
+  EXPECT_EQ(sawtooth.table.columns().p.back(), 1) << "a real step is kept";
+}
+
 TEST(Sample, RefusesKnotsThatDoNotSpanTheCurve) {
   EXPECT_THROW(sample(cycloid(), Rule::linear, std::vector<double>{0, 0.5}), InputError);
   EXPECT_THROW(sample(cycloid(), Rule::linear, std::size_t{0}), InputError);
