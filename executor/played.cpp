@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <string_view>
 
+#include "jounce/io/csv.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
-
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> all;
-  for (;;) {
-    const auto comma = line.find(',');
-    all.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return all;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 struct Place {
   const std::string& name;
@@ -32,11 +22,9 @@ struct Place {
 };
 
 double real(std::string_view cell, const char* column, const Place& place) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    place.fail(column, cell, "must be a finite number");
-  return value;
+  const auto value = csv_number(cell);
+  if (!value) place.fail(column, cell, "must be a finite number");
+  return *value;
 }
 
 /// The index of the column whose heading begins with this name.
@@ -56,7 +44,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   std::string line;
   std::getline(lines, line);
   Place place{name, 1};
-  const auto header = cells(line);
+  const auto header = csv_cells(line);
   const std::size_t time = column(header, "time", place);
   const std::size_t position = column(header, "position", place);
   const std::size_t job = column(header, "job", place);
@@ -67,7 +55,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   double start = 0;
   for (std::string row; std::getline(lines, row);) {
     ++place.line;
-    const auto row_cells = cells(row);
+    const auto row_cells = csv_cells(row);
     if (row_cells.size() != width)
       place.fail("row", row, "does not have as many values as the header");
     const double now = real(row_cells[time], "time", place);

@@ -1,11 +1,11 @@
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "jounce/io/csv.hpp"
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
@@ -96,18 +96,8 @@ std::string column_unit(Lines& lines, std::string_view cell, const std::string& 
   return std::string(cell.substr(open + 2, cell.size() - open - 3));
 }
 
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> all;
-  for (;;) {
-    const auto comma = line.find(',');
-    all.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return all;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 void read_columns_line(Lines& lines, TableParts& parts) {
-  const auto names = cells(lines.at_end() ? std::string_view() : lines.next());
+  const auto names = csv_cells(lines.at_end() ? std::string_view() : lines.next());
   const auto expected = detail::column_names(parts.axis, parts.rule);
   if (names.size() != expected.size())
     lines.fail(
@@ -121,17 +111,16 @@ void read_columns_line(Lines& lines, TableParts& parts) {
 }
 
 void read_row(Lines& lines, std::span<std::vector<double>* const> columns) {
-  const auto row = cells(lines.next());
+  const auto row = csv_cells(lines.next());
   if (row.size() != columns.size())
     lines.fail("row", std::to_string(row.size()) + " values",
                "must have " + std::to_string(columns.size()));
   for (std::size_t i = 0; i < row.size(); ++i) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(row[i].data(), row[i].data() + row[i].size(), value);
-    if (error != std::errc() || end != row[i].data() + row[i].size() || !std::isfinite(value))
+    const auto value = csv_number(row[i]);
+    if (!value)
       lines.fail("column " + std::to_string(i + 1), '"' + std::string(row[i]) + '"',
                  "must be a finite number");
-    columns[i]->push_back(value);
+    columns[i]->push_back(*value);
   }
 }
 
