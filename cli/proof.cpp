@@ -12,11 +12,22 @@
 namespace jounce::cli {
 namespace {
 
-void add(Report& all, const Report& part, const char* axis) {
+/// Takes the findings of one part over, with what they are counted in.
+void add(Report& all, const Report& part, const char* axis, const std::string& where_unit = "") {
   for (Finding finding : part.findings) {
     finding.axis = axis;
+    finding.where_unit = where_unit;
+    if (finding.rule.starts_with("witness/")) finding.unit = "of the range";
+    if (finding.rule.ends_with("torque") || finding.rule == "drive/saturation")
+      finding.unit = "N m";
     all.findings.push_back(std::move(finding));
   }
+}
+
+/// Drive and executor speak of the slave's position.
+void in_position_unit(Report& report, const std::string& unit) {
+  for (Finding& finding : report.findings)
+    if (finding.unit.empty()) finding.unit = unit;
 }
 
 Played played(const Input& input, const std::string& log) {
@@ -45,12 +56,13 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
     proof.drive =
         drive_through(view(reference), drive.drive,
                       {.settle = drive.settle, .samples = drive_samples, .limits = drive.limits});
-    add(proof.report, proof.drive->report, "drive");
+    add(proof.report, proof.drive->report, "drive", "s");
   }
   if (!log.empty()) {
     proof.played = played(input, log);
-    add(proof.report, proof.played->report, "executor");
+    add(proof.report, proof.played->report, "executor", "s");
   }
+  in_position_unit(proof.report, input.labels.units.position);
   sort(proof.report);
   return proof;
 }

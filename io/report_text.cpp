@@ -19,7 +19,8 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string place(const Finding& finding, const Labels& labels) {
   const std::string segment = labels.segment_of(finding);
-  return with_unit(finding.where, labels.units.x) +
+  return with_unit(finding.where,
+                   finding.where_unit.empty() ? labels.units.x : finding.where_unit) +
          (segment.empty() ? "" : " (segment " + segment + ")");
 }
 
@@ -52,6 +53,7 @@ Json to_object(const Finding& finding, const Labels& labels) {
       {"rule", finding.rule},     {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
       {"where", finding.where},   {"value", finding.value},       {"limit", finding.limit},
       {"margin", finding.margin}, {"broken", finding.broken}};
+  if (!finding.where_unit.empty()) object["where_unit"] = finding.where_unit;
   if (!finding.axis.empty()) object["axis"] = finding.axis;
   if (finding.segment) object["segment"] = *finding.segment + 1;
   if (!finding.advice.empty()) object["advice"] = finding.advice;

@@ -23,7 +23,7 @@ std::vector<std::string> cells(const Finding& f, const Labels& labels) {
   return {f.rule,
           f.axis,
           labels.segment_of(f),
-          short_number(f.where),
+          short_number(f.where) + (f.where_unit.empty() ? "" : " " + f.where_unit),
           short_number(f.value),
           short_number(f.limit),
           superscripts(labels.unit_of(f)),

@@ -37,6 +37,7 @@ struct Finding {
   std::optional<std::size_t> segment;  ///< which segment of the curve, counted from 0
   std::string advice;                  ///< what to change, in a few words; may be empty
   std::string unit = {};               ///< of value and limit, where the quantity does not tell it
+  std::string where_unit = {};         ///< of where, if it is not the curve's axis
 };
 
 /// What a check returns: it never prints and never throws for what it finds.
