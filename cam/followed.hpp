@@ -10,8 +10,9 @@ namespace jounce {
 
 /// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
 ///
-///     const Followed slave(cam, trapezoid({.to = 1080, .velocity = 200, .acceleration =
-///     1000}).curve()); Motion now = slave.at(0.5);
+///     TrapezoidSpec travel{.to = 1080, .velocity = 200, .acceleration = 1000};
+///     const Followed slave(cam, trapezoid(travel).curve());
+///     Motion now = slave.at(0.5);
 ///
 /// Full chain rule, with the master's acceleration and jerk (f = cam, x = master):
 ///

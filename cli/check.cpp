@@ -44,21 +44,15 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
 }
 
-template <class Over>
-Report findings(const Curve<Over>& curve, const Limits& limits, int continuity) {
-  Report report = check(curve, limits);
-  const Report joints = check_continuity(curve, continuity);
-  report.findings.insert(report.findings.end(), joints.findings.begin(), joints.findings.end());
-  sort(report);
-  return report;
-}
-
 int run(const Options& options) {
   Input input = load(options.file);
   for (const auto& text : options.limits) set_limit(input.limits, text, input.labels);
-  const Report report = std::visit(
-      [&](const auto& curve) { return findings(curve, input.limits, options.continuity); },
-      input.curve);
+  try {
+    require_valid(input.limits);
+  } catch (const InputError& error) {
+    throw InputError("--limit", error.value(), error.key() + " " + error.rule());
+  }
+  const Report report = check_all(input, options.continuity);
   if (options.json) {
     auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
     document["segments"] = nlohmann::ordered_json::parse(std::visit(

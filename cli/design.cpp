@@ -24,30 +24,35 @@ void print_summary(const Options& options, const Input& input) {
   const Table& table = input.table.table;
   const Units& units = input.labels.units;
   if (options.json) {
-    const nlohmann::ordered_json summary{
-        {"table", options.output},       {"knots", table.size()},
-        {"rule", name(table.rule())},    {"sha256", hex(content_hash(table, units))},
-        {"error", input.error.position}, {"error_where", input.error.where}};
+    nlohmann::ordered_json summary{{"table", options.output},
+                                   {"knots", table.size()},
+                                   {"rule", name(table.rule())},
+                                   {"sha256", hex(content_hash(table, units))}};
+    if (input.error) {
+      summary["error"] = input.error->position;
+      summary["error_where"] = input.error->where;
+    }
     fmt::print(out, "{}\n", summary.dump());
     return;
   }
   fmt::print(out, "{}: {} knots, {}, from {} to {} {}\n", input.name, table.size(),
              name(table.rule()), rounded(table.start()), rounded(table.end()), units.x);
-  fmt::print(out, "error against the exact curve: {} {} at the most (certified), at {} {}\n",
-             rounded(input.error.position), units.position, rounded(input.error.where), units.x);
+  if (input.error)
+    fmt::print(out, "error against the exact curve: {} {} at the most (certified), at {} {}\n",
+               rounded(input.error->position), units.position, rounded(input.error->where),
+               units.x);
   fmt::print(out, "sha256 {}\n", hex(content_hash(table, units)));
 }
 
 int run(const Options& options) {
   const Input input = load(options.spec);
+  std::vector<Output> files{{options.output, table_text(options.output, input.table)}};
   if (!options.curve.empty())
-    write_file(options.curve,
-               std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
-                          input.curve));
-  if (options.output.ends_with(".json"))
-    write_file(options.output, to_json(input.table));
-  else
-    write_file(options.output, to_csv(input.table));
+    files.push_back(
+        {options.curve,
+         std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
+                    input.curve)});
+  write_files(files);
   print_summary(options, input);
   return fine;
 }

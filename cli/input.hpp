@@ -16,11 +16,16 @@ struct Input {
   std::optional<Spec> spec;
   std::variant<Cam, Trajectory> curve;
   TableFile table;
-  SampleError error;  ///< of the table against the curve; zero where the table is all there is
-  Limits limits;      ///< of the spec; none for a table
+  std::optional<SampleError>
+      error;      ///< of the table against the curve; none where it is all there is
+  Limits limits;  ///< of the spec; none for a table
   Labels labels;
   std::string name;  ///< the spec's name, or the file's
 };
+
+/// Everything that can be checked without integration: limits and joints of the curve, the table's
+/// error, and limits that the table alone breaks.
+Report check_all(const Input& input, int continuity = 1);
 
 /// Reads a spec or a table file, told apart by the content; "-" is standard input.
 Input load(const std::string& path);

@@ -1,9 +1,26 @@
 #include "link.hpp"
 
+#include <algorithm>
+#include <chrono>
+
 #include "jounce/stream/lcm_transport.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 
 namespace jounce::cli {
+
+Nanos nanos(double seconds) {
+  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(std::min(seconds, 1e9)));
+}
+
+CLI::Validator seconds_option() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-3 && value <= 1e12;
+        return good ? std::string() : "`" + text + "` is not a number of seconds, 0.001 or more";
+      },
+      "", "seconds");
+}
 
 void add_link_options(CLI::App& verb, LinkOptions& options) {
   verb.add_option("--url", options.url, "LCM URL; without a ttl it stays on this machine")

@@ -17,6 +17,12 @@ struct LinkOptions {
   std::uint64_t seed = 1;
 };
 
+/// Seconds as the stream counts time; more than thirty years is as good as for ever.
+Nanos nanos(double seconds);
+
+/// A limit on an option in seconds: a millisecond at the least.
+CLI::Validator seconds_option();
+
 /// Adds --url, and the hidden --inject-loss and --seed.
 void add_link_options(CLI::App& verb, LinkOptions& options);
 

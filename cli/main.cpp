@@ -8,6 +8,7 @@
 #include "jounce/io/nearest.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/transport.hpp"
 
 #include "verb.hpp"
 
@@ -90,6 +91,12 @@ int main(int argc, char** argv) {
   } catch (const jounce::InputError& error) {
     fmt::print(stderr, "jounce: {}\n", error.what());
     return bad_input;
+  } catch (const jounce::TransportError& error) {
+    fmt::print(stderr, "jounce: {}\n", error.what());
+    return fault;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "jounce: there is not enough memory for this\n");
+    return fault;
   } catch (const std::system_error& error) {
     fmt::print(stderr, "jounce: {}\n", error.what());
     return fault;

@@ -49,19 +49,16 @@ int run(const Options& options) {
   Link link(options.link);
   link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
   const bool terminal = isatty(STDOUT_FILENO) != 0 && !options.json;
-  const auto seconds = [](double s) {
-    return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(s));
-  };
   const Nanos begun = steady_now();
   Nanos heard = begun;
-  while (options.seconds == 0 || steady_now() - begun < seconds(options.seconds)) {
+  while (options.seconds == 0 || steady_now() - begun < nanos(options.seconds)) {
     const auto message =
         next_status(link.transport(), options.executor, std::chrono::milliseconds(100));
     const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
     if (status != nullptr) {
       heard = steady_now();
       options.json ? print_json(*status) : print_line(*status, terminal);
-    } else if (steady_now() - heard > seconds(options.silence)) {
+    } else if (steady_now() - heard > nanos(options.silence)) {
       fmt::print(stderr,
                  "{}jounce: {} has been silent for {} s: is it running, on the same --url?\n",
                  terminal ? "\n" : "", options.executor, options.silence);
@@ -81,10 +78,10 @@ void add_monitor(CLI::App& app, Work& work) {
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
   verb->add_option("--seconds", options->seconds,
                    "End after so many seconds; otherwise with Ctrl-C")
-      ->check(CLI::PositiveNumber);
+      ->check(seconds_option());
   verb->add_option("--silence", options->silence,
                    "Give up when nothing is heard for so many seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds_option())
       ->capture_default_str();
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "A line of JSON for each status");

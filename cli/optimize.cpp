@@ -47,22 +47,22 @@ std::string active_sentence(const Finding& finding, const Labels& labels) {
                      where);
 }
 
-void print_text(const Outcome& outcome, const Labels& labels) {
-  fmt::print("{}: {}\n", name(outcome.status), outcome.reason);
-  fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "", "given",
-             "reached", "bound", "could save", outcome.evaluations, outcome.starts);
+void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
+  fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
+             "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
   for (const auto& r : outcome.objectives)
-    fmt::print("  {:<24} {:>12} {:>12} {:>12} {:>9.2f} %   {}\n", name(r.objective),
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>9.2f} %   {}\n", name(r.objective),
                rounded(r.given), rounded(r.reached), rounded(r.bound), 100 * r.gap(),
                objective_unit(r.objective, labels.units));
   if (outcome.usable())
     for (const auto& finding : outcome.active)
-      fmt::print("  - {}\n", active_sentence(finding, labels));
+      fmt::print(out, "  - {}\n", active_sentence(finding, labels));
   else
-    fmt::print("least violated:\n{}", full_text(outcome.limits, labels));
+    fmt::print(out, "least violated:\n{}", full_text(outcome.limits, labels));
 }
 
-void print_json(const Outcome& outcome, const Labels& labels) {
+void print_json(std::FILE* out, const Outcome& outcome, const Labels& labels) {
   using Json = nlohmann::ordered_json;
   Json objectives = Json::array();
   for (const auto& r : outcome.objectives)
@@ -87,7 +87,7 @@ void print_json(const Outcome& outcome, const Labels& labels) {
                       {"limits", Json::parse(to_json(outcome.limits, labels))},
                       {"evaluations", outcome.evaluations},
                       {"starts", outcome.starts}};
-  fmt::print("{}\n", document.dump(1));
+  fmt::print(out, "{}\n", document.dump(1));
 }
 
 /// The optimised spec and table, both of them or neither.
@@ -98,8 +98,10 @@ void write(const Options& options, const Spec& spec, const Outcome& outcome) {
   const Made made = make(better);
   const TableFile table{
       made.sampled.table, better.units, {path, hex(better.document.hash), made_by()}};
-  if (!options.table.empty()) write_table(options.table, table);
-  if (!options.output.empty()) write_file(options.output, text);
+  std::vector<Output> files;
+  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
+  if (!options.output.empty()) files.push_back({options.output, text});
+  write_files(files);
 }
 
 int run(const Options& options) {
@@ -118,7 +120,9 @@ int run(const Options& options) {
       return true;
     });
   }
-  options.json ? print_json(outcome, labels) : print_text(outcome, labels);
+  // A spec or table on standard output has it for itself.
+  std::FILE* out = options.output == "-" || options.table == "-" ? stderr : stdout;
+  options.json ? print_json(out, outcome, labels) : print_text(out, outcome, labels);
   if (!outcome.usable()) return finding;
   write(options, spec, outcome);
   return fine;

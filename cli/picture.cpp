@@ -1,9 +1,12 @@
 #include "picture.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <spawn.h>
@@ -26,7 +29,7 @@ std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
     const Range v = segment_extrema(cam, i)[1];
     const double peak = std::abs(v.peak().value);
     if (peak == 0 || v.max.value - v.min.value > 1e-9 * peak) continue;
-    const std::string& label = labels.segments.empty() ? "" : labels.segments[i];
+    const std::string label = labels.segments.empty() ? "" : labels.segments[i];
     shades.push_back({cam.breaks()[i], cam.breaks()[i + 1],
                       label.substr(std::min(label.size(), label.find(' ') + 1))});
   }
@@ -39,6 +42,14 @@ std::vector<double> knots(std::span<const double> breaks, const Labels& labels) 
   for (const auto& group : groups(breaks.size() - 1, labels)) all.push_back(breaks[group.last + 1]);
   return all;
 }
+
+struct Removed {
+  std::string folder;
+  ~Removed() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+  }
+};
 
 CurveLook look_of(const Input& input) {
   CurveLook look{.title = input.name,
@@ -70,8 +81,12 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
 }
 
 void write_png(const std::string& path, const std::string& svg) {
-  const std::string source = path + ".part.svg";
-  const std::string target = path + ".part.png";
+  std::string folder = std::filesystem::temp_directory_path() / "jounce.XXXXXX";
+  if (mkdtemp(folder.data()) == nullptr)
+    throw std::system_error(errno, std::generic_category(), "cannot make a temporary folder");
+  const Removed removed{folder};
+  const std::string source = folder + "/picture.svg";
+  const std::string target = folder + "/picture.png";
   write_file(source, svg);
   const std::array<std::string, 6> words{"rsvg-convert", "--zoom=2", "--background-color=white",
                                          "-o",           target,     source};
@@ -82,15 +97,12 @@ void write_png(const std::string& path, const std::string& svg) {
   const int spawned =
       posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
   if (spawned == 0) waitpid(child, &status, 0);
-  std::filesystem::remove(source);
   if (spawned != 0)
     throw std::runtime_error(
         "PNG needs rsvg-convert, which is not installed (Debian: librsvg2-bin); SVG needs nothing");
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    std::filesystem::remove(target);
-    throw std::runtime_error("rsvg-convert could not write " + path);
-  }
-  std::filesystem::rename(target, path);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw std::runtime_error("rsvg-convert failed");
+  write_file(path, read_file(target));
 }
 
 }  // namespace jounce::cli

@@ -15,10 +15,14 @@ struct Options {
 };
 
 int run(const Options& options) {
+  const bool png = options.output.ends_with(".png");
+  if (!png && !options.output.ends_with(".svg") && options.output != "-")
+    throw InputError("--output", options.output,
+                     "must end in .svg or .png, or be - for SVG on standard output");
   const Input input = load(options.file);
   const auto before = options.before.empty() ? std::nullopt : std::optional(load(options.before));
   const std::string picture = svg(figure_of(input, before));
-  if (options.output.ends_with(".png"))
+  if (png)
     write_png(options.output, picture);
   else
     write_file(options.output, picture);

@@ -41,15 +41,20 @@ Played played(const Input& input, const std::string& log) {
 }  // namespace
 
 Proof prove(const Input& input, const std::string& log, std::size_t drive_samples) {
-  // A table of straight lines steps in velocity: its rule says so.
-  const WitnessOptions options{.velocity_steps = input.table.table.rule() == Rule::linear};
-  Proof proof{std::visit([](const auto& curve) { return witness(curve); }, input.curve),
-              witness(input.table.table, options),
+  // A table of straight lines steps in velocity: its rule says so. Where the table is all there is, so
+  // does the curve.
+  const WitnessOptions of_table{.velocity_steps = input.table.table.rule() == Rule::linear};
+  const WitnessOptions of_curve{.velocity_steps = of_table.velocity_steps && !input.error};
+  Proof proof{std::visit([&](const auto& curve) { return witness(curve, of_curve); }, input.curve),
+              witness(input.table.table, of_table),
               std::nullopt,
               std::nullopt,
               {}};
   add(proof.report, proof.curve.report, "exact curve");
   add(proof.report, proof.table.report, "table");
+  Report fit = check_all(input);
+  std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
+  add(proof.report, fit, "table");
   if (input.spec && input.spec->drive) {
     const DriveSpec& drive = *input.spec->drive;
     const Reference reference = table_reference(input);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -20,19 +21,6 @@ struct Options {
   std::string log;
   std::string output = "-";
 };
-
-Report checked(const Input& input) {
-  return std::visit(
-      [&](const auto& curve) {
-        Report report = check(curve, input.limits);
-        const Report joints = check_continuity(curve, 1);
-        report.findings.insert(report.findings.end(), joints.findings.begin(),
-                               joints.findings.end());
-        sort(report);
-        return report;
-      },
-      input.curve);
-}
 
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
@@ -85,10 +73,12 @@ Facts facts(const Input& input) {
   f.rows = {{"table", fmt::format("{} knots, {}", table.size(), name(table.rule()))},
             {"range", fmt::format("{} to {} {}", short_number(table.start()),
                                   short_number(table.end()), input.labels.units.x)},
-            {"error against the exact curve",
-             fmt::format("{} {} at the most (certified)", short_number(input.error.position),
-                         input.labels.units.position)},
             {"sha256", hex(content_hash(table, input.labels.units))}};
+  if (input.error)
+    f.rows.emplace_back(
+        "error against the exact curve",
+        fmt::format("{} {} at the most (certified)", short_number(input.error->position),
+                    input.labels.units.position));
   if (!input.table.provenance.spec.empty())
     f.rows.emplace_back("spec", input.table.provenance.spec + ", sha256 " +
                                     input.table.provenance.spec_sha256.substr(0, 16) + "...");
@@ -113,8 +103,10 @@ Section proof_section(const Proof& proof, const Input& input) {
 int run(const Options& options) {
   const Input input = load(options.file);
   const auto before = options.before.empty() ? std::nullopt : std::optional(load(options.before));
-  const Report report = checked(input);
+  Report report = check_all(input);
   const Proof proof = prove(input, options.log, 2000);
+  std::erase_if(report.findings,
+                [](const Finding& f) { return f.rule == "table/position"; });  // in the proof
   Report all = report;
   all.findings.insert(all.findings.end(), proof.report.findings.begin(),
                       proof.report.findings.end());

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <poll.h>
+#include <unistd.h>
 
 #include "jounce/executor/shell.hpp"
 #include "jounce/io/make.hpp"
+#include "jounce/stream/driver.hpp"
 
 #include "link.hpp"
 #include "verb.hpp"
@@ -47,7 +50,11 @@ ExecutorOptions executor_of(const Options& options, const Spec& spec) {
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;
   if (!options.log.empty()) executor.log = options.log;
-  executor.notify = [](const std::string& notice) { fmt::print(stderr, "{}\n", notice); };
+  executor.notify = [](const std::string& notice) {
+    // A terminal that does not take text must not hold up the executor: then it is dropped.
+    pollfd out{STDERR_FILENO, POLLOUT, 0};
+    if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
+  };
   return executor;
 }
 
@@ -72,6 +79,13 @@ int report(const ExecutorSummary& summary, bool json) {
   return summary.fault == Cause::none ? fine : finding;
 }
 
+/// Two executors of one name would both play what is sent to it.
+void require_alone(Transport& link, const std::string& name) {
+  link.subscribe(wire::channel(name, wire::Lane::status), 1);
+  if (next_status(link, name, std::chrono::milliseconds(300)))
+    throw InputError("name", name, "an executor of this name is running already on this --url");
+}
+
 int run(const Options& options) {
   const Spec spec = read_spec(options.axis);
   ExecutorOptions executor;
@@ -81,8 +95,16 @@ int run(const Options& options) {
   } catch (const InputError& error) {
     throw spec.document.located(error);
   }
+  require_alone(Link(options.link).transport(), spec.name);
   Link link(options.link);
-  return report(run_executor(link.transport(), executor, options.run), options.json);
+  const ExecutorSummary summary = run_executor(link.transport(), executor, options.run);
+  const int status = report(summary, options.json);
+  if (!options.log.empty() && summary.cycle.lost > 0) {
+    fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
+    return fault;
+  }
+  const bool idle = options.run.once && summary.finished + summary.stopped == 0;
+  return status == fine && idle ? finding : status;
 }
 
 }  // namespace
@@ -95,7 +117,7 @@ void add_run(CLI::App& app, Work& work) {
   verb->add_option("AXIS", options->axis, "Spec of kind \"axis\": limits, cycle, name")->required();
   verb->add_option("--log", options->log, "CSV of what was commanded in each tick");
   verb->add_option("--seconds", options->run.seconds, "End after so many seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(seconds_option());
   verb->add_flag("--once", options->run.once, "End after one motion");
   verb->add_option("--realtime", options->run.realtime_priority,
                    "SCHED_FIFO priority of the cycle, 1 to 99, where permitted")

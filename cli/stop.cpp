@@ -1,4 +1,6 @@
+#include <chrono>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,15 +17,39 @@ struct Options {
   std::string executor;
   LinkOptions link;
   bool abort = false;
+  double patience = 10;
 };
+
+/// The state in which the axis has come to rest, as its status says; nothing if it does not in
+/// time.
+std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string& executor,
+                                             Nanos patience) {
+  using State = wire::AxisState;
+  for (const Nanos begin = steady_now(); steady_now() - begin < patience;) {
+    const auto message = next_status(link, executor, std::chrono::milliseconds(100));
+    const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
+    if (status == nullptr) continue;
+    if (status->state == State::standstill || status->state == State::disabled ||
+        status->state == State::error_stop)
+      return status->state;
+  }
+  return std::nullopt;
+}
 
 int run(const Options& options) {
   if (!wire::is_executor_name(options.executor))
     throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
   Link link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
+  link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
   if (operator_stop(link.transport(), options.executor, mode)) {
-    fmt::print("{} confirms the {}\n", options.executor, options.abort ? "abort" : "stop");
+    const auto state = state_at_rest(link.transport(), options.executor, nanos(options.patience));
+    if (!state) {
+      fmt::print(stderr, "jounce: {} confirms, but is not at rest after {} s\n", options.executor,
+                 options.patience);
+      return fault;
+    }
+    fmt::print("{} is at rest: {}\n", options.executor, name(*state));
     return fine;
   }
   fmt::print(stderr, "jounce: {} does not confirm: is it running, on the same --url?\n",
@@ -40,6 +66,10 @@ void add_stop(CLI::App& app, Work& work) {
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
   verb->add_flag("--abort", options->abort,
                  "Freeze the set-point at once; the axis is then in ErrorStop");
+  verb->add_option("--patience", options->patience,
+                   "Give up waiting for standstill after so many seconds")
+      ->check(seconds_option())
+      ->capture_default_str();
   add_link_options(*verb, options->link);
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -1,4 +1,5 @@
-#include <chrono>
+#include <algorithm>
+#include <csignal>
 #include <memory>
 
 #include <fmt/format.h>
@@ -23,6 +24,9 @@ struct Options {
   double patience = 60;
   bool json = false;
 };
+
+/// Ctrl-C stops what was armed before the streamer leaves.
+volatile std::sig_atomic_t interrupted = 0;
 
 StreamPlan plan_of(const Options& options) {
   Input input = load(options.file);
@@ -71,7 +75,11 @@ int run(const Options& options) {
   const StreamPlan plan = plan_of(options);
   Link link(options.link);
   StreamOptions stream;
-  stream.total = std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(options.patience));
+  stream.total = nanos(options.patience);
+  stream.sender.patience = std::min(stream.sender.patience, stream.total);
+  interrupted = 0;
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  stream.cancelled = [] { return interrupted != 0; };
   Progress progress("streaming to " + options.to);
   stream.progress = [&](const StreamProgress& p) {
     progress.show(
@@ -96,7 +104,7 @@ void add_stream(CLI::App& app, Work& work) {
       ->check(CLI::IsMember({"download", "arm", "start"}))
       ->capture_default_str();
   verb->add_option("--patience", options->patience, "Give up after so many seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds_option())
       ->capture_default_str();
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Outcome for machines");

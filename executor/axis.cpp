@@ -127,7 +127,9 @@ void MotionAxis::set_position(double position) {
 // ---- motion ------------------------------------------------------------------------------------
 
 void MotionAxis::play() {
-  if (now_.skipped >= config_.longest_gap) return fail(Cause::stalled);
+  // What was left out before the motion began does not count.
+  if (std::min(now_.skipped, now_.tick - origin_) >= config_.longest_gap)
+    return fail(Cause::stalled);
   const double t = seconds(now_.tick - origin_);
   if (state_ == State::stopping) return slow_down(t);
   move_to(active_->at(t));

@@ -94,12 +94,20 @@ void Dispatcher::handle(const ArmRequested& arm) {
   const std::uint64_t id = numbers_ + 1;
   std::unique_ptr<Job> job;
   try {
-    job = arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table)
-                     : std::make_unique<Job>(id, arm.slave.table);
+    const double tick = static_cast<double>(options_.axis.period) * 1e-9;
+    job = arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table, tick)
+                     : std::make_unique<Job>(id, arm.slave.table, nullptr, tick);
   } catch (const InputError&) {
     return answer(request, Refusal{.cause = Cause::bad_table});
+  } catch (const std::bad_alloc&) {
+    return answer(request, Refusal{.cause = Cause::bad_table});
   }
-  if (last_.fault != Cause::none && arm.session != fault_session_) order({.kind = Kind::reset});
+  if (last_.fault != Cause::none && arm.session != fault_session_) {
+    // Only a job that will be armed may clear a fault.
+    const double at = options_.adopt_start ? job->first().slave[0] : last_.position;
+    if (const auto refusal = admit(*job, options_.axis, at)) return answer(request, refusal);
+    order({.kind = Kind::reset});
+  }
   if (options_.adopt_start && !moving())
     order({.kind = Kind::set_position, .position = job->first().slave[0]});
   order({.kind = Kind::arm, .job = job.get()}, request);
@@ -107,6 +115,7 @@ void Dispatcher::handle(const ArmRequested& arm) {
 }
 
 void Dispatcher::handle(const StartRequested& start) {
+  motion_session_ = start.session;
   order({.kind = Kind::start, .at = start.tick}, {start.session, start.command, Kind::start});
 }
 
@@ -119,7 +128,9 @@ void Dispatcher::handle(const StopRequested& stop) {
 void Dispatcher::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
   if (silent) notify("the owner has fallen silent");
-  order({.kind = silent && options_.stop_when_silent ? Kind::stop : Kind::disarm});
+  // The motion may be that of an owner before, who released it to run on.
+  const bool its_motion = ended.session == motion_session_;
+  order({.kind = silent && its_motion && options_.stop_when_silent ? Kind::stop : Kind::disarm});
 }
 
 /// A stop goes ahead of whatever has not reached the axis yet, and makes it void.

@@ -97,6 +97,7 @@ class Dispatcher {
   std::size_t under_way_ = 0;
   bool retired_ = false;
   std::int64_t fault_session_ = 0;
+  std::int64_t motion_session_ = 0;  // the one that asked for the last start
   std::int64_t late_ = 0;
   Nanos published_{};
   Tick last_;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
@@ -25,9 +27,9 @@ double required(const char* key, const std::optional<double>& limit) {
 double stop_limit(const char* key, double value, double limit) {
   if (value == 0) return 2 * limit;
   require_finite(key, value);
-  if (value > limit) return value;
-  throw InputError(key, value,
-                   "must be greater than " + number(limit) + ", which a table may already use");
+  // A table may use its limit up; a stop that may do little more would take for ever.
+  if (value >= 1.1 * limit) return value;
+  throw InputError(key, value, "must be at least 1.1 times the limit, " + number(1.1 * limit));
 }
 
 void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
@@ -76,14 +78,39 @@ Ranges survey(const Followed& f) {
   return ranges;
 }
 
-Jump largest_step(const Followed& f, std::size_t order, bool repeats) {
-  Jump largest;
-  const auto consider = [&](double left, double right, double where) {
-    if (std::abs(right - left) > std::abs(largest.step)) largest = {right - left, where};
+/// Every jump of the `order`th derivative, ascending; of a run that repeats also those after its
+/// end, over one more tick.
+template <Signal S>
+std::vector<Jump> steps_of(const S& f, std::size_t order, bool repeats, double tick) {
+  std::vector<Jump> steps;
+  const auto add = [&](double left, double right, double where) {
+    if (left != right) steps.push_back({right - left, where});
   };
-  for (const double t : f.breaks().subspan(1, f.breaks().size() - 2))
-    consider(f.jet(t, Side::left)[order], f.jet(t)[order], t);
-  if (repeats) consider(f.jet(f.end(), Side::left)[order], f.jet(f.start())[order], f.end());
+  const std::span<const double> breaks = f.breaks();
+  for (const double t : breaks.subspan(1, breaks.size() - 2))
+    add(f.jet(t, Side::left)[order], f.jet(t)[order], t);
+  if (!repeats) return steps;
+  const std::size_t inside = steps.size();
+  add(f.jet(f.end(), Side::left)[order], f.jet(f.start())[order], f.end());
+  for (std::size_t i = 0; i < inside && steps[i].where < f.start() + tick; ++i)
+    steps.push_back({steps[i].step, steps[i].where + f.end() - f.start()});
+  return steps;
+}
+
+/// The largest sum of jumps within one tick, and where it begins.
+template <Signal S>
+Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
+  const std::vector<Jump> steps = steps_of(f, order, repeats, tick);
+  Jump largest;
+  double sum = 0;  // of the magnitudes of steps [first, next)
+  for (std::size_t first = 0, next = 0; first < steps.size(); ++first) {
+    while (next < steps.size() && steps[next].where < steps[first].where + tick * (1 - same))
+      sum += std::abs(steps[next++].step);
+    const bool alone = next == first + 1;
+    if (sum > std::abs(largest.step))
+      largest = {alone ? steps[first].step : sum, steps[first].where};
+    sum = alone ? 0 : sum - std::abs(steps[first].step);
+  }
   return largest;
 }
 
@@ -106,6 +133,9 @@ AxisConfig resolved(AxisConfig config) {
     throw InputError("longest_gap", std::to_string(config.longest_gap), "must be at least 1 tick");
   require_valid(config.limits);
   require_finite("position", config.position);
+  if (config.position < config.limits.position_min.value_or(config.position) ||
+      config.position > config.limits.position_max.value_or(config.position))
+    throw InputError("position", config.position, "must lie within position_min and position_max");
   required("limits.velocity", config.limits.velocity);
   config.stop_acceleration =
       stop_limit("stop_acceleration", config.stop_acceleration,
@@ -115,7 +145,8 @@ AxisConfig resolved(AxisConfig config) {
   return config;
 }
 
-Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam)
+Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
+         double tick)
     : id_(id), time_(std::move(time)), cam_(std::move(cam)) {
   const Trajectory trajectory = time_->curve<OverTime>();
   if (cam_) {
@@ -125,11 +156,11 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
                           : cam_->curve<OverMaster>();
     const Followed slave(curve, trajectory);
     ranges_ = survey(slave);
-    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats());
+    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats(), tick);
     master_excess_ = excess(*cam_, extrema(trajectory, 0));
   } else {
     ranges_ = extrema(trajectory);
-    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_jump(trajectory, static_cast<int>(k));
+    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(trajectory, k, repeats(), tick);
   }
   first_ = follow(time_->jet(time_->start()));
   last_ = follow(time_->jet(time_->end(), Side::left));
@@ -227,8 +258,8 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
 // the stop keeps the limits a and j that are set for it if
 //
 //     (6)  A + 3V / (2D) <= a             that is  D >= 3V / (2 (a - A))
-//     (7)  J + 3A / D + 6V / D^2 <= j     that is  D >= (3A + sqrt(9A^2 + 24V (j - J))) / (2(j -
-//     J))
+//     (7)  J + 3A / D + 6V / D^2 <= j     that is  D >= (3A + sqrt(9A^2 + 24V (j - J)))
+//                                                          / (2 (j - J))
 //
 // A step of the velocity within the table counts as the acceleration that makes it in one tick.
 double stop_duration(const Job& job, const AxisConfig& given) {

@@ -45,8 +45,10 @@ struct Setpoint {
 /// Throws InputError where the tables are not over time and over master position in this order.
 class Job {
  public:
+  ///
+  /// `tick` is the length of a tick, s: steps closer together than that count as one.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
-      std::shared_ptr<const Table> cam = nullptr);
+      std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3);
 
   [[nodiscard]] std::uint64_t id() const { return id_; }
   [[nodiscard]] bool synchronized() const { return cam_ != nullptr; }
@@ -64,7 +66,8 @@ class Job {
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
   /// The largest jump of position, velocity and acceleration inside the run, and from its end to
-  /// its start where it repeats.
+  /// its start where it repeats: of all jumps within one tick the sum of magnitudes, where it
+  /// begins.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
   [[nodiscard]] const Setpoint& first() const { return first_; }

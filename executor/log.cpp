@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 namespace {
 
@@ -38,6 +40,12 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
     : path_(std::move(path)),
       temporary_(path_.string() + "." + std::to_string(getpid()) + ".part"),
       file_(temporary_, std::ios::binary | std::ios::trunc) {
+  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
+    file_.close();
+    std::filesystem::remove(temporary_);
+    throw InputError("log", path_.string(),
+                     "must be a regular file: it is written under another name and renamed");
+  }
   const std::string m = " [" + units.x;
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u

@@ -45,6 +45,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   std::getline(lines, line);
   Place place{name, 1};
   const auto header = csv_cells(line);
+  const std::size_t number_of_tick = column(header, "tick", place);
   const std::size_t time = column(header, "time", place);
   const std::size_t position = column(header, "position", place);
   const std::size_t job = column(header, "job", place);
@@ -58,6 +59,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const auto row_cells = csv_cells(row);
     if (row_cells.size() != width)
       place.fail("row", row, "does not have as many values as the header");
+    const auto tick = static_cast<std::int64_t>(real(row_cells[number_of_tick], "tick", place));
     const double now = real(row_cells[time], "time", place);
     const double at = real(row_cells[position], "position", place);
     if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
@@ -65,7 +67,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
       start = now;
     }
     current = row_cells[job];
-    if (current != "0") ticks.push_back({now - start, at});
+    if (current != "0") ticks.push_back({tick, now - start, at});
   }
   if (ticks.empty()) throw InputError("job", "", "the log holds no motion").at(name);
   return ticks;
@@ -101,8 +103,19 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
   };
   add("played/position", "error of the position", played.where, played.error, allowed,
       !(played.error <= allowed), "the executor played another table than the one designed");
-  // Times in a log are multiples of the cycle: the last tick may lie one cycle before the end.
-  const double cycle = ticks.size() > 1 ? ticks[1].time - ticks[0].time : designed.duration;
+  std::int64_t gap = 0;
+  double gap_at = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i)
+    if (const auto left_out = ticks[i].tick - ticks[i - 1].tick - 1; left_out > gap) {
+      gap = left_out;
+      gap_at = ticks[i - 1].time;
+    }
+  const std::int64_t span = ticks.back().tick - ticks.front().tick;
+  const double cycle = span > 0 ? ticks.back().time / static_cast<double>(span) : designed.duration;
+  add("played/gap", "ticks left out", gap_at, static_cast<double>(gap), 0.1 / cycle,
+      static_cast<double>(gap) * cycle > 0.1, "the log has a hole, or the executor stood still");
+  played.report.findings.back().unit = "ticks";
+  // The last tick of a motion may lie one cycle, and what was left out, before its end.
   const double missing = std::max(0.0, designed.duration - ticks.back().time);
   add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
       missing > cycle * (1 + 1e-9), "the motion was stopped, or the log is cut off");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace jounce {
 
 /// One tick of a motion, as the log of an axis has it.
 struct PlayedTick {
+  std::int64_t tick = 0;
   double time = 0;      ///< s, since the motion's first tick
   double position = 0;  ///< commanded, u
 };
@@ -31,8 +33,9 @@ struct Played {
   std::size_t ticks = 0;
   double error = 0;  ///< the greatest, u
   double where = 0;  ///< s since the start
-  /// "played/position" against `limit`, and "played/complete": broken where the log ends before the
-  /// motion does.
+  /// "played/position" against `limit`; "played/gap": the most ticks left out in one place, against
+  /// a tenth of a second (a late cycle leaves some out, a log with a hole more); "played/complete":
+  /// broken where the log ends before the motion does.
   Report report;
 };
 

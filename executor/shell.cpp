@@ -14,8 +14,9 @@ namespace {
 std::atomic<int> signals_seen{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait");
 
-/// Counts SIGINT and SIGTERM while it lives. SA_RESTART, because LCM's memq does not survive a call
-/// that a signal has interrupted.
+/// Counts SIGINT, SIGTERM and SIGHUP while it lives, and ignores SIGPIPE: neither a closed terminal
+/// nor a closed pipe may end the process under a moving axis. SA_RESTART, because LCM's memq does
+/// not survive a call that a signal has interrupted.
 class SignalWatch {
  public:
   SignalWatch() {
@@ -25,10 +26,16 @@ class SignalWatch {
     count.sa_flags = SA_RESTART;
     sigaction(SIGINT, &count, &interrupt_);
     sigaction(SIGTERM, &count, &terminate_);
+    sigaction(SIGHUP, &count, &hang_up_);
+    struct sigaction ignore {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &ignore, &pipe_);
   }
   ~SignalWatch() {
     sigaction(SIGINT, &interrupt_, nullptr);
     sigaction(SIGTERM, &terminate_, nullptr);
+    sigaction(SIGHUP, &hang_up_, nullptr);
+    sigaction(SIGPIPE, &pipe_, nullptr);
   }
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
@@ -36,6 +43,8 @@ class SignalWatch {
  private:
   struct sigaction interrupt_ {};
   struct sigaction terminate_ {};
+  struct sigaction hang_up_ {};
+  struct sigaction pipe_ {};
 };
 
 /// The cyclic thread. Joined by its destructor at the latest.
@@ -106,6 +115,21 @@ void leave(Dispatcher& dispatcher) {
   turn_while(dispatcher, 100ms, [] { return signals_seen == 0; });
 }
 
+/// Communication has failed: without it nobody can stop the axis any more, so it is stopped here.
+void stop_alone(Mail& mail) {
+  using namespace std::chrono_literals;
+  const Nanos begin = steady_now();
+  while (!mail.commands.push({.kind = Command::Kind::stop}) && steady_now() - begin < 1s)
+    std::this_thread::sleep_for(1ms);
+  Tick tick;
+  bool at_rest = false;
+  while (!at_rest && steady_now() - begin < 60s) {
+    std::this_thread::sleep_for(20ms);
+    while (mail.ticks.pop(tick))
+      at_rest = tick.job == 0 && !tick.waiting && steady_now() - begin > 100ms;
+  }
+}
+
 }  // namespace
 
 ExecutorSummary run_executor(Transport& link, const ExecutorOptions& options,
@@ -119,8 +143,13 @@ ExecutorSummary run_executor(Transport& link, const ExecutorOptions& options,
   summary.realtime = cyclic.realtime();
   if (options.notify && !summary.realtime.empty()) options.notify(summary.realtime);
 
-  while (!deadline.reached(dispatcher.last())) dispatcher.turn(turn_time);
-  leave(dispatcher);
+  try {
+    while (!deadline.reached(dispatcher.last())) dispatcher.turn(turn_time);
+    leave(dispatcher);
+  } catch (...) {
+    stop_alone(*mail);
+    throw;
+  }
   summary.cycle = cyclic.join();
   dispatcher.close();
 

@@ -66,22 +66,39 @@ Made make(const Spec& spec) {
   }
 }
 
-Trajectory make_master(const Spec& spec) {
+namespace {
+
+Trajectory master_of(const Spec& spec) {
   if (!spec.master)
     throw InputError(
         "master", "",
-        "is missing: a cam is played by a master; add [master] with velocity and distance")
-        .at(spec.document.name);
+        "is missing: a cam is played by a master; add [master] with velocity and distance");
   const MasterSpec& master = *spec.master;
   const double unit = seconds_per_unit(spec);
   const double velocity = master.velocity / unit;
-  const double start = std::get<CamSpec>(spec.subject).start.master;
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  const double start = cam.start.master;
+  const double turn = cam.segments.back().end.master - start;
+  // Every period has breaks of its own, and each is integrated.
+  if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
+    throw InputError("master.distance", number(master.distance),
+                     "must be between 1e-9 and 1e4 lengths of the cam, which is " + number(turn));
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Outside::hold);
   return trapezoid(
              {start, start + master.distance, velocity, *master.acceleration / (unit * unit), 0})
       .curve();
+}
+
+}  // namespace
+
+Trajectory make_master(const Spec& spec) {
+  try {
+    return master_of(spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
 }
 
 double seconds_per_unit(const Spec& spec) {
@@ -102,7 +119,10 @@ CamProblem make_problem(const Spec& spec) {
   try {
     require_valid(problem);
   } catch (const InputError& error) {
-    throw spec.document.located(error);
+    // The problem names its own fields; in the document all but the knots stand under [optimize].
+    const bool of_a_knot = error.key().starts_with("segment") || error.key().starts_with("start.");
+    const std::string key = of_a_knot ? error.key() : "optimize." + error.key();
+    throw spec.document.located(InputError(key, error.value(), error.rule()));
   }
   return problem;
 }

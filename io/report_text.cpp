@@ -34,6 +34,8 @@ std::string verdict(const Finding& finding) {
   if (finding.broken && finding.rule.starts_with("limit/position"))
     return fmt::format("is outside the limit {} by {}", limit,
                        rounded(std::abs(finding.value - finding.limit)));
+  if (finding.margin < -10)
+    return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
   if (finding.broken)
     return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
   if (std::abs(finding.margin) < 1e-9) return fmt::format("just meets the limit {}", limit);
@@ -98,6 +100,10 @@ std::string Labels::segment_of(const Finding& finding) const {
 }
 
 std::string sentence(const Finding& finding, const Labels& labels) {
+  if (finding.rule == "table/position")
+    return fmt::format("the table is {} from the exact curve at {}; {} is allowed",
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
+                       rounded(finding.limit));
   if (finding.rule.starts_with("continuity/")) {
     const std::string step = with_unit(finding.value, labels.unit_of(finding));
     const std::string where = place(finding, labels);

@@ -40,13 +40,20 @@ void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
   units.finish();
 }
 
-TableOptions read_table_options(TomlReader& top, const Units& units) {
+TableOptions read_table_options(TomlReader& top, const Units& units, const std::string& kind) {
   TableOptions options;
+  if (kind == "pvt") options.rule = Rule::cubic_hermite;
   auto table = top.optional_table("table");
   if (!table) return options;
   if (table->has("rule")) options.rule = static_cast<Rule>(table->choice("rule", rules));
+  if (kind == "pvt") {  // the knots are the table
+    table->finish();
+    return options;
+  }
   options.tolerance = table->optional_number("tolerance", units.position);
   options.intervals = table->optional_count("intervals");
+  if (options.intervals.value_or(1) > 10'000'000)
+    table->fail("intervals", std::to_string(*options.intervals), "must be at most 10000000");
   if (options.tolerance && !(*options.tolerance > 0))
     table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
   if (options.tolerance && options.intervals)
@@ -106,7 +113,7 @@ void read_body(TomlReader& top, Spec& spec) {
   const std::string kind = kinds[top.choice("kind", kinds)];
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
-  spec.table = read_table_options(top, spec.units);
+  spec.table = read_table_options(top, spec.units, kind);
   spec.limits = read_limits(top, spec.units, kind == "cam");
   spec.drive = detail::read_drive(top, spec.units);
   if (kind == "cam") {

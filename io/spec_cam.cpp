@@ -79,6 +79,8 @@ void read_optimize(TomlReader& top, OptimizeSpec& optimize) {
   if (!minimize.empty()) optimize.minimize = std::move(minimize);
   optimize.seed = table->optional_count("seed");
   optimize.starts = table->optional_count("starts");
+  if (optimize.starts.value_or(1) > 10'000)
+    table->fail("starts", std::to_string(*optimize.starts), "must be at most 10000");
   optimize.tolerance = table->optional_number("tolerance", "1");
   table->finish();
 }

@@ -28,8 +28,8 @@ std::size_t offset(const std::string& text, const toml::source_position& place) 
   return at;
 }
 
-/// `key = value` as the last entry of a table: before the brace of an inline one, otherwise below
-/// its header.
+/// `key = value` as a further entry of a knot's table: before the brace of an inline one, otherwise
+/// on a line below the master's.
 Edit insertion(const std::string& text, const toml::table& table, const char* key, double value) {
   const std::string entry = std::string(key) + " = " + number(value);
   if (table.is_inline()) {
@@ -37,8 +37,15 @@ Edit insertion(const std::string& text, const toml::table& table, const char* ke
     const std::size_t last = text.find_last_not_of(" \t", brace - 1) + 1;
     return {last, last, ", " + entry};  // never the first: master and slave stand before
   }
-  const std::size_t below = text.find('\n', offset(text, table.source().begin));
-  return {below, below, "\n" + entry};
+  // Beside the master's own entry, whose line has the indent and, with dotted keys, the prefix.
+  const std::size_t at = offset(text, table.get("master")->source().begin);
+  const std::size_t master = text.rfind("master", at);
+  const std::size_t before = text.find_last_of("{,\n", master);
+  const std::size_t begin = text.find_first_not_of(" \t", before + 1);
+  const std::string prefixed = text.substr(begin, master - begin) + entry;
+  if (text[before] != '\n') return {begin, begin, prefixed + ", "};
+  const std::size_t end = std::min(text.find('\n', at), text.size());
+  return {end, end, text.substr(before, begin - before) + prefixed};
 }
 
 class Editor {

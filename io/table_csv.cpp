@@ -31,6 +31,9 @@ class Lines {
   Lines(const std::string& text, std::string name) : rest_(text), name_(std::move(name)) {}
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
+  [[nodiscard]] bool only_blank() const {
+    return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  }
   [[nodiscard]] bool next_is_head() const { return rest_.starts_with('#'); }
 
   std::string_view next() {
@@ -183,7 +186,7 @@ TableParts parse_csv(const std::string& text, const std::string& name) {
   parts.line_before_knots = lines.line();
   const std::array all{&parts.columns.x, &parts.columns.p, &parts.columns.v, &parts.columns.a};
   const auto used = column_names(parts.axis, parts.rule).size();
-  while (!lines.at_end()) read_row(lines, std::span(all).first(used));
+  while (!lines.only_blank()) read_row(lines, std::span(all).first(used));
   const auto& [knots, line] = head.at("knots");
   if (std::to_string(parts.columns.x.size()) != knots)
     lines.fail(

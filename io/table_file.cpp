@@ -67,8 +67,12 @@ bool is_table(const std::string& text) {
   return text.starts_with("# jounce table") || text.starts_with('{');
 }
 
+std::string table_text(const std::string& path, const TableFile& file) {
+  return path.ends_with(".json") ? to_json(file) : to_csv(file);
+}
+
 void write_table(const std::string& path, const TableFile& file) {
-  write_file(path, path.ends_with(".json") ? to_json(file) : to_csv(file));
+  write_file(path, table_text(path, file));
 }
 
 }  // namespace jounce

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/io/detail/table_parts.hpp"
+#include "jounce/io/printable.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -40,7 +42,9 @@ class JsonReader {
   std::string text(const char* key) {
     const Json& value = require(key);
     if (!value.is_string()) fail(key, value.dump(), "must be a text");
-    return value.get<std::string>();
+    auto text = value.get<std::string>();
+    if (printable(text) != text) fail(key, printable(text), "must not contain control characters");
+    return text;
   }
 
   std::string optional_text(const char* key) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "jounce/io/nearest.hpp"
+#include "jounce/io/printable.hpp"
 #include "jounce/io/units.hpp"
 
 namespace jounce::detail {
@@ -25,7 +26,7 @@ std::string join(std::span<const std::string> words) {
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
-  if (const auto text = node.value_exact<std::string>()) return '"' + *text + '"';
+  if (const auto text = node.value_exact<std::string>()) return '"' + printable(*text) + '"';
   if (const auto value = node.value_exact<double>()) return number(*value);
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
@@ -114,6 +115,8 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::string>();
   if (!value) fail(key, shown(*node), "must be a text in quotes");
+  if (printable(*value) != *value)
+    fail(key, '"' + printable(*value) + '"', "must not contain control characters");
   return value;
 }
 

@@ -45,6 +45,7 @@ class System {
     // A number alone parses as a dimensionless unit, and an offset ("m @ 3") as a shifted one:
     // neither is a unit to us, except the 1 of "1/s".
     if (text.empty() || text.find('@') != std::string_view::npos) return nullptr;
+    if (!text.starts_with("1/") && text.find_first_of("0123456789.+-") == 0) return nullptr;
     if (text.find_first_not_of("0123456789.+-eE ") == std::string_view::npos) return nullptr;
     if (std::count(text.begin(), text.end(), '(') != std::count(text.begin(), text.end(), ')'))
       return nullptr;

@@ -13,7 +13,12 @@ namespace {
 void require_valid(const Segment& f, std::size_t index) {
   const std::string key = "segment[" + std::to_string(index + 1) + "]";
   require_positive((key + ".length").c_str(), f.length);
-  if (!std::isfinite(magnitude(f))) throw InputError(key, "", "every coefficient must be finite");
+  Segment g = f;
+  for (int order = 0; order <= 4; ++order, g = derivative(g))
+    if (!std::isfinite(magnitude(g)))
+      throw InputError(
+          key, "",
+          "value and derivatives must be finite: too short, too far or too steep for a double");
 }
 
 /// Running sum of the lengths, compensated (Neumaier), so that 1e6 segments end where they should.

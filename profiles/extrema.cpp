@@ -9,21 +9,24 @@
 namespace jounce {
 namespace {
 
-void widen(Range& range, const Extremum& candidate) {
-  if (candidate.value < range.min.value) range.min = candidate;
-  if (candidate.value > range.max.value) range.max = candidate;
+/// `noise`: by how much a candidate must be better, so that rounding does not move the place.
+void widen(Range& range, const Extremum& candidate, double noise = 0) {
+  if (candidate.value < range.min.value - noise) range.min = candidate;
+  if (candidate.value > range.max.value + noise) range.max = candidate;
 }
 
 /// Range of g, whose derivative by u is dg, on the segment that begins at `start` on the axis.
 Range segment_range(const Segment& g, const Segment& dg, double start, double end) {
   const Extremum first{value(g, 0), start, Side::right};
   Range range{first, first};
+  const double noise = 2e-16 * magnitude(g);
   // Where |g'| stays below this, g moves by less than its own rounding over the whole segment.
-  const double flat = 2e-16 * magnitude(g) / g.length;
+  const double flat = noise / g.length;
   if (flat > 0) {
     thread_local std::vector<double> critical;
     roots(dg, flat, critical);
-    for (const double s : critical) widen(range, {value(g, s), start + s * g.length, Side::right});
+    for (const double s : critical)
+      widen(range, {value(g, s), start + s * g.length, Side::right}, noise);
   }
   widen(range, {value(g, 1), end, Side::left});
   return range;
@@ -92,6 +95,12 @@ Jump largest_jump(const Curve<Over>& f, int order) {
   };
   for (std::size_t i = 1; i < pieces.size(); ++i) consider(pieces[i - 1], pieces[i], f.breaks()[i]);
   if (f.outside() == Outside::wrap) consider(pieces.back(), pieces.front(), f.end());
+  if (f.outside() == Outside::hold && order > 0) {  // at rest before and after
+    const double first = evaluate(pieces.front(), 0)[k];
+    const double last = -evaluate(pieces.back(), 1)[k];
+    if (std::abs(first) > std::abs(largest.step)) largest = {first, f.start()};
+    if (std::abs(last) > std::abs(largest.step)) largest = {last, f.end()};
+  }
   return largest;
 }
 

@@ -48,8 +48,9 @@ struct Jump {
   double where = 0;
 };
 
-/// The largest step (in magnitude) at the interior breaks and, where the curve wraps, from its end
-/// to its start. Zero if there is none.
+/// The largest step (in magnitude) at the interior breaks; where the curve wraps, also from its end
+/// to its start; where it holds, of the derivatives also from rest at its start and to rest at its
+/// end. Zero if there is none.
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order);
 

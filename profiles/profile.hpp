@@ -9,9 +9,10 @@ namespace jounce {
 
 /// A move in the compact form that the time generators make: at most seven phases of constant jerk.
 ///
-///     Profile move = s_curve({.from = 0, .to = 50, .velocity = 10, .acceleration = 20, .jerk =
-///     100}); double T = move.duration();          // s Trajectory curve = move.curve();     //
-///     exact, for checks, tables and plots
+///     SCurveSpec spec{.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100};
+///     Profile move = s_curve(spec);
+///     double T = move.duration();          // s
+///     Trajectory curve = move.curve();     // exact, for checks, tables and plots
 ///
 /// A phase that does not occur is left out. The move begins and ends at rest, exactly at `from` and
 /// `to`: the half after the middle is built backwards from the end.

@@ -78,6 +78,28 @@ void add_ramp(Profile& move, const Ramp& r, double v, double sign) {
   move.add(tj, sign * a, -sign * jerk);
 }
 
+/// Takes out plateaus that only rounding made. A ramp that vanishes beside the move is refused: in
+/// doubles it would have no length.
+void drop_dust(Profile& move) {
+  const double dust = 1e-15 * move.duration();
+  std::size_t kept = 0;
+  const std::size_t before = move.accelerating;
+  for (std::size_t i = 0; i < move.count; ++i) {
+    const Profile::Phase phase = move.phases[i];
+    if (phase.duration > dust) {
+      move.phases[kept++] = phase;
+    } else if (phase.jerk != 0) {
+      throw InputError("jerk", std::abs(phase.jerk),
+                       "is so high that its ramps vanish beside the move, which takes " +
+                           number(move.duration()) + ": take a trapezoid");
+    } else if (i < before) {
+      --move.accelerating;
+    }
+  }
+  move.count = kept;
+  if (kept == 0) throw InputError("to", move.to, "is too close to `from` for a move");
+}
+
 Profile rest_to_rest(double from, double to, double velocity, const Ramp& accelerate,
                      const Ramp& decelerate) {
   const double h = std::abs(to - from);
@@ -94,6 +116,7 @@ Profile rest_to_rest(double from, double to, double velocity, const Ramp& accele
     move.add(h / v - (accelerate.duration(v) + decelerate.duration(v)) / 2, 0, 0);
   add_ramp(move, decelerate, v, -sign);
   require_finite("duration", move.duration());
+  drop_dust(move);
   return move;
 }
 

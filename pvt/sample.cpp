@@ -78,11 +78,13 @@ Sampled sample(const Curve<Over>& f, Rule rule, std::size_t intervals) {
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::size_t most) {
   require_positive("tolerance", tolerance);
+  // What is below the rounding of the values cannot be asked for.
+  const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     const Curve<Over> piece({f.segments()[i]}, f.breaks()[i]);
     const auto fits = [&](std::size_t n) {
-      return sample(piece, rule, n).error.position <= tolerance;
+      return sample(piece, rule, n).error.position <= wanted;
     };
     std::size_t enough = 1;
     while (!fits(enough)) {

@@ -7,7 +7,7 @@ namespace jounce {
 
 /// How far a table may stray from the curve it was made from, and where it strays most.
 struct SampleError {
-  double position = 0;  ///< max |table - curve| over the whole interval, unit of the position
+  double position = 0;  ///< max |table - curve| over the whole interval, in its unit, to rounding
   double where = 0;     ///< on the curve's axis
   double velocity = 0;  ///< max |table' - curve'|, unit of the first derivative
 };

@@ -77,7 +77,9 @@ TEST(Design, PlacesRestToRestLawsAndKeepsTheirOrigin) {
 
 TEST(Design, TakesTheSlopeOfALineWhereNoneIsGiven) {
   CamSpec spec;
-  spec.segments = {{Law::quintic, {100, 50, {}, {}}, ""}, {Law::line, {200, 150, {}, {}}, ""}};
+  spec.segments = {{Law::quintic, {100, 50, {}, {}}, ""},
+                   {Law::line, {200, 150, {}, {}}, ""},
+                   {Law::quintic, {300, 200, {}, {}}, ""}};
   const auto knots = resolved_knots(spec);
   EXPECT_DOUBLE_EQ(*knots[1].geo_velocity, 1);
   EXPECT_DOUBLE_EQ(*knots[0].geo_velocity, 0);

@@ -86,10 +86,13 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
   EXPECT_EQ(run("").status, 2);
   const Result verb = run("chek x");
   EXPECT_EQ(verb.status, 2);
-  EXPECT_EQ(verb.err, "jounce: `chek` is not a verb. Did you mean check? (jounce --help shows all)\n");
+  EXPECT_EQ(verb.err,
+            "jounce: `chek` is not a verb. Did you mean check? (jounce --help shows all)\n");
   const Result option = run("check --limt x");
   EXPECT_EQ(option.status, 2);
-  EXPECT_EQ(option.err, "jounce: `--limt` is not an option here. Did you mean --limit? (jounce --help shows all)\n");
+  EXPECT_EQ(
+      option.err,
+      "jounce: `--limt` is not an option here. Did you mean --limit? (jounce --help shows all)\n");
   EXPECT_EQ(run("check nothing.toml").status, 2);
 }
 

@@ -78,6 +78,7 @@ TEST(Admit, PositionRangeAndStart) {
   EXPECT_EQ(refusal->limit, 49);
   config.limits.position_max.reset();
   config.limits.position_min = 1;
+  config.position = 1;
   EXPECT_EQ(cause_of(admit(job, config, 0)), Cause::position_limit);
 }
 
@@ -165,6 +166,30 @@ TEST(Admit, MasterMustStayWithinACamThatRefuses) {
   const auto refusal = admit(Job(2, trapezoid_table(101, 50, 100, 100), cam), generous, 0);
   ASSERT_EQ(cause_of(refusal), Cause::master_outside_cam);
   EXPECT_NEAR(refusal->value, 1, 1e-12);
+}
+
+TEST(Admit, StepsWithinOneTickAddUp) {
+  // From rest to 500 mm/s in fifty kinks of 10 mm/s, a microsecond apart: each alone is what
+  // 1e4 mm/s^2 does in a tick, all of them in one tick are 5e5 mm/s^2.
+  Columns c{{0}, {0}, {}, {}};
+  const auto line = [&](double dt, double v) {
+    c.x.push_back(c.x.back() + dt);
+    c.p.push_back(c.p.back() + dt * v);
+  };
+  line(0.4, 0);
+  for (int i = 1; i <= 50; ++i) line(1e-6, 10.0 * i);
+  line(0.01, 500);
+  for (int i = 49; i >= 1; --i) line(0.01, 10.0 * i);
+  line(0.1, 0);
+  const Job job(1, std::make_shared<Table>(Axis::time, Rule::linear, Outside::hold, std::move(c)));
+  AxisConfig config;
+  config.limits.velocity = 1000;
+  config.limits.acceleration = 1e4;
+  const auto refusal = admit(job, config, 0);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->cause, Cause::velocity_step);
+  EXPECT_NEAR(refusal->value, 500, 1e-6);
+  EXPECT_NEAR(refusal->where, 0.4, 1e-9);
 }
 
 TEST(Admit, ACamThatAdvancesAndWrapsJumps) {

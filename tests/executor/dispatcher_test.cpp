@@ -232,10 +232,9 @@ TEST(Dispatcher, AFaultIsNotResetByTheSessionItCameIn) {
   EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
   const wire::Arm again{.command = 1000,
                         .slave = content_hash(*trapezoid_table(500, 100, 1000, 1000), over_time)};
-  if (site.dispatcher.owned()) {
-    send_message(site.link, {"feeder", 1, again});
-    site.advance(20ms);
-  }
+  ASSERT_TRUE(site.dispatcher.owned());
+  send_message(site.link, {"feeder", 1, again});
+  site.advance(20ms);
   EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
   EXPECT_EQ(site.dispatcher.last().state, State::error_stop);
 }

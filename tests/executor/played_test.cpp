@@ -53,6 +53,19 @@ TEST(Played, FindsAMotionThatWasCutShort) {
       << "within one cycle";
 }
 
+TEST(Played, FindsAHoleInTheLog) {
+  std::string log = header;
+  for (int k = 0; k <= 400; ++k)
+    if (k < 100 || k > 250)
+      log += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
+             number(k * 0.01) + ",1,none\n";
+  const Played played =
+      compare_played(read_played(log, "run.csv"), {[](double t) { return 10 * t; }, 0.4, 4});
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_EQ(played.report.findings.front().rule, "played/gap");
+  EXPECT_EQ(played.report.findings.front().value, 151);
+}
+
 std::string complaint(const std::string& csv) {
   try {
     (void)read_played(csv, "run.csv");
@@ -63,8 +76,8 @@ std::string complaint(const std::string& csv) {
 }
 
 TEST(Played, RefusesWhatIsNoLog) {
-  EXPECT_EQ(complaint(""), "run.csv:1: time: is missing: this is not a tick log");
-  EXPECT_EQ(complaint("a,b\n1,2\n"), "run.csv:1: time: is missing: this is not a tick log");
+  EXPECT_EQ(complaint(""), "run.csv:1: tick: is missing: this is not a tick log");
+  EXPECT_EQ(complaint("a,b\n1,2\n"), "run.csv:1: tick: is missing: this is not a tick log");
   EXPECT_EQ(complaint(header), "run.csv: job: the log holds no motion");
   EXPECT_EQ(complaint(header + "0,0,standstill,0,0,0,none\n1,0.1,discr"),
             "run.csv:3: row = 1,0.1,discr: does not have as many values as the header");

@@ -63,6 +63,15 @@ TEST(CheckContinuity, FindsTheFirstDerivativeThatJumps) {
   EXPECT_DOUBLE_EQ(report.findings.front().value, 4) << "at the first joint the ramp's 4 end";
 }
 
+TEST(CheckContinuity, FindsAMotionThatIsLeftAtSpeed) {
+  const Trajectory f({quintic(1, 0, 0, 0, 1, 3, 0)}, 0, Outside::hold);
+  const Report report = check_continuity(f, 1);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.findings.front().rule, "continuity/velocity");
+  EXPECT_DOUBLE_EQ(report.findings.front().where, 1);
+  EXPECT_NEAR(report.findings.front().value, 3, 1e-14);
+}
+
 TEST(CheckContinuity, IncludesTheWrap) {
   const Trajectory ramp({line(1, 0, 1)}, 0, Outside::wrap);
   EXPECT_FALSE(check_continuity(ramp, 0).ok());

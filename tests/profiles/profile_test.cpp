@@ -139,6 +139,7 @@ TEST(Moves, RefuseWhatIsNoMove) {
   EXPECT_THROW(trapezoid({.from = -1e308, .to = 1e308, .velocity = 1, .acceleration = 1}),
                InputError);
   EXPECT_THROW(s_curve({.to = 1, .velocity = 1, .acceleration = 1, .jerk = 0}), InputError);
+  EXPECT_THROW(s_curve({.to = 1, .velocity = 1, .acceleration = 1, .jerk = 1e20}), InputError);
   EXPECT_THROW(s_curve({.to = 1,
                         .velocity = 1,
                         .acceleration = 1,

@@ -16,8 +16,6 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "stream/harness.hpp"
-#include "stream/samples.hpp"
 #include "jounce_lcm/ack_t.hpp"
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
@@ -27,6 +25,8 @@
 #include "jounce_lcm/start_t.hpp"
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
+#include "stream/harness.hpp"
+#include "stream/samples.hpp"
 
 namespace jounce {
 namespace {
