@@ -25,8 +25,10 @@ class System {
  public:
   System() : system_(ut_new_system()) {
     ut_set_error_message_handler(ut_ignore);
-    for (const char* base : {"m", "rad", "s", "kg", "pulse"})
-      ut_map_symbol_to_unit(base, UT_UTF8, ut_new_base_unit(system_));
+    for (const char* symbol : {"m", "rad", "s", "kg", "pulse"}) {
+      const Unit base(ut_new_base_unit(system_));
+      ut_map_symbol_to_unit(symbol, UT_UTF8, base.get());  // keeps a copy
+    }
     constexpr double pi = 3.14159265358979323846;
     define("mm", 1e-3, "m"), define("um", 1e-6, "m"), define("cm", 1e-2, "m"),
         define("in", 0.0254, "m");
@@ -40,6 +42,10 @@ class System {
         define("Hz", 1, "1/s");
     define("rpm", 1, "rev/min");
   }
+
+  ~System() { ut_free_system(system_); }
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
 
   [[nodiscard]] Unit parse(std::string_view text) const {
     // A number alone parses as a dimensionless unit, and an offset ("m @ 3") as a shifted one:
@@ -55,7 +61,8 @@ class System {
  private:
   void define(const char* symbol, double factor, const char* of) const {
     const Unit base(ut_parse(system_, of, UT_UTF8));
-    ut_map_symbol_to_unit(symbol, UT_UTF8, ut_scale(factor, base.get()));
+    const Unit scaled(ut_scale(factor, base.get()));
+    ut_map_symbol_to_unit(symbol, UT_UTF8, scaled.get());
   }
 
   ut_system* system_;
