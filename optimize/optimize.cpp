@@ -218,7 +218,9 @@ class Search {
                " is needed, " + brief(*limit) + " allowed";
     const std::string worst = optimizer::sentence(outcome_.limits.findings.front());
     if (space_.convex())
-      return "the free quantities cannot meet the limits (the problem is convex): at best " + worst;
+      return "no choice of the free quantities was found that meets the limits, and the problem is "
+             "convex: at best " +
+             worst;
     return "none of " + std::to_string(outcome_.starts) + " starts met the limits: at best " +
            worst;
   }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -13,8 +15,7 @@ namespace {
 
 void set_up(int flag) {
   if (flag == CV_MEM_FAIL) throw std::bad_alloc();
-  assert(flag >= 0 && "CVODES refused its settings");
-  static_cast<void>(flag);
+  if (flag < 0) throw std::runtime_error("CVODES refused a call: flag " + std::to_string(flag));
 }
 
 template <class Handle>
