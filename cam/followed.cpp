@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -17,9 +18,9 @@ std::vector<double> levels(const Cam& cam, double lo, double hi) {
   const bool wraps = cam.outside() == Outside::wrap;
   const double first = wraps ? std::floor((lo - cam.start()) / cam.length()) : 0;
   const double last = wraps ? std::floor((hi - cam.start()) / cam.length()) : 0;
-  for (double period = first; period <= last; ++period)
+  for (std::int64_t n = 0; n <= static_cast<std::int64_t>(last - first); ++n)
     for (const double x : cam.breaks()) {
-      const double level = x + period * cam.length();
+      const double level = x + (first + static_cast<double>(n)) * cam.length();
       if (level >= lo && level <= hi) found.push_back(level);
     }
   return found;

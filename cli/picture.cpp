@@ -16,8 +16,6 @@
 #include "jounce/io/file.hpp"
 #include "jounce/plot/curve_figure.hpp"
 
-extern char** environ;
-
 namespace jounce::cli {
 namespace {
 

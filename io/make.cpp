@@ -24,6 +24,7 @@ std::string numbered(std::size_t i, const std::string& name) {
 Made make_cam(const CamSpec& cam, const TableOptions& options) {
   auto [curve, origin] = design(cam);
   std::vector<std::string> names;
+  names.reserve(origin.size());
   for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
   Sampled table = sampled(curve, options);
   return {std::move(curve), std::move(names), std::move(table)};

@@ -18,8 +18,7 @@ const std::vector<std::string> kinds{"cam", "move", "pvt", "axis"};
 const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
 
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
-  const auto unit =
-      fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
+  auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
   if (!is_unit(unit))
     reader.fail(key, '"' + unit + '"',
                 "is not a unit that Jounce knows, such as mm, deg, rev, pulse, s, ms");
@@ -110,7 +109,7 @@ void require_version(TomlReader& top) {
 
 void read_body(TomlReader& top, Spec& spec) {
   require_version(top);
-  const std::string kind = kinds[top.choice("kind", kinds)];
+  const std::string& kind = kinds[top.choice("kind", kinds)];
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
   spec.table = read_table_options(top, spec.units, kind);

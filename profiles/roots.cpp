@@ -69,7 +69,7 @@ class Isolation {
     }
     n_ = static_cast<std::size_t>(f.sines == 0 ? f.degree : Segment::max_degree);
     const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
-    for (double i = 0; i < pieces; ++i) {
+    for (int i = 0; i < static_cast<int>(pieces); ++i) {
       const double a = i / pieces;
       const double b = (i + 1) / pieces;
       run({a, b, to_bernstein(f.sines == 0 ? f : as_polynomial(part(f, a, b)))});
