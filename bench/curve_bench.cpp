@@ -10,7 +10,7 @@
 #include "jounce/optimize/optimize.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 #include "jounce/validate/witness.hpp"
 

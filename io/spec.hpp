@@ -11,7 +11,7 @@
 #include "jounce/io/hash.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/table.hpp"
 #include "jounce/validate/drive.hpp"
 

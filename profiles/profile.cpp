@@ -6,69 +6,96 @@
 namespace jounce {
 namespace {
 
-struct State {
-  double position;
-  double velocity;
-};
+/// The state a time dt (of either sign) after s, while the `order`th derivative is `value`.
+Motion advanced(const MotionState& s, int order, double value, double t) {
+  if (order == 1) return {s.position + t * value, value, 0, 0};
+  if (order == 2)
+    return {s.position + t * (s.velocity + t * (value / 2)), s.velocity + t * value, value, 0};
+  const double jt = value * t;
+  return {s.position + t * (s.velocity + t * (s.acceleration / 2 + jt / 6)),
+          s.velocity + t * (s.acceleration + jt / 2), s.acceleration + jt, value};
+}
 
-Segment phase_segment(const Profile::Phase& phase, const State& at_start) {
+MotionState state(const Motion& m) {
+  return {m.position, m.velocity, m.acceleration};
+}
+
+Segment segment(const MotionState& begin, int order, const Profile::Phase& phase) {
   const double t = phase.duration;
+  const Motion first = advanced(begin, order, phase.value, 0);
   Segment f;
   f.length = t;
-  f.degree = phase.jerk != 0 ? 3 : (phase.acceleration != 0 ? 2 : 1);
-  f.c[0] = at_start.position;
-  f.c[1] = at_start.velocity * t;
-  f.c[2] = phase.acceleration * t * t / 2;
-  f.c[3] = phase.jerk * t * t * t / 6;
+  f.c = {first.position, first.velocity * t, first.acceleration * t * t / 2,
+         first.jerk * t * t * t / 6};
+  f.degree = first.jerk != 0 ? 3 : (first.acceleration != 0 ? 2 : 1);
   return f;
-}
-
-State after(const Profile::Phase& phase, const State& s) {
-  const double t = phase.duration;
-  return {s.position + t * (s.velocity + t * (phase.acceleration / 2 + t * phase.jerk / 6)),
-          s.velocity + t * (phase.acceleration + t * phase.jerk / 2)};
-}
-
-State before(const Profile::Phase& phase, const State& s) {
-  const double t = phase.duration;
-  const double v = s.velocity - t * (phase.acceleration + t * phase.jerk / 2);
-  return {s.position - t * (v + t * (phase.acceleration / 2 + t * phase.jerk / 6)), v};
-}
-
-bool is_cruise(const Profile::Phase& phase) {
-  return phase.acceleration == 0 && phase.jerk == 0;
 }
 
 }  // namespace
 
-void Profile::add(double phase_duration, double acceleration, double jerk) {
-  assert(count < phases.size());
-  if (phase_duration > 0) phases[count++] = {phase_duration, acceleration, jerk};
+Profile::Profile(const MotionState& start, int order) noexcept
+    : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
+
+void Profile::add(double duration, double value) noexcept {
+  if (!(duration > 0)) return;
+  std::uint8_t level = 0;
+  if (value != 0)
+    do {
+      ++level;
+      assert(level < levels);
+    } while (level_[level] != value && level_[level] != 0);
+  level_[level] = value;
+  assert(count_ < capacity);
+  duration_[count_] = duration;
+  code_[count_] = level;
+  ++count_;
 }
 
-double Profile::duration() const {
+double Profile::duration() const noexcept {
   double t = 0;
-  for (const auto& phase : used()) t += phase.duration;
+  for (std::size_t i = 0; i < count_; ++i) t += duration_[i];
   return t;
 }
 
+Motion Profile::at(double t) const noexcept {
+  MotionState s = start_;
+  if (!(t >= 0)) return {s.position, s.velocity, s.acceleration, 0};
+  for (std::size_t i = 0; i + 1 < count_; ++i) {
+    const Phase f = phase(i);
+    if (t < f.duration) return advanced(s, order_, f.value, t);
+    s = state(advanced(s, order_, f.value, f.duration));
+    t -= f.duration;
+  }
+  // The last phase is measured back from the end, so that the motion arrives exactly.
+  if (count_ == 0 || t >= duration_[count_ - 1U])
+    return {end_.position, end_.velocity, end_.acceleration, 0};
+  const Phase last = phase(count_ - 1U);
+  return advanced(end_, order_, last.value, t - last.duration);
+}
+
 Trajectory Profile::curve() const {
-  std::vector<Segment> segments(count);
-  State forward{from, 0};
-  for (std::size_t i = 0; i < accelerating; ++i) {
-    segments[i] = phase_segment(phases[i], forward);
-    forward = after(phases[i], forward);
+  std::vector<Segment> segments(count_);
+  // The first half (at least a phase) is built from the start, the rest back from the end: each is
+  // exact at its own end, and what rounding leaves between them lies in the middle.
+  const double middle = duration() / 2;
+  MotionState forward = start_;
+  double t = 0;
+  std::size_t i = 0;
+  for (; i < count_ && (i == 0 || t + duration_[i] <= middle); ++i) {
+    segments[i] = segment(forward, order_, phase(i));
+    t += duration_[i];
+    forward = state(advanced(forward, order_, phase(i).value, duration_[i]));
   }
-  State backward{to, 0};
-  std::size_t i = count;
-  while (i > accelerating && !is_cruise(phases[i - 1])) {
-    --i;
-    backward = before(phases[i], backward);
-    segments[i] = phase_segment(phases[i], backward);
+  MotionState backward = end_;
+  for (std::size_t k = count_; k-- > i;) {
+    backward = state(advanced(backward, order_, phase(k).value, -duration_[k]));
+    segments[k] = segment(backward, order_, phase(k));
   }
-  // What rounding left between the two halves goes into the cruise.
-  if (i > accelerating)
-    segments[i - 1] = line(phases[i - 1].duration, forward.position, backward.position);
+  // A cruise in the middle takes the difference up.
+  if (i < count_ && segments[i].degree == 1) {
+    const double end = segments[i].c[0] + segments[i].c[1];
+    segments[i] = line(segments[i].length, forward.position, end);
+  }
   return Trajectory(std::move(segments), 0, Outside::hold);
 }
 

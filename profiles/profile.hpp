@@ -1,66 +1,80 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
+#include <cstdint>
 
 #include "jounce/profiles/curve.hpp"
 
 namespace jounce {
 
-/// A move in the compact form that the time generators make: at most seven phases of constant jerk.
+/// Where an axis is, how fast, and how it accelerates: u, u/s, u/s^2.
+struct MotionState {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+
+  bool operator==(const MotionState&) const = default;
+};
+
+/// A motion in the compact form that the time generators make: 192 bytes, no heap.
 ///
-///     SCurveSpec spec{.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100};
-///     Profile move = s_curve(spec);
+///     Profile move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100});
 ///     double T = move.duration();          // s
+///     Motion now = move.at(0.25);          // position, velocity, acceleration, jerk
 ///     Trajectory curve = move.curve();     // exact, for checks, tables and plots
 ///
-/// A phase that does not occur is left out. The move begins and ends at rest, exactly at `from` and
-/// `to`: the half after the middle is built backwards from the end.
-struct Profile {
+/// **Vocabulary.** A *phase* is a stretch over which the profile's highest derivative is constant:
+/// the jerk (order 3), the acceleration (order 2, which then steps between phases), or the velocity
+/// (order 1). Phases that do not occur are left out.
+///
+/// The motion begins exactly at start() and ends exactly at end(), which need not be at rest.
+/// Outside [0, duration] at() answers with the state at that end, jerk 0.
+class Profile {
+ public:
+  static constexpr std::size_t capacity = 11;
+
   struct Phase {
-    double duration = 0;      ///< > 0
-    double acceleration = 0;  ///< at the phase's start, signed
-    double jerk = 0;          ///< constant over the phase, signed
+    double duration = 0;  ///< > 0, s
+    double value = 0;     ///< of the highest derivative, signed: u/s^order
   };
 
-  double from = 0;
-  double to = 0;
-  double peak_velocity = 0;  ///< signed
-  std::array<Phase, 7> phases{};
-  std::size_t count = 0;         ///< phases in use
-  std::size_t accelerating = 0;  ///< how many of them come before the middle (cruise or peak)
+  Profile() = default;
+  /// A motion of no duration yet; order 1, 2 or 3.
+  Profile(const MotionState& start, int order) noexcept;
 
-  void add(double duration, double acceleration, double jerk);
-  [[nodiscard]] std::span<const Phase> used() const { return {phases.data(), count}; }
-  [[nodiscard]] double duration() const;
+  /// Appends a phase; one of no (or negative) duration is left out. At most `capacity` of them and
+  /// four different values besides zero.
+  void add(double duration, double value) noexcept;
+  /// Where the last phase is meant to end: what at() and curve() answer there, so that rounding in
+  /// the phases does not show.
+  void finish(const MotionState& end) noexcept { end_ = end; }
+
+  [[nodiscard]] int order() const noexcept { return order_; }
+  [[nodiscard]] std::size_t phases() const noexcept { return count_; }
+  [[nodiscard]] Phase phase(std::size_t i) const noexcept {
+    return {duration_[i], level_[code_[i]]};
+  }
+  [[nodiscard]] const MotionState& start() const noexcept { return start_; }
+  [[nodiscard]] const MotionState& end() const noexcept { return end_; }
+  [[nodiscard]] double duration() const noexcept;
+
+  /// The state at t, with its jerk; right-continuous where the highest derivative steps.
+  [[nodiscard]] Motion at(double t) const noexcept;
+
+  /// The same motion as a curve from 0; outside it holds. Throws InputError for a motion of no
+  /// duration.
   [[nodiscard]] Trajectory curve() const;
+
+ private:
+  static constexpr std::size_t levels = 5;
+
+  std::array<double, capacity> duration_{};
+  std::array<double, levels> level_{};  ///< the values in use; [0] is zero
+  MotionState start_, end_;
+  std::array<std::uint8_t, capacity> code_{};  ///< which level a phase has
+  std::uint8_t count_ = 0;
+  std::uint8_t order_ = 3;
 };
-
-/// Trapezoidal velocity, rest to rest.
-struct TrapezoidSpec {
-  double from = 0;          ///< u
-  double to = 0;            ///< u; equal to `from` is refused: there is no move
-  double velocity = 0;      ///< u/s, > 0; not reached by a short move
-  double acceleration = 0;  ///< u/s^2, > 0
-  double deceleration = 0;  ///< u/s^2, > 0; 0: as acceleration
-};
-
-/// Time-optimal under the limits. Throws InputError for a value out of range.
-Profile trapezoid(const TrapezoidSpec& spec);
-
-/// Seven-segment S-curve, rest to rest: acceleration ramps at the given jerk.
-struct SCurveSpec {
-  double from = 0;               ///< u
-  double to = 0;                 ///< u, not equal to `from`
-  double velocity = 0;           ///< u/s, > 0
-  double acceleration = 0;       ///< u/s^2, > 0
-  double deceleration = 0;       ///< u/s^2; 0: as acceleration
-  double jerk = 0;               ///< u/s^3, > 0, of the accelerating half
-  double deceleration_jerk = 0;  ///< u/s^3, of the decelerating half; 0: as jerk
-};
-
-/// Time-optimal under the limits, each half with its own acceleration and jerk. Velocity and
-/// acceleration are not reached by short moves. Throws InputError for a value out of range.
-Profile s_curve(const SCurveSpec& spec);
 
 }  // namespace jounce

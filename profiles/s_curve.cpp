@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 // A ramp between rest and velocity v under acceleration a and jerk j is point-symmetric, so that it
 // covers v/2 times its duration:
@@ -69,35 +70,22 @@ double peak_velocity(const Ramp& r1, const Ramp& r2, double h) {
   return r1.threshold() < r2.threshold() ? peak_mixed(r1, r2, h) : peak_mixed(r2, r1, h);
 }
 
-void add_ramp(Profile& move, const Ramp& r, double v, double sign) {
-  const double tj = r.reaches_a(v) ? r.jerk_time() : std::sqrt(v / r.j);
-  const double a = r.reaches_a(v) ? r.a : r.j * tj;
-  const double jerk = std::isinf(r.j) ? 0 : r.j;
-  move.add(tj, 0, sign * jerk);
-  if (r.reaches_a(v)) move.add(v / a - tj, sign * a, 0);
-  move.add(tj, sign * a, -sign * jerk);
+/// One ramp between rest and v, as it stands in a profile.
+struct Phases {
+  double ramp = 0;     ///< s, of rising and of falling acceleration
+  double plateau = 0;  ///< s, at the greatest acceleration
+};
+
+Phases phases(const Ramp& r, double v) {
+  if (!r.reaches_a(v)) return {std::sqrt(v / r.j), 0};
+  return {r.jerk_time(), v / r.a - r.jerk_time()};
 }
 
-/// Takes out plateaus that only rounding made. A ramp that vanishes beside the move is refused: in
-/// doubles it would have no length.
-void drop_dust(Profile& move) {
-  const double dust = 1e-15 * move.duration();
-  std::size_t kept = 0;
-  const std::size_t before = move.accelerating;
-  for (std::size_t i = 0; i < move.count; ++i) {
-    const Profile::Phase phase = move.phases[i];
-    if (phase.duration > dust) {
-      move.phases[kept++] = phase;
-    } else if (phase.jerk != 0) {
-      throw InputError("jerk", std::abs(phase.jerk),
-                       "is so high that its ramps vanish beside the move, which takes " +
-                           number(move.duration()) + ": take a trapezoid");
-    } else if (i < before) {
-      --move.accelerating;
-    }
-  }
-  move.count = kept;
-  if (kept == 0) throw InputError("to", move.to, "is too close to `from` for a move");
+void add_ramp(Profile& move, const Ramp& r, const Phases& phases, double sign) {
+  if (std::isinf(r.j)) return move.add(phases.plateau, sign * r.a);
+  move.add(phases.ramp, sign * r.j);
+  move.add(phases.plateau, 0);
+  move.add(phases.ramp, -sign * r.j);
 }
 
 Profile rest_to_rest(double from, double to, double velocity, const Ramp& accelerate,
@@ -106,17 +94,29 @@ Profile rest_to_rest(double from, double to, double velocity, const Ramp& accele
   const double sign = to > from ? 1 : -1;
   const double peak = peak_velocity(accelerate, decelerate, h);
   const double v = std::min(peak, velocity);
-  Profile move;
-  move.from = from;
-  move.to = to;
-  move.peak_velocity = sign * v;
-  add_ramp(move, accelerate, v, sign);
-  move.accelerating = move.count;
-  if (velocity < peak)  // cruise over what the ramps leave
-    move.add(h / v - (accelerate.duration(v) + decelerate.duration(v)) / 2, 0, 0);
-  add_ramp(move, decelerate, v, -sign);
-  require_finite("duration", move.duration());
-  drop_dust(move);
+  Phases up = phases(accelerate, v);
+  Phases down = phases(decelerate, v);
+  double cruise = velocity < peak ? h / v - (accelerate.duration(v) + decelerate.duration(v)) / 2 : 0;
+  const double total = 2 * up.ramp + up.plateau + cruise + down.plateau + 2 * down.ramp;
+  require_finite("duration", total);
+  if (!(total > 0)) throw InputError("to", to, "is too close to `from` for a move");
+
+  // Plateaus that only rounding made are dropped. A ramp that vanishes beside the move is refused:
+  // in doubles it would have no length.
+  const double dust = 1e-15 * total;
+  for (double* plateau : {&up.plateau, &cruise, &down.plateau})
+    if (*plateau <= dust) *plateau = 0;
+  for (const auto& [ramp, jerk] : {std::pair{up.ramp, accelerate.j}, {down.ramp, decelerate.j}})
+    if (!std::isinf(jerk) && ramp <= dust)
+      throw InputError("jerk", jerk,
+                       "is so high that its ramps vanish beside the move, which takes " +
+                           number(total) + ": take a trapezoid");
+
+  Profile move({from, 0, 0}, std::isinf(accelerate.j) ? 2 : 3);
+  add_ramp(move, accelerate, up, sign);
+  move.add(cruise, 0);
+  add_ramp(move, decelerate, down, -sign);
+  move.finish({to, 0, 0});
   return move;
 }
 

@@ -4,7 +4,7 @@
 
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 using namespace jounce;
 

@@ -3,7 +3,7 @@
 
 #include "jounce/cam/design.hpp"
 #include "jounce/cam/followed.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 using namespace jounce;

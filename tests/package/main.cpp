@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include <jounce/profiles/extrema.hpp>
-#include <jounce/profiles/profile.hpp>
+#include <jounce/profiles/s_curve.hpp>
 
 int main() {
   const jounce::Trajectory move =

@@ -2,7 +2,7 @@
 
 #include "jounce/cam/design.hpp"
 #include "jounce/plot/curve_figure.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 namespace jounce {
 

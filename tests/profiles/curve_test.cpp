@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 #include "support/invariants.hpp"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 namespace jounce {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "jounce/cam/law.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 #include "support/oracle.hpp"
 

@@ -16,7 +16,7 @@
 #include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "validate/exact_drive.hpp"

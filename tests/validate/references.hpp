@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve.hpp"
 #include "jounce/profiles/jet.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 namespace jounce::test {
 

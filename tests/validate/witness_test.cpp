@@ -13,7 +13,7 @@
 #include "jounce/cam/design.hpp"
 #include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "validate/references.hpp"

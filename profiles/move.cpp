@@ -1,0 +1,3 @@
+#include "jounce/profiles/move.hpp"
+
+namespace jounce {}
