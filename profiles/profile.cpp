@@ -36,18 +36,22 @@ Segment segment(const MotionState& begin, int order, const Profile::Phase& phase
 Profile::Profile(const MotionState& start, int order) noexcept
     : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
 
-void Profile::add(double duration, double value) noexcept {
-  if (!(duration > 0)) return;
-  std::uint8_t level = 0;
+std::size_t Profile::level(double value) noexcept {
+  std::size_t i = 0;
   if (value != 0)
     do {
-      ++level;
-      assert(level < levels);
-    } while (level_[level] != value && level_[level] != 0);
-  level_[level] = value;
+      ++i;
+      assert(i < levels);
+    } while (level_[i] != value && level_[i] != 0);
+  level_[i] = value;
+  return i;
+}
+
+void Profile::add(double duration, double value, double more) noexcept {
+  if (!(duration > 0)) return;
   assert(count_ < capacity);
   duration_[count_] = duration;
-  code_[count_] = level;
+  code_[count_] = static_cast<std::uint8_t>(level(value) + levels * level(more));
   ++count_;
 }
 

@@ -45,7 +45,9 @@ class Profile {
 
   /// Appends a phase; one of no (or negative) duration is left out. At most `capacity` of them and
   /// four different values besides zero.
-  void add(double duration, double value) noexcept;
+  void add(double duration, double value) noexcept { add(duration, value, 0); }
+  /// The same where the value is a sum: of such values there may be more, while the terms are four.
+  void add(double duration, double value, double more) noexcept;
   /// Where the last phase is meant to end: what at() and curve() answer there, so that rounding in
   /// the phases does not show.
   void finish(const MotionState& end) noexcept { end_ = end; }
@@ -53,7 +55,7 @@ class Profile {
   [[nodiscard]] int order() const noexcept { return order_; }
   [[nodiscard]] std::size_t phases() const noexcept { return count_; }
   [[nodiscard]] Phase phase(std::size_t i) const noexcept {
-    return {duration_[i], level_[code_[i]]};
+    return {duration_[i], level_[code_[i] % levels] + level_[code_[i] / levels]};
   }
   [[nodiscard]] const MotionState& start() const noexcept { return start_; }
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
@@ -69,10 +71,12 @@ class Profile {
  private:
   static constexpr std::size_t levels = 5;
 
+  std::size_t level(double value) noexcept;
+
   std::array<double, capacity> duration_{};
   std::array<double, levels> level_{};  ///< the values in use; [0] is zero
   MotionState start_, end_;
-  std::array<std::uint8_t, capacity> code_{};  ///< which level a phase has
+  std::array<std::uint8_t, capacity> code_{};  ///< which two levels a phase's value is the sum of
   std::uint8_t count_ = 0;
   std::uint8_t order_ = 3;
 };

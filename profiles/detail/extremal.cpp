@@ -1,0 +1,391 @@
+#include "jounce/profiles/detail/extremal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// While nothing is held, (1) gives z_low^2 - z_high^2 = q. With the sum S = z1 + z2, which grows
+// with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
+//
+//   (5)  d = K + k (m S + (k + 1/jd) S^3/24 - q^2/(8 jp S)),   m = (c1 + c2)/2
+//
+// While one half holds z = L, the peak acceleration x of the other runs, with w = the held half's
+// hold at x = 0,
+//
+//   (6)  d = K' + k (c x + (L/(2 jd) + c/L) x^2/2 + (k + 1/jd) x^3/6 + k x^4/(8 L))
+//
+// While both hold, vp runs: (7) d = d1 + (1/L1 + 1/L2) ((vp1 + L1 L2/(2 jd)) y + y^2/2), y = vp - vp1.
+// K = -sum of c s/jp + s^3/(6 jp^2) over both halves; K' is (3) of both halves at x = 0.
+
+namespace jounce::detail {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+double square(double x) {
+  return x * x;
+}
+double cube(double x) {
+  return x * x * x;
+}
+double root(double x) {
+  return std::sqrt(std::max(x, 0.0));
+}
+
+/// The zero of a monotone f in [lo, hi], or the nearer end: Newton, kept inside by bisection.
+/// f writes its derivative.
+template <class F>
+double zero(F f, double lo, double hi, bool rising) {
+  double x = rising ? hi : lo;
+  for (int i = 0; i < 200; ++i) {
+    double slope = 0;
+    const double y = f(x, slope);
+    if (y == 0) break;
+    (y < 0) == rising ? lo = x : hi = x;
+    double next = x - y / slope;
+    if (!(next > lo && next < hi) || i > 50) next = lo + (hi - lo) / 2;
+    const bool done = std::abs(next - x) <= 2e-16 * std::abs(x) || !(next > lo && next < hi);
+    x = next;
+    if (done) break;
+  }
+  return x;
+}
+
+}  // namespace
+
+Extremals::Extremals(const End& from, const End& to, const Limits& limits) noexcept
+    : vmax_(limits.velocity),
+      jp_(limits.jerk_up),
+      jd_(limits.jerk_down),
+      ijp_(1 / jp_),
+      ijd_(1 / jd_),
+      k_(ijp_ + ijd_) {
+  const auto half = [this](double v, double s, double limit) {
+    const double c = v - s * s * ijp_ / 2;
+    return Half{s, limit, c, c + k_ * limit * limit / 2};
+  };
+  half_ = {half(from.velocity, from.acceleration, limits.rise),
+           half(to.velocity, -to.acceleration, limits.fall)};
+  // Where a half must begin: at its own s, or where its z passes zero.
+  const auto natural = [this](const Half& h) {
+    return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c;
+  };
+  const double n0 = natural(half_[0]);
+  const double n1 = natural(half_[1]);
+  natural_ = std::max(n0, n1);
+  first_ = n0 >= n1 ? 0 : 1;
+  if (n0 == n1 && half_[0].s < 0) first_ = half_[1].s < 0 ? 0 : 1;
+  high_ = half_[0].c >= half_[1].c ? 0 : 1;
+  q_ = 2 / k_ * std::abs(half_[0].c - half_[1].c);
+  // The early branch: the other half than first_ has room below zero, and enough of it.
+  const Half& degenerate = half_[first_];
+  const Half& room = half_[1 - first_];
+  early_ = room.s < 0 && degenerate.s > 0 && room.c >= degenerate.c &&
+           room.c + k_ * square(room.s) / 2 >= natural_;
+}
+
+Extremal Extremals::at_peak(double vp) const noexcept {
+  Extremal e;
+  e.vp = vp;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Half& h = half_[i];
+    if (vp <= h.sat) {
+      e.z[i] = std::min(root(2 / k_ * (vp - h.c)), h.limit);
+    } else {
+      e.z[i] = h.limit;
+      e.hold[i] = (vp - h.sat) / h.limit;
+    }
+  }
+  return e;
+}
+
+Extremal Extremals::first(Branch b) const noexcept {
+  const auto i = static_cast<std::size_t>(b == Branch::main ? first_ : 1 - first_);
+  const double s = half_[i].s;
+  Extremal e = at_peak(half_[i].c + k_ * s * s / 2);
+  e.z[i] = s;
+  e.hold[i] = 0;
+  return e;
+}
+
+Extremal Extremals::last_early() const noexcept {
+  const auto o = static_cast<std::size_t>(first_);
+  Extremal e = at_peak(half_[o].c + k_ * square(half_[o].s) / 2);
+  e.z[o] = half_[o].s;
+  e.hold[o] = 0;
+  e.z[1 - o] = -e.z[1 - o];
+  return e;
+}
+
+double Extremals::duration(const Extremal& e) const noexcept {
+  return k_ * (e.z[0] + e.z[1]) - (half_[0].s + half_[1].s) * ijp_ + e.hold[0] + e.hold[1] +
+         e.cruise;
+}
+
+double Extremals::distance(const Extremal& e) const noexcept {
+  double d = e.vp * ((e.z[0] + e.z[1]) * ijd_ + e.cruise);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Half& h = half_[i];
+    const double z = e.z[i];
+    const double t = e.hold[i];
+    d += h.c * (z - h.s) * ijp_ + (cube(z) - cube(h.s)) * ijp_ * ijp_ / 6 -
+         cube(z) * ijd_ * ijd_ / 6;
+    if (t > 0) d += t * (h.c + z * z * ijp_ / 2 + z * t / 2);
+  }
+  return d;
+}
+
+int Extremals::stretches(Branch b, Stretches& out) const noexcept {
+  using Held = Stretch::Held;
+  int n = 0;
+  const auto add = [&](Held held, int free, double lo, double hi) {
+    if (hi > lo) out[static_cast<std::size_t>(n++)] = {held, free, lo, hi};
+  };
+  const int i = b == Branch::main ? first_ : 1 - first_;
+  const auto& a = half_[static_cast<std::size_t>(i)];
+  const auto& o = half_[static_cast<std::size_t>(1 - i)];
+  // S in terms of the smaller z.
+  const auto sum = [this](double z_high) {
+    const double z_low = root(z_high * z_high + q_);
+    return z_high < 0 ? q_ / (z_low - z_high) : z_low + z_high;
+  };
+  double vp = a.c + k_ * square(a.s) / 2;  // where we are
+  if (a.s < 0) {                           // below zero: a is the high half
+    const double end = b == Branch::main ? 0 : -root(2 / k_ * (o.c + k_ * square(o.s) / 2 - a.c));
+    double x = a.s;
+    const double held_beyond = -root(square(o.limit) - q_);
+    if (x < held_beyond) {
+      const double to = std::min(held_beyond, end);
+      add(Held::one, i, x, to);
+      x = to;
+    }
+    if (x < end) add(Held::none, 0, sum(x), sum(end));
+    if (b == Branch::early) return n;
+    vp = a.c;
+  } else if (b == Branch::early) {
+    return n;
+  }
+  const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;  // saturates first
+  const auto& l = half_[static_cast<std::size_t>(lower)];
+  const auto& u = half_[static_cast<std::size_t>(1 - lower)];
+  const auto z = [this](const Half& h, double v) { return root(2 / k_ * (v - h.c)); };
+  const double c_high = half_[static_cast<std::size_t>(high_)].c;
+  const double to_none = std::min(l.sat, vmax_);
+  if (vp < to_none) {
+    const auto s_at = [&](double v) { return v == inf ? inf : sum(root(2 / k_ * (v - c_high))); };
+    add(Held::none, 0, s_at(vp), s_at(to_none));
+    vp = to_none;
+  }
+  const double to_one = std::min(u.sat, vmax_);
+  if (vp < to_one) {
+    add(Held::one, 1 - lower, z(u, vp), to_one == inf ? inf : z(u, to_one));
+    vp = to_one;
+  }
+  if (vp < vmax_) add(Held::both, 0, vp, vmax_);
+  if (vmax_ < inf) add(Held::cruise, 0, 0, inf);
+  return n;
+}
+
+Extremal Extremals::member(const Stretch& p, double x) const noexcept {
+  Extremal e;
+  switch (p.held) {
+    case Stretch::Held::none: {
+      const auto hi = static_cast<std::size_t>(high_);
+      e.z[hi] = (x - q_ / x) / 2;
+      e.z[1 - hi] = (x + q_ / x) / 2;
+      if (q_ == 0) e.z = {x / 2, x / 2};
+      e.vp = half_[hi].c + k_ * square(e.z[hi]) / 2;
+      break;
+    }
+    case Stretch::Held::one: {
+      const auto f = static_cast<std::size_t>(p.free);
+      e.z[f] = x;
+      e.z[1 - f] = half_[1 - f].limit;
+      e.vp = half_[f].c + k_ * x * x / 2;
+      e.hold[1 - f] = std::max((e.vp - half_[1 - f].sat) / half_[1 - f].limit, 0.0);
+      break;
+    }
+    case Stretch::Held::both:
+      e = at_peak(x);
+      break;
+    case Stretch::Held::cruise:
+      e = at_peak(vmax_);
+      e.cruise = x;
+      break;
+  }
+  return e;
+}
+
+/// Where in the stretch the distance d is covered; it is covered there.
+double Extremals::solve(const Stretch& p, double d, bool rising) const noexcept {
+  const double third = k_ + ijd_;
+  const auto start = [this](const Half& h) {
+    return -(h.c * h.s * ijp_ + cube(h.s) * ijp_ * ijp_ / 6);
+  };
+  double hi = p.hi;
+  switch (p.held) {
+    case Stretch::Held::none: {
+      const double m = (half_[0].c + half_[1].c) / 2;
+      const double a3 = third / 24;
+      const double mu = q_ * q_ * ijp_ / 8;
+      const double g = (d - start(half_[0]) - start(half_[1])) / k_;
+      const auto f = [&](double s, double& by) {
+        const double r = mu / s;
+        by = m + 3 * a3 * s * s + r / s;
+        return s * (m + a3 * s * s) - r - g;
+      };
+      if (hi == inf) {
+        hi = std::max({2 * p.lo, std::cbrt(std::abs(g) / a3), std::sqrt(std::abs(m) / a3),
+                       std::sqrt(std::sqrt(mu / a3))});
+        for (double slope_at = 0; f(hi, slope_at) < 0;) hi *= 2;
+      }
+      return zero(f, p.lo, hi, rising);
+    }
+    case Stretch::Held::one: {
+      const auto& x = half_[static_cast<std::size_t>(p.free)];
+      const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
+      const double l = held.limit;
+      const double h0 = (x.c - held.sat) / l;  // hold at x = 0, may be negative
+      const double k0 = start(x) + start(held) + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
+                        h0 * (held.c + l * l * ijp_ / 2 + l * h0 / 2) + x.c * l * ijd_ -
+                        cube(l) * ijd_ * ijd_ / 6;
+      const double g = (d - k0) / k_;
+      const double c2 = l * ijd_ / 4 + x.c / (2 * l);
+      const double c3 = third / 6;
+      const double c4 = k_ / (8 * l);
+      const auto f = [&](double y, double& by) {
+        by = x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4));
+        return y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
+      };
+      if (hi == inf) {
+        hi = std::max(2 * std::abs(p.lo), l);
+        for (double slope_at = 0; f(hi, slope_at) < 0;) hi *= 2;
+      }
+      return zero(f, p.lo, hi, rising);
+    }
+    case Stretch::Held::both: {
+      const Extremal e = at_peak(p.lo);
+      const double h = slope(e);
+      const double g = (d - distance(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
+      const double r = root(h * h + 2 * g);
+      const double y = !rising ? -h - r : (h > 0 ? 2 * g / (h + r) : r - h);
+      return std::clamp(p.lo + y, p.lo, p.hi);
+    }
+    case Stretch::Held::cruise: {
+      const Extremal e = at_peak(vmax_);
+      return (d - distance(e)) / vmax_;
+    }
+  }
+  return p.lo;
+}
+
+/// Where (4) is zero in a stretch, ascending.
+int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexcept {
+  double lo = inf;
+  double hi = inf;
+  if (p.held == Stretch::Held::none) {
+    const double m = (half_[0].c + half_[1].c) / 2;
+    const double mu = q_ * q_ * ijp_ / 8;
+    const double a = (k_ + ijd_) / 8;
+    const double w = m * m - 4 * a * mu;
+    if (m < 0 && w >= 0) {
+      const double r = -m + std::sqrt(w);
+      lo = std::sqrt(2 * mu / r);
+      hi = std::sqrt(r / (2 * a));
+    }
+  } else if (p.held == Stretch::Held::one) {
+    const double c = half_[static_cast<std::size_t>(p.free)].c;
+    const double l = half_[static_cast<std::size_t>(1 - p.free)].limit * ijd_ / 2;
+    const double w = l * l - 2 * k_ * c;
+    if (w >= 0) {
+      lo = (-l - std::sqrt(w)) / k_;
+      hi = (-l + std::sqrt(w)) / k_;
+    }
+  } else if (p.held == Stretch::Held::both) {
+    lo = -half_[0].limit * half_[1].limit * ijd_ / 2;
+  }
+  int n = 0;
+  for (const double x : {lo, hi})
+    if (x > p.lo && x < p.hi) out[static_cast<std::size_t>(n++)] = x;
+  return n;
+}
+
+int Extremals::covering(Branch b, double d, Members& out, int most) const noexcept {
+  Stretches all;
+  const int stretches_in_use = stretches(b, all);
+  int found = 0;
+  double before = distance(first(b));
+  for (int i = 0; i < stretches_in_use && found < most; ++i) {
+    Stretch piece = all[static_cast<std::size_t>(i)];
+    const double end = piece.hi;
+    // The distance may rise, fall and rise again; once it rises with both z > 0 it goes on rising.
+    const Extremal begin = member(piece, piece.lo);
+    std::array<double, 2> turns;
+    const bool turns_somewhere = std::min(begin.z[0], begin.z[1]) < 0 || slope(begin) < 0;
+    const int n = turns_somewhere ? turning(piece, turns) : 0;
+    for (int k = 0; k <= n && found < most; ++k) {
+      piece.hi = k < n ? turns[static_cast<std::size_t>(k)] : end;
+      const double after = piece.hi == inf ? inf : distance(member(piece, piece.hi));
+      if ((before < d) != (after < d))
+        out[static_cast<std::size_t>(found++)] = member(piece, solve(piece, d, after > before));
+      before = after;
+      piece.lo = piece.hi;
+    }
+  }
+  return found;
+}
+
+Extremal Extremals::cruising(double t, double d) const noexcept {
+  // Of the peak velocity: the distance, whose slope is (z1 + z2)/(2 jd) plus the time at cruise.
+  const auto at = [&](double vp) {
+    Extremal e = at_peak(vp);
+    e.cruise = t - duration(e);
+    return e;
+  };
+  const auto f = [&](double vp, double& by) {
+    const Extremal e = at(vp);
+    by = (e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise;
+    return distance(e) - d;
+  };
+  return at(zero(f, natural_, lasting(Branch::main, t).vp, true));
+}
+
+Extremal Extremals::lasting(Branch b, double t) const noexcept {
+  Stretches all;
+  const int n = stretches(b, all);
+  const double ends = (half_[0].s + half_[1].s) * ijp_;
+  Extremal e = first(b);
+  for (int i = 0; i < n; ++i) {
+    const Stretch& p = all[static_cast<std::size_t>(i)];
+    if (p.hi != inf) {
+      e = member(p, p.hi);
+      if (duration(e) < t) continue;
+    }
+    double x = p.lo;
+    switch (p.held) {
+      case Stretch::Held::none:
+        x = (t + ends) / k_;
+        break;
+      case Stretch::Held::one: {
+        const auto& free = half_[static_cast<std::size_t>(p.free)];
+        const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
+        const double l = held.limit;
+        const double w = k_ * l + (free.c - held.sat) / l - ends - t;
+        x = -l + root(l * l - 2 * l * w / k_);
+        break;
+      }
+      case Stretch::Held::both: {
+        e = member(p, p.lo);
+        x = p.lo + (t - duration(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
+        break;
+      }
+      case Stretch::Held::cruise:
+        x = t - duration(at_peak(vmax_));
+        break;
+    }
+    return member(p, std::clamp(x, p.lo, p.hi));
+  }
+  return e;
+}
+
+}  // namespace jounce::detail

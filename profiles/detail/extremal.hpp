@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+
+namespace jounce::detail {
+
+// The farthest a jerk-limited axis can get in a given time: the one family of motions on which the
+// general solver rests. docs/generators/move.md derives it at length.
+//
+// Fix both ends, (v0, a0) and (vf, af), and a duration T. The bounds on velocity, acceleration and
+// jerk are convex, so the distances that can be covered in T form an interval [Dmin(T), Dmax(T)].
+// The motion that attains Dmax is an *extremal*:
+//
+//   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
+//
+// The second half run backwards begins at (vf, -af) and is of the same kind as the first. A half
+// that begins at velocity v and acceleration s towards the peak velocity vp, with
+// c = v - s^2/(2 jp) and k = 1/jp + 1/jd (jp, jd > 0: rise and fall of acceleration), has
+//
+//   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held
+//   (2)  t  = (z - s)/jp + h + z/jd
+//   (3)  d  = c (z - s)/jp + (z^3 - s^3)/(6 jp^2) + (c + z^2/(2 jp)) h + z h^2/2
+//             + vp z/jd - z^3/(6 jd^2)
+//
+// Where the acceleration keeps its sign between z1 and -z2, one z is negative: the halves then
+// overlap, and (1) to (3) still hold. Along the family, in the direction of growing T,
+//
+//   (4)  dDmax/dT = H = vp + z1 z2/(2 jd)
+//
+// Dmin is Dmax of the motion mirrored in position.
+
+/// A member of the family.
+struct Extremal {
+  std::array<double, 2> z{};     ///< peak accelerations towards the peak velocity
+  std::array<double, 2> hold{};  ///< how long they are held
+  double vp = 0;                 ///< peak velocity
+  double cruise = 0;             ///< how long that is held
+};
+
+/// All extremals between two ends. With both accelerations at the ends of one sign there may be two
+/// separate branches: the *early* one, where the velocity changes without the acceleration passing
+/// zero, lasts from its direct change to a longest member; the *main* one lasts from its direct
+/// change to any duration.
+class Extremals {
+ public:
+  struct End {
+    double velocity;
+    double acceleration;
+  };
+  /// Magnitudes, all > 0; everything but the jerks may be infinite.
+  struct Limits {
+    double velocity;  ///< upwards
+    double rise, fall;       ///< acceleration upwards and downwards
+    double jerk_up, jerk_down;
+  };
+  enum class Branch { early, main };
+
+  Extremals(const End& from, const End& to, const Limits& limits) noexcept;
+
+  [[nodiscard]] bool has_early() const noexcept { return early_; }
+  /// The shortest member of a branch, and the longest of the early one.
+  [[nodiscard]] Extremal first(Branch b) const noexcept;
+  [[nodiscard]] Extremal last_early() const noexcept;
+
+  [[nodiscard]] double duration(const Extremal& e) const noexcept;
+  [[nodiscard]] double distance(const Extremal& e) const noexcept;
+  /// (4)
+  [[nodiscard]] double slope(const Extremal& e) const noexcept {
+    return e.vp + e.z[0] * e.z[1] * ijd_ / 2;
+  }
+
+  /// The members of the branch that cover d, in the order of their duration: at most three.
+  using Members = std::array<Extremal, 3>;
+  [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
+  /// The member of the branch that lasts t.
+  [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
+
+  /// Not extremal, but of the same form: the motion that cruises at the natural velocity, the
+  /// greater of those at which the acceleration of an end would come to zero, in duration t; and
+  /// the one that cruises at whatever higher velocity covers d in t. Only for t and d that permit it.
+  [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
+  [[nodiscard]] Extremal cruising(double t, double d) const noexcept;
+
+ private:
+  struct Half {
+    double s, limit, c, sat;  ///< sat: vp at which z reaches the limit
+  };
+  /// A stretch of a branch over which the same z are held, run through by one parameter.
+  struct Stretch {
+    enum class Held { none, one, both, cruise } held;
+    int free;  ///< Held::one: the half that does not hold
+    double lo, hi;
+  };
+  using Stretches = std::array<Stretch, 6>;
+
+  [[nodiscard]] int stretches(Branch b, Stretches& out) const noexcept;
+  [[nodiscard]] Extremal member(const Stretch& p, double x) const noexcept;
+  [[nodiscard]] int turning(const Stretch& p, std::array<double, 2>& out) const noexcept;
+  [[nodiscard]] double solve(const Stretch& p, double d, bool rising) const noexcept;
+  [[nodiscard]] Extremal at_peak(double vp) const noexcept;
+
+  std::array<Half, 2> half_;
+  double vmax_, jp_, jd_, ijp_, ijd_, k_;
+  double natural_;
+  double q_;   ///< z_low^2 - z_high^2 while nothing is held
+  int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
+  int first_;  ///< the half that is degenerate at the start of the main branch
+  bool early_;
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,224 @@
+#include "jounce/profiles/detail/point_to_point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "jounce/profiles/detail/brake.hpp"
+
+namespace jounce::detail {
+namespace {
+
+constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever it is a share of
+
+Extremals::Limits upwards(const Bounds& b, double vmax) {
+  return {vmax, b.acceleration_max, -b.acceleration_min, b.jerk_max, -b.jerk_min};
+}
+
+Bounds mirrored(const Bounds& b) {
+  return {-b.velocity_max,     -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
+          -b.jerk_max,         -b.jerk_min,     -b.position_max,     -b.position_min};
+}
+
+MotionState mirrored(const MotionState& s) {
+  return {-s.position, -s.velocity, -s.acceleration};
+}
+
+/// The velocity at which the acceleration of the target began to leave zero.
+double natural_before(const MotionState& to, const Bounds& b) {
+  return natural_velocity({to.position, to.velocity, -to.acceleration}, b);
+}
+
+/// The start with the velocity that makes the bare ramp of acceleration meet the target, if only
+/// rounding keeps it from that: a motion that has reached its last phase must not begin another.
+MotionState snapped(const MotionState& from, const MotionState& to, const Bounds& b) {
+  const double a0 = from.acceleration * from.acceleration;
+  const double af = to.acceleration * to.acceleration;
+  const double jerk = to.acceleration > from.acceleration ? b.jerk_max : b.jerk_min;
+  const double ramp = (af - a0) / (2 * jerk);
+  const double scale = std::abs(from.velocity) + std::abs(to.velocity) + (a0 + af) / std::abs(jerk);
+  MotionState s = from;
+  if (std::abs(to.velocity - from.velocity - ramp) <= ulps * scale) s.velocity = to.velocity - ramp;
+  return s;
+}
+
+Extremals between(const MotionState& from, const MotionState& to, const Bounds& b) {
+  // Rounding may have put an end a last digit beyond the limit.
+  const double vmax =
+      std::max({b.velocity_max, natural_velocity(from, b), natural_before(to, b)});
+  return {{from.velocity, from.acceleration}, {to.velocity, to.acceleration}, upwards(b, vmax)};
+}
+
+}  // namespace
+
+PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
+                           const Bounds& bounds) noexcept
+    : from_(snapped(from, to, bounds)),
+      to_(to),
+      bounds_(bounds),
+      d_(to.position - from.position),
+      up_(between(from_, to_, bounds)),
+      down_(between(mirrored(from_), mirrored(to_), mirrored(bounds))),
+      early_(up_.has_early() && down_.has_early()) {
+  const double t = up_.duration(up_.first(Branch::main));
+  rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
+                      t * (std::abs(from.velocity) + std::abs(to.velocity)) +
+                      t * t * (std::abs(from.acceleration) + std::abs(to.acceleration)));
+}
+
+bool PointToPoint::covered(Branch b, Choice& out) const noexcept {
+  out = {true, up_.first(b)};
+  const double direct = up_.distance(out.extremal);
+  if (std::abs(d_ - direct) <= rounding_) return true;
+  out.upwards = d_ > direct;
+  Extremals::Members members;
+  if (family(out.upwards).covering(b, towards(out.upwards), members, 1) == 1) {
+    out.extremal = members[0];
+    return true;
+  }
+  if (b == Branch::main) return false;
+  out.extremal = family(out.upwards).last_early();
+  return std::abs(towards(out.upwards) - family(out.upwards).distance(out.extremal)) <= rounding_;
+}
+
+PointToPoint::Choice PointToPoint::fastest() const noexcept {
+  Choice c;
+  if (early_ && covered(Branch::early, c)) return c;
+  (void)covered(Branch::main, c);
+  return c;
+}
+
+double PointToPoint::minimum() const noexcept {
+  const Choice c = fastest();
+  return family(c.upwards).duration(c.extremal);
+}
+
+namespace {
+
+/// The jerks and durations of an extremal, in the order of time; seven of them.
+struct Phases {
+  std::array<double, 7> duration;
+  std::array<int, 7> jerk{1, 0, -1, 0, -1, 0, 1};
+};
+
+Phases phases(const Extremal& e, double s0, double s1, double jp, double jd) {
+  const bool cruises = e.cruise > 0;
+  return {{(e.z[0] - s0) / jp, e.hold[0], (cruises ? e.z[0] : e.z[0] + e.z[1]) / jd, e.cruise,
+           cruises ? e.z[1] / jd : 0, e.hold[1], (e.z[1] - s1) / jp}};
+}
+
+}  // namespace
+
+void PointToPoint::append(const Choice& c, Profile& out) const noexcept {
+  const double jp = c.upwards ? bounds_.jerk_max : bounds_.jerk_min;
+  const double jd = c.upwards ? bounds_.jerk_min : bounds_.jerk_max;
+  const double sign = c.upwards ? 1 : -1;
+  const Phases p = phases(c.extremal, sign * from_.acceleration, -sign * to_.acceleration,
+                          std::abs(jp), std::abs(jd));
+  for (std::size_t i = 0; i < 7; ++i)
+    out.add(p.duration[i], p.jerk[i] == 0 ? 0 : (p.jerk[i] > 0 ? jp : jd));
+}
+
+void PointToPoint::append_blend(const Choice& a, const Choice& b, double share,
+                                Profile& out) const noexcept {
+  // Bounds are convex: what two motions of one duration keep, their mean keeps.
+  std::array<Phases, 2> p;
+  std::array<std::array<double, 3>, 2> jerk;  // of -, 0, +
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Choice& c = k == 0 ? a : b;
+    const double sign = c.upwards ? 1 : -1;
+    const double weight = k == 0 ? share : 1 - share;
+    const double jp = c.upwards ? bounds_.jerk_max : bounds_.jerk_min;
+    const double jd = c.upwards ? bounds_.jerk_min : bounds_.jerk_max;
+    p[k] = phases(c.extremal, sign * from_.acceleration, -sign * to_.acceleration, std::abs(jp),
+                  std::abs(jd));
+    jerk[k] = {weight * jd, 0, weight * jp};
+  }
+  std::array<std::size_t, 2> at{0, 0};
+  std::array<double, 2> left{p[0].duration[0], p[1].duration[0]};
+  while (at[0] < 7 && at[1] < 7) {
+    const double step = std::min(left[0], left[1]);
+    out.add(step, jerk[0][static_cast<std::size_t>(p[0].jerk[at[0]] + 1)],
+            jerk[1][static_cast<std::size_t>(p[1].jerk[at[1]] + 1)]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      left[k] -= std::max(step, 0.0);
+      while (at[k] < 7 && left[k] <= 0)
+        if (++at[k] < 7) left[k] = p[k].duration[at[k]];
+    }
+  }
+}
+
+void PointToPoint::shortest(Profile& out) const noexcept {
+  append(fastest(), out);
+}
+
+void PointToPoint::lasting(double t, Profile& out) const noexcept {
+  const Choice fast = fastest();
+  if (t <= family(fast.upwards).duration(fast.extremal) * (1 + ulps)) return append(fast, out);
+  const bool is_early = early_ && t < up_.duration(up_.first(Branch::main));
+  const Branch b = is_early ? Branch::early : Branch::main;
+  std::array<Choice, 2> ends;
+  std::array<double, 2> reach;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Choice& c = ends[i];
+    c.upwards = i == 0;
+    const Extremals& f = family(c.upwards);
+    const Extremal level = f.level();
+    const double spare = t - f.duration(level);
+    if (is_early || spare <= 0) {
+      c.extremal = f.lasting(b, t);
+    } else {
+      c.extremal = level;
+      c.extremal.cruise = spare;
+      if (f.distance(c.extremal) < towards(c.upwards))
+        return append({c.upwards, f.cruising(t, towards(c.upwards))}, out);
+    }
+    reach[i] = (c.upwards ? 1 : -1) * f.distance(c.extremal);
+  }
+  const double width = reach[0] - reach[1];
+  const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
+  append_blend(ends[0], ends[1], share, out);
+}
+
+bool PointToPoint::reachable(Branch b, double t) const noexcept {
+  return up_.distance(up_.lasting(b, t)) >= d_ - rounding_ &&
+         -down_.distance(down_.lasting(b, t)) <= d_ + rounding_;
+}
+
+Durations PointToPoint::durations() const noexcept {
+  Durations out;
+  out.minimum = minimum();
+  // Between these instants nothing changes about whether the target can be reached.
+  std::array<double, 16> event{out.minimum};
+  std::size_t n = 1;
+  for (const Branch b : {Branch::early, Branch::main}) {
+    if (b == Branch::early && !early_) continue;
+    event[n++] = up_.duration(up_.first(b));
+    if (b == Branch::early) event[n++] = up_.duration(up_.last_early());
+    for (const bool upwards : {true, false}) {
+      Extremals::Members members;
+      const int found = family(upwards).covering(b, towards(upwards), members);
+      for (int i = 0; i < found; ++i)
+        event[n++] = family(upwards).duration(members[static_cast<std::size_t>(i)]);
+    }
+  }
+  std::sort(event.begin(), event.begin() + n);
+  const double main = up_.duration(up_.first(Branch::main));
+  const double last = early_ ? up_.duration(up_.last_early()) : 0;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const double from = std::max(event[i], out.minimum);
+    const double to = event[i + 1];
+    if (!(to > from * (1 + ulps))) continue;
+    const double middle = from + (to - from) / 2;
+    const bool open = middle >= main ? reachable(Branch::main, middle)
+                                     : early_ && middle <= last && reachable(Branch::early, middle);
+    if (open) continue;
+    if (out.count > 0 && out.blocked[out.count - 1].to == from)
+      out.blocked[out.count - 1].to = to;
+    else if (out.count < out.blocked.size())
+      out.blocked[out.count++] = {from, to};
+  }
+  return out;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,113 @@
+#include "jounce/profiles/detail/second_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jounce::detail {
+namespace {
+
+constexpr double ulps = 0x1p-49;
+
+}  // namespace
+
+SecondOrder::SecondOrder(const MotionState& from, const MotionState& to,
+                         const Bounds& b) noexcept {
+  const double d = to.position - from.position;
+  up_ = {1, from.velocity, to.velocity, b.velocity_max, b.acceleration_max, -b.acceleration_min, d};
+  down_ = {-1,  -from.velocity,      -to.velocity,       -b.velocity_min,
+           -b.acceleration_min, b.acceleration_max, -d};
+  for (Way* w : {&up_, &down_}) w->vmax = std::max(w->vmax, w->natural());
+  direct_ = up_.duration(up_.natural());
+  direct_distance_ = up_.distance(up_.natural());
+  rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
+                      direct_ * (std::abs(from.velocity) + std::abs(to.velocity)));
+}
+
+double SecondOrder::Way::duration(double peak) const noexcept {
+  return (peak - v0) / rise + (peak - vf) / fall;
+}
+
+double SecondOrder::Way::distance(double peak) const noexcept {
+  return (peak - v0) * (peak + v0) / (2 * rise) + (peak - vf) * (peak + vf) / (2 * fall);
+}
+
+double SecondOrder::Way::peak() const noexcept {
+  const double square = (2 * d + v0 * v0 / rise + vf * vf / fall) / (1 / rise + 1 / fall);
+  return std::max(std::sqrt(std::max(square, 0.0)), natural());
+}
+
+double SecondOrder::Way::cruise_velocity(double t) const noexcept {
+  // -(1/r + 1/f) p^2/2 + (t + v0/r + vf/f) p - v0^2/(2 r) - vf^2/(2 f) = d, the smaller solution.
+  const double a = 1 / rise + 1 / fall;
+  const double b = t + v0 / rise + vf / fall;
+  const double c = 2 * d + v0 * v0 / rise + vf * vf / fall;
+  return c / (b + std::sqrt(std::max(b * b - a * c, 0.0)));
+}
+
+void SecondOrder::Way::append(double peak, double cruise, Profile& out) const noexcept {
+  out.add((peak - v0) / rise, sign * rise);
+  out.add(cruise, 0);
+  out.add((peak - vf) / fall, -sign * fall);
+}
+
+const SecondOrder::Way& SecondOrder::way() const noexcept {
+  return up_.d >= direct_distance_ ? up_ : down_;
+}
+
+bool SecondOrder::is_direct() const noexcept {
+  return std::abs(up_.d - direct_distance_) <= rounding_;
+}
+
+double SecondOrder::minimum() const noexcept {
+  if (is_direct()) return direct_;
+  const Way& w = way();
+  const double peak = w.peak();
+  if (peak <= w.vmax) return w.duration(peak);
+  return w.duration(w.vmax) + (w.d - w.distance(w.vmax)) / w.vmax;
+}
+
+void SecondOrder::shortest(Profile& out) const noexcept {
+  const Way& w = way();
+  const double peak = is_direct() ? w.natural() : w.peak();
+  if (peak <= w.vmax)
+    w.append(peak, 0, out);
+  else
+    w.append(w.vmax, (w.d - w.distance(w.vmax)) / w.vmax, out);
+}
+
+void SecondOrder::lasting(double t, Profile& out) const noexcept {
+  const double spare = t - direct_;
+  if (t <= minimum() * (1 + ulps)) return shortest(out);
+  const double v = (up_.d - direct_distance_) / spare;
+  if (v > up_.natural() || -v > down_.natural()) {
+    const Way& w = v > up_.natural() ? up_ : down_;
+    const double p = std::min(w.cruise_velocity(t), w.vmax);
+    return w.append(p, t - w.duration(p), out);
+  }
+  // Between the two velocities: the change stops half-way to cruise.
+  const double a = up_.vf > up_.v0 ? up_.rise : -up_.fall;
+  out.add((v - up_.v0) / a, a);
+  out.add(spare, 0);
+  out.add((up_.vf - v) / a, a);
+}
+
+Durations SecondOrder::durations() const noexcept {
+  Durations out;
+  out.minimum = minimum();
+  // With both velocities against the way, the farthest that can be reached along it first falls
+  // back, and passes the target on its return.
+  for (const Way* w : {&up_, &down_}) {
+    const double p = std::sqrt(std::max(
+        (2 * w->d + w->v0 * w->v0 / w->rise + w->vf * w->vf / w->fall) / (1 / w->rise + 1 / w->fall),
+        0.0));
+    if (-p > w->natural() && p > 0) {
+      const double back = p <= w->vmax
+                              ? w->duration(p)
+                              : w->duration(w->vmax) + (w->d - w->distance(w->vmax)) / w->vmax;
+      out.blocked[out.count++] = {w->duration(-p), back};
+    }
+  }
+  return out;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "jounce/profiles/move.hpp"
+
+namespace jounce::detail {
+
+// Where the acceleration may step, a motion rises to a peak velocity p, holds it and falls (or the
+// mirror image of that). With rise r and fall f of the velocity, both > 0,
+//
+//   (1)  t = (p - v0)/r + (p - vf)/f + cruise
+//   (2)  d = (p^2 - v0^2)/(2 r) + (p^2 - vf^2)/(2 f) + p cruise
+//
+// The direct change has p = max(v0, vf) and covers d0. The shortest motion goes up for d > d0: (2)
+// without cruise, or with p = vmax. To last longer than the direct change, by `spare`, it cruises at
+// (d - d0)/spare if that lies between v0 and vf; otherwise (1) and (2) are solved for p.
+
+/// The same as PointToPoint for an acceleration that may step; the start inside the bounds.
+class SecondOrder {
+ public:
+  SecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+  void shortest(Profile& out) const noexcept;
+  void lasting(double t, Profile& out) const noexcept;
+  [[nodiscard]] Durations durations() const noexcept;
+
+ private:
+  /// One direction, in magnitudes.
+  struct Way {
+    double sign, v0, vf, vmax, rise, fall, d;
+
+    [[nodiscard]] double natural() const noexcept { return v0 > vf ? v0 : vf; }
+    [[nodiscard]] double duration(double peak) const noexcept;
+    [[nodiscard]] double distance(double peak) const noexcept;
+    [[nodiscard]] double peak() const noexcept;  ///< (2) without cruise, the greater solution
+    [[nodiscard]] double cruise_velocity(double t) const noexcept;  ///< (1) and (2)
+    void append(double peak, double cruise, Profile& out) const noexcept;
+  };
+
+  [[nodiscard]] const Way& way() const noexcept;  ///< the direction of the shortest motion
+  [[nodiscard]] bool is_direct() const noexcept;
+  [[nodiscard]] double minimum() const noexcept;
+
+  Way up_, down_;
+  double direct_;         ///< duration of the direct change
+  double direct_distance_;
+  double rounding_;
+};
+
+}  // namespace jounce::detail
