@@ -106,6 +106,7 @@ class Solver {
 
   [[nodiscard]] Profile shortest() const {
     Profile p = begun_;
+    if (inside_ == to_) return p;
     if (order_ == 3) detail::PointToPoint(inside_, to_, bounds_).shortest(p);
     if (order_ == 2) detail::SecondOrder(inside_, to_, bounds_).shortest(p);
     if (order_ == 1) straight(constant_velocity(to_.position - inside_.position, bounds_), p);

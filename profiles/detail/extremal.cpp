@@ -20,6 +20,7 @@
 namespace jounce::detail {
 namespace {
 
+constexpr double rounding = 0x1p-49;  // eight units in the last place
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 double square(double x) {
@@ -53,13 +54,15 @@ double zero(F f, double lo, double hi, bool rising) {
 
 }  // namespace
 
-Extremals::Extremals(const End& from, const End& to, const Limits& limits) noexcept
+Extremals::Extremals(const End& from, const End& to, const Limits& limits,
+                     int degenerate) noexcept
     : vmax_(limits.velocity),
       jp_(limits.jerk_up),
       jd_(limits.jerk_down),
       ijp_(1 / jp_),
       ijd_(1 / jd_),
-      k_(ijp_ + ijd_) {
+      k_(ijp_ + ijd_),
+      first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
     return Half{s, limit, c, c + k_ * limit * limit / 2};
@@ -70,18 +73,18 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits) noexc
   const auto natural = [this](const Half& h) {
     return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c;
   };
-  const double n0 = natural(half_[0]);
-  const double n1 = natural(half_[1]);
-  natural_ = std::max(n0, n1);
-  first_ = n0 >= n1 ? 0 : 1;
-  if (n0 == n1 && half_[0].s < 0) first_ = half_[1].s < 0 ? 0 : 1;
+  natural_ = std::max(natural(half_[0]), natural(half_[1]));
   high_ = half_[0].c >= half_[1].c ? 0 : 1;
   q_ = 2 / k_ * std::abs(half_[0].c - half_[1].c);
-  // The early branch: the other half than first_ has room below zero, and enough of it.
-  const Half& degenerate = half_[first_];
-  const Half& room = half_[1 - first_];
-  early_ = room.s < 0 && degenerate.s > 0 && room.c >= degenerate.c &&
-           room.c + k_ * square(room.s) / 2 >= natural_;
+}
+
+bool Extremals::has_early() const noexcept {
+  const Half& degenerate = half_[static_cast<std::size_t>(first_)];
+  const Half& room = half_[static_cast<std::size_t>(1 - first_)];
+  const double tolerance =
+      rounding * (std::abs(degenerate.c) + std::abs(room.c) + k_ * square(degenerate.s) + k_ * square(room.s));
+  return room.s < 0 && degenerate.s > 0 && room.c >= degenerate.c - tolerance &&
+         room.c + k_ * square(room.s) / 2 >= natural_ - tolerance;
 }
 
 Extremal Extremals::at_peak(double vp) const noexcept {

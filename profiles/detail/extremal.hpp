@@ -55,9 +55,12 @@ class Extremals {
   };
   enum class Branch { early, main };
 
-  Extremals(const End& from, const End& to, const Limits& limits) noexcept;
+  /// `degenerate` is the half (0 or 1) with the greater natural velocity, that at which the
+  /// acceleration comes to zero if it begins to at once.
+  Extremals(const End& from, const End& to, const Limits& limits, int degenerate) noexcept;
 
-  [[nodiscard]] bool has_early() const noexcept { return early_; }
+  /// Whether there is an early branch, give or take what rounding makes of the velocities.
+  [[nodiscard]] bool has_early() const noexcept;
   /// The shortest member of a branch, and the longest of the early one.
   [[nodiscard]] Extremal first(Branch b) const noexcept;
   [[nodiscard]] Extremal last_early() const noexcept;
@@ -105,7 +108,6 @@ class Extremals {
   double q_;   ///< z_low^2 - z_high^2 while nothing is held
   int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
   int first_;  ///< the half that is degenerate at the start of the main branch
-  bool early_;
 };
 
 }  // namespace jounce::detail

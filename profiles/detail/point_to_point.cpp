@@ -11,10 +11,6 @@ namespace {
 
 constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever it is a share of
 
-Extremals::Limits upwards(const Bounds& b, double vmax) {
-  return {vmax, b.acceleration_max, -b.acceleration_min, b.jerk_max, -b.jerk_min};
-}
-
 Bounds mirrored(const Bounds& b) {
   return {-b.velocity_max,     -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
           -b.jerk_max,         -b.jerk_min,     -b.position_max,     -b.position_min};
@@ -22,11 +18,6 @@ Bounds mirrored(const Bounds& b) {
 
 MotionState mirrored(const MotionState& s) {
   return {-s.position, -s.velocity, -s.acceleration};
-}
-
-/// The velocity at which the acceleration of the target began to leave zero.
-double natural_before(const MotionState& to, const Bounds& b) {
-  return natural_velocity({to.position, to.velocity, -to.acceleration}, b);
 }
 
 /// The start with the velocity that makes the bare ramp of acceleration meet the target, if only
@@ -42,11 +33,27 @@ MotionState snapped(const MotionState& from, const MotionState& to, const Bounds
   return s;
 }
 
-Extremals between(const MotionState& from, const MotionState& to, const Bounds& b) {
+/// The natural velocities of start and target: where the acceleration comes to zero, or came from.
+std::array<double, 2> natural(const MotionState& from, const MotionState& to, const Bounds& b) {
+  return {natural_velocity(from, b),
+          natural_velocity({to.position, to.velocity, -to.acceleration}, b)};
+}
+
+Extremals between(const MotionState& from, const MotionState& to, const Bounds& b,
+                  int degenerate) {
   // Rounding may have put an end a last digit beyond the limit.
-  const double vmax =
-      std::max({b.velocity_max, natural_velocity(from, b), natural_before(to, b)});
-  return {{from.velocity, from.acceleration}, {to.velocity, to.acceleration}, upwards(b, vmax)};
+  const auto n = natural(from, to, b);
+  const double vmax = std::max({b.velocity_max, n[0], n[1]});
+  return {{from.velocity, from.acceleration},
+          {to.velocity, to.acceleration},
+          {vmax, b.acceleration_max, -b.acceleration_min, b.jerk_max, -b.jerk_min},
+          degenerate};
+}
+
+/// Which end has the greater natural velocity: asked once, so that both families agree.
+int higher(const MotionState& from, const MotionState& to, const Bounds& b) {
+  const auto n = natural(from, to, b);
+  return n[0] >= n[1] ? 0 : 1;
 }
 
 }  // namespace
@@ -57,8 +64,9 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
       to_(to),
       bounds_(bounds),
       d_(to.position - from.position),
-      up_(between(from_, to_, bounds)),
-      down_(between(mirrored(from_), mirrored(to_), mirrored(bounds))),
+      up_(between(from_, to_, bounds, higher(from_, to_, bounds))),
+      down_(between(mirrored(from_), mirrored(to_), mirrored(bounds),
+                    1 - higher(from_, to_, bounds))),
       early_(up_.has_early() && down_.has_early()) {
   const double t = up_.duration(up_.first(Branch::main));
   rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
