@@ -49,10 +49,24 @@ std::size_t Profile::level(double value) noexcept {
 
 void Profile::add(double duration, double value, double more) noexcept {
   if (!(duration > 0)) return;
+  const auto code = static_cast<std::uint8_t>(level(value) + levels * level(more));
+  if (count_ > 0 && code_[count_ - 1U] == code) {
+    duration_[count_ - 1U] += duration;
+    return;
+  }
   assert(count_ < capacity);
   duration_[count_] = duration;
-  code_[count_] = static_cast<std::uint8_t>(level(value) + levels * level(more));
+  code_[count_] = code;
   ++count_;
+}
+
+Profile Profile::scaled(double factor, const MotionState& start,
+                        const MotionState& end) const noexcept {
+  Profile f = *this;
+  for (double& value : f.level_) value *= factor;
+  f.start_ = start;
+  f.end_ = end;
+  return f;
 }
 
 double Profile::duration() const noexcept {

@@ -43,11 +43,14 @@ class Profile {
   /// A motion of no duration yet; order 1, 2 or 3.
   Profile(const MotionState& start, int order) noexcept;
 
-  /// Appends a phase; one of no (or negative) duration is left out. At most `capacity` of them and
-  /// four different values besides zero.
+  /// Appends a phase; one of no (or negative) duration is left out, one of the same value as its
+  /// predecessor prolongs that. At most `capacity` of them and four different values besides zero.
   void add(double duration, double value) noexcept { add(duration, value, 0); }
   /// The same where the value is a sum: of such values there may be more, while the terms are four.
   void add(double duration, double value, double more) noexcept;
+  /// The same phases with their values times a factor, between two other states.
+  [[nodiscard]] Profile scaled(double factor, const MotionState& start,
+                               const MotionState& end) const noexcept;
   /// Where the last phase is meant to end: what at() and curve() answer there, so that rounding in
   /// the phases does not show.
   void finish(const MotionState& end) noexcept { end_ = end; }

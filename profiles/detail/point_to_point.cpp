@@ -188,6 +188,11 @@ void PointToPoint::lasting(double t, Profile& out) const noexcept {
   append_blend(ends[0], ends[1], share, out);
 }
 
+bool PointToPoint::reachable(double t) const noexcept {
+  if (t >= up_.duration(up_.first(Branch::main))) return reachable(Branch::main, t);
+  return early_ && t <= up_.duration(up_.last_early()) && reachable(Branch::early, t);
+}
+
 bool PointToPoint::reachable(Branch b, double t) const noexcept {
   return up_.distance(up_.lasting(b, t)) >= d_ - rounding_ &&
          -down_.distance(down_.lasting(b, t)) <= d_ + rounding_;
@@ -211,16 +216,12 @@ Durations PointToPoint::durations() const noexcept {
     }
   }
   std::sort(event.begin(), event.begin() + n);
-  const double main = up_.duration(up_.first(Branch::main));
-  const double last = early_ ? up_.duration(up_.last_early()) : 0;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const double from = std::max(event[i], out.minimum);
     const double to = event[i + 1];
     if (!(to > from * (1 + ulps))) continue;
     const double middle = from + (to - from) / 2;
-    const bool open = middle >= main ? reachable(Branch::main, middle)
-                                     : early_ && middle <= last && reachable(Branch::early, middle);
-    if (open) continue;
+    if (reachable(middle)) continue;
     if (out.count > 0 && out.blocked[out.count - 1].to == from)
       out.blocked[out.count - 1].to = to;
     else if (out.count < out.blocked.size())

@@ -20,6 +20,8 @@ class PointToPoint {
   void lasting(double t, Profile& out) const noexcept;
   [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
+  /// Whether a duration >= minimum() is permitted.
+  [[nodiscard]] bool reachable(double t) const noexcept;
 
  private:
   using Branch = Extremals::Branch;

@@ -1,0 +1,192 @@
+#include "jounce/profiles/detail/solver.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/detail/point_to_point.hpp"
+#include "jounce/profiles/detail/second_order.hpp"
+#include "jounce/profiles/detail/velocity_change.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// The first two orders have no acceleration, and the first no velocity.
+MotionState of_order(const MotionState& s, int order) {
+  return {s.position, order > 1 ? s.velocity : 0, order > 2 ? s.acceleration : 0};
+}
+
+/// Second order: down (or up) to the velocity limit.
+MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) {
+  const double v = std::clamp(s.velocity, b.velocity_min, b.velocity_max);
+  const double a = v < s.velocity ? b.acceleration_min : b.acceleration_max;
+  const double t = (v - s.velocity) / a;
+  profile.add(t, a);
+  return {s.position + t * (s.velocity + v) / 2, v, 0};
+}
+
+MotionState inside(const MotionState& start, const Bounds& b, int order, Profile& profile) {
+  if (order == 3) return brought_inside(start, b, profile);
+  return order == 2 ? slowed(start, b, profile) : start;
+}
+
+bool limits_position(const Bounds& b) {
+  return b.position_min > -Bounds::none || b.position_max < Bounds::none;
+}
+
+/// Whether no turning point lies outside the position limits.
+bool keeps_positions(const Profile& profile, const Bounds& b) {
+  if (!limits_position(b)) return true;
+  const double start = profile.start().position;
+  const double end = profile.end().position;
+  const double slack = 0x1p-46 * (std::abs(start) + std::abs(end));
+  const double min = b.position_min - slack;
+  const double max = b.position_max + slack;
+  const auto ok = [&](double p) { return p >= min && p <= max; };
+  if (!ok(end)) return false;
+  // A start outside may only come back: it is not held against the move.
+  double t = 0;
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const double length = profile.phase(i).duration;
+    const Motion m = profile.at(t);
+    if (i > 0 && !ok(m.position)) return false;
+    // v + a u + j u^2/2 = 0
+    const double w = m.acceleration * m.acceleration - 2 * m.velocity * m.jerk;
+    if (w >= 0) {
+      const double q = -(m.acceleration + std::copysign(std::sqrt(w), m.acceleration));
+      for (const double u : {m.jerk != 0 ? q / m.jerk : -1, q != 0 ? 2 * m.velocity / q : -1})
+        if (u > 0 && u < length && !ok(profile.at(t + u).position)) return false;
+    }
+    t += length;
+  }
+  return true;
+}
+
+}  // namespace
+
+Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept
+    : order_(order_of(bounds)),
+      bounds_(bounds),
+      to_(of_order(to, order_)),
+      begun_(of_order(from, order_), order_),
+      inside_(inside(begun_.start(), bounds, order_, begun_)) {
+  begun_.finish(to_);
+  before_ = begun_.duration();
+}
+
+Durations Solver::durations() const noexcept {
+  Durations d;
+  if (order_ == 3) d = PointToPoint(inside_, to_, bounds_).durations();
+  if (order_ == 2) d = SecondOrder(inside_, to_, bounds_).durations();
+  if (order_ == 1) {
+    const double distance = to_.position - inside_.position;
+    d.minimum = distance / (distance > 0 ? bounds_.velocity_max : bounds_.velocity_min);
+  }
+  d.minimum += before_;
+  for (auto& interval : d.blocked) interval = {interval.from + before_, interval.to + before_};
+  return d;
+}
+
+bool Solver::reachable(double t) const noexcept {
+  return order_ == 3 ? PointToPoint(inside_, to_, bounds_).reachable(t - before_)
+                     : durations().allows(t);
+}
+
+void Solver::straight(double t, Profile& out) const noexcept {
+  if (t > 0) out.add(t, (to_.position - inside_.position) / t);
+}
+
+MoveStatus Solver::shortest(Profile& out) const noexcept {
+  out = begun_;
+  if (inside_ == to_) return MoveStatus::ok;
+  if (order_ == 3) PointToPoint(inside_, to_, bounds_).shortest(out);
+  if (order_ == 2) SecondOrder(inside_, to_, bounds_).shortest(out);
+  if (order_ == 1) straight(durations().minimum, out);
+  if (keeps_positions(out, bounds_) || by_way_of_rest(out)) return MoveStatus::ok;
+  return MoveStatus::position_limit;
+}
+
+MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
+  out = begun_;
+  if (order_ == 3) PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
+  if (order_ == 2) SecondOrder(inside_, to_, bounds_).lasting(t - before_, out);
+  if (order_ == 1) straight(t, out);
+  return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
+}
+
+namespace {
+
+/// Appends the phases of a part, backwards in time if asked; false where they do not fit.
+bool append(const Profile& part, bool backwards, Profile& whole) {
+  if (whole.phases() + part.phases() > Profile::capacity) return false;
+  const double sign = backwards && whole.order() == 3 ? -1 : 1;  // odd derivatives change sign
+  for (std::size_t i = 0; i < part.phases(); ++i) {
+    const auto f = part.phase(backwards ? part.phases() - 1 - i : i);
+    whole.add(f.duration, sign * f.value);
+  }
+  return true;
+}
+
+/// The same motion seen backwards in time.
+Bounds backwards(const Bounds& b) {
+  return {-b.velocity_max,    -b.velocity_min, b.acceleration_min, b.acceleration_max,
+          -b.jerk_max,        -b.jerk_min,     -Bounds::none,      Bounds::none};
+}
+
+/// A velocity so low that neither acceleration limit is reached on the way to it.
+Bounds gentle(Bounds b) {
+  const double a = std::min(b.acceleration_max, -b.acceleration_min);
+  const double v = a * a * (1 / b.jerk_max - 1 / b.jerk_min) / 2;
+  b.velocity_max = std::min(b.velocity_max, v);
+  b.velocity_min = std::max(b.velocity_min, -v);
+  return b;
+}
+
+}  // namespace
+
+/// Position limits forbid the shortest motion: stop first, or set out from rest, or both.
+bool Solver::by_way_of_rest(Profile& out) const noexcept {
+  Bounds free = bounds_;
+  free.position_min = -Bounds::none;
+  free.position_max = Bounds::none;
+  Profile stop;
+  Profile run_up;  // a stop seen backwards in time
+  (void)to_velocity(begun_.start(), 0, 0, free, stop);
+  (void)to_velocity({to_.position, -to_.velocity, to_.acceleration}, 0, 0, backwards(free), run_up);
+  const auto assembled = [&](bool stops, bool runs_up, const Bounds& b, Profile& whole) {
+    Profile between;
+    whole = Profile(begun_.start(), order_);
+    whole.finish(to_);
+    (void)Solver(stops ? stop.end() : begun_.start(), runs_up ? run_up.end() : to_, b)
+        .shortest(between);
+    return (!stops || append(stop, false, whole)) && append(between, false, whole) &&
+           (!runs_up || append(run_up, true, whole)) && keeps_positions(whole, bounds_);
+  };
+  bool found = false;
+  for (const auto& [stops, runs_up] : {std::pair{true, false}, {false, true}, {true, true}}) {
+    Profile candidate;
+    if (!assembled(stops, runs_up, free, candidate) &&
+        !(stops && runs_up && !found && assembled(true, true, gentle(free), candidate)))
+      continue;
+    if (!found || candidate.duration() < out.duration()) out = candidate;
+    found = true;
+  }
+  return found;
+}
+
+MoveStatus to_velocity(const MotionState& from, double velocity, double acceleration,
+                       const Bounds& bounds, Profile& out) noexcept {
+  const int order = order_of(bounds);
+  out = Profile(of_order(from, order), order);
+  MotionState s = inside(out.start(), bounds, order, out);
+  if (order == 3) s = change_velocity(s, velocity, acceleration, bounds, out);
+  if (order == 2) {
+    const double dv = velocity - s.velocity;
+    const double a = dv > 0 ? bounds.acceleration_max : bounds.acceleration_min;
+    out.add(dv / a, a);
+    s = {s.position + dv / a * (s.velocity + velocity) / 2, velocity, 0};
+  }
+  out.finish(s);
+  return keeps_positions(out, bounds) ? MoveStatus::ok : MoveStatus::position_limit;
+}
+
+}  // namespace jounce::detail

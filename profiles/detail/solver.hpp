@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+
+#include "jounce/profiles/move.hpp"
+
+namespace jounce::detail {
+
+/// The highest derivative that is limited: 3, 2 or 1.
+inline int order_of(const Bounds& b) {
+  if (std::isfinite(b.jerk_max)) return 3;
+  return std::isfinite(b.acceleration_max) ? 2 : 1;
+}
+
+/// Whether states and bounds make a sound question.
+MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+/// One move whose input is sound: the start's way inside the bounds, then whichever solver the order
+/// asks for, then the position limits.
+class Solver {
+ public:
+  Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+  /// Without position limits.
+  [[nodiscard]] Durations durations() const noexcept;
+  [[nodiscard]] bool reachable(double t) const noexcept;
+
+  MoveStatus shortest(Profile& out) const noexcept;
+  MoveStatus lasting(double t, Profile& out) const noexcept;
+
+ private:
+  void straight(double t, Profile& out) const noexcept;
+  [[nodiscard]] bool by_way_of_rest(Profile& out) const noexcept;
+
+  int order_;
+  Bounds bounds_;
+  MotionState to_;
+  Profile begun_;        ///< the way inside
+  double before_ = 0;    ///< how long that takes
+  MotionState inside_;
+};
+
+/// The fastest change to a velocity and acceleration.
+MoveStatus to_velocity(const MotionState& from, double velocity, double acceleration,
+                       const Bounds& bounds, Profile& out) noexcept;
+
+}  // namespace jounce::detail
