@@ -93,7 +93,7 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
     if (vp <= h.sat) {
-      e.z[i] = std::min(root(2 / k_ * (vp - h.c)), h.limit);
+      e.z[i] = std::max(std::min(root(2 / k_ * (vp - h.c)), h.limit), h.s);
     } else {
       e.z[i] = h.limit;
       e.hold[i] = (vp - h.sat) / h.limit;
@@ -194,9 +194,10 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
   switch (p.held) {
     case Stretch::Held::none: {
       const auto hi = static_cast<std::size_t>(high_);
-      e.z[hi] = (x - q_ / x) / 2;
-      e.z[1 - hi] = (x + q_ / x) / 2;
-      if (q_ == 0) e.z = {x / 2, x / 2};
+      const double r = q_ > 0 ? q_ / x : 0;
+      e.z[hi] = (x - r) / 2;
+      e.z[1 - hi] = (x + r) / 2;
+      for (std::size_t i = 0; i < 2; ++i) e.z[i] = std::max(e.z[i], half_[i].s);
       e.vp = half_[hi].c + k_ * square(e.z[hi]) / 2;
       break;
     }
