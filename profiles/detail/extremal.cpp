@@ -33,19 +33,25 @@ double root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
-/// The zero of a monotone f in [lo, hi], or the nearer end: Newton, kept inside by bisection.
-/// f writes its derivative.
+/// The zero of a monotone f in [lo, hi], or the nearer end: Newton from a guess, kept inside by
+/// bisection. f answers with its value over its slope, and says the sign of its value.
 template <class F>
-double zero(F f, double lo, double hi, bool rising) {
-  double x = rising ? hi : lo;
-  for (int i = 0; i < 200; ++i) {
-    double slope = 0;
-    const double y = f(x, slope);
-    if (y == 0) break;
-    (y < 0) == rising ? lo = x : hi = x;
-    double next = x - y / slope;
-    if (!(next > lo && next < hi) || i > 50) next = lo + (hi - lo) / 2;
-    const bool done = std::abs(next - x) <= 2e-16 * std::abs(x) || !(next > lo && next < hi);
+double zero(F f, double lo, double hi, bool rising, double guess) {
+  double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
+  for (int i = 0; i < 100; ++i) {
+    double sign = 0;
+    const double step = f(x, sign);
+    if (sign == 0) break;
+    ((sign < 0) == rising ? lo : hi) = x;
+    double next = x - step;
+    const bool inside = next > lo && next < hi;
+    // Convergence is quadratic: after a step of 1e-9 the next would be lost in rounding.
+    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
+    if (!inside || i > 60) {
+      if (done) return next > lo ? hi : lo;
+      next = lo + (hi - lo) / 2;
+      if (!(next > lo && next < hi)) break;
+    }
     x = next;
     if (done) break;
   }
@@ -57,11 +63,10 @@ double zero(F f, double lo, double hi, bool rising) {
 Extremals::Extremals(const End& from, const End& to, const Limits& limits,
                      int degenerate) noexcept
     : vmax_(limits.velocity),
-      jp_(limits.jerk_up),
-      jd_(limits.jerk_down),
-      ijp_(1 / jp_),
-      ijd_(1 / jd_),
+      ijp_(1 / limits.jerk_up),
+      ijd_(1 / limits.jerk_down),
       k_(ijp_ + ijd_),
+      ik_(1 / k_),
       first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
@@ -75,7 +80,7 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits,
   };
   natural_ = std::max(natural(half_[0]), natural(half_[1]));
   high_ = half_[0].c >= half_[1].c ? 0 : 1;
-  q_ = 2 / k_ * std::abs(half_[0].c - half_[1].c);
+  q_ = 2 * ik_ * std::abs(half_[0].c - half_[1].c);
 }
 
 bool Extremals::has_early() const noexcept {
@@ -93,7 +98,7 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
     if (vp <= h.sat) {
-      e.z[i] = std::max(std::min(root(2 / k_ * (vp - h.c)), h.limit), h.s);
+      e.z[i] = std::max(std::min(root(2 * ik_ * (vp - h.c)), h.limit), h.s);
     } else {
       e.z[i] = h.limit;
       e.hold[i] = (vp - h.sat) / h.limit;
@@ -154,7 +159,7 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   };
   double vp = a.c + k_ * square(a.s) / 2;  // where we are
   if (a.s < 0) {                           // below zero: a is the high half
-    const double end = b == Branch::main ? 0 : -root(2 / k_ * (o.c + k_ * square(o.s) / 2 - a.c));
+    const double end = b == Branch::main ? 0 : -root(2 * ik_ * (o.c + k_ * square(o.s) / 2 - a.c));
     double x = a.s;
     const double held_beyond = -root(square(o.limit) - q_);
     if (x < held_beyond) {
@@ -171,11 +176,11 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;  // saturates first
   const auto& l = half_[static_cast<std::size_t>(lower)];
   const auto& u = half_[static_cast<std::size_t>(1 - lower)];
-  const auto z = [this](const Half& h, double v) { return root(2 / k_ * (v - h.c)); };
+  const auto z = [this](const Half& h, double v) { return root(2 * ik_ * (v - h.c)); };
   const double c_high = half_[static_cast<std::size_t>(high_)].c;
   const double to_none = std::min(l.sat, vmax_);
   if (vp < to_none) {
-    const auto s_at = [&](double v) { return v == inf ? inf : sum(root(2 / k_ * (v - c_high))); };
+    const auto s_at = [&](double v) { return v == inf ? inf : sum(root(2 * ik_ * (v - c_high))); };
     add(Held::none, 0, s_at(vp), s_at(to_none));
     vp = to_none;
   }
@@ -221,10 +226,10 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
 }
 
 /// Where in the stretch the distance d is covered; it is covered there.
-double Extremals::solve(const Stretch& p, double d, bool rising) const noexcept {
+double Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
   const double third = k_ + ijd_;
   const auto start = [this](const Half& h) {
-    return -(h.c * h.s * ijp_ + cube(h.s) * ijp_ * ijp_ / 6);
+    return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6);
   };
   double hi = p.hi;
   switch (p.held) {
@@ -232,18 +237,19 @@ double Extremals::solve(const Stretch& p, double d, bool rising) const noexcept 
       const double m = (half_[0].c + half_[1].c) / 2;
       const double a3 = third / 24;
       const double mu = q_ * q_ * ijp_ / 8;
-      const double g = (d - start(half_[0]) - start(half_[1])) / k_;
-      const auto f = [&](double s, double& by) {
-        const double r = mu / s;
-        by = m + 3 * a3 * s * s + r / s;
-        return s * (m + a3 * s * s) - r - g;
+      const double g = (d - start(half_[0]) - start(half_[1])) * ik_;
+      const auto f = [&](double s, double& sign) {
+        const double ss = s * s;
+        sign = ss * (m + a3 * ss) - g * s - mu;
+        return s * sign / (ss * (m + 3 * a3 * ss) + mu);
       };
       if (hi == inf) {
         hi = std::max({2 * p.lo, std::cbrt(std::abs(g) / a3), std::sqrt(std::abs(m) / a3),
                        std::sqrt(std::sqrt(mu / a3))});
-        for (double slope_at = 0; f(hi, slope_at) < 0;) hi *= 2;
+        guess = hi;
+        for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return zero(f, p.lo, hi, rising);
+      return zero(f, p.lo, hi, rising, guess);
     }
     case Stretch::Held::one: {
       const auto& x = half_[static_cast<std::size_t>(p.free)];
@@ -257,15 +263,16 @@ double Extremals::solve(const Stretch& p, double d, bool rising) const noexcept 
       const double c2 = l * ijd_ / 4 + x.c / (2 * l);
       const double c3 = third / 6;
       const double c4 = k_ / (8 * l);
-      const auto f = [&](double y, double& by) {
-        by = x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4));
-        return y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
+      const auto f = [&](double y, double& sign) {
+        sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
+        return sign / (x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)));
       };
       if (hi == inf) {
         hi = std::max(2 * std::abs(p.lo), l);
-        for (double slope_at = 0; f(hi, slope_at) < 0;) hi *= 2;
+        guess = hi;
+        for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return zero(f, p.lo, hi, rising);
+      return zero(f, p.lo, hi, rising, guess);
     }
     case Stretch::Held::both: {
       const Extremal e = at_peak(p.lo);
@@ -331,12 +338,60 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
       piece.hi = k < n ? turns[static_cast<std::size_t>(k)] : end;
       const double after = piece.hi == inf ? inf : distance(member(piece, piece.hi));
       if ((before < d) != (after < d))
-        out[static_cast<std::size_t>(found++)] = member(piece, solve(piece, d, after > before));
+        out[static_cast<std::size_t>(found++)] = member(piece, solve(piece, d, after > before, piece.hi));
       before = after;
       piece.lo = piece.hi;
     }
   }
   return found;
+}
+
+Extremal Extremals::cover(double d) const noexcept {
+  // Where the acceleration passes zero, the peak velocity tells the stretches apart. Below that, and
+  // where the distance might turn (4), all stretches are looked at.
+  Extremal lo = first(Branch::main);
+  const double s = half_[static_cast<std::size_t>(first_)].s;
+  if (s < 0) {
+    const double z_low = lo.z[static_cast<std::size_t>(1 - first_)];
+    lo = at_peak(natural_);
+    if (natural_ + s * z_low * ijd_ / 2 < 0 || distance(lo) > d) {
+      Members members{first(Branch::main)};
+      (void)covering(Branch::main, d, members, 1);
+      return members[0];
+    }
+  }
+  const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
+  const std::array<double, 3> ends{half_[static_cast<std::size_t>(lower)].sat,
+                                   half_[static_cast<std::size_t>(1 - lower)].sat, vmax_};
+  double before = distance(lo);
+  for (int held = 0; held < 3; ++held) {
+    const double peak = std::min(ends[static_cast<std::size_t>(held)], vmax_);
+    if (peak <= lo.vp) continue;
+    const bool endless = peak == inf;
+    const Extremal hi = endless ? lo : at_peak(peak);
+    const double after = endless ? inf : distance(hi);
+    if (after < d) {
+      lo = hi;
+      before = after;
+      continue;
+    }
+    // The parameter of the stretch, and a guess at it: the distance grows about with its square.
+    Stretch p{static_cast<Stretch::Held>(held), 1 - lower, lo.vp, peak};
+    const auto parameter = [&](const Extremal& e) {
+      return held == 0 ? e.z[0] + e.z[1] : e.z[static_cast<std::size_t>(p.free)];
+    };
+    if (held < 2) {
+      p.lo = parameter(lo);
+      p.hi = endless ? inf : parameter(hi);
+    }
+    const double guess =
+        endless ? 0
+                : std::sqrt(p.lo * p.lo + (p.hi - p.lo) * (p.hi + p.lo) * ((d - before) / (after - before)));
+    return member(p, solve(p, d, true, guess));
+  }
+  Extremal e = at_peak(vmax_);
+  e.cruise = (d - distance(e)) / vmax_;
+  return e;
 }
 
 Extremal Extremals::cruising(double t, double d) const noexcept {
@@ -346,12 +401,24 @@ Extremal Extremals::cruising(double t, double d) const noexcept {
     e.cruise = t - duration(e);
     return e;
   };
-  const auto f = [&](double vp, double& by) {
+  const auto f = [&](double vp, double& sign) {
     const Extremal e = at(vp);
-    by = (e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise;
-    return distance(e) - d;
+    sign = distance(e) - d;
+    return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
-  return at(zero(f, natural_, lasting(Branch::main, t).vp, true));
+  const double top = lasting(Branch::main, t).vp;
+  return at(zero(f, natural_, top, true, top));
+}
+
+std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
+  const bool cruises = e.cruise > 0;
+  return {(e.z[0] - half_[0].s) * ijp_,
+          e.hold[0],
+          (cruises ? e.z[0] : e.z[0] + e.z[1]) * ijd_,
+          e.cruise,
+          cruises ? e.z[1] * ijd_ : 0,
+          e.hold[1],
+          (e.z[1] - half_[1].s) * ijp_};
 }
 
 Extremal Extremals::lasting(Branch b, double t) const noexcept {

@@ -67,6 +67,9 @@ class Extremals {
 
   [[nodiscard]] double duration(const Extremal& e) const noexcept;
   [[nodiscard]] double distance(const Extremal& e) const noexcept;
+  /// The durations of the seven phases, jerk + 0 - 0 - 0 +; what rounding made of nothing may be
+  /// negative.
+  [[nodiscard]] std::array<double, 7> phases(const Extremal& e) const noexcept;
   /// (4)
   [[nodiscard]] double slope(const Extremal& e) const noexcept {
     return e.vp + e.z[0] * e.z[1] * ijd_ / 2;
@@ -75,6 +78,8 @@ class Extremals {
   /// The members of the branch that cover d, in the order of their duration: at most three.
   using Members = std::array<Extremal, 3>;
   [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
+  /// The shortest of them on the main branch, d >= distance(first(Branch::main)): the fast way.
+  [[nodiscard]] Extremal cover(double d) const noexcept;
   /// The member of the branch that lasts t.
   [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
 
@@ -99,11 +104,11 @@ class Extremals {
   [[nodiscard]] int stretches(Branch b, Stretches& out) const noexcept;
   [[nodiscard]] Extremal member(const Stretch& p, double x) const noexcept;
   [[nodiscard]] int turning(const Stretch& p, std::array<double, 2>& out) const noexcept;
-  [[nodiscard]] double solve(const Stretch& p, double d, bool rising) const noexcept;
+  [[nodiscard]] double solve(const Stretch& p, double d, bool rising, double guess) const noexcept;
   [[nodiscard]] Extremal at_peak(double vp) const noexcept;
 
   std::array<Half, 2> half_;
-  double vmax_, jp_, jd_, ijp_, ijd_, k_;
+  double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double natural_;
   double q_;   ///< z_low^2 - z_high^2 while nothing is held
   int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held

@@ -79,12 +79,15 @@ bool PointToPoint::covered(Branch b, Choice& out) const noexcept {
   const double direct = up_.distance(out.extremal);
   if (std::abs(d_ - direct) <= rounding_) return true;
   out.upwards = d_ > direct;
+  if (b == Branch::main) {
+    out.extremal = family(out.upwards).cover(towards(out.upwards));
+    return true;
+  }
   Extremals::Members members;
   if (family(out.upwards).covering(b, towards(out.upwards), members, 1) == 1) {
     out.extremal = members[0];
     return true;
   }
-  if (b == Branch::main) return false;
   out.extremal = family(out.upwards).last_early();
   return std::abs(towards(out.upwards) - family(out.upwards).distance(out.extremal)) <= rounding_;
 }
@@ -103,55 +106,45 @@ double PointToPoint::minimum() const noexcept {
 
 namespace {
 
-/// The jerks and durations of an extremal, in the order of time; seven of them.
-struct Phases {
-  std::array<double, 7> duration;
-  std::array<int, 7> jerk{1, 0, -1, 0, -1, 0, 1};
-};
-
-Phases phases(const Extremal& e, double s0, double s1, double jp, double jd) {
-  const bool cruises = e.cruise > 0;
-  return {{(e.z[0] - s0) / jp, e.hold[0], (cruises ? e.z[0] : e.z[0] + e.z[1]) / jd, e.cruise,
-           cruises ? e.z[1] / jd : 0, e.hold[1], (e.z[1] - s1) / jp}};
-}
+/// Of the phases of an extremal: whether the jerk is that of rise, of fall, or none.
+constexpr std::array<int, 7> pattern{1, 0, -1, 0, -1, 0, 1};
 
 }  // namespace
 
+/// The jerks of a family's phases, real ones: of rise, of fall.
+std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
+  return upwards ? std::array{bounds_.jerk_max, bounds_.jerk_min}
+                 : std::array{bounds_.jerk_min, bounds_.jerk_max};
+}
+
 void PointToPoint::append(const Choice& c, Profile& out) const noexcept {
-  const double jp = c.upwards ? bounds_.jerk_max : bounds_.jerk_min;
-  const double jd = c.upwards ? bounds_.jerk_min : bounds_.jerk_max;
-  const double sign = c.upwards ? 1 : -1;
-  const Phases p = phases(c.extremal, sign * from_.acceleration, -sign * to_.acceleration,
-                          std::abs(jp), std::abs(jd));
+  const auto [rise, fall] = jerks(c.upwards);
+  const std::array<double, 7> durations = family(c.upwards).phases(c.extremal);
   for (std::size_t i = 0; i < 7; ++i)
-    out.add(p.duration[i], p.jerk[i] == 0 ? 0 : (p.jerk[i] > 0 ? jp : jd));
+    out.add(durations[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
 }
 
 void PointToPoint::append_blend(const Choice& a, const Choice& b, double share,
                                 Profile& out) const noexcept {
   // Bounds are convex: what two motions of one duration keep, their mean keeps.
-  std::array<Phases, 2> p;
+  const std::array<std::array<double, 7>, 2> phases{family(a.upwards).phases(a.extremal),
+                                                    family(b.upwards).phases(b.extremal)};
   std::array<std::array<double, 3>, 2> jerk;  // of -, 0, +
   for (std::size_t k = 0; k < 2; ++k) {
-    const Choice& c = k == 0 ? a : b;
-    const double sign = c.upwards ? 1 : -1;
+    const auto [rise, fall] = jerks(k == 0 ? a.upwards : b.upwards);
     const double weight = k == 0 ? share : 1 - share;
-    const double jp = c.upwards ? bounds_.jerk_max : bounds_.jerk_min;
-    const double jd = c.upwards ? bounds_.jerk_min : bounds_.jerk_max;
-    p[k] = phases(c.extremal, sign * from_.acceleration, -sign * to_.acceleration, std::abs(jp),
-                  std::abs(jd));
-    jerk[k] = {weight * jd, 0, weight * jp};
+    jerk[k] = {weight * fall, 0, weight * rise};
   }
   std::array<std::size_t, 2> at{0, 0};
-  std::array<double, 2> left{p[0].duration[0], p[1].duration[0]};
+  std::array<double, 2> left{phases[0][0], phases[1][0]};
   while (at[0] < 7 && at[1] < 7) {
-    const double step = std::min(left[0], left[1]);
-    out.add(step, jerk[0][static_cast<std::size_t>(p[0].jerk[at[0]] + 1)],
-            jerk[1][static_cast<std::size_t>(p[1].jerk[at[1]] + 1)]);
+    const double step = std::max(std::min(left[0], left[1]), 0.0);
+    out.add(step, jerk[0][static_cast<std::size_t>(pattern[at[0]] + 1)],
+            jerk[1][static_cast<std::size_t>(pattern[at[1]] + 1)]);
     for (std::size_t k = 0; k < 2; ++k) {
-      left[k] -= std::max(step, 0.0);
+      left[k] -= step;
       while (at[k] < 7 && left[k] <= 0)
-        if (++at[k] < 7) left[k] = p[k].duration[at[k]];
+        if (++at[k] < 7) left[k] = phases[k][at[k]];
     }
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <array>
 
 #include "jounce/profiles/detail/extremal.hpp"
 #include "jounce/profiles/move.hpp"
@@ -40,6 +40,7 @@ class PointToPoint {
   [[nodiscard]] bool covered(Branch b, Choice& out) const noexcept;
   [[nodiscard]] Choice fastest() const noexcept;
   [[nodiscard]] bool reachable(Branch b, double t) const noexcept;
+  [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
   void append(const Choice& c, Profile& out) const noexcept;
   void append_blend(const Choice& a, const Choice& b, double share, Profile& out) const noexcept;
 
