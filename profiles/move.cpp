@@ -42,10 +42,12 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
   if (order == 2) return MoveStatus::ok;
   if (outside(to.acceleration, b.acceleration_min, b.acceleration_max))
     return MoveStatus::target_outside;
-  const double before =
-      detail::natural_velocity({to.position, to.velocity, -to.acceleration}, b);
-  return outside(before, b.velocity_min, b.velocity_max) ? MoveStatus::target_unreachable
-                                                         : MoveStatus::ok;
+  // Backwards in time the acceleration has the other sign.
+  const MotionState before{to.position, to.velocity, -to.acceleration};
+  const Bounds backwards{b.velocity_min,      b.velocity_max, -b.acceleration_max,
+                         -b.acceleration_min, b.jerk_min,     b.jerk_max};
+  return detail::is_inside(before, backwards, forgiven) ? MoveStatus::ok
+                                                        : MoveStatus::target_unreachable;
 }
 
 }  // namespace

@@ -52,26 +52,38 @@ double natural_velocity(const MotionState& s, const Bounds& b) noexcept {
   return s.velocity - s.acceleration * s.acceleration / (2 * jerk);
 }
 
+bool is_inside(const MotionState& s, const Bounds& b, double tolerance) noexcept {
+  const double v = s.velocity;
+  const double a = s.acceleration;
+  const double more = 1 + tolerance;
+  if (a > b.acceleration_max * more || a < b.acceleration_min * more) return false;
+  const double top = b.velocity_max * more;
+  const double bottom = b.velocity_min * more;
+  if (v > top || v < bottom) return false;
+  // natural_velocity(), without its division
+  return a > 0 ? a * a <= 2 * -b.jerk_min * (top - v) : a * a <= 2 * b.jerk_max * (v - bottom);
+}
+
 MotionState brought_inside(const MotionState& from, const Bounds& b, Profile& profile) noexcept {
   MotionState s = from;
-  if (s.acceleration > b.acceleration_max * (1 + forgiven)) {
+  if (is_inside(s, b, forgiven)) {
+    s.acceleration = std::clamp(s.acceleration, b.acceleration_min, b.acceleration_max);
+    return s;
+  }
+  if (s.acceleration > b.acceleration_max) {
     s = advance(profile, s, (s.acceleration - b.acceleration_max) / -b.jerk_min, b.jerk_min);
-  } else if (s.acceleration < b.acceleration_min * (1 + forgiven)) {
+  } else if (s.acceleration < b.acceleration_min) {
     s = advance(profile, s, (b.acceleration_min - s.acceleration) / b.jerk_max, b.jerk_max);
   }
   s.acceleration = std::clamp(s.acceleration, b.acceleration_min, b.acceleration_max);
   // Twice at most: once to level out, then to come inside.
-  for (int i = 0; i < 3; ++i) {
-    const double top = std::max(s.velocity, natural_velocity(s, b));
-    const double bottom = std::min(s.velocity, natural_velocity(s, b));
-    if (top > b.velocity_max * (1 + forgiven))
+  for (int i = 0; i < 3 && !is_inside(s, b, forgiven); ++i) {
+    if (std::max(s.velocity, natural_velocity(s, b)) > b.velocity_max)
       s = down(profile, s, {1, b.velocity_max, b.velocity_min, -b.acceleration_min, b.jerk_max,
                             -b.jerk_min});
-    else if (bottom < b.velocity_min * (1 + forgiven))
+    else
       s = down(profile, s, {-1, -b.velocity_min, -b.velocity_max, b.acceleration_max, -b.jerk_min,
                             b.jerk_max});
-    else
-      break;
   }
   return s;
 }

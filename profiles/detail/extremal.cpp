@@ -60,13 +60,13 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
 
 }  // namespace
 
-Extremals::Extremals(const End& from, const End& to, const Limits& limits,
+Extremals::Extremals(const End& from, const End& to, const Limits& limits, const Jerks& jerks,
                      int degenerate) noexcept
     : vmax_(limits.velocity),
-      ijp_(1 / limits.jerk_up),
-      ijd_(1 / limits.jerk_down),
-      k_(ijp_ + ijd_),
-      ik_(1 / k_),
+      ijp_(jerks.per_rise),
+      ijd_(jerks.per_fall),
+      k_(jerks.k),
+      ik_(jerks.per_k),
       first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
@@ -136,9 +136,10 @@ double Extremals::distance(const Extremal& e) const noexcept {
     const Half& h = half_[i];
     const double z = e.z[i];
     const double t = e.hold[i];
-    d += h.c * (z - h.s) * ijp_ + (cube(z) - cube(h.s)) * ijp_ * ijp_ / 6 -
-         cube(z) * ijd_ * ijd_ / 6;
-    if (t > 0) d += t * (h.c + z * z * ijp_ / 2 + z * t / 2);
+    const double zz = z * z;
+    const double p = ijp_ / 6;
+    d += (z - h.s) * ijp_ * (h.c + (zz + z * h.s + h.s * h.s) * p) - zz * z * (ijd_ * ijd_ / 6);
+    if (t > 0) d += t * (h.c + 3 * zz * p + z * t / 2);
   }
   return d;
 }
@@ -346,16 +347,18 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
   return found;
 }
 
-Extremal Extremals::cover(double d) const noexcept {
+Extremal Extremals::cover(double d, const Extremal& begin, double covered) const noexcept {
   // Where the acceleration passes zero, the peak velocity tells the stretches apart. Below that, and
   // where the distance might turn (4), all stretches are looked at.
-  Extremal lo = first(Branch::main);
+  Extremal lo = begin;
+  double before = covered;
   const double s = half_[static_cast<std::size_t>(first_)].s;
   if (s < 0) {
-    const double z_low = lo.z[static_cast<std::size_t>(1 - first_)];
     lo = at_peak(natural_);
-    if (natural_ + s * z_low * ijd_ / 2 < 0 || distance(lo) > d) {
-      Members members{first(Branch::main)};
+    before = distance(lo);
+    const double z_low = begin.z[static_cast<std::size_t>(1 - first_)];
+    if (natural_ + s * z_low * ijd_ / 2 < 0 || before > d) {
+      Members members{begin};
       (void)covering(Branch::main, d, members, 1);
       return members[0];
     }
@@ -363,7 +366,6 @@ Extremal Extremals::cover(double d) const noexcept {
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
   const std::array<double, 3> ends{half_[static_cast<std::size_t>(lower)].sat,
                                    half_[static_cast<std::size_t>(1 - lower)].sat, vmax_};
-  double before = distance(lo);
   for (int held = 0; held < 3; ++held) {
     const double peak = std::min(ends[static_cast<std::size_t>(held)], vmax_);
     if (peak <= lo.vp) continue;
@@ -389,9 +391,8 @@ Extremal Extremals::cover(double d) const noexcept {
                 : std::sqrt(p.lo * p.lo + (p.hi - p.lo) * (p.hi + p.lo) * ((d - before) / (after - before)));
     return member(p, solve(p, d, true, guess));
   }
-  Extremal e = at_peak(vmax_);
-  e.cruise = (d - distance(e)) / vmax_;
-  return e;
+  lo.cruise = (d - before) / vmax_;
+  return lo;
 }
 
 Extremal Extremals::cruising(double t, double d) const noexcept {

@@ -47,17 +47,23 @@ class Extremals {
     double velocity;
     double acceleration;
   };
-  /// Magnitudes, all > 0; everything but the jerks may be infinite.
+  /// Magnitudes, all > 0; may be infinite.
   struct Limits {
-    double velocity;  ///< upwards
-    double rise, fall;       ///< acceleration upwards and downwards
-    double jerk_up, jerk_down;
+    double velocity;    ///< upwards
+    double rise, fall;  ///< acceleration upwards and downwards
+  };
+  /// Magnitudes, all > 0: 1/jp, 1/jd, their sum k, and 1/k.
+  struct Jerks {
+    double per_rise, per_fall, k, per_k;
+
+    [[nodiscard]] Jerks mirrored() const noexcept { return {per_fall, per_rise, k, per_k}; }
   };
   enum class Branch { early, main };
 
   /// `degenerate` is the half (0 or 1) with the greater natural velocity, that at which the
   /// acceleration comes to zero if it begins to at once.
-  Extremals(const End& from, const End& to, const Limits& limits, int degenerate) noexcept;
+  Extremals(const End& from, const End& to, const Limits& limits, const Jerks& jerks,
+            int degenerate) noexcept;
 
   /// Whether there is an early branch, give or take what rounding makes of the velocities.
   [[nodiscard]] bool has_early() const noexcept;
@@ -78,8 +84,9 @@ class Extremals {
   /// The members of the branch that cover d, in the order of their duration: at most three.
   using Members = std::array<Extremal, 3>;
   [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
-  /// The shortest of them on the main branch, d >= distance(first(Branch::main)): the fast way.
-  [[nodiscard]] Extremal cover(double d) const noexcept;
+  /// The shortest of them on the main branch, the fast way, given where that begins: d >= covered,
+  /// the distance of `begin`, which is first(Branch::main).
+  [[nodiscard]] Extremal cover(double d, const Extremal& begin, double covered) const noexcept;
   /// The member of the branch that lasts t.
   [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
 

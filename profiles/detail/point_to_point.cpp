@@ -4,21 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "jounce/profiles/detail/brake.hpp"
-
 namespace jounce::detail {
 namespace {
 
 constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever it is a share of
-
-Bounds mirrored(const Bounds& b) {
-  return {-b.velocity_max,     -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
-          -b.jerk_max,         -b.jerk_min,     -b.position_max,     -b.position_min};
-}
-
-MotionState mirrored(const MotionState& s) {
-  return {-s.position, -s.velocity, -s.acceleration};
-}
 
 /// The start with the velocity that makes the bare ramp of acceleration meet the target, if only
 /// rounding keeps it from that: a motion that has reached its last phase must not begin another.
@@ -33,69 +22,87 @@ MotionState snapped(const MotionState& from, const MotionState& to, const Bounds
   return s;
 }
 
-/// The natural velocities of start and target: where the acceleration comes to zero, or came from.
-std::array<double, 2> natural(const MotionState& from, const MotionState& to, const Bounds& b) {
-  return {natural_velocity(from, b),
-          natural_velocity({to.position, to.velocity, -to.acceleration}, b)};
+/// 1/jp, 1/jd and the like of the upward family.
+Extremals::Jerks upward_jerks(const Bounds& b) {
+  const double per_rise = 1 / b.jerk_max;
+  const double per_fall = -1 / b.jerk_min;
+  return {per_rise, per_fall, per_rise + per_fall, 1 / (per_rise + per_fall)};
 }
 
-Extremals between(const MotionState& from, const MotionState& to, const Bounds& b,
-                  int degenerate) {
-  // Rounding may have put an end a last digit beyond the limit.
-  const auto n = natural(from, to, b);
-  const double vmax = std::max({b.velocity_max, n[0], n[1]});
-  return {{from.velocity, from.acceleration},
-          {to.velocity, to.acceleration},
-          {vmax, b.acceleration_max, -b.acceleration_min, b.jerk_max, -b.jerk_min},
+/// The natural velocity of an end: where its acceleration a, seen forwards in time from the start
+/// and backwards from the target, comes to zero.
+double natural(double v, double a, const Extremals::Jerks& j) {
+  return v + a * std::abs(a) * (a > 0 ? j.per_fall : j.per_rise) / 2;
+}
+
+Extremals mirror_image(const MotionState& from, const MotionState& to, double vmax,
+                       const Bounds& b, const Extremals::Jerks& jerks, int degenerate) {
+  return {{-from.velocity, -from.acceleration},
+          {-to.velocity, -to.acceleration},
+          {vmax, -b.acceleration_min, b.acceleration_max},
+          jerks.mirrored(),
           degenerate};
-}
-
-/// Which end has the greater natural velocity: asked once, so that both families agree.
-int higher(const MotionState& from, const MotionState& to, const Bounds& b) {
-  const auto n = natural(from, to, b);
-  return n[0] >= n[1] ? 0 : 1;
 }
 
 }  // namespace
 
-PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
+PointToPoint::PointToPoint(const MotionState& start, const MotionState& to,
                            const Bounds& bounds) noexcept
-    : from_(snapped(from, to, bounds)),
-      to_(to),
-      bounds_(bounds),
+    : PointToPoint(snapped(start, to, bounds), to, bounds, upward_jerks(bounds)) {}
+
+PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds,
+                           const Extremals::Jerks& jerks) noexcept
+    : PointToPoint(from, to, bounds, jerks, natural(from.velocity, from.acceleration, jerks),
+                   natural(to.velocity, -to.acceleration, jerks)) {}
+
+// Rounding may have put an end a last digit beyond the velocity limit: that is then the limit. Which
+// natural velocity is the greater is asked once, so that both families agree.
+PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
+                           const Extremals::Jerks& jerks, double n0, double n1) noexcept
+    : rise_(b.jerk_max),
+      fall_(b.jerk_min),
       d_(to.position - from.position),
-      up_(between(from_, to_, bounds, higher(from_, to_, bounds))),
-      down_(between(mirrored(from_), mirrored(to_), mirrored(bounds),
-                    1 - higher(from_, to_, bounds))),
-      early_(up_.has_early() && down_.has_early()) {
-  const double t = up_.duration(up_.first(Branch::main));
+      up_({from.velocity, from.acceleration}, {to.velocity, to.acceleration},
+          {std::max({b.velocity_max, n0, n1}), b.acceleration_max, -b.acceleration_min}, jerks,
+          n0 >= n1 ? 0 : 1),
+      down_(mirror_image(from, to, std::max({-b.velocity_min, -n0, -n1}), b, jerks,
+                         n0 >= n1 ? 1 : 0)),
+      early_(from.acceleration * to.acceleration > 0 && up_.has_early() && down_.has_early()),
+      direct_(up_.first(Branch::main)),
+      direct_distance_(up_.distance(direct_)) {
+  const double t = up_.duration(direct_);
   rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
-                      t * (std::abs(from.velocity) + std::abs(to.velocity)) +
-                      t * t * (std::abs(from.acceleration) + std::abs(to.acceleration)));
+                      t * (std::abs(from.velocity) + std::abs(to.velocity) +
+                           t * (std::abs(from.acceleration) + std::abs(to.acceleration))));
 }
 
-bool PointToPoint::covered(Branch b, Choice& out) const noexcept {
-  out = {true, up_.first(b)};
+bool PointToPoint::covered_early(Choice& out) const noexcept {
+  out = {true, up_.first(Branch::early)};
   const double direct = up_.distance(out.extremal);
   if (std::abs(d_ - direct) <= rounding_) return true;
   out.upwards = d_ > direct;
-  if (b == Branch::main) {
-    out.extremal = family(out.upwards).cover(towards(out.upwards));
-    return true;
-  }
+  const Extremals& f = family(out.upwards);
   Extremals::Members members;
-  if (family(out.upwards).covering(b, towards(out.upwards), members, 1) == 1) {
+  if (f.covering(Branch::early, towards(out.upwards), members, 1) == 1) {
     out.extremal = members[0];
     return true;
   }
-  out.extremal = family(out.upwards).last_early();
-  return std::abs(towards(out.upwards) - family(out.upwards).distance(out.extremal)) <= rounding_;
+  out.extremal = f.last_early();
+  return std::abs(towards(out.upwards) - f.distance(out.extremal)) <= rounding_;
 }
 
 PointToPoint::Choice PointToPoint::fastest() const noexcept {
-  Choice c;
-  if (early_ && covered(Branch::early, c)) return c;
-  (void)covered(Branch::main, c);
+  Choice c{true, direct_};
+  if (early_ && covered_early(c)) return c;
+  c = {true, direct_};
+  if (std::abs(d_ - direct_distance_) <= rounding_) return c;
+  c.upwards = d_ > direct_distance_;
+  if (c.upwards) {
+    c.extremal = up_.cover(d_, direct_, direct_distance_);
+  } else {
+    const Extremal begin = down_.first(Branch::main);
+    c.extremal = down_.cover(-d_, begin, down_.distance(begin));
+  }
   return c;
 }
 
@@ -113,8 +120,7 @@ constexpr std::array<int, 7> pattern{1, 0, -1, 0, -1, 0, 1};
 
 /// The jerks of a family's phases, real ones: of rise, of fall.
 std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
-  return upwards ? std::array{bounds_.jerk_max, bounds_.jerk_min}
-                 : std::array{bounds_.jerk_min, bounds_.jerk_max};
+  return upwards ? std::array{rise_, fall_} : std::array{fall_, rise_};
 }
 
 void PointToPoint::append(const Choice& c, Profile& out) const noexcept {
@@ -156,7 +162,7 @@ void PointToPoint::shortest(Profile& out) const noexcept {
 void PointToPoint::lasting(double t, Profile& out) const noexcept {
   const Choice fast = fastest();
   if (t <= family(fast.upwards).duration(fast.extremal) * (1 + ulps)) return append(fast, out);
-  const bool is_early = early_ && t < up_.duration(up_.first(Branch::main));
+  const bool is_early = early_ && t < up_.duration(direct_);
   const Branch b = is_early ? Branch::early : Branch::main;
   std::array<Choice, 2> ends;
   std::array<double, 2> reach;
@@ -182,7 +188,7 @@ void PointToPoint::lasting(double t, Profile& out) const noexcept {
 }
 
 bool PointToPoint::reachable(double t) const noexcept {
-  if (t >= up_.duration(up_.first(Branch::main))) return reachable(Branch::main, t);
+  if (t >= up_.duration(direct_)) return reachable(Branch::main, t);
   return early_ && t <= up_.duration(up_.last_early()) && reachable(Branch::early, t);
 }
 

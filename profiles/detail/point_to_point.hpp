@@ -26,6 +26,11 @@ class PointToPoint {
  private:
   using Branch = Extremals::Branch;
 
+  PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds,
+               const Extremals::Jerks& jerks) noexcept;
+  PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
+               const Extremals::Jerks& jerks, double n0, double n1) noexcept;
+
   /// A member of one of the two families.
   struct Choice {
     bool upwards = true;
@@ -37,20 +42,20 @@ class PointToPoint {
   }
   /// The distance in the family's own direction.
   [[nodiscard]] double towards(bool upwards) const noexcept { return upwards ? d_ : -d_; }
-  [[nodiscard]] bool covered(Branch b, Choice& out) const noexcept;
+  [[nodiscard]] bool covered_early(Choice& out) const noexcept;
   [[nodiscard]] Choice fastest() const noexcept;
   [[nodiscard]] bool reachable(Branch b, double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
   void append(const Choice& c, Profile& out) const noexcept;
   void append_blend(const Choice& a, const Choice& b, double share, Profile& out) const noexcept;
 
-  MotionState from_;
-  MotionState to_;
-  Bounds bounds_;
+  double rise_, fall_;  ///< the jerks, signed
   double d_;
-  double rounding_;  ///< of positions: a distance is not known better
   Extremals up_, down_;
   bool early_;
+  Extremal direct_;  ///< of up_
+  double direct_distance_;
+  double rounding_;  ///< of positions: a distance is not known better
 };
 
 }  // namespace jounce::detail
