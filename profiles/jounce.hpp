@@ -1,0 +1,35 @@
+#pragma once
+
+#include "jounce/profiles/curve.hpp"
+
+namespace jounce {
+
+/// A move of fourth order, rest to rest: velocity, acceleration, jerk and jounce (the derivative of
+/// jerk, also called snap) are limited.
+///
+///     const Trajectory move = fourth_order(
+///         {.to = 0.1, .velocity = 0.25, .acceleration = 2, .jerk = 40, .jounce = 2000});
+///     const double T = move.length();                 // s
+///     const Report report = check(move, {.jerk = 40});
+///
+/// Up to 15 phases of constant jounce, each an exact segment of degree 4; phases that do not occur
+/// are left out. Begins and ends with velocity, acceleration and jerk zero, continuous up to the
+/// jerk; holds outside [0, T].
+struct FourthOrderSpec {
+  double from = 0;          ///< u
+  double to = 0;            ///< u, not equal to `from`
+  double velocity = 0;      ///< u/s, > 0
+  double acceleration = 0;  ///< u/s^2, > 0
+  double deceleration = 0;  ///< u/s^2; 0: as acceleration
+  double jerk = 0;          ///< u/s^3, > 0
+  double jounce = 0;        ///< u/s^4, > 0
+};
+
+/// Time-optimal under the limits; those that a short move does not reach are not reached. Throws
+/// InputError for a value out of range, and for a jounce or jerk so high that its phases vanish
+/// beside the move. Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward
+/// design for electromechanical motion systems", Control Engineering Practice 13 (2005), section 3;
+/// the case analysis is our own (jounce.cpp).
+Trajectory fourth_order(const FourthOrderSpec& spec);
+
+}  // namespace jounce
