@@ -33,9 +33,6 @@ Segment segment(const MotionState& begin, int order, const Profile::Phase& phase
 
 }  // namespace
 
-Profile::Profile(const MotionState& start, int order) noexcept
-    : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
-
 std::size_t Profile::level(double value) noexcept {
   std::size_t i = 0;
   if (value != 0)

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "jounce/profiles/curve.hpp"
 
@@ -41,7 +43,35 @@ class Profile {
 
   Profile() = default;
   /// A motion of no duration yet; order 1, 2 or 3.
-  Profile(const MotionState& start, int order) noexcept;
+  Profile(const MotionState& start, int order) noexcept
+      : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
+
+  /// A whole motion at once, the fastest way to make one. The phases name their value by its place
+  /// among `values`, from 1; 0 stands for zero. Those of no duration are left out, neighbours of the
+  /// same value stay apart.
+  using Values = std::array<double, 4>;
+  struct Step {
+    double duration;
+    std::uint8_t value;
+  };
+  Profile(const MotionState& start, const MotionState& end, int order, const Values& values,
+          std::initializer_list<Step> phases) noexcept
+      : level_{0, values[0], values[1], values[2], values[3]},
+        start_(start),
+        end_(end),
+        order_(static_cast<std::uint8_t>(order)) {
+    assert(phases.size() <= capacity);
+    // Not read before they are set. Clearing them (`rep stos`, as GCC would) takes longer than
+    // solving for a trapezoid.
+    duration_.fill(start.position);
+    std::uint8_t n = 0;
+    for (const auto& [duration, value] : phases) {  // no branch: whether a phase occurs is random
+      duration_[n] = duration;
+      code_[n] = value;
+      n = static_cast<std::uint8_t>(n + (duration > 0 ? 1 : 0));
+    }
+    count_ = n;
+  }
 
   /// Appends a phase; one of no (or negative) duration is left out, one of the same value as its
   /// predecessor prolongs that. At most `capacity` of them and four different values besides zero.

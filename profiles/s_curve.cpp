@@ -1,10 +1,11 @@
+#include "jounce/profiles/s_curve.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "jounce/profiles/detail/span.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
 
 // A ramp between rest and velocity v under acceleration a and jerk j is point-symmetric, so that it
 // covers v/2 times its duration:
@@ -17,111 +18,87 @@
 // cruise solves D(v) = h, with D increasing:
 //
 //   (4)  both by (1):  v^2 (1/a1 + 1/a2)/2 + v (a1/j1 + a2/j2)/2 = h
-//   (5)  both by (2):  v^(3/2) (1/sqrt(j1) + 1/sqrt(j2)) = h
-//   (6)  mixed, w = sqrt(v):  w^4/(2 a) + w^2 a/(2 j) + w^3/sqrt(k) = h   (a, j: the ramp by (1))
+//   (5)  both by (2):  j1 t^3 (1 + sqrt(j1/j2)) = h   for the jerk time t of the first ramp
+//   (6)  mixed, w = sqrt(v):  w^4/(2 a) + w^3/sqrt(k) + w^2 a/(2 j) = h   (a, j: the ramp by (1))
 
 namespace jounce {
 namespace {
 
-struct Ramp {
-  double a;
-  double j;  // infinity: acceleration may step
-
-  [[nodiscard]] double jerk_time() const { return a / j; }
-  [[nodiscard]] double threshold() const { return a * jerk_time(); }
-  [[nodiscard]] bool reaches_a(double v) const { return v >= threshold(); }
-  [[nodiscard]] double duration(double v) const {  // (1), (2)
-    return reaches_a(v) ? v / a + jerk_time() : 2 * std::sqrt(v / j);
-  }
+struct Limit {
+  double a, j;
+  double per_a = 1 / a;
+  double per_j = 1 / j;
+  double jerk_time = a * per_j;
+  double threshold = a * jerk_time;  // the least velocity whose ramp reaches a
 };
 
-double peak_both_reach(const Ramp& r1, const Ramp& r2, double h) {  // (4)
-  const double p = (1 / r1.a + 1 / r2.a) / 2;
-  const double q = (r1.jerk_time() + r2.jerk_time()) / 2;
+/// One ramp between rest and the peak velocity.
+struct RampPhases {
+  double jerk;     ///< s, of rising and of falling acceleration
+  double plateau;  ///< s, at the greatest acceleration
+
+  [[nodiscard]] double duration() const { return 2 * jerk + plateau; }
+};
+
+/// (1), (2): the smaller jerk time is the one that holds; a negative plateau says that (2) does.
+JOUNCE_INLINE RampPhases ramp_to(double v, const Limit& r) {  // (1), (2)
+  if (v >= r.threshold) return {r.jerk_time, v * r.per_a - r.jerk_time};
+  return {std::sqrt(v * r.per_j), 0};
+}
+
+JOUNCE_INLINE double way(double v, const Limit& r1, const Limit& r2) {  // (3)
+  return v / 2 * (ramp_to(v, r1).duration() + ramp_to(v, r2).duration());
+}
+
+JOUNCE_INLINE double peak_both_reach(const Limit& r1, const Limit& r2, double h) {  // (4)
+  const double p = (r1.per_a + r2.per_a) / 2;
+  const double q = (r1.jerk_time + r2.jerk_time) / 2;
   return 2 * h / (q + std::sqrt(q * q + 4 * p * h));
 }
 
-double peak_none_reaches(const Ramp& r1, const Ramp& r2, double h) {  // (5)
-  const double k = h / (1 / std::sqrt(r1.j) + 1 / std::sqrt(r2.j));
-  return std::cbrt(k * k);
+JOUNCE_INLINE double peak_none_reaches(const Limit& r1, const Limit& r2, double h) {  // (5)
+  const double ratio = r1.j == r2.j ? 1 : std::sqrt(r1.j / r2.j);
+  const double t = detail::cube_root(h / (r1.j * (1 + ratio)));
+  return r1.j * t * t;
 }
 
-double peak_mixed(const Ramp& reaching, const Ramp& other, double h) {  // (6)
-  const double c4 = 1 / (2 * reaching.a);
-  const double c3 = 1 / std::sqrt(other.j);
-  const double c2 = reaching.jerk_time() / 2;
-  // Each term alone bounds the root from above; (6) is convex, so Newton descends from there.
-  double w = std::min({std::sqrt(std::sqrt(h / c4)), std::cbrt(h / c3), std::sqrt(h / c2)});
-  for (int i = 0; i < 60; ++i) {
-    const double f = w * w * (c2 + w * (c3 + w * c4)) - h;
-    const double df = w * (2 * c2 + w * (3 * c3 + w * 4 * c4));
-    const double next = w - f / df;
-    if (!(next < w)) break;
-    w = next;
-  }
+double peak_mixed(const Limit& reaching, const Limit& other, double h) {  // (6)
+  const detail::Quartic f{reaching.per_a / 2, 1 / std::sqrt(other.j), reaching.jerk_time / 2, 0,
+                          -h};
+  // Without the cubic term the root is larger.
+  const double s = 2 * h / (f.c2 + std::sqrt(f.c2 * f.c2 + 4 * f.c4 * h));
+  const double w = detail::largest_root({f, std::sqrt(s)});
   return w * w;
 }
 
-double peak_velocity(const Ramp& r1, const Ramp& r2, double h) {
-  const double reach = peak_both_reach(r1, r2, h);
-  if (r1.reaches_a(reach) && r2.reaches_a(reach)) return reach;
-  const double none = peak_none_reaches(r1, r2, h);
-  if (!r1.reaches_a(none) && !r2.reaches_a(none)) return none;
-  return r1.threshold() < r2.threshold() ? peak_mixed(r1, r2, h) : peak_mixed(r2, r1, h);
+JOUNCE_INLINE double peak_velocity(const Limit& r1, const Limit& r2, double h) {
+  const auto [low, high] = std::minmax(r1.threshold, r2.threshold);
+  if (h >= way(high, r1, r2)) return peak_both_reach(r1, r2, h);
+  if (h <= way(low, r1, r2)) return peak_none_reaches(r1, r2, h);
+  return r1.threshold < r2.threshold ? peak_mixed(r1, r2, h) : peak_mixed(r2, r1, h);
 }
 
-/// One ramp between rest and v, as it stands in a profile.
-struct Phases {
-  double ramp = 0;     ///< s, of rising and of falling acceleration
-  double plateau = 0;  ///< s, at the greatest acceleration
-};
+/// What takes less than this share of a move is rounding.
+constexpr double dust = 1e-15;
 
-Phases phases(const Ramp& r, double v) {
-  if (!r.reaches_a(v)) return {std::sqrt(v / r.j), 0};
-  return {r.jerk_time(), v / r.a - r.jerk_time()};
+double swept(double duration, double total) {
+  return duration > dust * total ? duration : 0;
 }
 
-void add_ramp(Profile& move, const Ramp& r, const Phases& phases, double sign) {
-  if (std::isinf(r.j)) return move.add(phases.plateau, sign * r.a);
-  move.add(phases.ramp, sign * r.j);
-  move.add(phases.plateau, 0);
-  move.add(phases.ramp, -sign * r.j);
-}
-
-Profile rest_to_rest(double from, double to, double velocity, const Ramp& accelerate,
-                     const Ramp& decelerate) {
-  const double h = std::abs(to - from);
-  const double sign = to > from ? 1 : -1;
-  const double peak = peak_velocity(accelerate, decelerate, h);
-  const double v = std::min(peak, velocity);
-  Phases up = phases(accelerate, v);
-  Phases down = phases(decelerate, v);
-  double cruise = velocity < peak ? h / v - (accelerate.duration(v) + decelerate.duration(v)) / 2 : 0;
-  const double total = 2 * up.ramp + up.plateau + cruise + down.plateau + 2 * down.ramp;
+[[gnu::cold]] void refuse_duration(double to, double total) {
   require_finite("duration", total);
-  if (!(total > 0)) throw InputError("to", to, "is too close to `from` for a move");
-
-  // Plateaus that only rounding made are dropped. A ramp that vanishes beside the move is refused:
-  // in doubles it would have no length.
-  const double dust = 1e-15 * total;
-  for (double* plateau : {&up.plateau, &cruise, &down.plateau})
-    if (*plateau <= dust) *plateau = 0;
-  for (const auto& [ramp, jerk] : {std::pair{up.ramp, accelerate.j}, {down.ramp, decelerate.j}})
-    if (!std::isinf(jerk) && ramp <= dust)
-      throw InputError("jerk", jerk,
-                       "is so high that its ramps vanish beside the move, which takes " +
-                           number(total) + ": take a trapezoid");
-
-  Profile move({from, 0, 0}, std::isinf(accelerate.j) ? 2 : 3);
-  add_ramp(move, accelerate, up, sign);
-  move.add(cruise, 0);
-  add_ramp(move, decelerate, down, -sign);
-  move.finish({to, 0, 0});
-  return move;
+  throw InputError("to", to, "is too close to `from` for a move");
 }
 
-void require_move(double from, double to, double velocity, double acceleration,
-                  double deceleration) {
+/// A ramp that vanishes beside the move would have no length in doubles.
+[[gnu::cold]] void refuse_jerk(double jerk, double total) {
+  throw InputError("jerk", jerk,
+                   "is so high that its ramps vanish beside the move, which takes " +
+                       number(total) + ": take a trapezoid");
+}
+
+[[gnu::cold]] void refuse(double from, double to, double velocity, double acceleration,
+                          double deceleration) {
   require_finite("from", from);
   require_finite("to", to);
   if (from == to) throw InputError("to", to, "must differ from `from`: there is no move");
@@ -131,6 +108,23 @@ void require_move(double from, double to, double velocity, double acceleration,
   require_not_negative("deceleration", deceleration);
 }
 
+bool positive(double x) {
+  return x > 0 && x < INFINITY;
+}
+bool not_negative(double x) {
+  return x >= 0 && x < INFINITY;
+}
+
+/// The distance of a move whose values are in range.
+template <class Spec>
+double distance_of(const Spec& s) {
+  const double h = std::abs(s.to - s.from);
+  const bool good = positive(h) && positive(s.velocity) && positive(s.acceleration) &&
+                    not_negative(s.deceleration);
+  if (!good) refuse(s.from, s.to, s.velocity, s.acceleration, s.deceleration);
+  return h;
+}
+
 double or_else(double value, double fallback) {
   return value == 0 ? fallback : value;
 }
@@ -138,19 +132,57 @@ double or_else(double value, double fallback) {
 }  // namespace
 
 Profile trapezoid(const TrapezoidSpec& spec) {
-  require_move(spec.from, spec.to, spec.velocity, spec.acceleration, spec.deceleration);
-  constexpr double step = std::numeric_limits<double>::infinity();
-  return rest_to_rest(spec.from, spec.to, spec.velocity, {spec.acceleration, step},
-                      {or_else(spec.deceleration, spec.acceleration), step});
+  const double h = distance_of(spec);
+  const double a = spec.acceleration;
+  const double b = or_else(spec.deceleration, a);
+  const double per_a = 1 / a;
+  const double per_b = b == a ? per_a : 1 / b;
+  const double peak = std::sqrt(2 * h / (per_a + per_b));
+  const double v = std::min(peak, spec.velocity);
+  const double up = v * per_a;
+  const double down = v * per_b;
+  const double cruise = h / v - (up + down) / 2;  // where there is none, what rounding leaves: dust
+  const double total = up + cruise + down;
+  if (!positive(total)) refuse_duration(spec.to, total);
+
+  const double sign = std::copysign(1, spec.to - spec.from);
+  return {{spec.from, 0, 0},
+          {spec.to, 0, 0},
+          2,
+          {sign * a, -sign * b},
+          {{swept(up, total), 1}, {swept(cruise, total), 0}, {swept(down, total), 2}}};
 }
 
 Profile s_curve(const SCurveSpec& spec) {
-  require_move(spec.from, spec.to, spec.velocity, spec.acceleration, spec.deceleration);
-  require_positive("jerk", spec.jerk);
-  require_not_negative("deceleration_jerk", spec.deceleration_jerk);
-  return rest_to_rest(
-      spec.from, spec.to, spec.velocity, {spec.acceleration, spec.jerk},
-      {or_else(spec.deceleration, spec.acceleration), or_else(spec.deceleration_jerk, spec.jerk)});
+  const double h = distance_of(spec);
+  if (!positive(spec.jerk)) require_positive("jerk", spec.jerk);
+  if (!not_negative(spec.deceleration_jerk))
+    require_not_negative("deceleration_jerk", spec.deceleration_jerk);
+  const Limit r1{spec.acceleration, spec.jerk};
+  const Limit r2{or_else(spec.deceleration, spec.acceleration),
+                 or_else(spec.deceleration_jerk, spec.jerk)};
+  const bool cruises = h > way(spec.velocity, r1, r2);
+  const double v = cruises ? spec.velocity : peak_velocity(r1, r2, h);
+  const RampPhases up = ramp_to(v, r1);
+  const RampPhases down = ramp_to(v, r2);
+  const double cruise = cruises ? h / v - (up.duration() + down.duration()) / 2 : 0;
+  const double total = up.duration() + cruise + down.duration();
+  if (!positive(total)) refuse_duration(spec.to, total);
+  if (up.jerk <= dust * total) refuse_jerk(r1.j, total);
+  if (down.jerk <= dust * total) refuse_jerk(r2.j, total);
+
+  const double sign = std::copysign(1, spec.to - spec.from);
+  return {{spec.from, 0, 0},
+          {spec.to, 0, 0},
+          3,
+          {sign * r1.j, -sign * r1.j, sign * r2.j, -sign * r2.j},
+          {{up.jerk, 1},
+           {swept(up.plateau, total), 0},
+           {up.jerk, 2},
+           {swept(cruise, total), 0},
+           {down.jerk, 4},
+           {swept(down.plateau, total), 0},
+           {down.jerk, 3}}};
 }
 
 }  // namespace jounce

@@ -46,6 +46,18 @@ JOUNCE_INLINE double rough_cube_root(double x) {
   return std::bit_cast<double>((third + 0x2a9f7893U) << 32U);
 }
 
+/// The cube root within an ulp or two, for normal x > 0: a series in 1 - r^3/x about the rough root r,
+/// good to 1e-8, then one of Newton's steps.
+JOUNCE_INLINE double cube_root(double x) {
+  const double r = rough_cube_root(x);
+  const double e = 1 - r * r * (r / x);
+  const double series =
+      1 + e * (1. / 3 + e * (2. / 9 + e * (14. / 81 +
+                                           e * (35. / 243 + e * (91. / 729 + e * (728. / 6561))))));
+  const double y = r * series;
+  return y - (y - x / (y * y)) * (1. / 3);
+}
+
 /// Limits, with what every formula needs of them.
 struct Rates {
   double a, j, inv_a, inv_j, tau, threshold;
@@ -53,11 +65,9 @@ struct Rates {
   JOUNCE_INLINE Rates(double acceleration, double jerk)
       : a(acceleration), j(jerk), inv_a(1 / a), inv_j(1 / j), tau(a * inv_j), threshold(a * tau) {}
 
-  /// (1), (2)
+  /// (1), (2): the smaller jerk time is the one that holds; a negative plateau says that (2) does.
   [[nodiscard]] JOUNCE_INLINE double ramp(double dv) const {
-    const double with = dv * inv_a + tau;
-    const double without = 2 * square_root(dv * inv_j);
-    return dv >= threshold ? with : without;
+    return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, 0);
   }
 };
 
@@ -179,10 +189,12 @@ JOUNCE_INLINE bool settled(double before, double after) {
 inline double largest_root(const Start& start) {
   double before = start.x;
   double x = start.x;
-  for (int i = 0; i < most_steps && (i < usual_steps || !settled(before, x)); ++i) {
+  const auto step = [&] {
     before = x;
     x = start.f.next(x);
-  }
+  };
+  for (int i = 0; i < usual_steps; ++i) step();
+  for (int i = usual_steps; i < most_steps && !settled(before, x); ++i) step();
   return x;
 }
 
