@@ -1,0 +1,256 @@
+// What time generators cost, beside their peers in the same run. KDL is Debian's liborocos-kdl;
+// Ruckig is measured where find_package finds one.
+//   build/release/bench/bench_profiles --benchmark_repetitions=9 --benchmark_report_aggregates_only
+// One call a case, over 8192 cases; `p99` is of single calls, the least of five each, less what
+// reading the clock takes. Results: docs/performance.md.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <kdl/velocityprofile_trap.hpp>
+
+#include "jounce/profiles/jounce.hpp"
+#include "jounce/profiles/query.hpp"
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/synchronise.hpp"
+
+#ifdef JOUNCE_BENCH_RUCKIG
+#include <ruckig/ruckig.hpp>
+#endif
+#if defined(__x86_64__)
+#include <x86intrin.h>
+#endif
+
+namespace {
+
+using namespace jounce;
+
+constexpr std::size_t cases = 8192;
+
+/// One axis of a case; limits are the same in both directions.
+struct Axis {
+  MotionState from, to;
+  double velocity, acceleration, jerk;
+};
+
+/// The distributions of Ruckig's own benchmark (its test/benchmark_target.cpp).
+class Source {
+ public:
+  Axis general() {
+    Axis x;
+    x.from = {position(p_), sometimes(0.9), sometimes(0.8)};
+    do {
+      x.to = {position(p_), sometimes(0.7), sometimes(0.6)};
+      x.velocity = limit_(l_) + std::abs(x.to.velocity);
+      x.acceleration = limit_(l_) + std::abs(x.to.acceleration);
+      x.jerk = limit_(l_);
+    } while (std::abs(x.to.velocity) + x.to.acceleration * x.to.acceleration / (2 * x.jerk) >
+             x.velocity);
+    return x;
+  }
+  Axis moving() {
+    Axis x = general();
+    x.from.acceleration = x.to.acceleration = 0;
+    x.velocity = std::max(x.velocity, std::abs(x.from.velocity));
+    return x;
+  }
+  Axis resting() {
+    const Axis x = general();
+    return {{x.from.position}, {x.to.position}, x.velocity, x.acceleration, x.jerk};
+  }
+
+ private:
+  double position(std::default_random_engine& g) { return position_(g); }
+  double sometimes(double share) { return share_(d_) < share ? dynamic_(d_) : 0.0; }
+
+  std::default_random_engine p_{42}, d_{43}, l_{44};
+  std::normal_distribution<double> position_{0, 4};
+  std::normal_distribution<double> dynamic_{0, 0.8};
+  std::uniform_real_distribution<double> limit_{0.1, 12}, share_{0, 1};
+};
+
+template <std::size_t Axes>
+using Cases = std::vector<std::array<Axis, Axes>>;
+
+template <std::size_t Axes>
+Cases<Axes> make(Axis (Source::*kind)()) {
+  Source source;
+  Cases<Axes> all(cases);
+  for (auto& one : all)
+    for (Axis& axis : one) axis = (source.*kind)();
+  return all;
+}
+
+double now() {  // ns
+#if defined(__x86_64__)
+  static const double per_tick = [] {
+    const auto t0 = std::chrono::steady_clock::now();
+    const auto c0 = __rdtsc();
+    while (std::chrono::steady_clock::now() - t0 < std::chrono::milliseconds(50)) continue;
+    return 5e7 / static_cast<double>(__rdtsc() - c0);
+  }();
+  _mm_lfence();
+  return static_cast<double>(__rdtsc()) * per_tick;
+#else
+  return std::chrono::duration<double, std::nano>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+#endif
+}
+
+template <class Call>
+double least_of_five(const Call& call) {
+  double least = 1e300;
+  for (int i = 0; i < 5; ++i) {
+    const double t0 = now();
+    call();
+    least = std::min(least, now() - t0);
+  }
+  return least;
+}
+
+/// Runs `solve(case)` over all cases: the mean as the benchmark's time, the p99 as a counter.
+template <class AllCases, class Solve>
+void measure(benchmark::State& state, const AllCases& all, Solve solve) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solve(all[i++ & (cases - 1)]));
+  }
+  std::vector<double> each;
+  const double clock = least_of_five([] {});
+  for (const auto& one : all)
+    each.push_back(least_of_five([&] { benchmark::DoNotOptimize(solve(one)); }) - clock);
+  std::nth_element(each.begin(), each.begin() + cases * 99 / 100, each.end());
+  state.counters["p99"] = each[cases * 99 / 100];
+}
+
+#ifdef JOUNCE_BENCH_RUCKIG
+template <std::size_t Axes>
+void ruckig_solves(benchmark::State& state, const Cases<Axes>& all, bool jerk = true) {
+  std::vector<ruckig::InputParameter<Axes>> inputs(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < Axes; ++k) {
+      auto& in = inputs[i];
+      const Axis& x = all[i][k];
+      in.current_position[k] = x.from.position;
+      in.current_velocity[k] = x.from.velocity;
+      in.current_acceleration[k] = x.from.acceleration;
+      in.target_position[k] = x.to.position;
+      in.target_velocity[k] = x.to.velocity;
+      in.target_acceleration[k] = x.to.acceleration;
+      in.max_velocity[k] = x.velocity;
+      in.max_acceleration[k] = x.acceleration;
+      if (jerk) in.max_jerk[k] = x.jerk;
+    }
+  ruckig::Ruckig<Axes> solver;
+  ruckig::Trajectory<Axes> trajectory;
+  measure(state, inputs, [&](const auto& in) {
+    solver.calculate(in, trajectory);
+    return trajectory.get_duration();
+  });
+}
+void general_ruckig(benchmark::State& s) {
+  ruckig_solves<1>(s, make<1>(&Source::general));
+}
+void moving_ruckig(benchmark::State& s) {
+  ruckig_solves<1>(s, make<1>(&Source::moving));
+}
+void resting_ruckig(benchmark::State& s) {
+  ruckig_solves<1>(s, make<1>(&Source::resting));
+}
+void trapezoid_ruckig(benchmark::State& s) {
+  ruckig_solves<1>(s, make<1>(&Source::resting), false);
+}
+void synchronised_3_ruckig(benchmark::State& s) {
+  ruckig_solves<3>(s, make<3>(&Source::general));
+}
+void synchronised_7_ruckig(benchmark::State& s) {
+  ruckig_solves<7>(s, make<7>(&Source::general));
+}
+BENCHMARK(general_ruckig);
+BENCHMARK(moving_ruckig);
+BENCHMARK(resting_ruckig);
+BENCHMARK(trapezoid_ruckig);
+BENCHMARK(synchronised_3_ruckig);
+BENCHMARK(synchronised_7_ruckig);
+#endif
+
+void trapezoid_kdl(benchmark::State& state) {
+  measure(state, make<1>(&Source::resting), [](const auto& c) {
+    KDL::VelocityProfile_Trap profile(c[0].velocity, c[0].acceleration);
+    profile.SetProfile(c[0].from.position, c[0].to.position);
+    return profile.Duration();
+  });
+}
+BENCHMARK(trapezoid_kdl);
+
+void trapezoid_jounce(benchmark::State& state) {
+  measure(state, make<1>(&Source::resting), [](const auto& c) {
+    return trapezoid({.from = c[0].from.position,
+                      .to = c[0].to.position,
+                      .velocity = c[0].velocity,
+                      .acceleration = c[0].acceleration});
+  });
+}
+BENCHMARK(trapezoid_jounce);
+
+void resting_s_curve(benchmark::State& state) {
+  measure(state, make<1>(&Source::resting), [](const auto& c) {
+    return s_curve({.from = c[0].from.position,
+                    .to = c[0].to.position,
+                    .velocity = c[0].velocity,
+                    .acceleration = c[0].acceleration,
+                    .jerk = c[0].jerk});
+  });
+}
+BENCHMARK(resting_s_curve);
+
+
+/// A span of its own for the queries, whose ends do not run backwards.
+struct Query {
+  double distance;
+  SpanEnds ends;
+  Ramp ramp;
+};
+std::vector<Query> queries() {
+  std::vector<Query> all;
+  for (const auto& [x] : make<1>(&Source::moving)) {
+    const Ramp ramp{x.acceleration, x.jerk};
+    const SpanEnds ends{std::abs(x.from.velocity), std::abs(x.to.velocity), x.velocity};
+    const double direct = ramp_between(ends.entry, ends.exit, ramp)->distance;
+    all.push_back({std::abs(x.to.position - x.from.position) + direct, ends, ramp});
+  }
+  return all;
+}
+void query_stopping(benchmark::State& state) {
+  measure(state, queries(), [](const Query& q) { return stopping({q.ends.entry}, q.ramp); });
+}
+void query_entry_velocity(benchmark::State& state) {
+  measure(state, queries(),
+          [](const Query& q) { return entry_velocity(q.distance, q.ends.exit, q.ramp); });
+}
+void query_peak_velocity(benchmark::State& state) {
+  measure(state, queries(), [](const Query& q) {
+    return peak_velocity(q.distance, {q.ends.entry, q.ends.exit}, q.ramp);
+  });
+}
+void query_minimum_duration(benchmark::State& state) {
+  measure(state, queries(),
+          [](const Query& q) { return minimum_duration(q.distance, q.ends, q.ramp); });
+}
+void query_minimum_duration_resting(benchmark::State& state) {
+  measure(state, queries(), [](const Query& q) {
+    return minimum_duration(q.distance, {.velocity = q.ends.velocity}, q.ramp);
+  });
+}
+BENCHMARK(query_stopping);
+BENCHMARK(query_entry_velocity);
+BENCHMARK(query_peak_velocity);
+BENCHMARK(query_minimum_duration);
+BENCHMARK(query_minimum_duration_resting);
+
+}  // namespace
