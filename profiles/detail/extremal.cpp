@@ -81,6 +81,13 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
   natural_ = std::max(natural(half_[0]), natural(half_[1]));
   high_ = half_[0].c >= half_[1].c ? 0 : 1;
   q_ = 2 * ik_ * std::abs(half_[0].c - half_[1].c);
+  const auto start = [this](const Half& h) {
+    return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6);
+  };
+  mean_ = (half_[0].c + half_[1].c) / 2;
+  cubic_ = (k_ + ijd_) / 24;
+  inverse_ = q_ * q_ * ijp_ / 8;
+  base_ = start(half_[0]) + start(half_[1]);
 }
 
 bool Extremals::has_early() const noexcept {
@@ -226,43 +233,40 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
   return e;
 }
 
+/// (5): the sum at which of_sum is g.
+double Extremals::solve_sum(double g, double lo, double hi, bool rising,
+                            double guess) const noexcept {
+  const auto f = [&](double s, double& sign) {
+    const double ss = s * s;
+    sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;
+    return s * sign / (ss * (mean_ + 3 * cubic_ * ss) + inverse_);
+  };
+  if (hi == inf) {
+    hi = std::max({2 * lo, std::cbrt(std::abs(g) / cubic_), std::sqrt(std::abs(mean_) / cubic_),
+                   std::sqrt(std::sqrt(inverse_ / cubic_))});
+    guess = hi;
+    for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
+  }
+  return zero(f, lo, hi, rising, guess);
+}
+
 /// Where in the stretch the distance d is covered; it is covered there.
 double Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
-  const double third = k_ + ijd_;
-  const auto start = [this](const Half& h) {
-    return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6);
-  };
   double hi = p.hi;
   switch (p.held) {
-    case Stretch::Held::none: {
-      const double m = (half_[0].c + half_[1].c) / 2;
-      const double a3 = third / 24;
-      const double mu = q_ * q_ * ijp_ / 8;
-      const double g = (d - start(half_[0]) - start(half_[1])) * ik_;
-      const auto f = [&](double s, double& sign) {
-        const double ss = s * s;
-        sign = ss * (m + a3 * ss) - g * s - mu;
-        return s * sign / (ss * (m + 3 * a3 * ss) + mu);
-      };
-      if (hi == inf) {
-        hi = std::max({2 * p.lo, std::cbrt(std::abs(g) / a3), std::sqrt(std::abs(m) / a3),
-                       std::sqrt(std::sqrt(mu / a3))});
-        guess = hi;
-        for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
-      }
-      return zero(f, p.lo, hi, rising, guess);
-    }
+    case Stretch::Held::none:
+      return solve_sum((d - base_) * ik_, p.lo, p.hi, rising, guess);
     case Stretch::Held::one: {
       const auto& x = half_[static_cast<std::size_t>(p.free)];
       const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
       const double l = held.limit;
       const double h0 = (x.c - held.sat) / l;  // hold at x = 0, may be negative
-      const double k0 = start(x) + start(held) + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
+      const double k0 = base_ + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
                         h0 * (held.c + l * l * ijp_ / 2 + l * h0 / 2) + x.c * l * ijd_ -
                         cube(l) * ijd_ * ijd_ / 6;
       const double g = (d - k0) / k_;
       const double c2 = l * ijd_ / 4 + x.c / (2 * l);
-      const double c3 = third / 6;
+      const double c3 = 4 * cubic_;
       const double c4 = k_ / (8 * l);
       const auto f = [&](double y, double& sign) {
         sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
@@ -296,14 +300,11 @@ int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexc
   double lo = inf;
   double hi = inf;
   if (p.held == Stretch::Held::none) {
-    const double m = (half_[0].c + half_[1].c) / 2;
-    const double mu = q_ * q_ * ijp_ / 8;
-    const double a = (k_ + ijd_) / 8;
-    const double w = m * m - 4 * a * mu;
-    if (m < 0 && w >= 0) {
-      const double r = -m + std::sqrt(w);
-      lo = std::sqrt(2 * mu / r);
-      hi = std::sqrt(r / (2 * a));
+    const double w = mean_ * mean_ - 12 * cubic_ * inverse_;
+    if (mean_ < 0 && w >= 0) {
+      const double r = -mean_ + std::sqrt(w);
+      lo = std::sqrt(2 * inverse_ / r);
+      hi = std::sqrt(r / (6 * cubic_));
     }
   } else if (p.held == Stretch::Held::one) {
     const double c = half_[static_cast<std::size_t>(p.free)].c;
@@ -348,50 +349,65 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
 }
 
 Extremal Extremals::cover(double d, const Extremal& begin, double covered) const noexcept {
-  // Where the acceleration passes zero, the peak velocity tells the stretches apart. Below that, and
-  // where the distance might turn (4), all stretches are looked at.
+  // Where the distance cannot turn back (4), the peak velocity tells the stretches apart.
   Extremal lo = begin;
-  double before = covered;
   const double s = half_[static_cast<std::size_t>(first_)].s;
   if (s < 0) {
-    lo = at_peak(natural_);
-    before = distance(lo);
-    const double z_low = begin.z[static_cast<std::size_t>(1 - first_)];
-    if (natural_ + s * z_low * ijd_ / 2 < 0 || before > d) {
+    const auto low = static_cast<std::size_t>(1 - first_);
+    if (begin.hold[low] > 0 || natural_ + s * begin.z[low] * ijd_ / 2 < 0) {
       Members members{begin};
       (void)covering(Branch::main, d, members, 1);
       return members[0];
     }
+    lo.vp = natural_;  // the velocity passes zero acceleration with the same formula
   }
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
-  const std::array<double, 3> ends{half_[static_cast<std::size_t>(lower)].sat,
-                                   half_[static_cast<std::size_t>(1 - lower)].sat, vmax_};
-  for (int held = 0; held < 3; ++held) {
-    const double peak = std::min(ends[static_cast<std::size_t>(held)], vmax_);
-    if (peak <= lo.vp) continue;
-    const bool endless = peak == inf;
-    const Extremal hi = endless ? lo : at_peak(peak);
-    const double after = endless ? inf : distance(hi);
-    if (after < d) {
-      lo = hi;
-      before = after;
-      continue;
+  const auto free = static_cast<std::size_t>(1 - lower);
+  const double first_sat = std::min(half_[1 - free].sat, vmax_);
+  const double second_sat = std::min(half_[free].sat, vmax_);
+  // In the square of its parameter, a stretch is about linear.
+  const auto guess = [](double x0, double x1, double share) {
+    return std::sqrt(x0 * x0 + (x1 - x0) * (x1 + x0) * share);
+  };
+  if (first_sat > lo.vp) {
+    const double g = (d - base_) * ik_;
+    const double from = lo.z[0] + lo.z[1];
+    if (first_sat == inf)
+      return member({Stretch::Held::none, 0, from, inf}, solve_sum(g, from, inf, true, 0));
+    const Extremal hi = at_peak(first_sat);
+    const double to = hi.z[0] + hi.z[1];
+    const double reach = of_sum(to);
+    if (reach >= g) {
+      const double begun = of_sum(from);
+      return member({Stretch::Held::none, 0, from, to},
+                    solve_sum(g, from, to, true, guess(from, to, (g - begun) / (reach - begun))));
     }
-    // The parameter of the stretch, and a guess at it: the distance grows about with its square.
-    Stretch p{static_cast<Stretch::Held>(held), 1 - lower, lo.vp, peak};
-    const auto parameter = [&](const Extremal& e) {
-      return held == 0 ? e.z[0] + e.z[1] : e.z[static_cast<std::size_t>(p.free)];
-    };
-    if (held < 2) {
-      p.lo = parameter(lo);
-      p.hi = endless ? inf : parameter(hi);
-    }
-    const double guess =
-        endless ? 0
-                : std::sqrt(p.lo * p.lo + (p.hi - p.lo) * (p.hi + p.lo) * ((d - before) / (after - before)));
-    return member(p, solve(p, d, true, guess));
+    lo = hi;
+    covered = base_ + k_ * reach;
   }
-  lo.cruise = (d - before) / vmax_;
+  if (second_sat > lo.vp) {
+    Stretch p{Stretch::Held::one, 1 - lower, lo.z[free], inf};
+    if (second_sat == inf) return member(p, solve(p, d, true, 0));
+    const Extremal hi = at_peak(second_sat);
+    const double reach = distance(hi);
+    if (reach >= d) {
+      p.hi = hi.z[free];
+      return member(p, solve(p, d, true, guess(p.lo, p.hi, (d - covered) / (reach - covered))));
+    }
+    lo = hi;
+    covered = reach;
+  }
+  if (vmax_ > lo.vp) {
+    const Extremal hi = vmax_ == inf ? lo : at_peak(vmax_);
+    const double reach = vmax_ == inf ? inf : distance(hi);
+    if (reach >= d) {
+      const Stretch p{Stretch::Held::both, 0, lo.vp, vmax_};
+      return member(p, solve(p, d, true, 0));
+    }
+    lo = hi;
+    covered = reach;
+  }
+  lo.cruise = (d - covered) / vmax_;
   return lo;
 }
 

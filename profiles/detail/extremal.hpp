@@ -112,11 +112,18 @@ class Extremals {
   [[nodiscard]] Extremal member(const Stretch& p, double x) const noexcept;
   [[nodiscard]] int turning(const Stretch& p, std::array<double, 2>& out) const noexcept;
   [[nodiscard]] double solve(const Stretch& p, double d, bool rising, double guess) const noexcept;
+  [[nodiscard]] double solve_sum(double g, double lo, double hi, bool rising,
+                                 double guess) const noexcept;
+  /// (5) without K, over k: of the sum of both z.
+  [[nodiscard]] double of_sum(double s) const noexcept {
+    return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
+  }
   [[nodiscard]] Extremal at_peak(double vp) const noexcept;
 
   std::array<Half, 2> half_;
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double natural_;
+  double mean_, cubic_, inverse_, base_;  ///< of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
   double q_;   ///< z_low^2 - z_high^2 while nothing is held
   int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
   int first_;  ///< the half that is degenerate at the start of the main branch

@@ -125,9 +125,14 @@ std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
 
 void PointToPoint::append(const Choice& c, Profile& out) const noexcept {
   const auto [rise, fall] = jerks(c.upwards);
-  const std::array<double, 7> durations = family(c.upwards).phases(c.extremal);
+  const std::array<double, 7> t = family(c.upwards).phases(c.extremal);
+  if (out.phases() == 0) {
+    out = Profile(out.start(), out.end(), 3, {rise, fall},
+                  {{t[0], 1}, {t[1], 0}, {t[2], 2}, {t[3], 0}, {t[4], 2}, {t[5], 0}, {t[6], 1}});
+    return;
+  }
   for (std::size_t i = 0; i < 7; ++i)
-    out.add(durations[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
+    out.add(t[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
 }
 
 void PointToPoint::append_blend(const Choice& a, const Choice& b, double share,
