@@ -26,33 +26,41 @@ class PointToPoint {
  private:
   using Branch = Extremals::Branch;
 
-  PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds,
-               const Extremals::Jerks& jerks) noexcept;
   PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
-               const Extremals::Jerks& jerks, double n0, double n1) noexcept;
+               const Extremals::Jerks& jerks) noexcept;
 
-  /// A member of one of the two families.
-  struct Choice {
+  /// The phases of one member, and of which family.
+  struct Course {
     bool upwards = true;
-    Extremal extremal;
+    std::array<double, 7> phases{};
+  };
+  /// Both families at work on one question.
+  struct Families {
+    const Extremals& up;
+    Extremals down;
+    bool early;
+
+    [[nodiscard]] const Extremals& of(bool upwards) const noexcept { return upwards ? up : down; }
   };
 
-  [[nodiscard]] const Extremals& family(bool upwards) const noexcept {
-    return upwards ? up_ : down_;
-  }
+  [[nodiscard]] Extremals down() const noexcept;
+  [[nodiscard]] Families families() const noexcept;
   /// The distance in the family's own direction.
   [[nodiscard]] double towards(bool upwards) const noexcept { return upwards ? d_ : -d_; }
-  [[nodiscard]] bool covered_early(Choice& out) const noexcept;
-  [[nodiscard]] Choice fastest() const noexcept;
-  [[nodiscard]] bool reachable(Branch b, double t) const noexcept;
+  [[nodiscard]] bool fastest_early(Course& out) const noexcept;
+  [[nodiscard]] Course fastest() const noexcept;
+  [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
-  void append(const Choice& c, Profile& out) const noexcept;
-  void append_blend(const Choice& a, const Choice& b, double share, Profile& out) const noexcept;
+  void append(const Course& c, Profile& out) const noexcept;
+  void append_blend(const std::array<Course, 2>& c, double share, Profile& out) const noexcept;
 
   double rise_, fall_;  ///< the jerks, signed
   double d_;
-  Extremals up_, down_;
-  bool early_;
+  Extremals::End from_, to_;
+  Extremals::Limits down_limits_;
+  Extremals::Jerks jerks_;
+  std::array<double, 2> natural_;  ///< velocities of start and target
+  Extremals up_;
   Extremal direct_;  ///< of up_
   double direct_distance_;
   double rounding_;  ///< of positions: a distance is not known better
