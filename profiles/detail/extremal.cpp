@@ -138,6 +138,7 @@ double Extremals::duration(const Extremal& e) const noexcept {
 }
 
 double Extremals::distance(const Extremal& e) const noexcept {
+  if (e.hold[0] + e.hold[1] + e.cruise == 0) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
   double d = e.vp * ((e.z[0] + e.z[1]) * ijd_ + e.cruise);
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];

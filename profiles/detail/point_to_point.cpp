@@ -9,24 +9,23 @@ namespace {
 
 constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever it is a share of
 
-/// The start with the velocity that makes the bare ramp of acceleration meet the target, if only
-/// rounding keeps it from that: a motion that has reached its last phase must not begin another.
-MotionState snapped(const MotionState& from, const MotionState& to, const Bounds& b) {
-  const double a0 = from.acceleration * from.acceleration;
-  const double af = to.acceleration * to.acceleration;
-  const double jerk = to.acceleration > from.acceleration ? b.jerk_max : b.jerk_min;
-  const double ramp = (af - a0) / (2 * jerk);
-  const double scale = std::abs(from.velocity) + std::abs(to.velocity) + (a0 + af) / std::abs(jerk);
-  MotionState s = from;
-  if (std::abs(to.velocity - from.velocity - ramp) <= ulps * scale) s.velocity = to.velocity - ramp;
-  return s;
-}
-
 /// 1/jp, 1/jd and the like of the upward family.
 Extremals::Jerks upward_jerks(const Bounds& b) {
   const double per_rise = 1 / b.jerk_max;
   const double per_fall = -1 / b.jerk_min;
   return {per_rise, per_fall, per_rise + per_fall, 1 / (per_rise + per_fall)};
+}
+
+/// The start's velocity, or that with which the bare ramp of acceleration meets the target, if only
+/// rounding keeps it from that: a motion that has reached its last phase must not begin another.
+double snapped(const MotionState& from, const MotionState& to, const Extremals::Jerks& j) {
+  const double a0 = from.acceleration;
+  const double af = to.acceleration;
+  const double ramp = std::abs(af - a0) * (af + a0) * (af > a0 ? j.per_rise : j.per_fall) / 2;
+  const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
+                       (a0 * a0 + af * af) * (j.per_rise + j.per_fall);
+  const bool is_ramp = std::abs(to.velocity - from.velocity - ramp) <= ulps * scale;
+  return is_ramp ? to.velocity - ramp : from.velocity;
 }
 
 /// The natural velocity of an end: where its acceleration a, seen forwards in time from the start
@@ -37,9 +36,9 @@ double natural(double v, double a, const Extremals::Jerks& j) {
 
 }  // namespace
 
-PointToPoint::PointToPoint(const MotionState& start, const MotionState& to,
+PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
                            const Bounds& bounds) noexcept
-    : PointToPoint(snapped(start, to, bounds), to, bounds, upward_jerks(bounds)) {}
+    : PointToPoint(from, to, bounds, upward_jerks(bounds)) {}
 
 // Rounding may have put an end a last digit beyond the velocity limit: that is then the limit. Which
 // natural velocity is the greater is asked once, so that both families agree.
@@ -48,10 +47,10 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
     : rise_(b.jerk_max),
       fall_(b.jerk_min),
       d_(to.position - from.position),
-      from_{from.velocity, from.acceleration},
+      from_{snapped(from, to, jerks), from.acceleration},
       to_{to.velocity, to.acceleration},
       jerks_(jerks),
-      natural_{natural(from.velocity, from.acceleration, jerks),
+      natural_{natural(from_.velocity, from.acceleration, jerks),
                natural(to.velocity, -to.acceleration, jerks)},
       up_(from_, to_,
           {std::max({b.velocity_max, natural_[0], natural_[1]}), b.acceleration_max,

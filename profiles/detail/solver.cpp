@@ -24,9 +24,9 @@ MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) {
   return {s.position + t * (s.velocity + v) / 2, v, 0};
 }
 
-MotionState inside(const MotionState& start, const Bounds& b, int order, Profile& profile) {
-  if (order == 3) return brought_inside(start, b, profile);
-  return order == 2 ? slowed(start, b, profile) : start;
+MotionState brought_inside(const MotionState& s, const Bounds& b, int order, Profile& profile) {
+  if (order == 3) return detail::brought_inside(s, b, profile);
+  return order == 2 ? slowed(s, b, profile) : s;
 }
 
 bool limits_position(const Bounds& b) {
@@ -66,11 +66,21 @@ bool keeps_positions(const Profile& profile, const Bounds& b) {
 Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept
     : order_(order_of(bounds)),
       bounds_(bounds),
+      start_(of_order(from, order_)),
       to_(of_order(to, order_)),
-      begun_(of_order(from, order_), order_),
-      inside_(inside(begun_.start(), bounds, order_, begun_)) {
-  begun_.finish(to_);
-  before_ = begun_.duration();
+      inside_(start_) {
+  if (order_ == 3 && is_inside(start_, bounds_, 0)) return;
+  Profile way(start_, order_);
+  inside_ = brought_inside(start_, bounds_, order_, way);
+  before_ = way.duration();
+}
+
+/// The way inside, to be gone on from.
+Profile Solver::begun() const noexcept {
+  Profile p(start_, order_);
+  if (before_ > 0) (void)brought_inside(start_, bounds_, order_, p);
+  p.finish(to_);
+  return p;
 }
 
 Durations Solver::durations() const noexcept {
@@ -96,7 +106,7 @@ void Solver::straight(double t, Profile& out) const noexcept {
 }
 
 MoveStatus Solver::shortest(Profile& out) const noexcept {
-  out = begun_;
+  out = begun();
   if (inside_ == to_) return MoveStatus::ok;
   if (order_ == 3) PointToPoint(inside_, to_, bounds_).shortest(out);
   if (order_ == 2) SecondOrder(inside_, to_, bounds_).shortest(out);
@@ -106,7 +116,7 @@ MoveStatus Solver::shortest(Profile& out) const noexcept {
 }
 
 MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
-  out = begun_;
+  out = begun();
   if (order_ == 3) PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
   if (order_ == 2) SecondOrder(inside_, to_, bounds_).lasting(t - before_, out);
   if (order_ == 1) straight(t, out);
@@ -150,13 +160,13 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
   free.position_max = Bounds::none;
   Profile stop;
   Profile run_up;  // a stop seen backwards in time
-  (void)to_velocity(begun_.start(), 0, 0, free, stop);
+  (void)to_velocity(start_, 0, 0, free, stop);
   (void)to_velocity({to_.position, -to_.velocity, to_.acceleration}, 0, 0, backwards(free), run_up);
   const auto assembled = [&](bool stops, bool runs_up, const Bounds& b, Profile& whole) {
     Profile between;
-    whole = Profile(begun_.start(), order_);
+    whole = Profile(start_, order_);
     whole.finish(to_);
-    (void)Solver(stops ? stop.end() : begun_.start(), runs_up ? run_up.end() : to_, b)
+    (void)Solver(stops ? stop.end() : start_, runs_up ? run_up.end() : to_, b)
         .shortest(between);
     return (!stops || append(stop, false, whole)) && append(between, false, whole) &&
            (!runs_up || append(run_up, true, whole)) && keeps_positions(whole, bounds_);
@@ -177,7 +187,7 @@ MoveStatus to_velocity(const MotionState& from, double velocity, double accelera
                        const Bounds& bounds, Profile& out) noexcept {
   const int order = order_of(bounds);
   out = Profile(of_order(from, order), order);
-  MotionState s = inside(out.start(), bounds, order, out);
+  MotionState s = brought_inside(out.start(), bounds, order, out);
   if (order == 3) s = change_velocity(s, velocity, acceleration, bounds, out);
   if (order == 2) {
     const double dv = velocity - s.velocity;

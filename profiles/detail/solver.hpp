@@ -16,7 +16,7 @@ inline int order_of(const Bounds& b) {
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
 /// One move whose input is sound: the start's way inside the bounds, then whichever solver the order
-/// asks for, then the position limits.
+/// asks for, then the position limits. The bounds must outlive it.
 class Solver {
  public:
   Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
@@ -29,15 +29,15 @@ class Solver {
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
+  [[nodiscard]] Profile begun() const noexcept;
   void straight(double t, Profile& out) const noexcept;
   [[nodiscard]] bool by_way_of_rest(Profile& out) const noexcept;
 
   int order_;
-  Bounds bounds_;
-  MotionState to_;
-  Profile begun_;        ///< the way inside
-  double before_ = 0;    ///< how long that takes
-  MotionState inside_;
+  const Bounds& bounds_;
+  MotionState start_, to_;
+  MotionState inside_;  ///< where the way inside ends
+  double before_ = 0;   ///< how long it takes
 };
 
 /// The fastest change to a velocity and acceleration.
