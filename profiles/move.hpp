@@ -69,7 +69,9 @@ struct Move {
 ///
 /// A start outside the bounds is brought inside first, as fast as the bounds allow. The target must
 /// lie inside. Never longer than the true minimum by more than rounding; ends at `to` exactly;
-/// results do not depend on the unit. Does not allocate, does not throw. Derivation:
+/// results do not depend on the unit. Where a position limit forbids the shortest motion, the move
+/// goes by way of a point of rest, chosen as near as the limit allows: it then keeps the limits, but
+/// need not be the shortest that does. Does not allocate, does not throw. Derivation:
 /// docs/generators/move.md.
 Move move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 

@@ -1,6 +1,8 @@
 #include "jounce/profiles/profile.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 #include <vector>
 
 namespace jounce {
@@ -75,41 +77,48 @@ double Profile::duration() const noexcept {
 Motion Profile::at(double t) const noexcept {
   MotionState s = start_;
   if (!(t >= 0)) return {s.position, s.velocity, s.acceleration, 0};
+  double begin = 0;
   for (std::size_t i = 0; i + 1 < count_; ++i) {
     const Phase f = phase(i);
-    if (t < f.duration) return advanced(s, order_, f.value, t);
+    if (t < begin + f.duration) return advanced(s, order_, f.value, t - begin);
     s = state(advanced(s, order_, f.value, f.duration));
-    t -= f.duration;
+    begin += f.duration;
   }
   // The last phase is measured back from the end, so that the motion arrives exactly.
-  if (count_ == 0 || t >= duration_[count_ - 1U])
-    return {end_.position, end_.velocity, end_.acceleration, 0};
-  const Phase last = phase(count_ - 1U);
-  return advanced(end_, order_, last.value, t - last.duration);
+  const Phase last = count_ > 0 ? phase(count_ - 1U) : Phase{};
+  const double left = begin + last.duration - t;
+  if (!(left > 0)) return {end_.position, end_.velocity, end_.acceleration, 0};
+  return advanced(end_, order_, last.value, -left);
 }
 
 Trajectory Profile::curve() const {
-  std::vector<Segment> segments(count_);
+  std::vector<Segment> segments;
+  segments.reserve(count_);
+  // What is as short as the rounding of time itself has no length as a segment.
+  const double total = duration();
+  const double dust = 0x1p-50 * total;
   // The first half (at least a phase) is built from the start, the rest back from the end: each is
   // exact at its own end, and what rounding leaves between them lies in the middle.
-  const double middle = duration() / 2;
   MotionState forward = start_;
   double t = 0;
   std::size_t i = 0;
-  for (; i < count_ && (i == 0 || t + duration_[i] <= middle); ++i) {
-    segments[i] = segment(forward, order_, phase(i));
+  for (; i < count_ && (i == 0 || t + duration_[i] <= total / 2); ++i) {
+    if (duration_[i] > dust) segments.push_back(segment(forward, order_, phase(i)));
     t += duration_[i];
     forward = state(advanced(forward, order_, phase(i).value, duration_[i]));
   }
+  const std::size_t middle = segments.size();
   MotionState backward = end_;
   for (std::size_t k = count_; k-- > i;) {
     backward = state(advanced(backward, order_, phase(k).value, -duration_[k]));
-    segments[k] = segment(backward, order_, phase(k));
+    if (duration_[k] > dust) segments.push_back(segment(backward, order_, phase(k)));
   }
-  // A cruise in the middle takes the difference up.
-  if (i < count_ && segments[i].degree == 1) {
-    const double end = segments[i].c[0] + segments[i].c[1];
-    segments[i] = line(segments[i].length, forward.position, end);
+  std::reverse(segments.begin() + static_cast<std::ptrdiff_t>(middle), segments.end());
+  // A cruise in the middle takes the difference up, if it is long enough not to feel it.
+  if (middle < segments.size() && segments[middle].degree == 1 &&
+      segments[middle].length > total / 64) {
+    Segment& cruise = segments[middle];
+    cruise = line(cruise.length, forward.position, cruise.c[0] + cruise.c[1]);
   }
   return Trajectory(std::move(segments), 0, Outside::hold);
 }

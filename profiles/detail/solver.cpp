@@ -125,21 +125,18 @@ MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
 
 namespace {
 
-/// Appends the phases of a part, backwards in time if asked; false where they do not fit.
-bool append(const Profile& part, bool backwards, Profile& whole) {
+/// Appends the phases of a part; false where they do not fit.
+bool append(const Profile& part, Profile& whole) {
   if (whole.phases() + part.phases() > Profile::capacity) return false;
-  const double sign = backwards && whole.order() == 3 ? -1 : 1;  // odd derivatives change sign
-  for (std::size_t i = 0; i < part.phases(); ++i) {
-    const auto f = part.phase(backwards ? part.phases() - 1 - i : i);
-    whole.add(f.duration, sign * f.value);
-  }
+  for (std::size_t i = 0; i < part.phases(); ++i)
+    whole.add(part.phase(i).duration, part.phase(i).value);
   return true;
 }
 
 /// The same motion seen backwards in time.
 Bounds backwards(const Bounds& b) {
-  return {-b.velocity_max,    -b.velocity_min, b.acceleration_min, b.acceleration_max,
-          -b.jerk_max,        -b.jerk_min,     -Bounds::none,      Bounds::none};
+  return {-b.velocity_max, -b.velocity_min, b.acceleration_min, b.acceleration_max,
+          -b.jerk_max,     -b.jerk_min,     -Bounds::none,      Bounds::none};
 }
 
 /// A velocity so low that neither acceleration limit is reached on the way to it.
@@ -153,34 +150,46 @@ Bounds gentle(Bounds b) {
 
 }  // namespace
 
-/// Position limits forbid the shortest motion: stop first, or set out from rest, or both.
+/// Position limits forbid the shortest motion. The farther back a point of rest lies, the harder the
+/// axis brakes on its way to it (or accelerates away from it): the nearest such point that keeps the
+/// limits is looked for, first on the start's side, then on the target's.
 bool Solver::by_way_of_rest(Profile& out) const noexcept {
   Bounds free = bounds_;
   free.position_min = -Bounds::none;
   free.position_max = Bounds::none;
-  Profile stop;
-  Profile run_up;  // a stop seen backwards in time
-  (void)to_velocity(start_, 0, 0, free, stop);
-  (void)to_velocity({to_.position, -to_.velocity, to_.acceleration}, 0, 0, backwards(free), run_up);
-  const auto assembled = [&](bool stops, bool runs_up, const Bounds& b, Profile& whole) {
-    Profile between;
+  const auto assembled = [&](const MotionState& rest, const Bounds& second, Profile& whole) {
+    Profile there;
+    Profile on;
+    (void)Solver(start_, rest, free).shortest(there);
+    (void)Solver(rest, to_, second).shortest(on);
     whole = Profile(start_, order_);
     whole.finish(to_);
-    (void)Solver(stops ? stop.end() : start_, runs_up ? run_up.end() : to_, b)
-        .shortest(between);
-    return (!stops || append(stop, false, whole)) && append(between, false, whole) &&
-           (!runs_up || append(run_up, true, whole)) && keeps_positions(whole, bounds_);
+    return append(there, whole) && append(on, whole) && keeps_positions(whole, bounds_);
   };
-  bool found = false;
-  for (const auto& [stops, runs_up] : {std::pair{true, false}, {false, true}, {true, true}}) {
-    Profile candidate;
-    if (!assembled(stops, runs_up, free, candidate) &&
-        !(stops && runs_up && !found && assembled(true, true, gentle(free), candidate)))
-      continue;
-    if (!found || candidate.duration() < out.duration()) out = candidate;
-    found = true;
+  const auto by_way_of = [&](double position) {
+    const MotionState rest{position, 0, 0};
+    Profile whole;
+    const bool fits = assembled(rest, free, whole) || assembled(rest, gentle(free), whole);
+    if (fits) out = whole;
+    return fits;
+  };
+  Profile stop;
+  (void)to_velocity(start_, 0, 0, free, stop);
+  Profile run_up;  // a stop seen backwards in time
+  (void)to_velocity({to_.position, -to_.velocity, to_.acceleration}, 0, 0, backwards(free), run_up);
+  for (const Profile* side : {&stop, &run_up}) {
+    const double nearest = side->end().position;
+    const double back = side->start().position - nearest;
+    double good = 0x1p-20;
+    while (good < 8 && !by_way_of(nearest + good * back)) good *= 2;
+    if (good >= 8 || back == 0) continue;
+    for (double bad = good / 2, i = 0; i < 40; ++i) {
+      const double share = (good + bad) / 2;
+      (by_way_of(nearest + share * back) ? good : bad) = share;
+    }
+    return true;  // `out` holds the last that was good, and that is the nearest
   }
-  return found;
+  return false;
 }
 
 MoveStatus to_velocity(const MotionState& from, double velocity, double acceleration,

@@ -1,0 +1,253 @@
+#include "jounce/profiles/move.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/s_curve.hpp"
+
+#include "support/invariants.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+// The random workloads, the independent checker and the independent search are in proof/.
+
+/// What may be said of every move: it arrives, keeps the bounds, and is smooth.
+void expect_sound(const Move& move, const MotionState& to, const Bounds& b) {
+  ASSERT_TRUE(move) << explain(move.status);
+  const Trajectory f = move.profile.curve();
+  const Motion end = move.profile.at(move.profile.duration());
+  EXPECT_EQ(end.position, to.position);
+  EXPECT_EQ(end.velocity, to.velocity);
+  EXPECT_EQ(end.acceleration, to.acceleration);
+  const Ranges r = extrema(f);
+  EXPECT_GE(r[1].min.value, b.velocity_min * (1 + 1e-12));
+  EXPECT_LE(r[1].max.value, b.velocity_max * (1 + 1e-12));
+  EXPECT_GE(r[2].min.value, b.acceleration_min * (1 + 1e-12));
+  EXPECT_LE(r[2].max.value, b.acceleration_max * (1 + 1e-12));
+  // Held, it would step to rest at a moving end.
+  testing::expect_invariants(with(f, Outside::refuse), move.profile.order() - 1);
+}
+
+TEST(Move, FromRestToRestIsTheSCurve) {
+  testing::Random random(31);
+  for (int i = 0; i < 2000; ++i) {
+    const double distance = random.log_uniform(1e-3, 1e3);
+    const double v = random.log_uniform(1e-2, 1e2);
+    const double a = random.log_uniform(1e-2, 1e2);
+    const double j = random.log_uniform(1e-2, 1e2);
+    const Move move = move_to({0, 0, 0}, {distance, 0, 0}, within(v, a, j));
+    ASSERT_TRUE(move);
+    const double expected =
+        s_curve({.to = distance, .velocity = v, .acceleration = a, .jerk = j}).duration();
+    EXPECT_NEAR(move.profile.duration(), expected, 2e-14 * expected)
+        << distance << ' ' << v << ' ' << a << ' ' << j;
+  }
+}
+
+TEST(Move, WithoutJerkLimitIsTheTrapezoid) {
+  Bounds b = within(50, 0.25);
+  b.acceleration_min = -0.125;
+  const Move move = move_to({0, 0, 0}, {50000, 0, 0}, b);
+  EXPECT_DOUBLE_EQ(move.profile.duration(), 1300);  // Googol 7.2
+  EXPECT_EQ(move.profile.order(), 2);
+}
+
+TEST(Move, WithVelocityLimitedAloneIsALine) {
+  const Bounds b{.velocity_min = -2, .velocity_max = 4};
+  EXPECT_DOUBLE_EQ(move_to({1, 0, 0}, {9, 0, 0}, b).profile.duration(), 2);
+  EXPECT_DOUBLE_EQ(move_to({9, 0, 0}, {1, 0, 0}, b).profile.duration(), 4);
+  EXPECT_EQ(move_to({9, 0, 0}, {1, 0, 0}, b).profile.order(), 1);
+}
+
+TEST(Move, SolvesTheTieThatNeedsFourSeconds) {
+  // The exact answer exists: acceleration 1 -> -1 -> 1 -> ... covers -3 in 4 s at no net velocity.
+  const MotionState from{1, 0, 1};
+  const MotionState to{-2, 0, 1};
+  const Move move = move_to(from, to, within(2, 2, 2));
+  expect_sound(move, to, within(2, 2, 2));
+  EXPECT_NEAR(move.profile.duration(), 4, 1e-14);
+}
+
+TEST(Move, EachDirectionHasItsOwnBounds) {
+  const Bounds b{.velocity_min = -1, .velocity_max = 3, .acceleration_min = -2,
+                 .acceleration_max = 5, .jerk_min = -20, .jerk_max = 40};
+  const MotionState a{-4, 0.5, -1};
+  const MotionState c{4, -0.5, 1};
+  expect_sound(move_to(a, c, b), c, b);
+  expect_sound(move_to(c, a, b), a, b);
+  // Rising with acceleration 5 (jerks 40 and 20: 5/40 + 5/20 s less a half each way) to 3 ...
+  const Move up = move_to({0, 0, 0}, {100, 0, 0}, b);
+  const double rise = 3.0 / 5 + (5.0 / 40 + 5.0 / 20) / 2;
+  const double fall = 3.0 / 2 + (2.0 / 20 + 2.0 / 40) / 2;
+  EXPECT_DOUBLE_EQ(extrema(up.profile.curve(), 1).max.value, 3);
+  double until_cruise = 0;
+  for (std::size_t i = 0; i < 3; ++i) until_cruise += up.profile.phase(i).duration;
+  EXPECT_NEAR(until_cruise, rise, 1e-14);
+  double after_cruise = 0;
+  for (std::size_t i = 4; i < 7; ++i) after_cruise += up.profile.phase(i).duration;
+  EXPECT_NEAR(after_cruise, fall, 1e-14);
+}
+
+TEST(Move, ToWhereItIsTakesNoTime) {
+  const MotionState s{3, 1, -2};
+  const Move move = move_to(s, s, within(5, 5, 5));
+  ASSERT_TRUE(move);
+  EXPECT_EQ(move.profile.duration(), 0);
+  EXPECT_EQ(move.profile.at(0).velocity, 1);
+}
+
+TEST(Move, FromBeyondTheVelocityLimitComesInsideAndArrives) {
+  const Bounds b = within(2, 5, 50);
+  const MotionState to{30, 0, 0};
+  for (const MotionState& from : {MotionState{0, 7, 0}, {0, -7, 3}, {0, 1.9, 30}, {0, 0, -30}}) {
+    const Move move = move_to(from, to, b);
+    ASSERT_TRUE(move);
+    const Trajectory f = move.profile.curve();
+    testing::expect_invariants(with(f, Outside::refuse), 2);
+    // Inside as fast as the bounds allow, and never out again.
+    bool inside = false;
+    for (int i = 0; i <= 10000; ++i) {
+      const Motion m = f.at(f.end() * i / 10000);
+      const bool now = std::abs(m.velocity) <= 2 * (1 + 1e-12) &&
+                       std::abs(m.acceleration) <= 5 * (1 + 1e-12);
+      if (inside) {
+        ASSERT_TRUE(now) << "at " << f.end() * i / 10000 << ": " << m.velocity << ' '
+                         << m.acceleration;
+      }
+      // A velocity that must still swing over the limit is not inside for good.
+      inside = now && std::abs(m.velocity) + m.acceleration * m.acceleration / 100 <= 2;
+    }
+    EXPECT_TRUE(inside);
+    EXPECT_EQ(f.at(f.end()).position, 30);
+  }
+}
+
+TEST(Move, LastsExactlyAsLongAsAsked) {
+  const Bounds b = within(1, 2, 10);
+  const MotionState from{0, 0.3, 0.5};
+  const MotionState to{1, 0, 0};
+  const double least = durations(from, to, b).minimum;
+  for (const double factor : {1.0, 1.001, 1.3, 2.0, 10.0, 1000.0}) {
+    const Move move = move_to(from, to, b, factor * least);
+    expect_sound(move, to, b);
+    EXPECT_NEAR(move.profile.duration(), factor * least, 1e-13 * factor * least);
+  }
+  EXPECT_EQ(move_to(from, to, b, 0.999 * least).status, MoveStatus::too_short);
+  EXPECT_EQ(move_to(from, to, b, std::nan("")).status, MoveStatus::not_finite);
+}
+
+TEST(Move, AMovingTargetBlocksDurations) {
+  // On at the velocity it has takes 0.1 s; a little longer is possible, but there is no room to stop:
+  // then the axis is past the target and has to come back.
+  const Bounds b = within(2, 2, 20);
+  const MotionState from{0, 1, 0};
+  const MotionState to{0.1, 1, 0};
+  const Durations d = durations(from, to, b);
+  ASSERT_EQ(d.status, MoveStatus::ok);
+  ASSERT_EQ(d.count, 1U);
+  EXPECT_LT(d.minimum, 0.1);
+  const auto [begin, end] = d.blocked[0];
+  EXPECT_GT(begin, 0.1);
+  EXPECT_EQ(move_to(from, to, b, (begin + end) / 2).status, MoveStatus::blocked);
+  EXPECT_EQ(d.at_least((begin + end) / 2), end);
+  for (const double t : {begin, end, (d.minimum + begin) / 2, 2 * end}) {
+    const Move move = move_to(from, to, b, t);
+    expect_sound(move, to, b);
+    EXPECT_NEAR(move.profile.duration(), t, 1e-12 * t);
+  }
+}
+
+TEST(Move, StopsAtAWallWithoutTouchingIt) {
+  // The shortest motion to rest here overshoots and comes back; the wall forbids that.
+  Bounds b = within(2, 2, 4);
+  const MotionState from{0, 1.5, 0};
+  const double straight = stop(from, b).profile.end().position;
+  for (const double share : {0.999, 0.985}) {
+    const MotionState to{share * straight, 0, 0};
+    b.position_max = Bounds::none;
+    const Move free = move_to(from, to, b);
+    EXPECT_GT(extrema(free.profile.curve(), 0).max.value, to.position);
+    b.position_max = to.position;
+    const Move kept = move_to(from, to, b);
+    ASSERT_TRUE(kept) << explain(kept.status);
+    EXPECT_LE(extrema(kept.profile.curve(), 0).max.value, to.position * (1 + 1e-13));
+    EXPECT_GT(kept.profile.duration(), free.profile.duration());
+    expect_sound(kept, to, b);
+  }
+  // Hardest braking overshoots this one, whatever is done.
+  const MotionState too_near{0.5 * straight, 0, 0};
+  b.position_max = too_near.position;
+  EXPECT_EQ(move_to(from, too_near, b).status, MoveStatus::position_limit);
+}
+
+TEST(Move, SetsOutFromBehindAWall) {
+  // The same backwards in time: to leave the wall at speed, the run-up must not begin behind it.
+  Bounds b = within(2, 2, 4);
+  const MotionState to{0, -1.5, 0};
+  const double run_up = stop({0, 1.5, 0}, b).profile.end().position;
+  const MotionState from{0.99 * run_up, 0, 0};
+  const Move free = move_to(from, to, b);
+  EXPECT_GT(extrema(free.profile.curve(), 0).max.value, from.position);
+  b.position_max = from.position;
+  const Move kept = move_to(from, to, b);
+  ASSERT_TRUE(kept) << explain(kept.status);
+  EXPECT_LE(extrema(kept.profile.curve(), 0).max.value, from.position * (1 + 1e-13));
+  expect_sound(kept, to, b);
+}
+
+TEST(MoveVelocity, TakesTheTimeOfItsRamp) {
+  // dv/a + a/j
+  const Move move = move_velocity({2, 0, 0}, 10, within(20, 5, 50));
+  ASSERT_TRUE(move);
+  EXPECT_DOUBLE_EQ(move.profile.duration(), 2.1);
+  EXPECT_DOUBLE_EQ(move.profile.end().position, 2 + 5 * 2.1);
+  EXPECT_EQ(move.profile.end().velocity, 10);
+}
+
+TEST(MoveVelocity, StopsFromAnyState) {
+  testing::Random random(32);
+  const Bounds b = within(3, 4, 30);
+  for (int i = 0; i < 2000; ++i) {
+    const MotionState from{random.uniform(-5, 5), random.uniform(-6, 6), random.uniform(-8, 8)};
+    const Move move = stop(from, b);
+    ASSERT_TRUE(move);
+    const Motion end = move.profile.at(move.profile.duration());
+    EXPECT_EQ(end.velocity, 0);
+    EXPECT_EQ(end.acceleration, 0);
+    testing::expect_invariants(with(move.profile.curve(), Outside::refuse), 2);
+    if (HasFailure()) {
+      ADD_FAILURE() << from.velocity << ' ' << from.acceleration;
+      break;
+    }
+  }
+}
+
+TEST(Move, SaysWhatIsWrong) {
+  const Bounds b = within(1, 1, 1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(move_to({nan, 0, 0}, {1, 0, 0}, b).status, MoveStatus::not_finite);
+  EXPECT_EQ(move_to({0, 0, 0}, {1e200, 0, 0}, b).status, MoveStatus::not_finite);
+  EXPECT_EQ(move_to({}, {1, 0, 0}, within(0, 1, 1)).status, MoveStatus::invalid_bounds);
+  EXPECT_EQ(move_to({}, {1, 0, 0}, within(1, nan, 1)).status, MoveStatus::invalid_bounds);
+  EXPECT_EQ(move_to({}, {1, 0, 0}, {}).status, MoveStatus::invalid_bounds);
+  Bounds one_sided = b;
+  one_sided.jerk_min = -Bounds::none;
+  EXPECT_EQ(move_to({}, {1, 0, 0}, one_sided).status, MoveStatus::invalid_bounds);
+  EXPECT_EQ(move_to({}, {1, 1.1, 0}, b).status, MoveStatus::target_outside);
+  EXPECT_EQ(move_to({}, {1, 0, 1.1}, b).status, MoveStatus::target_outside);
+  EXPECT_EQ(move_to({}, {1, 0.9, -1}, b).status, MoveStatus::target_unreachable);
+  for (int s = 0; s <= static_cast<int>(MoveStatus::not_straight); ++s)
+    EXPECT_STRNE(explain(static_cast<MoveStatus>(s)), "");
+}
+
+TEST(Profile, TakesNoMoreRoomThanPromised) {
+  EXPECT_LE(sizeof(Profile), 195U);
+}
+
+}  // namespace
+}  // namespace jounce

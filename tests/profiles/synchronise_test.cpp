@@ -1,0 +1,107 @@
+#include "jounce/profiles/synchronise.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+MotionState random_state(testing::Random& random) {
+  return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
+}
+
+TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
+  testing::Random random(41);
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(6)));
+    for (auto& axis : axes)
+      axis = {random_state(random), random_state(random),
+              within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20))};
+    std::vector<Profile> out(axes.size());
+    const Synchronised s = synchronise(axes, Sync::time, out);
+    ASSERT_EQ(s.status, MoveStatus::ok) << i;
+    double earliest = 0;
+    for (const auto& axis : axes)
+      earliest = std::max(earliest, durations(axis.from, axis.to, axis.bounds).minimum);
+    EXPECT_GE(s.duration, earliest * (1 - 1e-12));
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      EXPECT_NEAR(out[k].duration(), s.duration, 1e-12 * s.duration);
+      const Motion end = out[k].at(s.duration * (1 + 1e-12));
+      EXPECT_EQ(end.position, axes[k].to.position);
+    }
+    // No earlier instant suits every axis: just below, one of them cannot.
+    bool all = true;
+    for (const auto& axis : axes)
+      all = all && durations(axis.from, axis.to, axis.bounds).allows(s.duration * (1 - 1e-9));
+    EXPECT_FALSE(all) << i;
+    if (HasFailure()) break;
+  }
+}
+
+TEST(Synchronise, InPhaseStaysOnTheLine) {
+  testing::Random random(42);
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<AxisMove> axes(static_cast<std::size_t>(2 + random.below(5)));
+    const double v0 = random.uniform(-0.2, 0.2);
+    const double a0 = random.uniform(-0.2, 0.2);
+    const double vf = random.uniform(-0.2, 0.2);
+    for (auto& axis : axes) {
+      const double d = random.uniform(-3, 3);
+      const double from = random.uniform(-3, 3);
+      axis = {{from, v0 * d, a0 * d}, {from + d, vf * d, 0},
+              within(random.uniform(2, 6), random.uniform(2, 6), random.uniform(5, 20))};
+    }
+    std::vector<Profile> out(axes.size());
+    const double least = i % 3 == 0 ? 20 : 0;
+    const Synchronised s = synchronise(axes, Sync::phase, out, least);
+    ASSERT_EQ(s.status, MoveStatus::ok) << i << explain(s.status);
+    EXPECT_GE(s.duration, least * (1 - 1e-14));
+    for (int n = 0; n <= 50; ++n) {
+      const double t = s.duration * n / 50;
+      const double share = (out[0].at(t).position - axes[0].from.position) /
+                           (axes[0].to.position - axes[0].from.position);
+      for (std::size_t k = 1; k < axes.size(); ++k) {
+        const double d = axes[k].to.position - axes[k].from.position;
+        EXPECT_NEAR(out[k].at(t).position, axes[k].from.position + share * d, 1e-11);
+        EXPECT_LE(std::abs(out[k].at(t).velocity), axes[k].bounds.velocity_max * (1 + 1e-12));
+        EXPECT_LE(std::abs(out[k].at(t).acceleration),
+                  axes[k].bounds.acceleration_max * (1 + 1e-12));
+      }
+    }
+    if (HasFailure()) break;
+  }
+}
+
+TEST(Synchronise, NeverBendsAPathThatShouldBeStraight) {
+  std::vector<AxisMove> axes{{{0, 0.1, 0}, {1, 0, 0}, within(1, 1, 1)},
+                             {{0, 0.2, 0}, {1, 0, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(2);
+  const Synchronised s = synchronise(axes, Sync::phase, out);
+  EXPECT_EQ(s.status, MoveStatus::not_straight);
+  EXPECT_EQ(s.axis, 1U);
+}
+
+TEST(Synchronise, UnsynchronisedEachIsAsFastAsItCan) {
+  std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}, {{}, {9, 0, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(2);
+  const Synchronised s = synchronise(axes, Sync::none, out);
+  EXPECT_EQ(out[0].duration(), move_to({}, {1, 0, 0}, within(1, 1, 1)).profile.duration());
+  EXPECT_EQ(s.duration, out[1].duration());
+}
+
+TEST(Synchronise, NamesTheAxisThatCannot) {
+  std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}, {{}, {1, 2, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(2);
+  for (const Sync sync : {Sync::none, Sync::time, Sync::phase}) {
+    const Synchronised s = synchronise(axes, sync, out);
+    EXPECT_EQ(s.status, MoveStatus::target_outside);
+    EXPECT_EQ(s.axis, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace jounce
