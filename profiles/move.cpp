@@ -94,11 +94,12 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
       std::isnan(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
   if (!move) return move;
   const detail::Solver solver(from, to, bounds);
-  const Durations possible = solver.durations();
-  if (possible.allows(duration))
-    move.status = solver.lasting(duration, move.profile);
-  else
-    move.status = duration < possible.minimum ? MoveStatus::too_short : MoveStatus::blocked;
+  const bool is_long_enough = duration >= solver.minimum() * (1 - forgiven);
+  move.status =
+      is_long_enough ? solver.lasting(duration, move.profile) : MoveStatus::too_short;
+  // The edge of a blocked interval may miss by rounding what the interval itself permits.
+  if (move.status == MoveStatus::blocked && solver.durations().allows(duration))
+    move.status = solver.lasting(solver.durations().at_least(duration), move.profile);
   return move;
 }
 

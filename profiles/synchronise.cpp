@@ -29,27 +29,22 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, double
   return result;
 }
 
-/// The least common duration: as long as one axis cannot do it, the next one that it can.
-double common_duration(std::span<const AxisMove> axes, std::span<const Profile> shortest,
-                       double at_least) {
-  double t = at_least;
-  for (std::size_t i = 0, agreed = 0; agreed < axes.size(); i = (i + 1) % axes.size(), ++agreed) {
-    if (shortest[i].duration() == t || solver(axes[i]).reachable(t)) continue;
-    const double next = solver(axes[i]).durations().at_least(t);
-    if (!(next > t)) continue;
-    t = next;
-    agreed = 0;
-  }
-  return t;
-}
-
+/// All in the least time that each can do: whenever one cannot, in the next time that it can.
 Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, double minimum) {
   Synchronised result = each(axes, out);
   if (result.status != MoveStatus::ok) return result;
-  result.duration = common_duration(axes, out, std::max(result.duration, minimum));
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (out[i].duration() == result.duration) continue;
-    const MoveStatus status = solver(axes[i]).lasting(result.duration, out[i]);
+  double& t = result.duration;
+  t = std::max(t, minimum);
+  for (std::size_t i = 0, agreed = 0; agreed < axes.size(); i = (i + 1) % axes.size(), ++agreed) {
+    if (out[i].duration() == t) continue;
+    const Solver axis = solver(axes[i]);
+    MoveStatus status = axis.lasting(t, out[i]);
+    if (status == MoveStatus::blocked) {
+      const double next = axis.durations().at_least(t);
+      if (next > t) agreed = 0;
+      t = std::max(next, t);
+      status = axis.lasting(t, out[i]);
+    }
     if (status != MoveStatus::ok) return {status, i, 0};
   }
   return result;

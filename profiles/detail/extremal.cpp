@@ -412,7 +412,7 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   return lo;
 }
 
-Extremal Extremals::cruising(double t, double d) const noexcept {
+Extremal Extremals::cruising(double t, double d, double top) const noexcept {
   // Of the peak velocity: the distance, whose slope is (z1 + z2)/(2 jd) plus the time at cruise.
   const auto at = [&](double vp) {
     Extremal e = at_peak(vp);
@@ -424,8 +424,8 @@ Extremal Extremals::cruising(double t, double d) const noexcept {
     sign = distance(e) - d;
     return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
-  const double top = lasting(Branch::main, t).vp;
-  return at(zero(f, natural_, top, true, top));
+  // Without the time that the ramps take, the mean velocity would do.
+  return at(zero(f, natural_, top, true, d / t));
 }
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {

@@ -92,9 +92,10 @@ class Extremals {
 
   /// Not extremal, but of the same form: the motion that cruises at the natural velocity, the
   /// greater of those at which the acceleration of an end would come to zero, in duration t; and
-  /// the one that cruises at whatever higher velocity covers d in t. Only for t and d that permit it.
+  /// the one that cruises at whatever higher velocity, up to `top`, covers d in t. Only for t and d
+  /// that permit it.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
-  [[nodiscard]] Extremal cruising(double t, double d) const noexcept;
+  [[nodiscard]] Extremal cruising(double t, double d, double top) const noexcept;
 
  private:
   struct Half {

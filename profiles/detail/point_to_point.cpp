@@ -166,9 +166,11 @@ void PointToPoint::shortest(Profile& out) const noexcept {
   append(fastest(), out);
 }
 
-void PointToPoint::lasting(double t, Profile& out) const noexcept {
+bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const Families both = families();
-  const bool is_early = both.early && t < up_.duration(direct_);
+  const double main = up_.duration(direct_);
+  const bool is_early = both.early && t < main && t <= up_.duration(up_.last_early()) * (1 + ulps);
+  if (!is_early && t < main * (1 - ulps)) return false;
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -180,19 +182,21 @@ void PointToPoint::lasting(double t, Profile& out) const noexcept {
       e = f.lasting(is_early ? Branch::early : Branch::main, t);
     } else {
       e.cruise = spare;
-      if (f.distance(e) < towards(upwards))
-        return append({upwards, f.phases(f.cruising(t, towards(upwards)))}, out);
+      if (f.distance(e) < towards(upwards)) {
+        const Extremal farthest = f.lasting(Branch::main, t);
+        if (f.distance(farthest) < towards(upwards) - rounding_) return false;
+        append({upwards, f.phases(f.cruising(t, towards(upwards), farthest.vp))}, out);
+        return true;
+      }
     }
     ends[i] = {upwards, f.phases(e)};
     reach[i] = (upwards ? 1 : -1) * f.distance(e);
   }
+  if (reach[0] < d_ - rounding_ || reach[1] > d_ + rounding_) return false;
   const double width = reach[0] - reach[1];
   const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
   append_blend(ends, share, out);
-}
-
-bool PointToPoint::reachable(double t) const noexcept {
-  return reachable(families(), t);
+  return true;
 }
 
 bool PointToPoint::reachable(const Families& both, double t) const noexcept {

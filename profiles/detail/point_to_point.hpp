@@ -16,12 +16,10 @@ class PointToPoint {
 
   /// Appends the phases of the shortest motion.
   void shortest(Profile& out) const noexcept;
-  /// Appends the phases of a motion of exactly this duration, which must be permitted.
-  void lasting(double t, Profile& out) const noexcept;
+  /// Appends the phases of a motion of exactly this duration >= minimum(); false if it is blocked.
+  bool lasting(double t, Profile& out) const noexcept;
   [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
-  /// Whether a duration >= minimum() is permitted.
-  [[nodiscard]] bool reachable(double t) const noexcept;
 
  private:
   using Branch = Extremals::Branch;

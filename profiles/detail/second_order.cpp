@@ -75,20 +75,27 @@ void SecondOrder::shortest(Profile& out) const noexcept {
     w.append(w.vmax, (w.d - w.distance(w.vmax)) / w.vmax, out);
 }
 
-void SecondOrder::lasting(double t, Profile& out) const noexcept {
+bool SecondOrder::lasting(double t, Profile& out) const noexcept {
+  const Durations possible = durations();
+  if (!possible.allows(t)) return false;
+  if (t <= possible.minimum * (1 + ulps)) {
+    shortest(out);
+    return true;
+  }
   const double spare = t - direct_;
-  if (t <= minimum() * (1 + ulps)) return shortest(out);
   const double v = (up_.d - direct_distance_) / spare;
   if (v > up_.natural() || -v > down_.natural()) {
     const Way& w = v > up_.natural() ? up_ : down_;
     const double p = std::min(w.cruise_velocity(t), w.vmax);
-    return w.append(p, t - w.duration(p), out);
+    w.append(p, t - w.duration(p), out);
+    return true;
   }
   // Between the two velocities: the change stops half-way to cruise.
   const double a = up_.vf > up_.v0 ? up_.rise : -up_.fall;
   out.add((v - up_.v0) / a, a);
   out.add(spare, 0);
   out.add((up_.vf - v) / a, a);
+  return true;
 }
 
 Durations SecondOrder::durations() const noexcept {

@@ -20,7 +20,9 @@ class SecondOrder {
   SecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
   void shortest(Profile& out) const noexcept;
-  void lasting(double t, Profile& out) const noexcept;
+  /// False if the duration, >= minimum(), is blocked.
+  bool lasting(double t, Profile& out) const noexcept;
+  [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
 
  private:
@@ -38,7 +40,6 @@ class SecondOrder {
 
   [[nodiscard]] const Way& way() const noexcept;  ///< the direction of the shortest motion
   [[nodiscard]] bool is_direct() const noexcept;
-  [[nodiscard]] double minimum() const noexcept;
 
   Way up_, down_;
   double direct_;         ///< duration of the direct change

@@ -83,22 +83,21 @@ Profile Solver::begun() const noexcept {
   return p;
 }
 
+double Solver::minimum() const noexcept {
+  if (order_ == 3) return before_ + PointToPoint(inside_, to_, bounds_).minimum();
+  if (order_ == 2) return before_ + SecondOrder(inside_, to_, bounds_).minimum();
+  const double distance = to_.position - inside_.position;
+  return distance / (distance > 0 ? bounds_.velocity_max : bounds_.velocity_min);
+}
+
 Durations Solver::durations() const noexcept {
   Durations d;
   if (order_ == 3) d = PointToPoint(inside_, to_, bounds_).durations();
   if (order_ == 2) d = SecondOrder(inside_, to_, bounds_).durations();
-  if (order_ == 1) {
-    const double distance = to_.position - inside_.position;
-    d.minimum = distance / (distance > 0 ? bounds_.velocity_max : bounds_.velocity_min);
-  }
+  if (order_ == 1) d.minimum = minimum();
   d.minimum += before_;
   for (auto& interval : d.blocked) interval = {interval.from + before_, interval.to + before_};
   return d;
-}
-
-bool Solver::reachable(double t) const noexcept {
-  return order_ == 3 ? PointToPoint(inside_, to_, bounds_).reachable(t - before_)
-                     : durations().allows(t);
 }
 
 void Solver::straight(double t, Profile& out) const noexcept {
@@ -110,16 +109,18 @@ MoveStatus Solver::shortest(Profile& out) const noexcept {
   if (inside_ == to_) return MoveStatus::ok;
   if (order_ == 3) PointToPoint(inside_, to_, bounds_).shortest(out);
   if (order_ == 2) SecondOrder(inside_, to_, bounds_).shortest(out);
-  if (order_ == 1) straight(durations().minimum, out);
+  if (order_ == 1) straight(minimum(), out);
   if (keeps_positions(out, bounds_) || by_way_of_rest(out)) return MoveStatus::ok;
   return MoveStatus::position_limit;
 }
 
 MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
   out = begun();
-  if (order_ == 3) PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
-  if (order_ == 2) SecondOrder(inside_, to_, bounds_).lasting(t - before_, out);
+  bool possible = true;
+  if (order_ == 3) possible = PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
+  if (order_ == 2) possible = SecondOrder(inside_, to_, bounds_).lasting(t - before_, out);
   if (order_ == 1) straight(t, out);
+  if (!possible) return MoveStatus::blocked;
   return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
 }
 

@@ -23,9 +23,10 @@ class Solver {
 
   /// Without position limits.
   [[nodiscard]] Durations durations() const noexcept;
-  [[nodiscard]] bool reachable(double t) const noexcept;
+  [[nodiscard]] double minimum() const noexcept;
 
   MoveStatus shortest(Profile& out) const noexcept;
+  /// `blocked` for a duration >= minimum() that is.
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
