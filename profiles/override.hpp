@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// From `time` on the motion shall run at `factor` times its planned speed. 0 is a feed hold.
+struct FactorRequest {
+  double time = 0;    ///< s, on the axis of the motion as it is played
+  double factor = 1;  ///< 0 <= factor <= OverrideSpec::maximum
+};
+
+/// How a planned motion is played.
+struct OverrideSpec {
+  std::vector<FactorRequest> requests = {};  ///< times ascend
+  double factor = 1;   ///< with which the motion begins; its plan begins at rest unless this is 1
+  double maximum = 1;  ///< the largest factor that may be asked for: 1.2 is 120 %
+};
+
+/// What came of one request.
+struct FactorRamp {
+  double begin = 0;     ///< s, when the factor begins to change: not before the request
+  double end = 0;       ///< s, when it is reached
+  double factor = 1;    ///< reached; less than asked for where the limits do not allow more
+  bool granted = true;  ///< false: the motion is over before a change would keep the limits
+};
+
+/// A motion as it was played.
+struct Overridden {
+  Trajectory clock;               ///< path time over time; its velocity is the factor
+  std::vector<Trajectory> axes;   ///< each axis along the clock, exactly: composed(axis, clock)
+  std::vector<FactorRamp> ramps;  ///< one for each request
+  bool arrived = true;            ///< false: a feed hold that nothing ended; the axes stand
+};
+
+/// Plays a planned motion with a speed override (HIMC HMPL manual 5.3.37, 8.3.28: SetVelScale;
+/// Halt and Resume 5.2.10, 5.2.11; PLCopen MC_SetOverride): all axes along one clock, so that
+/// no axis leaves the path, and exactly continued after a hold.
+///
+///     const std::vector axes{s_curve({.to = 50, .velocity = 10, .acceleration = 20,
+///                                     .jerk = 100}).curve()};
+///     const std::vector<Limits> limits{{.velocity = 10, .acceleration = 20, .jerk = 100}};
+///     const Overridden held = overridden(axes, limits, {{{2, 0}, {4, 1}}});  // hold, resume
+///     const Motion now = held.axes[0].at(3);                                 // at rest, on the path
+///
+/// **Ramps.** The factor changes by a ramp of limited second derivative (an S-curve), whose steepness
+/// is the greatest on a grid (refined by bisection) with which every axis keeps its limits all
+/// through the ramp, by the exact `check`. Where none does at once (a plan that brakes at its limit
+/// cannot brake harder), the ramp begins later: at a break of the plan or at a quarter between. In
+/// a cruise the hold is time-optimal; elsewhere the earliest of the candidates.
+///
+/// **Guaranteed.** Velocity, acceleration and jerk limits hold at every instant if they hold for the
+/// plan, whatever the requests: a change that would break them comes later, or not at all
+/// (`granted`). A factor above 1 is reduced to what the rest of the plan leaves room for. Steps of
+/// the plan's acceleration (a trapezoid's) stay steps and count as no jerk.
+///
+/// A request replaces a ramp that has begun, from where that stands. The curves end where the path
+/// ends, or, if it is not reached, where the last ramp does; they hold there.
+///
+/// Throws InputError if an axis lacks a velocity, acceleration or jerk limit, if the plan breaks one
+/// at the first factor, for a factor out of range, times that do not ascend or lie before
+/// the start, axes with different intervals or that all stand still, and where `composed` does
+/// (a plan of degree 4 or more does not fit a cubic clock).
+Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,
+                      const OverrideSpec& spec);
+
+}  // namespace jounce
