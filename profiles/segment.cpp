@@ -149,8 +149,11 @@ std::optional<Segment> sum(const Segment& f, const Segment& g) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(g.sines); ++i) {
     const auto begin = h.sine.begin();
     const auto end = begin + h.sines;
-    const auto same =
-        std::find_if(begin, end, [&](const SineTerm& t) { return t.angle == g.sine[i].angle; });
+    // Parts of one sine, cut at different places, have one angle to rounding.
+    const double other = g.sine[i].angle;
+    const double rounding = 4e-15 * std::max(1.0, std::abs(other));
+    const auto same = std::find_if(
+        begin, end, [&](const SineTerm& t) { return std::abs(t.angle - other) <= rounding; });
     if (same != end) {
       *same = merged(*same, g.sine[i]);
     } else if (h.sines < Segment::max_sines) {
