@@ -45,7 +45,8 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
 
 /// The curve through a shaper: the sum of its copies, each delayed and scaled by an impulse. Exact;
 /// longer by the last impulse's time; before and after f the axis rests (also where f refuses),
-/// a wrapping curve is shaped through its seam. Limits that hold for f hold for the result.
+/// a wrapping curve is shaped through its seam. Through positive impulses, limits that hold for f hold
+/// for the result.
 ///
 /// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add
 /// up to 1, and where one piece would need more than three sines.
