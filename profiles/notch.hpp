@@ -29,7 +29,7 @@ struct Notched {
 ///     const double left = residual_vibration(quiet.motion, {5.5});  // about `settled`
 ///
 /// The response to a piecewise polynomial is polynomials and decaying exponentials, which no Segment
-/// holds: it is given as its Taylor polynomials of degree 11 over steps of a quarter radian, whose
+/// holds: it is given as its Taylor polynomials of degree 10 over steps of an eighth of a radian, whose
 /// remainder is bounded, and closed by a quintic to rest once what is left of the tail is below
 /// `settled` of the travel. `error` bounds both. Continuous in acceleration where f is. f rests
 /// before and after (also where it refuses).
