@@ -50,7 +50,8 @@ struct ModuloTarget {
 /// **Shortest** counts from where the axis is, moving or not: at most half a turn; exactly half a turn
 /// goes in the positive direction. **Positive** and **negative** never make an axis turn back that
 /// moves the way asked for: a target nearer than the stopping distance is taken a turn later. An
-/// axis that moves the other way stops first, and counts from there. At the target already: no motion.
+/// axis that moves the other way stops first, and counts from there. At the target already (within
+/// 1e-12 of a turn): no motion.
 /// **Fastest** compares the minimum durations (`durations`) of the nearest targets on both sides of
 /// the present position and of the stopping point; a tie goes to the shorter way, then to the
 /// positive one.
