@@ -1,0 +1,219 @@
+#include "jounce/profiles/controllers/dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/splice.hpp"
+
+// A velocity ramp from (v0, a0) to (v1, 0). Letting a0 fall to zero at jerk_end alone changes the
+// velocity by
+//
+//   (1)  f = a0 |a0| / (2 je)
+//
+// so the side s = sign(v1 - v0 - f) on which the ramp's acceleration lies is known at once. Seen from
+// that side (everything times s), what is left is
+//
+//   (2)  dv = v1 - v0            if a0 > 0, and the acceleration rises on from a0
+//        dv = v1 - v0 + a0^2/2je if a0 <= 0, after it has fallen to zero first, a0 = 0 then
+//
+// and a ramp a0 -> A -> 0 with rise at jb and fall at je changes the velocity by
+//
+//   (3)  dv = (A^2 - a0^2)/2jb + A^2/2je + A hold,   A <= the limit.
+
+namespace jounce {
+namespace {
+
+double or_else(double value, double fallback) {
+  return value == 0 ? fallback : value;
+}
+
+Dynamics completed(Dynamics d) {
+  require_positive("acceleration", d.acceleration);
+  require_not_negative("deceleration", d.deceleration);
+  require_not_negative("jerk", d.jerk);
+  require_not_negative("deceleration_jerk", d.deceleration_jerk);
+  d.deceleration = or_else(d.deceleration, d.acceleration);
+  d.deceleration_jerk = or_else(d.deceleration_jerk, d.jerk);
+  if (d.jerk == 0 && d.deceleration_jerk > 0)
+    throw InputError("jerk", d.jerk, "must be greater than 0 where deceleration_jerk is given");
+  return d;
+}
+
+// ---- velocity ramps ------------------------------------------------------------------------------
+
+/// Phases from a state on, and the state they have led to; order 2 or 3.
+class Growing {
+ public:
+  Growing(const MotionState& from, int order) : profile_(from, order), now_(from) {}
+
+  void add(double duration, double value) {
+    if (!(duration > 0)) return;
+    profile_.add(duration, value);
+    const double jerk = profile_.order() == 3 ? value : 0;
+    const double a = profile_.order() == 3 ? now_.acceleration : value;
+    const double t = duration;
+    now_.position += t * (now_.velocity + t * (a / 2 + t * jerk / 6));
+    now_.velocity += t * (a + t * jerk / 2);
+    now_.acceleration = a + t * jerk;
+  }
+  [[nodiscard]] const MotionState& now() const { return now_; }
+  /// Ends at a velocity that is known better than its sum.
+  void reached(double velocity) { now_ = {now_.position, velocity, 0}; }
+  [[nodiscard]] Profile finished() {
+    profile_.finish(now_);
+    return profile_;
+  }
+
+ private:
+  Profile profile_;
+  MotionState now_;
+};
+
+void require_valid(const RampLimits& up, const RampLimits& down) {
+  for (const RampLimits& limits : {up, down}) {
+    require_positive("acceleration", limits.acceleration);
+    require_not_negative("jerk_begin", limits.jerk_begin);
+    require_not_negative("jerk_end", limits.jerk_end);
+    for (const double jerk : {limits.jerk_begin, limits.jerk_end})
+      if ((jerk > 0) != (up.jerk_begin > 0))
+        throw InputError("jerk", jerk, "must be limited at both ends of both ramps, or nowhere");
+  }
+  const bool same_ends = up.jerk_begin == up.jerk_end && down.jerk_begin == down.jerk_end;
+  const bool same_ramps = up.jerk_begin == down.jerk_begin && up.jerk_end == down.jerk_end;
+  if (!same_ends && !same_ramps)
+    throw InputError("jerk_end", down.jerk_end,
+                     "may differ from jerk_begin, or from that of speeding up, but not from both");
+}
+
+double fall_alone(double a0, const RampLimits& limits) {  // (1)
+  return a0 * std::abs(a0) / (2 * limits.jerk_end);
+}
+
+/// (2), (3): to v1 under one pair of limits.
+void add_jerk_ramp(Growing& motion, double v1, const RampLimits& limits) {
+  const auto [limit, jb, je] = limits;
+  const double left = v1 - motion.now().velocity - fall_alone(motion.now().acceleration, limits);
+  const double s = left < 0 ? -1 : 1;
+  double a0 = s * motion.now().acceleration;
+  double dv = s * (v1 - motion.now().velocity);
+  if (a0 < 0) {
+    motion.add(-a0 / je, s * je);
+    dv += a0 * a0 / (2 * je);
+    a0 = 0;
+  }
+  if (a0 > limit) {
+    motion.add((a0 - limit) / je, -s * je);
+    dv -= (a0 - limit) * (a0 + limit) / (2 * je);
+    a0 = limit;
+  }
+  const double free = std::sqrt(std::max(0.0, (2 * dv + a0 * a0 / jb) / (1 / jb + 1 / je)));
+  const double peak = std::clamp(free, a0, limit);
+  const double edges = (peak - a0) * (peak + a0) / (2 * jb) + peak * peak / (2 * je);
+  motion.add((peak - a0) / jb, s * jb);
+  if (free > limit) motion.add((dv - edges) / limit, 0);
+  motion.add(peak / je, -s * je);
+  motion.reached(v1);
+}
+
+void add_step_ramp(Growing& motion, double v1, const RampLimits& limits) {
+  const double dv = v1 - motion.now().velocity;
+  motion.add(std::abs(dv) / limits.acceleration, std::copysign(limits.acceleration, dv));
+  motion.reached(v1);
+}
+
+void add_ramp(Growing& motion, double v1, const RampLimits& limits, bool jerk) {
+  jerk ? add_jerk_ramp(motion, v1, limits) : add_step_ramp(motion, v1, limits);
+}
+
+// ---- position moves in flight --------------------------------------------------------------------
+
+/// What the dynamics allow an axis that travels upwards (direction 1) or downwards (-1).
+Bounds bounds(const Dynamics& d, double direction) {
+  constexpr double none = Bounds::none;
+  Bounds b =
+      within(d.velocity, d.acceleration, d.jerk > 0 ? std::max(d.jerk, d.deceleration_jerk) : none);
+  (direction > 0 ? b.acceleration_min : b.acceleration_max) =
+      direction > 0 ? -d.deceleration : d.deceleration;
+  return b;
+}
+
+Profile solved(const Move& move) {
+  if (!move)
+    throw InputError("running", "", std::string("cannot be changed: ") + explain(move.status));
+  return move.profile;
+}
+
+/// From a state to rest at the target, in one profile or, where it must turn round, two.
+std::vector<Profile> approach(MotionState from, double target, const Dynamics& d) {
+  if (d.jerk == 0) from.acceleration = 0;
+  const double heading = from.velocity != 0 ? from.velocity : target - from.position;
+  const double direction = heading < 0 ? -1 : 1;
+  const Bounds limits = bounds(d, direction);
+  const MotionState to{target, 0, 0};
+  if (d.acceleration == d.deceleration) return {solved(move_to(from, to, limits))};
+  Profile halt = solved(stop(from, limits));
+  const double rest = halt.end().position;
+  const double beyond = (target - rest) * direction;
+  const double rounding =
+      1e-13 * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
+  if (beyond > rounding) return {solved(move_to(from, to, limits))};
+  if (beyond < -rounding) return {halt, point_to_point(rest, target, d)};
+  halt.finish(to);
+  return {halt};
+}
+
+}  // namespace
+
+Profile point_to_point(double from, double to, const Dynamics& dynamics) {
+  const Dynamics d = completed(dynamics);
+  if (d.jerk == 0) return trapezoid({from, to, d.velocity, d.acceleration, d.deceleration});
+  return s_curve(
+      {from, to, d.velocity, d.acceleration, d.deceleration, d.jerk, d.deceleration_jerk});
+}
+
+Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
+                      const RampLimits& down) {
+  require_finite("velocity", velocity);
+  require_valid(up, down);
+  const bool jerk = up.jerk_begin > 0;
+  MotionState start = from;
+  if (!jerk) start.acceleration = 0;
+  Growing motion(start, jerk ? 3 : 2);
+  // Where the acceleration in force would lead by itself: what is still to do begins there.
+  const bool speeds_up = start.acceleration * start.velocity > 0;
+  const double v =
+      start.velocity + (jerk ? fall_alone(start.acceleration, speeds_up ? up : down) : 0);
+  if (v * velocity < 0 && up != down) {
+    add_ramp(motion, 0, down, jerk);
+    add_ramp(motion, velocity, up, jerk);
+  } else {
+    add_ramp(motion, velocity, std::abs(velocity) > std::abs(v) ? up : down, jerk);
+  }
+  return motion.finished();
+}
+
+Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics) {
+  const Dynamics d = completed(dynamics);
+  return velocity_ramp(from, velocity, {d.acceleration, d.jerk, d.jerk},
+                       {d.deceleration, d.deceleration_jerk, d.deceleration_jerk});
+}
+
+Trajectory with_target(const Trajectory& running, double t, double target,
+                       const Dynamics& dynamics) {
+  require_positive("velocity", dynamics.velocity);
+  require_finite("target", target);
+  return spliced(running, t, approach(state_at(running, t), target, completed(dynamics)));
+}
+
+Trajectory with_velocity(const Trajectory& running, double t, double velocity,
+                         const Dynamics& dynamics) {
+  return spliced(running, t, velocity_ramp(state_at(running, t), velocity, dynamics));
+}
+
+}  // namespace jounce

@@ -1,0 +1,229 @@
+#include "jounce/profiles/controllers/dynamics.hpp"
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/splice.hpp"
+
+#include "profiles/controllers/motion.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::Random;
+
+Dynamics random_dynamics(Random& random, bool symmetric, bool jerk) {
+  Dynamics d{.velocity = random.log_uniform(0.1, 100),
+             .acceleration = random.log_uniform(0.1, 100),
+             .deceleration = random.log_uniform(0.1, 100)};
+  if (symmetric) d.deceleration = d.acceleration;
+  if (jerk) d.jerk = random.log_uniform(0.1, 1000);
+  return d;
+}
+
+MotionState random_state(Random& random, const Dynamics& d) {
+  return {random.uniform(-10, 10), random.uniform(-1.5, 1.5) * d.velocity,
+          d.jerk > 0 ? random.uniform(-1.5, 1.5) * d.acceleration : 0};
+}
+
+// ---- velocity ramps ------------------------------------------------------------------------------
+
+TEST(VelocityRamp, ArrivesFromAnyStateWithinItsLimits) {
+  Random random(61);
+  for (int i = 0; i < 4000 && !::testing::Test::HasFailure(); ++i) {
+    const Dynamics d = random_dynamics(random, false, i % 2 == 0);
+    const MotionState from = random_state(random, d);
+    const double v = random.uniform(-1, 1) * d.velocity;
+    SCOPED_TRACE(::testing::Message() << i << ": " << from << " to " << v << " under " << d);
+    const Profile p = velocity_ramp(from, v, d);
+    EXPECT_EQ(p.start(), from);
+    EXPECT_EQ(p.end().velocity, v);
+    testing::expect_arrives(p, 1e-11);
+    const double peak = std::max({d.acceleration, d.deceleration, std::abs(from.acceleration)});
+    const Range a = extrema(p.curve(), 2);
+    EXPECT_LE(std::abs(a.peak().value), peak * (1 + 1e-11));
+    testing::expect_invariants(with(p.curve(), Outside::refuse), d.jerk > 0 ? 2 : 1);
+  }
+}
+
+TEST(VelocityRamp, WithOneLimitIsAsFastAsTheSolver) {
+  Random random(62);
+  for (int i = 0; i < 4000 && !::testing::Test::HasFailure(); ++i) {
+    const Dynamics d = random_dynamics(random, true, i % 2 == 0);
+    const MotionState from = random_state(random, d);
+    const double v = random.uniform(-1, 1) * d.velocity;
+    SCOPED_TRACE(::testing::Message() << i << ": " << from << " to " << v << " under " << d);
+    const double jerk = d.jerk > 0 ? d.jerk : Bounds::none;
+    const Move move = move_velocity(from, v, within(Bounds::none, d.acceleration, jerk));
+    ASSERT_TRUE(move);
+    const Profile p = velocity_ramp(from, v, d);
+    EXPECT_NEAR(p.duration(), move.profile.duration(), 1e-9 * p.duration());
+    EXPECT_NEAR(p.end().position, move.profile.end().position,
+                1e-9 * (1 + std::abs(p.end().position)));
+  }
+}
+
+TEST(VelocityRamp, SlowsDownWithTheDecelerationAndSpeedsUpWithTheAcceleration) {
+  const Dynamics d{.acceleration = 10, .deceleration = 20};
+  EXPECT_DOUBLE_EQ(velocity_ramp({0, 40, 0}, -40, d).duration(), 2 + 4);
+  EXPECT_DOUBLE_EQ(velocity_ramp({0, -40, 0}, -10, d).duration(), 1.5);
+  EXPECT_DOUBLE_EQ(velocity_ramp({0, -10, 0}, -40, d).duration(), 3);
+  EXPECT_EQ(velocity_ramp({0, 40, 0}, 40, d).phases(), 0U);
+}
+
+TEST(VelocityRamp, RandomRampsUseEachAccelerationInItsSense) {
+  Random random(63);
+  for (int i = 0; i < 500 && !::testing::Test::HasFailure(); ++i) {
+    const Dynamics d = random_dynamics(random, false, i % 2 == 0);
+    const MotionState from{0, random.uniform(-1, 1) * d.velocity, 0};
+    const double v = random.uniform(-1, 1) * d.velocity;
+    SCOPED_TRACE(::testing::Message() << i << ": " << from << " to " << v << " under " << d);
+    testing::expect_speeding_and_slowing(velocity_ramp(from, v, d).curve(), d.acceleration,
+                                         d.deceleration);
+  }
+}
+
+TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
+  EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 2}, {1, 1, 3}), InputError);
+  EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 0}, {1, 1, 1}), InputError);
+  EXPECT_THROW(velocity_ramp({}, 1, {1, 0, 0}, {1, 1, 1}), InputError);
+  EXPECT_THROW(velocity_ramp({}, 1, {0, 0, 0}, {1, 0, 0}), InputError);
+  EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 2}, {2, 1, 2}));
+  EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
+}
+
+// ---- in flight -----------------------------------------------------------------------------------
+
+TEST(InFlight, ANewTargetAndVelocityEndWhereTheManualsExampleDoes) {
+  // PMC600 5.2.4, Fig. 5.16: at 2 s the axis is at 19500; at rest in 100000 after 6.0875 s.
+  const Trajectory f =
+      point_to_point(0, 50000, {.velocity = 10000, .acceleration = 100000}).curve();
+  EXPECT_DOUBLE_EQ(f.at(2).position, 19500);
+  const Trajectory g = with_target(f, 2, 100000, {.velocity = 20000, .acceleration = 200000});
+  EXPECT_NEAR(g.end(), 6.0875, 1e-12);
+  EXPECT_EQ(g.at(g.end()).position, 100000);
+  testing::expect_invariants(g, 1);
+}
+
+TEST(InFlight, AVelocityMoveReverses) {
+  // PMC600 5.2.4, Fig. 5.17: 10000 at 100000, at 2 s -20000.
+  const Dynamics d{.acceleration = 100000};
+  const Trajectory f = with_velocity(velocity_ramp({}, 10000, d).curve(), 2, -20000, d);
+  EXPECT_DOUBLE_EQ(f.end(), 2.3);
+  EXPECT_NEAR(state_at(f, 2.3).velocity, -20000, 1e-10);
+}
+
+TEST(InFlight, ASecondMoveDuringTheFirstNeverStopsBetween) {
+  // PMC600 5.2.2, Fig. 5.6 and 5.7; velocities are ours.
+  const Dynamics d{.velocity = 2000, .acceleration = 4000, .jerk = 40000};
+  const Trajectory first = point_to_point(0, 6000, d).curve();
+  const Trajectory absolute = with_target(first, 2, 10000, d);
+  EXPECT_EQ(absolute.at(absolute.end()).position, 10000);
+  for (double t = 0.5; t < absolute.end() - 1; t += 0.01)
+    EXPECT_GT(absolute.at(t).velocity, 1000) << t;
+  const double t = 1.9;
+  const double base = first.at(t).position;
+  const Trajectory relative = with_target(first, t, base + 4000, d);
+  EXPECT_NEAR(relative.at(relative.end()).position, base + 4000, 1e-9);
+}
+
+TEST(InFlight, AHaltedMoveCanBeResumedBeforeItStops) {
+  // PMC600 5.2.2, Fig. 5.10.
+  const Dynamics d{.velocity = 3000, .acceleration = 6000, .jerk = 60000};
+  const Trajectory f = point_to_point(0, 9000, d).curve();
+  const Trajectory halted = with_velocity(f, 1, 0, d);
+  const Trajectory resumed = with_target(halted, 1.2, 9000, d);
+  EXPECT_EQ(resumed.at(resumed.end()).position, 9000);
+  EXPECT_GT(resumed.end(), f.end());
+  testing::expect_invariants(resumed, 2);
+  EXPECT_GT(extrema(resumed, 1).min.value, -1e-9);
+}
+
+TEST(InFlight, TheSameMoveAgainTakesNoLonger) {
+  Random random(64);
+  for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
+    const Dynamics d = random_dynamics(random, true, i % 2 == 0);
+    const double to = random.uniform(-1, 1) * random.log_uniform(0.01, 1000);
+    const Trajectory f = point_to_point(0, to, d).curve();
+    const double t = random.uniform(0, f.end());
+    SCOPED_TRACE(::testing::Message()
+                 << i << ": to " << number(to) << " under " << d << " at " << number(t));
+    const Trajectory again = with_target(f, t, to, d);
+    EXPECT_NEAR(again.end(), f.end(), 1e-8 * f.end());
+    EXPECT_DOUBLE_EQ(again.at(again.end()).position, to);
+  }
+}
+
+TEST(InFlight, AnyChangeArrivesContinuouslyWithinTheLimits) {
+  Random random(65);
+  for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
+    const Dynamics d = random_dynamics(random, i % 3 == 0, i % 2 == 0);
+    const double to = random.uniform(-1, 1) * random.log_uniform(0.1, 100);
+    const Trajectory f = point_to_point(0, to, d).curve();
+    const double t = random.uniform(0, 1.2) * f.end();
+    Dynamics changed = random_dynamics(random, i % 3 == 0, i % 2 == 0);
+    const double target = random.uniform(-1, 1) * random.log_uniform(0.1, 100);
+    SCOPED_TRACE(::testing::Message()
+                 << i << ": to " << number(to) << " under " << d << " at " << number(t) << " to "
+                 << number(target) << " under " << changed);
+    const Trajectory g = with_target(f, t, target, changed);
+    EXPECT_NEAR(g.at(g.end()).position, target, 1e-15 * std::abs(extrema(g, 0).peak().value));
+    // An acceleration in force goes on to change the velocity while the new jerk brings it down.
+    const MotionState now = state_at(f, t);
+    const double a = now.acceleration;
+    const double carried = changed.jerk > 0 ? a * a / (2 * changed.jerk) : 0;
+    const double jerk = d.jerk > 0 ? std::max(d.jerk, changed.jerk) : Bounds::none;
+    testing::expect_within(
+        g, std::max({d.velocity, changed.velocity, std::abs(now.velocity) + carried}),
+        std::max({d.acceleration, d.deceleration, changed.acceleration, changed.deceleration}),
+        jerk);
+    EXPECT_TRUE(check_continuity(g, d.jerk > 0 ? 2 : 1).ok());
+  }
+}
+
+TEST(InFlight, TwoJerksDoNotLeadPastTheVelocity) {
+  Random random(66);
+  for (int i = 0; i < 1000 && !::testing::Test::HasFailure(); ++i) {
+    Dynamics d = random_dynamics(random, false, true);
+    d.deceleration_jerk = random.log_uniform(0.1, 1000);
+    const double to = random.uniform(-1, 1) * random.log_uniform(0.1, 1000);
+    const Trajectory f = point_to_point(0, to, d).curve();
+    const double t = random.uniform(0, 1) * f.end();
+    SCOPED_TRACE(::testing::Message()
+                 << i << ": to " << number(to) << " under " << d << " at " << number(t));
+    const Trajectory g = with_target(f, t, 2 * to, d);
+    EXPECT_NEAR(g.at(g.end()).position, 2 * to, 1e-15 * std::abs(2 * to));
+    testing::expect_within(g, d.velocity, std::max(d.acceleration, d.deceleration),
+                           std::max(d.jerk, d.deceleration_jerk));
+  }
+}
+
+TEST(InFlight, UnequalRampsStopBeforeTheyTurnRound) {
+  const Dynamics d{.velocity = 10, .acceleration = 10, .deceleration = 20};
+  const Trajectory f = point_to_point(0, 100, d).curve();
+  const Trajectory g = with_target(f, 2, 0, d);  // at 15; stops in 2.5, returns over 17.5
+  EXPECT_DOUBLE_EQ(g.end(), 2 + 0.5 + (17.5 / 10 + 0.5 + 0.25));
+  testing::expect_speeding_and_slowing(g, 10, 20);
+}
+
+TEST(InFlight, ATargetJustWithinReachIsMetWithoutTurningRound) {
+  const Dynamics d{.velocity = 10, .acceleration = 10, .deceleration = 20};
+  const Trajectory f = point_to_point(0, 100, d).curve();
+  for (const double target : {17.5, std::nextafter(17.5, 0), std::nextafter(17.5, 99)}) {
+    const Trajectory g = with_target(f, 2, target, d);
+    EXPECT_NEAR(g.end(), 2.5, 1e-6);
+    EXPECT_DOUBLE_EQ(g.at(g.end()).position, target);
+  }
+}
+
+TEST(InFlight, RefusesWhatIsNoNumber) {
+  const Trajectory f = point_to_point(0, 100, {.velocity = 10, .acceleration = 10}).curve();
+  EXPECT_THROW(with_target(f, 2, std::nan(""), {.velocity = 10, .acceleration = 10}), InputError);
+  EXPECT_THROW(with_target(f, -1, 0, {.velocity = 10, .acceleration = 10}), InputError);
+  EXPECT_THROW(with_target(f, 2, 0, {.velocity = 0, .acceleration = 10}), InputError);
+  EXPECT_THROW(with_velocity(f, 2, 0, {.velocity = 1, .acceleration = 0}), InputError);
+}
+
+}  // namespace
+}  // namespace jounce
