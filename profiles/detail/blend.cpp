@@ -1,0 +1,159 @@
+#include "jounce/profiles/detail/blend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/error.hpp"
+
+// D(e, w) is the distance over which a velocity changes from e to w as fast as it can, beginning and
+// ending without acceleration. It is point-symmetric about its middle, so that with T(dv) its
+// duration, and dv = |e - w|,
+//
+//   (1)  D(e, w) = (e + w)/2 T(dv)
+//
+// For w <= e it grows with e:      a move over L that must end at w may begin at up to the e with
+//
+//   (2)  D(e, w) = L.
+//
+// For w >= e it grows with w:      a move over L that begins at e may end at up to the w of (2).
+// For w <= e it does *not* fall with w everywhere: without a plateau, T = 2 sqrt(dv/j),
+//
+//   (3)  dD/dw = (e - 3 w) / (2 sqrt(j (e - w)))
+//
+// so that stopping takes less way than slowing to e/3. Nothing below rests on more than the two
+// monotonies before (3): what is called reachable has been tried.
+//
+// A start with acceleration, which only the first move of a batch has, first settles at
+//
+//   (4)  n = v + a |a| / (2 j)
+//
+// (natural_velocity() in detail/brake.hpp) and behaves like e = n from there, a constant way on.
+
+namespace jounce::detail {
+namespace {
+
+constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
+constexpr double little = 0x1p-30;    ///< share of a length that is left to a cruise at one end
+
+/// The last v from `holds` towards `fails` that holds, to 2^-64 of their distance. A fixed number of
+/// halvings: the same in every unit.
+template <class Predicate>
+double last_that_holds(double holds, double fails, const Predicate& predicate) {
+  for (int i = 0; i < 64; ++i) {
+    const double middle = holds + (fails - holds) / 2;
+    if (middle == holds || middle == fails) break;
+    (predicate(middle) ? holds : fails) = middle;
+  }
+  return holds;
+}
+
+Profile solved(const Move& move) {
+  if (!move) throw InputError("commands", "", explain(move.status));
+  return move.profile;
+}
+
+double ramp_length(const MotionState& from, double velocity, const Bounds& bounds) {
+  return ramp({0, from.velocity, from.acceleration}, velocity, bounds).end().position;
+}
+
+double ramp_length(double from, double velocity, const Bounds& bounds) {
+  return ramp_length({0, from, 0}, velocity, bounds);
+}
+
+/// The profile ends at the position that it was meant for, not a rounding beside it.
+Profile finished(Profile profile, double target, double velocity) {
+  profile.finish({target, velocity, 0});
+  return profile;
+}
+
+/// A ramp to u, as long at u as there is room, a ramp to the exit: how a move goes that begins or
+/// ends at more than its own velocity. u is the velocity given or, where that does not fit, the
+/// nearest to it that does.
+///
+///   (5)  D(from, u) + D(u, exit) <= L
+std::vector<Profile> by_ramps(const MotionState& from, double target, double exit, double velocity,
+                              Bounds bounds) {
+  const double length = target - from.position;
+  const auto rest = [&](double u) {  // (5)
+    return length - ramp_length(from, u, bounds) - ramp_length(u, exit, bounds);
+  };
+  const auto fits = [&](double u) { return rest(u) >= 0; };
+  const double settled = std::max(natural_velocity(from, bounds), 0.0);
+  const double u = fits(velocity)  ? velocity
+                   : fits(settled) ? last_that_holds(settled, velocity, fits)
+                                   : 0;
+  if (u == 0) {  // an acceleration at the start leaves no room to settle
+    bounds.velocity_max = std::max({exit, from.velocity, settled});
+    return {solved(move_to(from, {target, exit, 0}, bounds))};
+  }
+  const MotionState end{target - ramp_length(u, exit, bounds), u, 0};
+  const MotionState begin{end.position - rest(u), u, 0};
+  Profile cruise(begin, 3);
+  if (rest(u) > rounding * length) cruise.add(rest(u) / u, 0);
+  return {finished(ramp(from, u, bounds), begin.position, u), finished(cruise, end.position, u),
+          finished(ramp(end, exit, bounds), target, exit)};
+}
+
+}  // namespace
+
+Bounds forward(const Dynamics& d) {
+  Bounds bounds = within(d.velocity, d.acceleration, d.jerk);
+  if (d.deceleration != 0) bounds.acceleration_min = -d.deceleration;
+  return bounds;
+}
+
+Bounds turning(const Dynamics& d) {
+  const double deceleration = d.deceleration == 0 ? d.acceleration : d.deceleration;
+  return within(d.velocity, std::min(d.acceleration, deceleration), d.jerk);
+}
+
+bool runs_backwards(const MotionState& from, const Dynamics& dynamics) {
+  return std::min(from.velocity, natural_velocity(from, forward(dynamics))) < 0;  // (4)
+}
+
+Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
+  Bounds free = bounds;
+  free.velocity_min = -Bounds::none;
+  free.velocity_max = Bounds::none;
+  return solved(move_velocity(from, velocity, free));
+}
+
+double highest_entry(double length, double exit, double cap, const Bounds& bounds) {
+  const auto fits = [&](double v) { return ramp_length(v, exit, bounds) <= length; };
+  if (cap <= exit || fits(cap)) return cap;
+  return last_that_holds(exit, cap, fits);  // (2)
+}
+
+Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
+                    const Dynamics& dynamics) {
+  const double length = target - from.position;
+  const bool backwards = runs_backwards(from, dynamics);
+  const Bounds bounds = backwards ? turning(dynamics) : forward(dynamics);
+  const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
+  if (fits(wanted)) return {wanted, backwards};
+  const double settled = std::max(natural_velocity(from, bounds), 0.0);
+  // Too short to get up to it: (2). Too short to slow down: passes faster if the next moves can
+  // cope, otherwise stops there if (3) permits, or comes back.
+  const double nearest = settled < wanted ? settled : std::min(settled, cap);
+  if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
+  return {0, !fits(0)};
+}
+
+std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
+                             const Dynamics& dynamics) {
+  const Bounds bounds = exit.turns ? turning(dynamics) : forward(dynamics);
+  // Where a single ramp (almost) fits, it is the move: nothing is left to a solver's rounding.
+  const double length = target - from.position;
+  const double spare = length - ramp_length(from, exit.velocity, bounds);
+  if (std::abs(spare) <= rounding * length)
+    return {finished(ramp(from, exit.velocity, bounds), target, exit.velocity)};
+  const double settled = natural_velocity(from, bounds);
+  if (spare > 0 && spare <= little * length)
+    return by_ramps(from, target, exit.velocity, std::max(settled, exit.velocity), bounds);
+  if (std::max({exit.velocity, from.velocity, settled}) > dynamics.velocity)
+    return by_ramps(from, target, exit.velocity, dynamics.velocity, bounds);
+  return {solved(move_to(from, {target, exit.velocity, 0}, bounds))};
+}
+
+}  // namespace jounce::detail

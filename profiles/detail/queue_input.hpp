@@ -1,0 +1,10 @@
+#pragma once
+
+#include "jounce/profiles/queue.hpp"
+
+namespace jounce::detail {
+
+/// Throws InputError for what queue() refuses; keys count commands from 1.
+void require_valid(const QueueSpec& spec);
+
+}  // namespace jounce::detail
