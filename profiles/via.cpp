@@ -1,0 +1,167 @@
+#include "jounce/profiles/via.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "jounce/profiles/detail/path.hpp"
+#include "jounce/profiles/detail/stretches.hpp"
+#include "jounce/profiles/error.hpp"
+
+// One axis. Between two turning points the shortest motion through all points of one direction is
+// the shortest motion from the first to the last of them: it does not turn back, so that it passes
+// the others anyway. What is left to choose is the acceleration at the turning points, where the
+// velocity is 0: with a = 0 there the axis would brake gently, and start gently, for nothing.
+//
+// Several axes pass a point at one instant, which the shortest motion of each alone does not do. So
+// every point is a knot of the search (detail/stretches.cpp).
+
+namespace jounce {
+namespace {
+
+using detail::Knot;
+
+std::string key(std::size_t point) {
+  return "points[" + std::to_string(point + 1) + "]";
+}
+
+void require_valid_point(const ViaSpec& spec, std::size_t k) {
+  const auto& point = spec.points[k];
+  if (point.size() != spec.axes.size())
+    throw InputError(
+        key(k), "",
+        "must have a position for each axis, " + std::to_string(spec.axes.size()) + " in all");
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const std::string name = key(k) + "[" + std::to_string(i + 1) + "]";
+    require_finite(name.c_str(), point[i]);
+    if (point[i] < spec.axes[i].position_min || point[i] > spec.axes[i].position_max)
+      throw InputError(name, point[i], "must lie within the position bounds of its axis");
+  }
+  if (k > 0 && point == spec.points[k - 1])
+    throw InputError(key(k), "", "must differ from the point before");
+}
+
+void require_valid(const ViaSpec& spec) {
+  if (spec.axes.empty()) throw InputError("axes", "none", "a motion needs an axis");
+  if (spec.points.size() < 2) throw InputError("points", "", "must be at least two");
+  for (std::size_t k = 0; k < spec.points.size(); ++k) require_valid_point(spec, k);
+}
+
+Knot at_rest(const std::vector<double>& point) {
+  Knot knot;
+  for (const double x : point) knot.push_back({x, 0, 0});
+  return knot;
+}
+
+/// The points between which nothing is left to choose but the shortest way: all of several axes', of
+/// one axis the turning points and both ends.
+std::vector<std::size_t> essential(const ViaSpec& spec) {
+  std::vector<std::size_t> points;
+  const auto& p = spec.points;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const bool inner = k > 0 && k + 1 < p.size();
+    const bool passed =
+        inner && spec.axes.size() == 1 && (p[k - 1][0] < p[k][0]) == (p[k][0] < p[k + 1][0]);
+    if (!passed) points.push_back(k);
+  }
+  return points;
+}
+
+/// Rest to rest from each point to the next.
+double stopping_duration(const ViaSpec& spec) {
+  double total = 0;
+  for (std::size_t k = 0; k + 1 < spec.points.size(); ++k) {
+    std::vector<AxisMove> moves;
+    for (std::size_t i = 0; i < spec.axes.size(); ++i)
+      moves.push_back({{spec.points[k][i], 0, 0}, {spec.points[k + 1][i], 0, 0}, spec.axes[i]});
+    std::vector<Profile> profiles(moves.size());
+    const Synchronised all = synchronise(moves, Sync::time, profiles);
+    if (all.status != MoveStatus::ok)
+      throw InputError("axes[" + std::to_string(all.axis + 1) + "]", "", explain(all.status));
+    if (!(all.duration > 0))
+      throw InputError("axes", "", "must bound the motion: it takes no time");
+    total += all.duration;
+  }
+  return total;
+}
+
+/// The time in [from, to] at which a motion that does not turn back is at x.
+double passage(const Trajectory& motion, double from, double to, double x) {
+  const double direction = motion.at(from).position < x ? 1 : -1;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = from + (to - from) / 2;
+    if (middle <= from || middle >= to) break;
+    ((x - motion.at(middle).position) * direction > 0 ? from : to) = middle;
+  }
+  return to;
+}
+
+ViaKnot seen_at(const std::vector<Trajectory>& axes, double time) {
+  ViaKnot knot{time, {}, {}};
+  for (const Trajectory& axis : axes) {
+    const Motion m = axis.at(time);
+    knot.velocity.push_back(m.velocity);
+    knot.acceleration.push_back(m.acceleration);
+  }
+  return knot;
+}
+
+ViaKnot chosen(const Knot& states, double time) {
+  ViaKnot knot{time, {}, {}};
+  for (const MotionState& s : states) {
+    knot.velocity.push_back(s.velocity);
+    knot.acceleration.push_back(s.acceleration);
+  }
+  return knot;
+}
+
+/// The trajectories through the knots, and when they pass each.
+struct Built {
+  std::vector<Trajectory> axes;
+  std::vector<double> times{0};
+};
+
+Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
+  Built built;
+  std::vector<detail::Path> paths(knots.front().begin(), knots.front().end());
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const detail::Stretch stretch = detail::stretch(axes, knots[k], knots[k + 1]);
+    built.times.push_back(built.times.back() + stretch.duration);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const Profile& profile = stretch.profiles[i];
+      paths[i].add(profile, 1);
+      if (profile.phases() == 0) paths[i].hold(stretch.duration);
+    }
+  }
+  for (detail::Path& path : paths)
+    built.axes.emplace_back(std::move(path).segments(), 0, Outside::hold);
+  return built;
+}
+
+}  // namespace
+
+ViaMotion via(const ViaSpec& spec) {
+  require_valid(spec);
+  ViaMotion motion;
+  motion.stopping_duration = stopping_duration(spec);
+  const std::vector<std::size_t> points = essential(spec);
+  std::vector<Knot> knots;
+  for (const std::size_t p : points) knots.push_back(at_rest(spec.points[p]));
+  detail::shorten(spec.axes, knots);
+
+  Built built = build(spec.axes, knots);
+  motion.axes = std::move(built.axes);
+  motion.duration = built.times.back();
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    if (k > 0)
+      for (std::size_t p = points[k - 1] + 1; p < points[k]; ++p)
+        motion.knots.push_back(seen_at(motion.axes, passage(motion.axes[0], built.times[k - 1],
+                                                            built.times[k], spec.points[p][0])));
+    motion.knots.push_back(chosen(knots[k], built.times[k]));
+  }
+  motion.stops = spec.points.size() > 2 && !(motion.duration < motion.stopping_duration);
+  return motion;
+}
+
+}  // namespace jounce

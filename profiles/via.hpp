@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/move.hpp"
+
+namespace jounce {
+
+/// A motion from rest to rest through several points without stopping at them.
+///
+///     const ViaMotion motion = via({.axes = {within(2, 10, 100), within(1, 5, 50)},
+///                                   .points = {{0, 0}, {1, 0.5}, {2, 2}}});
+///     motion.knots[1].time;                          // s, when all axes pass {1, 0.5}
+///     const Motion x = motion.axes[0].at(0.5);
+///     motion.duration / motion.stopping_duration;    // what not stopping gains
+///
+/// **Vocabulary.** A *stretch* is the motion between two neighbouring points; it keeps the bounds of
+/// every axis, is jerk-limited if they are, and all axes begin and end it together. It is not a
+/// straight line in space. A *turning point* of an axis is one where its next point lies on the
+/// other side, or at the same position: the axis has velocity 0 there.
+struct ViaSpec {
+  std::vector<Bounds> axes;                 ///< what each axis may do
+  std::vector<std::vector<double>> points;  ///< u; at least two, one position an axis each
+};
+
+/// The passage of one point.
+struct ViaKnot {
+  double time = 0;                   ///< s
+  std::vector<double> velocity;      ///< u/s, an axis each
+  std::vector<double> acceleration;  ///< u/s^2
+};
+
+struct ViaMotion {
+  std::vector<Trajectory> axes;  ///< one an axis, over the same time from 0; they hold outside
+  std::vector<ViaKnot> knots;    ///< one a point
+  double duration = 0;           ///< s
+  double stopping_duration = 0;  ///< s, of the same motion with a stop at every point
+  bool stops = false;            ///< the fall-back: nothing better than stopping was found
+};
+
+/// Plans the motion.
+///
+/// One axis: the shortest motion through the points that does not turn back between points of one
+/// direction. Where the points go on in one direction, they cost nothing; the acceleration at turning
+/// points is searched. Several axes: velocities and accelerations at the points are searched
+/// (deterministic, coordinate by coordinate, from a feasible start), which finds a local optimum:
+/// never longer than stopping at every point, not proven to be the shortest. No axis turns back
+/// between two points.
+///
+/// Throws InputError for fewer than two points, a point with another number of axes, one equal to the
+/// point before, one that is not finite or lies outside the position bounds, and for bounds that
+/// `move_to` refuses. Every other input has a motion.
+ViaMotion via(const ViaSpec& spec);
+
+}  // namespace jounce
