@@ -94,24 +94,25 @@ Motion Profile::at(double t) const noexcept {
 Trajectory Profile::curve() const {
   std::vector<Segment> segments;
   segments.reserve(count_);
-  // What is as short as the rounding of time itself has no length as a segment.
-  const double total = duration();
-  const double dust = 0x1p-50 * total;
+  // What is as short as the rounding of the time at which it ends has no length as a segment.
+  const auto has_length = [](double length, double end) { return length > 0x1p-50 * end; };
   // The first half (at least a phase) is built from the start, the rest back from the end: each is
   // exact at its own end, and what rounding leaves between them lies in the middle.
+  const double total = duration();
   MotionState forward = start_;
   double t = 0;
   std::size_t i = 0;
   for (; i < count_ && (i == 0 || t + duration_[i] <= total / 2); ++i) {
-    if (duration_[i] > dust) segments.push_back(segment(forward, order_, phase(i)));
     t += duration_[i];
+    if (has_length(duration_[i], t)) segments.push_back(segment(forward, order_, phase(i)));
     forward = state(advanced(forward, order_, phase(i).value, duration_[i]));
   }
   const std::size_t middle = segments.size();
   MotionState backward = end_;
-  for (std::size_t k = count_; k-- > i;) {
+  t = total;
+  for (std::size_t k = count_; k-- > i; t -= duration_[k]) {
     backward = state(advanced(backward, order_, phase(k).value, -duration_[k]));
-    if (duration_[k] > dust) segments.push_back(segment(backward, order_, phase(k)));
+    if (has_length(duration_[k], t)) segments.push_back(segment(backward, order_, phase(k)));
   }
   std::reverse(segments.begin() + static_cast<std::ptrdiff_t>(middle), segments.end());
   // A cruise in the middle takes the difference up, if it is long enough not to feel it.
