@@ -1,0 +1,335 @@
+#include "profiles/proof/checker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace jounce::proof {
+namespace {
+
+using Real = long double;
+
+struct State {
+  Real p = 0, v = 0, a = 0, j = 0;
+};
+
+/// A stretch of constant jerk.
+struct Piece {
+  State begin;
+  Real length = 0;
+
+  [[nodiscard]] State at(Real t) const {
+    const auto& [p, v, a, j] = begin;
+    return {p + v * t + a * t * t / 2 + j * t * t * t / 6, v + a * t + j * t * t / 2, a + j * t, j};
+  }
+};
+
+/// The motion as pieces, where a profile of lower order steps in velocity or acceleration.
+std::vector<Piece> integrated(const Profile& f) {
+  State s{f.start().position, f.start().velocity, f.start().acceleration, 0};
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < f.phases(); ++i) {
+    const Profile::Phase phase = f.phase(i);
+    if (f.order() == 3) s.j = phase.value;
+    if (f.order() == 2) s.a = phase.value;
+    if (f.order() == 1) s = {s.p, phase.value, 0, 0};
+    pieces.push_back({s, phase.duration});
+    s = pieces.back().at(phase.duration);
+  }
+  return pieces;
+}
+
+constexpr Real bound_ulps = 4 * 0x1p-53L / tolerance;   ///< of a bound
+constexpr Real floor_ulps = 16 * 0x1p-53L / tolerance;  ///< of the sums with nothing cancelled
+
+/// The same terms with nothing cancelled, at the end of each piece.
+std::vector<State> uncancelled(const std::vector<Piece>& pieces, const MotionState& from) {
+  const auto size = [](const State& s) {
+    return State{std::abs(s.p), std::abs(s.v), std::abs(s.a), std::abs(s.j)};
+  };
+  State s = size({from.position, from.velocity, from.acceleration, 0});
+  std::vector<State> ends;
+  for (const Piece& piece : pieces) {
+    const State begin = size(piece.begin);  // what a lower order steps to
+    s = {s.p, std::max(s.v, begin.v), std::max(s.a, begin.a), begin.j};
+    s = Piece{s, 0}.at(piece.length);
+    ends.push_back(s);
+  }
+  return ends;
+}
+
+Scale scale_of(const std::vector<Piece>& pieces, const std::vector<State>& ends, const Case& c) {
+  const auto both = [](double a, double b) { return std::abs(Real{a}) + std::abs(Real{b}); };
+  const Real J = std::max(c.bounds.jerk_max, -c.bounds.jerk_min);
+  Scale s{both(c.from.position, c.to.position), both(c.from.velocity, c.to.velocity),
+          both(c.from.acceleration, c.to.acceleration)};
+  for (const Real a : {std::abs(Real{c.from.acceleration}), std::abs(Real{c.to.acceleration})}) {
+    s.velocity += a * a / (2 * J);
+    s.position += a * a * a / (6 * J * J);
+  }
+  for (const Piece& piece : pieces) {
+    const Real t = piece.length;
+    const Real v = std::abs(piece.begin.v);
+    const Real a = std::abs(piece.begin.a);
+    const Real j = std::abs(piece.begin.j);
+    s.acceleration += j * t;
+    s.velocity += a * t + j * t * t / 2;
+    s.position += v * t + a * t * t / 2 + j * t * t * t / 6;
+  }
+  const auto resolved = [](double min, double max) {
+    const double least = std::min(-min, max);
+    return std::isfinite(least) ? least * bound_ulps : 0;
+  };
+  const State sum = ends.empty() ? State{} : ends.back();
+  const Bounds& b = c.bounds;
+  return {std::max(s.position, sum.p * floor_ulps),
+          std::max({s.velocity, sum.v * floor_ulps, resolved(b.velocity_min, b.velocity_max)}),
+          std::max({s.acceleration, sum.a * floor_ulps,
+                    resolved(b.acceleration_min, b.acceleration_max)})};
+}
+
+/// The times in (0, length) at which c0 + c1 t + c2 t^2 vanishes.
+std::vector<Real> zeros(Real c0, Real c1, Real c2, Real length) {
+  std::vector<Real> t;
+  const Real d = c1 * c1 - 4 * c2 * c0;
+  if (c2 == 0) {
+    if (c1 != 0) t.push_back(-c0 / c1);
+  } else if (d >= 0) {
+    const Real h = -(c1 + std::copysign(std::sqrt(d), c1)) / 2;
+    if (h != 0) t.push_back(c0 / h);
+    t.push_back(h / c2);
+  }
+  std::erase_if(t, [length](Real x) { return !(x > 0 && x < length); });
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+/// One side of the problem: everything negated for the other.
+State signed_by(const State& s, Real sign) {
+  return {sign * s.p, sign * s.v, sign * s.a, sign * s.j};
+}
+
+/// The upper bounds of one side, and the braking rates towards the inside (> 0).
+struct Ceiling {
+  Real p, v, a, j;
+  Real brake_a, brake_j;
+  const char* side;
+};
+
+class Check {
+ public:
+  Check(const Profile& f, const Case& c)
+      : f_(f), c_(c), pieces_(integrated(f)), sizes_(uncancelled(pieces_, c.from)) {
+    verdict_.scale = scale_of(pieces_, sizes_, c);
+    for (const Piece& piece : pieces_) verdict_.duration += piece.length;
+  }
+
+  Verdict run() {
+    exact();
+    if (!verdict_.ok()) return verdict_;
+    end();
+    const Bounds& b = c_.bounds;
+    limits(1, {b.position_max, b.velocity_max, b.acceleration_max, b.jerk_max, -b.acceleration_min,
+               -b.jerk_min, "max"});
+    limits(-1, {-b.position_min, -b.velocity_min, -b.acceleration_min, -b.jerk_min,
+                b.acceleration_max, b.jerk_max, "min"});
+    return verdict_;
+  }
+
+ private:
+  void fail(const std::string& text) {
+    if (verdict_.ok()) verdict_.fault = text;
+  }
+  void exact();
+  void end();
+  void limits(Real sign, const Ceiling& top);
+  void acceleration(Real sign, const Ceiling& top);
+  void velocity(Real sign, const Ceiling& top);
+  [[nodiscard]] Real start_peak() const;  ///< of the velocity, in magnitude, unavoidable
+  void position(Real sign, const Ceiling& top);
+  /// Notes how far x lies above a bound; false where that is too far.
+  bool below(Real x, Real bound, Real scale, const std::string& what);
+
+  const Profile& f_;
+  const Case& c_;
+  std::vector<Piece> pieces_;
+  std::vector<State> sizes_;  ///< see uncancelled
+  Verdict verdict_;
+};
+
+std::string text(Real x) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.6Lg", x);
+  return buffer.data();
+}
+
+/// What a motion of that order can be asked for: its control steps, so it is no part of the state.
+bool equal(const MotionState& x, const MotionState& y, int order) {
+  return x.position == y.position && (order < 2 || x.velocity == y.velocity) &&
+         (order < 3 || x.acceleration == y.acceleration);
+}
+
+void Check::exact() {
+  const Bounds& b = c_.bounds;
+  const int order = std::isfinite(b.jerk_max) ? 3 : (std::isfinite(b.acceleration_max) ? 2 : 1);
+  if (f_.order() != order) fail("the order does not follow from the bounds");
+  if (!equal(f_.start(), c_.from, order)) fail("start() is not the state asked for");
+  if (!equal(f_.end(), c_.to, order)) fail("end() is not the state asked for");
+  for (std::size_t i = 0; i < f_.phases(); ++i)
+    if (!(f_.phase(i).duration > 0) || !std::isfinite(f_.phase(i).duration) ||
+        !std::isfinite(f_.phase(i).value))
+      fail("phase " + std::to_string(i + 1) + " is not finite or not longer than 0");
+  const Real T = verdict_.duration;
+  if (!(std::abs(f_.duration() - T) <= 1e-15L * T)) fail("duration() is not the sum of the phases");
+  if (c_.duration && !(std::abs(T - Real{*c_.duration}) <= 1e-15L * Real{*c_.duration}))
+    fail("lasts " + text(T) + ", not the duration asked for, " + text(*c_.duration));
+}
+
+void Check::end() {
+  const MotionState start = f_.start();
+  const State s = pieces_.empty() ? State{start.position, start.velocity, start.acceleration, 0}
+                                  : pieces_.back().at(pieces_.back().length);
+  const auto compare = [this](Real is, double wanted, Real scale, const char* what) {
+    const Real error = is == wanted ? 0 : std::abs(is - wanted) / scale;
+    verdict_.end_error = std::max(verdict_.end_error, static_cast<double>(error));
+    if (!(error <= tolerance))
+      fail(std::string("ends off in ") + what + " by " + text(error) + " of its scale");
+  };
+  compare(s.p, f_.end().position, verdict_.scale.position, "position");
+  if (f_.order() > 1) compare(s.v, f_.end().velocity, verdict_.scale.velocity, "velocity");
+  if (f_.order() > 2)
+    compare(s.a, f_.end().acceleration, verdict_.scale.acceleration, "acceleration");
+}
+
+bool Check::below(Real x, Real bound, Real scale, const std::string& what) {
+  if (x <= bound) return true;
+  const Real excess = (x - bound) / scale;
+  verdict_.excess = std::max(verdict_.excess, static_cast<double>(excess));
+  if (excess <= tolerance) return true;
+  fail(what + " exceeds its bound by " + text(excess) + " of its scale");
+  return false;
+}
+
+/// The larger of the finite ones, and of the start.
+Real magnitude(double min, double max, Real start) {
+  Real m = std::abs(start);
+  for (const double x : {min, max})
+    if (std::isfinite(x)) m = std::max(m, std::abs(Real{x}));
+  return m;
+}
+
+void Check::limits(Real sign, const Ceiling& top) {
+  const Bounds& b = c_.bounds;
+  const std::string side = std::string("_") + top.side;
+  for (const Piece& piece : pieces_) {
+    const State s = signed_by(piece.begin, sign);
+    if (f_.order() == 3) below(s.j, top.j, magnitude(b.jerk_min, b.jerk_max, 0), "jerk" + side);
+    if (f_.order() == 2)
+      below(s.a, top.a, magnitude(b.acceleration_min, b.acceleration_max, 0),
+            "acceleration" + side);
+    if (f_.order() == 1)
+      below(s.v, top.v, magnitude(b.velocity_min, b.velocity_max, 0), "velocity" + side);
+  }
+  if (f_.order() == 3) acceleration(sign, top);
+  if (f_.order() > 1) velocity(sign, top);
+  position(sign, top);
+}
+
+void Check::acceleration(Real sign, const Ceiling& top) {
+  const Real start = sign * c_.from.acceleration;
+  const Bounds& b = c_.bounds;
+  const Real bound = magnitude(b.acceleration_min, b.acceleration_max, start);
+  bool outside = start > top.a + tolerance * bound;  // until it has come inside
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Real scale = std::max(bound, sizes_[i].a * floor_ulps);
+    const State s = signed_by(pieces_[i].begin, sign);
+    const Real last = s.a + s.j * pieces_[i].length;
+    if (outside && s.j >= 0) fail("acceleration does not come inside at once");
+    outside = outside && last > top.a + tolerance * scale;
+    if (!outside) below(last, top.a, scale, std::string("acceleration_") + top.side);
+  }
+}
+
+/// The velocity is unimodal while outside: up to the unavoidable peak, then down and inside.
+void Check::velocity(Real sign, const Ceiling& top) {
+  const MotionState& from = c_.from;
+  const std::string what = std::string("velocity_") + top.side;
+  Real peak = sign * from.velocity;
+  if (const Real a = sign * from.acceleration; f_.order() == 3 && a > 0)
+    peak += a * a / (2 * top.brake_j);
+  const Real bound = std::max(
+      magnitude(c_.bounds.velocity_min, c_.bounds.velocity_max, from.velocity), start_peak());
+  bool outside = peak > top.v + tolerance * bound;
+  bool falling = false;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    const Real scale = std::max(bound, sizes_[i].v * floor_ulps);
+    const Real slack = tolerance * scale;
+    std::vector<Real> times = zeros(piece.begin.a, piece.begin.j, 0, piece.length);
+    times.push_back(piece.length);
+    Real before = sign * piece.begin.v;
+    for (const Real t : times) {
+      const Real v = sign * piece.at(t).v;
+      if (outside) {
+        if (falling && v > before + slack && v > top.v + slack)
+          fail(what + ": rises again before it is inside");
+        falling = falling || v < before;
+        below(v, peak, scale, what + ": the unavoidable peak");
+        outside = !(falling && v <= top.v + slack);
+      } else {
+        below(v, top.v, scale, what);
+      }
+      before = v;
+    }
+  }
+}
+
+Real Check::start_peak() const {
+  if (f_.order() != 3) return 0;
+  const Real a = c_.from.acceleration;
+  const Real brake = a > 0 ? -Real{c_.bounds.jerk_min} : Real{c_.bounds.jerk_max};
+  return std::abs(c_.from.velocity + a * std::abs(a) / (2 * brake));
+}
+
+void Check::position(Real sign, const Ceiling& top) {
+  for (const Piece& piece : pieces_) {
+    std::vector<Real> times = zeros(piece.begin.v, piece.begin.a, piece.begin.j / 2, piece.length);
+    times.push_back(piece.length);
+    for (const Real t : times)
+      below(sign * piece.at(t).p, top.p, verdict_.scale.position,
+            std::string("position_") + top.side);
+  }
+}
+
+std::string hex(double x) {
+  if (std::isinf(x)) return x > 0 ? "Bounds::none" : "-Bounds::none";
+  std::array<char, 48> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%a", x);
+  return buffer.data();
+}
+
+std::string state(const MotionState& s) {
+  return "{" + hex(s.position) + ", " + hex(s.velocity) + ", " + hex(s.acceleration) + "}";
+}
+
+}  // namespace
+
+Verdict check(const Profile& profile, const Case& c) {
+  return Check(profile, c).run();
+}
+
+std::string reproducer(const Case& c) {
+  const Bounds& b = c.bounds;
+  std::string text = "move_to(" + state(c.from) + ", " + state(c.to) + ", {";
+  for (const double x : {b.velocity_min, b.velocity_max, b.acceleration_min, b.acceleration_max,
+                         b.jerk_min, b.jerk_max, b.position_min, b.position_max})
+    text += hex(x) + ", ";
+  text.resize(text.size() - 2);
+  text += "}";
+  if (c.duration) text += ", " + hex(*c.duration);
+  return text + ");";
+}
+
+}  // namespace jounce::proof

@@ -1,0 +1,176 @@
+// The checker must reject what is wrong: every good profile here is also spoilt in every way that a
+// solver could.
+#include "profiles/proof/checker.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace jounce::proof {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Phases = std::vector<Profile::Phase>;
+
+Profile made(const Case& c, int order, const Phases& phases) {
+  Profile f(c.from, order);
+  for (const Profile::Phase& phase : phases) f.add(phase.duration, phase.value);
+  f.finish(c.to);
+  return f;
+}
+
+std::string fault(const Case& c, int order, const Phases& phases) {
+  return check(made(c, order, phases), c).fault;
+}
+
+/// 0 to 2 with jerk 1, acceleration up to 1, velocity up to 1: 4 s.
+const Case rest_to_rest{{0, 0, 0}, {2, 0, 0}, within(1, 1, 1), {}};
+const Phases four{{1, 1}, {2, -1}, {1, 1}};
+const Phases good{{1, 1}, {1, -1}, {1, -1}, {1, 1}};
+
+TEST(Checker, AcceptsWhatIsRight) {
+  for (const Phases& phases : {four, good}) {
+    const Verdict v = check(made(rest_to_rest, 3, phases), rest_to_rest);
+    EXPECT_EQ(v.fault, "");
+    EXPECT_LT(v.end_error, 1e-18);
+    EXPECT_EQ(v.excess, 0);
+    EXPECT_EQ(v.duration, 4);
+    EXPECT_EQ(v.scale.acceleration, 4);
+  }
+}
+
+TEST(Checker, RejectsAPhaseThatIsALittleTooLongOrTooStrong) {
+  for (std::size_t i = 0; i < good.size(); ++i)
+    for (const double factor : {1 + 1e-10, 1 - 1e-10}) {
+      Phases longer = good;
+      longer[i].duration *= factor;
+      EXPECT_NE(fault(rest_to_rest, 3, longer), "") << i << " " << factor;
+      if (factor > 1) {
+        Phases stronger = good;
+        stronger[i].value *= factor;
+        EXPECT_NE(fault(rest_to_rest, 3, stronger), "") << i;
+      }
+    }
+}
+
+TEST(Checker, RejectsPhasesMissingDoubledSwappedOrNegated) {
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    Phases f = good;
+    f.erase(f.begin() + at);
+    EXPECT_NE(fault(rest_to_rest, 3, f), "") << "missing " << i;
+    f = good;
+    f.insert(f.begin() + at, f[i]);
+    EXPECT_NE(fault(rest_to_rest, 3, f), "") << "doubled " << i;
+    f = good;
+    f[i].value = -f[i].value;
+    EXPECT_NE(fault(rest_to_rest, 3, f), "") << "negated " << i;
+  }
+  EXPECT_NE(fault(rest_to_rest, 3, {good[0], good[2], good[3], good[1]}), "");
+}
+
+TEST(Checker, RejectsAnotherStartOrEnd) {
+  for (const MotionState& other : {MotionState{1e-300, 0, 0}, {0, 1e-300, 0}, {0, 0, -1e-300}}) {
+    Case c = rest_to_rest;
+    c.from = other;
+    EXPECT_THAT(check(made(rest_to_rest, 3, good), c).fault, HasSubstr("start()"));
+  }
+  Case c = rest_to_rest;
+  c.to.position = std::nextafter(2, 3);
+  EXPECT_THAT(check(made(rest_to_rest, 3, good), c).fault, HasSubstr("end()"));
+}
+
+TEST(Checker, SeesAnEndThatIsOnlyClaimed) {
+  Case c = rest_to_rest;
+  c.to.position = 2 + 1e-10;
+  EXPECT_THAT(fault(c, 3, good), HasSubstr("ends off in position"));
+  c.to = {2, 1e-10, 0};
+  EXPECT_THAT(fault(c, 3, good), HasSubstr("ends off in velocity"));
+  c.to = {2, 0, 1e-10};
+  EXPECT_THAT(fault(c, 3, good), HasSubstr("ends off in acceleration"));
+}
+
+TEST(Checker, MeasuresEachLimitInItsDirection) {
+  const auto with = [](auto change) {
+    Case c = rest_to_rest;
+    change(c.bounds);
+    return fault(c, 3, good);
+  };
+  EXPECT_THAT(with([](Bounds& b) { b.jerk_max *= 1 - 1e-10; }), HasSubstr("jerk_max"));
+  EXPECT_THAT(with([](Bounds& b) { b.jerk_min *= 1 - 1e-10; }), HasSubstr("jerk_min"));
+  EXPECT_THAT(with([](Bounds& b) { b.acceleration_max *= 1 - 1e-10; }),
+              HasSubstr("acceleration_max"));
+  EXPECT_THAT(with([](Bounds& b) { b.acceleration_min *= 1 - 1e-10; }),
+              HasSubstr("acceleration_min"));
+  EXPECT_THAT(with([](Bounds& b) { b.velocity_max *= 1 - 1e-10; }), HasSubstr("velocity_max"));
+  EXPECT_THAT(with([](Bounds& b) { b.position_max = 2 - 1e-10; }), HasSubstr("position_max"));
+  // What is not reached may be as tight as it likes.
+  EXPECT_EQ(with([](Bounds& b) { b.velocity_min = -1e-9; }), "");
+  EXPECT_EQ(with([](Bounds& b) {
+              b.position_min = 0;
+              b.position_max = 2;
+            }),
+            "");
+}
+
+TEST(Checker, FindsExtremaInsidePhases) {
+  // From velocity -1 under acceleration 1: turns at 1 s, half a unit behind the start.
+  const Case c{{0, -1, 0}, {0, 1, 0}, {-2, 2, -1, 1, -Bounds::none, Bounds::none, -0.5, 1}, {}};
+  EXPECT_EQ(fault(c, 2, {{2, 1}}), "");
+  Case tight = c;
+  tight.bounds.position_min = -0.5 + 1e-10;
+  EXPECT_THAT(fault(tight, 2, {{2, 1}}), HasSubstr("position_min"));
+  // Jerk -1 from acceleration 1: the velocity peaks at 1 s, half a unit above the ends.
+  const Case peak{{0, 0, 1}, {2.0 / 3, 0, -1}, within(0.5, 1, 1), {}};
+  EXPECT_EQ(fault(peak, 3, {{2, -1}}), "");
+  Case low = peak;
+  low.bounds.velocity_max = 0.25;
+  low.from.velocity = low.to.velocity = -0.25 + 1e-10;
+  low.to.position = 2.0 / 3 + 2 * low.from.velocity;
+  EXPECT_EQ(fault(low, 3, {{2, -1}}), "") << "this peak is unavoidable";
+  // The same peak, but made on the way: not to be excused.
+  const Case made_peak{{0, -0.25, 0}, {1.125, 0.5, 0}, within(0.6, 1, 1), {}};
+  EXPECT_THAT(fault(made_peak, 3, {{1, 1}, {1.5, -1}, {0.5, 1}}), HasSubstr("velocity_max"));
+}
+
+TEST(Checker, ChecksTheOrderTheSumAndTheDurationAskedFor) {
+  Case c = rest_to_rest;
+  c.duration = 4;
+  EXPECT_EQ(fault(c, 3, good), "");
+  c.duration = std::nextafter(4.0, 5.0) + 1e-14;
+  EXPECT_THAT(fault(c, 3, good), HasSubstr("duration asked for"));
+  EXPECT_THAT(fault(rest_to_rest, 2, {{1, 1}, {1, -1}}), HasSubstr("order"));
+  EXPECT_THAT(fault(rest_to_rest, 3, {{1, std::nan("")}}), HasSubstr("finite"));
+  EXPECT_THAT(fault(rest_to_rest, 3, {{INFINITY, 0}}), HasSubstr("finite"));
+}
+
+TEST(Checker, LetsAStartOutsideComeInsideOnceAndMonotonically) {
+  // Second order, velocity 2 where 1 is allowed, brakes with 1.
+  const Bounds b = within(1, 1);
+  const Case c{{0, 2, 0}, {2.5, 1, 0}, b, {}};
+  EXPECT_EQ(fault(c, 2, {{1, -1}, {1, 0}}), "");
+  EXPECT_THAT(fault({{0, 2, 0}, {4.25, 1, 0}, b, {}}, 2, {{0.5, -1}, {0.5, 1}, {1, -1}, {1, 0}}),
+              HasSubstr("rises again"));
+  EXPECT_THAT(fault({{0, 2, 0}, {2.75, 1, 0}, b, {}}, 2, {{1, -1}, {0.5, 1}, {0.5, -1}, {0, 0}}),
+              HasSubstr("velocity_max"))
+      << "outside again";
+  // Third order: acceleration 2 where 1 is allowed.
+  const Bounds j = within(10, 1, 1);
+  EXPECT_EQ(fault({{0, 0, 2}, {8.0 / 3, 2, 0}, j, {}}, 3, {{2, -1}}), "");
+  EXPECT_THAT(fault({{0, 0, 2}, {9 - 4.0 / 3, 4, 0}, j, {}}, 3, {{1, 0}, {2, -1}}),
+              HasSubstr("does not come inside at once"));
+}
+
+TEST(Checker, PrintsALineThatAsksAgain) {
+  Case c = rest_to_rest;
+  c.duration = 4;
+  EXPECT_EQ(reproducer(c),
+            "move_to({0x0p+0, 0x0p+0, 0x0p+0}, {0x1p+1, 0x0p+0, 0x0p+0}, {-0x1p+0, 0x1p+0, "
+            "-0x1p+0, 0x1p+0, -0x1p+0, 0x1p+0, -Bounds::none, Bounds::none}, 0x1p+2);");
+}
+
+}  // namespace
+}  // namespace jounce::proof

@@ -1,0 +1,479 @@
+// Which durations are possible, from first principles.
+//
+// Let x be what shall change by d, y = x', z = x'' and so on down to the control, each within its
+// bounds. For a fixed duration T the admissible motions form a convex set (the dynamics are linear,
+// the bounds are intervals) and the distance covered is linear in the motion, so the distances that
+// can be covered form an interval [lo(T), hi(T)]: T is possible exactly if
+//
+//     lo(T) <= d <= hi(T),  and y can make *its* change in T.                             (1)
+//
+// The second half is the same question one order lower, so the set of possible T is found by
+// recursion from order 1, where y itself is the control: T >= d / y_max, T >= d / y_min.
+// lo is hi of the mirrored problem (everything negated, bounds swapped): only hi is derived.
+//
+// **Order 2** (y bounded by `top`, its rate by k up and m down). The largest distance in T is the
+// area under the pointwise largest y: from y0 up with k, from y1 back with m, cut off at `top`:
+//
+//     u = (T + y0/k + y1/m) / (1/k + 1/m),  d hi / dT = min(u, top)                       (2)
+//
+// **Order 3** (v, a, j for y, z, control; k = jerk_max, m = -jerk_min). By the maximum principle the
+// switching function of max of the integral of v is a convex parabola in t, so the jerk is
+// +k, -m, +k, with a held where it meets its bounds:
+//
+//     a(t) = max(min(up(t), c - m t), down(t)),                                           (3)
+//     up(t) = min(a0 + k t, a_max),  down(t) = max(a1 - k (T - t), a_min)
+//
+// The line c is found from the change of velocity, which grows with c at the rate of the falling
+// phase's length (Newton, kept inside a bracket). If the velocity where a falls through zero
+// passes v_max, v stays there: the motion rises to (v_max, 0) as fast as it can, cruises, and leaves
+// as late as it can. The slope of hi is the Hamiltonian, which is constant along the motion; at the
+// middle of the falling phase, of length D, it is
+//
+//     d hi / dT = v_mid + m D^2 / 8,  or v_max with a cruise                              (4)
+//
+// **Isolation of the roots** of hi(T) = d. With q = 1/k + 1/m, falling phase from p to n:
+//     no hold:         p - n = w, p^2 - n^2 = K, T = q w + (a1 - a0)/k, slope = const
+//                      + (w^2 (1/k + 2/m) + (K/w)^2 / k) / 8                              (5)
+//     a_max held:      slope = const + q n^2 / 2 - a_max n / (2 m), T falls with n        (6)
+//     a_min held:      slope = const + q p^2 / 2 - a_min p / (2 m), T grows with p        (7)
+//     both, or cruise: slope grows with T, or is constant
+// where K = (2/q) (v1 - v0 + (a0^2 - a1^2)/(2 k)). So between the T where the regime changes, and
+// those where the slope of (5), (6), (7) turns (w^4 = K^2 / (1 + 2 k/m), n = a_max / (2 m q),
+// p = a_min / (2 m q)), the slope is monotone; cut once more where it vanishes, hi is monotone, and
+// a change of sign between neighbours is the only way to have a root. Nothing is sampled.
+//
+// **A start outside.** Safe is a state inside the bounds that can stay there: with v* = v + a^2/(2 m)
+// for a > 0 and v for a <= 0, v* <= v_max, and the mirror image. While v* > v_max, the fastest way
+// into the safe set is the fastest change of velocity to (v_min, 0): a falls with m, is held at
+// a_min, and rises with k, cut where v passes v_max. Without the rise that is plain braking; the
+// rise is what keeps it from falling out of the other side,
+//
+//     a^2 <= 2 k (v_max - v_min) at v = v_max.                                             (8)
+//
+// Acceleration alone outside comes in with full jerk. The durations are those from the state so
+// reached, later by the time it took.
+#include "profiles/proof/reachable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace jounce::proof {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// The largest distance in a given duration, and how it grows with it.
+struct Reach {
+  Real distance = 0;
+  Real slope = 0;
+};
+using Farthest = std::function<Reach(Real)>;
+
+struct Cut {
+  Farthest at;
+  std::vector<Real> breaks;  ///< between these the slope is monotone
+};
+
+/// Where an increasing or decreasing f changes sign, f(x) and f(y) being of different signs.
+template <class F>
+Real crossing(F f, Real x, Real y) {
+  const bool rising = f(x) < 0;
+  for (int i = 0; i < 128; ++i) {
+    const Real mid = x + (y - x) / 2;
+    if (mid <= x || mid >= y) break;
+    ((f(mid) < 0) == rising ? x : y) = mid;
+  }
+  return rising ? y : x;  // the side on which f >= 0
+}
+
+void append(std::vector<Span>& spans, Real from, Real to) {
+  if (!spans.empty() && spans.back().to >= from)
+    spans.back().to = std::max(spans.back().to, to);
+  else
+    spans.push_back({from, to});
+}
+
+/// The part of [x, y] where a monotone f >= 0.
+template <class F>
+void keep_monotone(F f, Real x, Real y, std::vector<Span>& out) {
+  const bool at_x = f(x) >= 0;
+  const bool at_y = f(y) >= 0;
+  if (at_x && at_y) append(out, x, y);
+  if (at_x && !at_y) append(out, x, crossing(f, x, y));
+  if (!at_x && at_y) append(out, crossing(f, x, y), y);
+}
+
+/// The part of `spans` where cut.at(T).distance >= d.
+std::vector<Span> keep(const std::vector<Span>& spans, const Cut& cut, Real d) {
+  const auto excess = [&](Real T) { return cut.at(T).distance - d; };
+  const auto slope = [&](Real T) { return cut.at(T).slope; };
+  std::vector<Span> out;
+  for (const Span& span : spans) {
+    std::vector<Real> at{span.from};
+    for (const Real b : cut.breaks)
+      if (b > span.from && b < span.to) at.push_back(b);
+    std::sort(at.begin(), at.end());
+    if (std::isfinite(span.to)) {
+      at.push_back(span.to);
+    } else {  // beyond the last break the slope only grows: go on until d is reached
+      Real last = std::max<Real>(2 * at.back(), std::numeric_limits<double>::min());
+      while (!(excess(last) >= 0 && slope(last) > 0) && last < 1e300L) last *= 2;
+      at.push_back(last);
+    }
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+      if (const bool rising = slope(at[i]) < 0; rising != (slope(at[i + 1]) < 0)) {
+        const Real turn = crossing(slope, at[i], at[i + 1]);
+        keep_monotone(excess, at[i], turn, out);
+        keep_monotone(excess, turn, at[i + 1], out);
+      } else {
+        keep_monotone(excess, at[i], at[i + 1], out);
+      }
+    }
+    if (at.size() == 1) append(out, at[0], at[0]);
+    if (!std::isfinite(span.to) && !out.empty() && out.back().to == at.back())
+      out.back().to = infinity;
+  }
+  return out;
+}
+
+/// A quantity that is driven by its rate: where it starts and ends, and its bounds.
+struct Level {
+  Real from = 0, to = 0, min = 0, max = 0;
+
+  [[nodiscard]] Level mirrored() const { return {-from, -to, -max, -min}; }
+};
+
+/// Equation (2).
+Cut second_order(const Level& y, Real k, Real m) {
+  const Real top = y.max;
+  const Real u0 = y.from / k + y.to / m;
+  const Real q = 1 / k + 1 / m;
+  const Real cruise = top * q - u0;  // the T from which y reaches its bound
+  const auto at = [=](Real T) -> Reach {
+    const Real hold = std::max<Real>(T - cruise, 0);
+    const Real u = hold > 0 ? top : (T + u0) / q;
+    return {(u * u - y.from * y.from) / (2 * k) + (u * u - y.to * y.to) / (2 * m) +
+                (hold > 0 ? top * hold : 0),
+            u};
+  };
+  return {at, {cruise}};
+}
+
+/// Equation (3) for one T and c: lengths and accelerations of rise, hold, fall, hold, rise.
+struct Shape {
+  Real up = 0, hold_high = 0, fall = 0, hold_low = 0, last = 0;
+  Real high = 0, low = 0;
+};
+
+class ThirdOrder {
+ public:
+  ThirdOrder(const Level& v, const Level& a, Real k, Real m) : v_(v), a_(a), k_(k), m_(m) {}
+
+  [[nodiscard]] Reach at(Real T) const;
+  [[nodiscard]] std::vector<Real> breaks() const;
+
+ private:
+  [[nodiscard]] Shape shape(Real T, Real c) const;
+  [[nodiscard]] Real gain(const Shape& s) const;
+  [[nodiscard]] Shape solved(Real T) const;
+  [[nodiscard]] Shape to_cruise() const;  // rise to, and fall from, (v_max, 0)
+  [[nodiscard]] static Real total(const Shape& s) {
+    return s.up + s.hold_high + s.fall + s.hold_low + s.last;
+  }
+
+  Level v_, a_;
+  Real k_, m_;
+};
+
+Shape ThirdOrder::shape(Real T, Real c) const {
+  Shape s;
+  s.high = std::min(a_.from + k_ * (c - a_.from) / (k_ + m_), a_.max);
+  s.low = std::max(c - m_ * (c - a_.to + k_ * T) / (k_ + m_), a_.min);
+  s.low = std::min(s.low, s.high);
+  s.up = std::max<Real>((s.high - a_.from) / k_, 0);
+  s.fall = (s.high - s.low) / m_;
+  s.last = std::max<Real>((a_.to - s.low) / k_, 0);
+  s.hold_high = s.high < a_.max ? 0 : std::max<Real>((c - s.high) / m_ - s.up, 0);
+  s.hold_low = std::max<Real>(T - s.up - s.hold_high - s.fall - s.last, 0);
+  if (s.low > a_.min) s.hold_low = 0;
+  return s;
+}
+
+Real ThirdOrder::gain(const Shape& s) const {
+  return (a_.from + s.high) / 2 * s.up + (s.hold_high > 0 ? s.high * s.hold_high : 0) +
+         (s.high + s.low) / 2 * s.fall + (s.hold_low > 0 ? s.low * s.hold_low : 0) +
+         (s.low + a_.to) / 2 * s.last;
+}
+
+Shape ThirdOrder::solved(Real T) const {
+  const Real wanted = v_.to - v_.from;
+  Real lo = a_.from;
+  Real hi = std::max(lo, a_.to + m_ * T);
+  Real c = lo + (hi - lo) / 2;
+  for (int i = 0; i < 200; ++i) {
+    const Shape s = shape(T, c);
+    const Real error = gain(s) - wanted;
+    if (error == 0) break;
+    (error < 0 ? lo : hi) = c;
+    const Real newton = c - error / s.fall;
+    const Real next = newton > lo && newton < hi ? newton : lo + (hi - lo) / 2;
+    if (next == c || next <= lo || next >= hi) break;
+    c = next;
+  }
+  return shape(T, c);
+}
+
+Shape ThirdOrder::to_cruise() const {
+  const Real q = 1 / k_ + 1 / m_;
+  const Real rise = v_.max - v_.from + a_.from * a_.from / (2 * k_);
+  const Real fall = v_.max - v_.to + a_.to * a_.to / (2 * k_);
+  Shape s;
+  s.high = std::min(std::sqrt(std::max<Real>(2 * rise / q, 0)), a_.max);
+  s.high = std::max(s.high, a_.from);
+  s.low = std::max(-std::sqrt(std::max<Real>(2 * fall / q, 0)), a_.min);
+  s.low = std::min(s.low, a_.to);
+  s.up = (s.high - a_.from) / k_;
+  s.fall = (s.high - s.low) / m_;
+  s.last = (a_.to - s.low) / k_;
+  if (s.high > 0) s.hold_high = std::max<Real>((rise - s.high * s.high * q / 2) / s.high, 0);
+  if (s.low < 0) s.hold_low = std::max<Real>((fall - s.low * s.low * q / 2) / -s.low, 0);
+  return s;
+}
+
+/// One stretch of constant jerk, in place.
+struct Point {
+  Real x, v, a;
+
+  void advance(Real t, Real j) {
+    x += t * (v + t * (a / 2 + t * j / 6));
+    v += t * (a + t * j / 2);
+    a += t * j;
+  }
+};
+
+Reach ThirdOrder::at(Real T) const {
+  if (std::isfinite(v_.max)) {
+    const Shape s = to_cruise();
+    if (const Real cruise = T - total(s); cruise >= 0) {
+      Point p{0, v_.from, a_.from};
+      p.advance(s.up, k_);
+      p.advance(s.hold_high, 0);
+      p.advance(s.high / m_, -m_);
+      Point back{0, v_.to, a_.to};  // from the target, against time
+      back.advance(-s.last, k_);
+      back.advance(-s.hold_low, 0);
+      back.advance(s.low / m_, -m_);
+      return {p.x + v_.max * cruise - back.x, v_.max};
+    }
+  }
+  const Shape s = solved(T);
+  Point p{0, v_.from, a_.from};
+  p.advance(s.up, k_);
+  p.advance(s.hold_high, 0);
+  Point mid = p;
+  mid.advance(s.fall / 2, -m_);
+  p.advance(s.fall, -m_);
+  p.advance(s.hold_low, 0);
+  p.advance(s.last, k_);
+  return {p.x, mid.v + m_ * s.fall * s.fall / 8};  // (4)
+}
+
+std::vector<Real> ThirdOrder::breaks() const {
+  const Real k = k_;
+  const Real m = m_;
+  const Real q = 1 / k + 1 / m;
+  const Real rest = (a_.to - a_.from) / k;
+  const Real K = 2 / q * (v_.to - v_.from + (a_.from * a_.from - a_.to * a_.to) / (2 * k));
+  const Real A = a_.max;
+  const Real N = a_.min;
+  const auto free = [&](Real w) { return q * w + rest; };
+  const auto high_held = [&](Real n) {
+    return q * (A - n) + q / 2 * (n * n - A * A + K) / A + rest;
+  };
+  const auto low_held = [&](Real p) {
+    return q * (p - N) + q / 2 * (p * p - N * N - K) / -N + rest;
+  };
+  const Real to_high = std::sqrt(A * A - K);
+  const Real to_low = std::sqrt(N * N + K);
+  std::vector<Real> t{free(A + to_high),
+                      free(A - to_high),
+                      free(to_low - N),
+                      free(-to_low - N),
+                      high_held(N),
+                      low_held(A),
+                      free(std::sqrt(std::sqrt(K * K / (1 + 2 * k / m)))),
+                      high_held(A / (2 * m * q)),
+                      low_held(N / (2 * m * q)),
+                      total(to_cruise())};
+  std::erase_if(t, [](Real x) { return !std::isfinite(x); });
+  return t;
+}
+
+Cut third_order(const Level& v, const Level& a, Real k, Real m) {
+  const ThirdOrder f(v, a, k, m);
+  return {[f](Real T) { return f.at(T); }, f.breaks()};
+}
+
+/// Both halves of (1): hi of the problem and of its mirror image.
+std::vector<Span> between(const std::vector<Span>& spans, const Cut& hi, const Cut& lo, Real d,
+                          Real slack) {
+  return keep(keep(spans, hi, d - slack), lo, -d - slack);
+}
+
+std::vector<Span> first(const Level& x, Real min, Real max, Real slack) {
+  const Real d = x.to - x.from;
+  return {{std::max({(d - slack) / max, (d + slack) / min, Real{0}}), infinity}};
+}
+
+std::vector<Span> second(const Level& x, const Level& y, Real min, Real max, Real slack_x,
+                         Real slack_y) {
+  return between(first(y, min, max, slack_y), second_order(y, max, -min),
+                 second_order(y.mirrored(), -min, max), x.to - x.from, slack_x);
+}
+
+}  // namespace
+
+namespace {
+
+/// A start that has been brought inside.
+struct Entry {
+  Point at{};
+  Real time = 0;
+};
+
+/// The velocity at which the acceleration vanishes, if it is brought there by jerk j.
+Real at_rest(const Point& s, Real j) {
+  return s.v - s.a * s.a / (2 * j);
+}
+
+/// The way into the safe set from v* > v_max (8), of third order.
+Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m) {
+  Real time = 0;
+  const auto go = [&](Real t, Real j) {
+    if (!(t > 0)) return;
+    s.advance(t, j);
+    time += t;
+  };
+  if (s.a > a.min) go((s.a - std::min<Real>(a.max, s.a)) / m, -m);
+  go((a.min - s.a) / k, k);                                // from below a_min: this side first
+  const Real steep = -std::sqrt(2 * k * (v.max - v.min));  // (8)
+  // Down to a level `low`, held until v_max, or until the rise to `steep` brings it there.
+  const Real to_zero = s.a > 0 ? at_rest(s, -m) : s.v + s.a * s.a / (2 * m);
+  const Real plain = -std::sqrt(std::max<Real>(2 * m * (to_zero - v.max), 0));
+  if (std::max(plain, a.min) >= steep) {
+    const Real low = std::max(plain, a.min);
+    go((s.a - low) / m, -m);
+    if (s.v > v.max) go((s.v - v.max) / -low, 0);
+  } else {
+    // to_zero - low^2/(2 m) - (low^2 - steep^2)/(2 k) = v_max
+    const Real both = (to_zero - v.max + steep * steep / (2 * k)) / (1 / (2 * m) + 1 / (2 * k));
+    const Real low = std::max(-std::sqrt(std::max<Real>(both, 0)), a.min);
+    go((s.a - low) / m, -m);
+    go((s.v - (low * low - steep * steep) / (2 * k) - v.max) / -low, 0);
+    go((steep - low) / k, k);
+  }
+  s.v = std::min(s.v, v.max);
+  return {s, time};
+}
+
+Point negated(const Point& s) {
+  return {-s.x, -s.v, -s.a};
+}
+
+/// Of third order: from wherever it is into the safe set. Where the acceleration already makes it
+/// pass one bound, that comes first, even if the velocity is still beyond the other.
+Entry entered(const Point& s, const Level& v, const Level& a, Real k, Real m) {
+  const bool over = s.a > 0 ? at_rest(s, -m) > v.max : s.v > v.max;
+  const bool under = s.a < 0 ? at_rest(s, k) < v.min : s.v < v.min;
+  if (over && (s.a > 0 || !under)) return from_above(s, v, a, k, m);
+  if (under) {
+    const Entry e = from_above(negated(s), v.mirrored(), a.mirrored(), m, k);
+    return {negated(e.at), e.time};
+  }
+  Entry e{s, std::max({(s.a - a.max) / m, (a.min - s.a) / k, Real{0}})};
+  e.at.advance(e.time, s.a > 0 ? -m : k);
+  return e;
+}
+
+/// Of second order: brakes until the velocity is inside.
+Entry entered(const Point& s, const Level& v, Real k, Real m) {
+  Entry e{s, std::max({(s.v - v.max) / m, (v.min - s.v) / k, Real{0}})};
+  e.at.a = s.v > 0 ? -m : k;
+  e.at.advance(e.time, 0);
+  return e;
+}
+
+std::vector<Span> later(std::vector<Span> spans, Real time) {
+  for (Span& s : spans) s = {s.from + time, s.to + time};
+  return spans;
+}
+
+}  // namespace
+
+std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& b,
+                            const Slack& slack) {
+  Level x{from.position, to.position, -infinity, infinity};
+  Level v{from.velocity, to.velocity, b.velocity_min, b.velocity_max};
+  Level a{from.acceleration, to.acceleration, b.acceleration_min, b.acceleration_max};
+  if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
+    return first(x, v.min, v.max, slack.position);
+  const bool third = std::isfinite(b.jerk_max);
+  const Real k = third ? b.jerk_max : b.acceleration_max;
+  const Real m = third ? -b.jerk_min : -b.acceleration_min;
+  const Point start{x.from, v.from, a.from};
+  const Entry inside = third ? entered(start, v, a, k, m) : entered(start, v, k, m);
+  x.from = inside.at.x;
+  v.from = inside.at.v;
+  a.from = inside.at.a;
+  if (!third) return later(second(x, v, -m, k, slack.position, slack.velocity), inside.time);
+  return later(
+      between(second(v, a, -m, k, slack.velocity, slack.acceleration), third_order(v, a, k, m),
+              third_order(v.mirrored(), a.mirrored(), m, k), x.to - x.from, slack.position),
+      inside.time);
+}
+
+// Starts outside are not brought inside first: on the fastest way they come inside by themselves.
+std::vector<Span> reachable_velocity(const MotionState& from, double velocity, double acceleration,
+                                     const Bounds& b, const Slack& slack) {
+  const Level v{from.velocity, velocity, b.velocity_min, b.velocity_max};
+  if (!std::isfinite(b.jerk_max))
+    return first(v, b.acceleration_min, b.acceleration_max, slack.velocity);
+  const Level a{from.acceleration, acceleration, b.acceleration_min, b.acceleration_max};
+  return second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration);
+}
+
+namespace {
+
+bool inside(double x, double min, double max) {
+  return x >= min && x <= max;
+}
+
+}  // namespace
+
+bool safe_start(const MotionState& s, const Bounds& b) {
+  if (!inside(s.velocity, b.velocity_min, b.velocity_max)) return false;
+  if (!std::isfinite(b.jerk_max)) return true;
+  if (!inside(s.acceleration, b.acceleration_min, b.acceleration_max)) return false;
+  const Real v =
+      at_rest({0, s.velocity, s.acceleration}, s.acceleration > 0 ? b.jerk_min : b.jerk_max);
+  return v >= b.velocity_min && v <= b.velocity_max;
+}
+
+bool safe_target(const MotionState& s, const Bounds& b) {
+  if (!inside(s.velocity, b.velocity_min, b.velocity_max)) return false;
+  if (!std::isfinite(b.jerk_max)) return true;
+  if (!inside(s.acceleration, b.acceleration_min, b.acceleration_max)) return false;
+  const Real v =
+      at_rest({0, s.velocity, s.acceleration}, s.acceleration > 0 ? b.jerk_max : b.jerk_min);
+  return v >= b.velocity_min && v <= b.velocity_max;
+}
+
+bool contains(const std::vector<Span>& spans, Real T) {
+  return std::any_of(spans.begin(), spans.end(),
+                     [T](const Span& s) { return T >= s.from && T <= s.to; });
+}
+
+}  // namespace jounce::proof
