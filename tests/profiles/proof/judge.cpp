@@ -1,0 +1,73 @@
+#include "profiles/proof/judge.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace jounce::proof {
+
+void Tally::fail(const std::string& why, const Case& c) {
+  ++failures;
+  if (examples.size() < kept) examples.push_back(why + "\n    " + reproducer(c));
+}
+
+void Tally::note(const Verdict& verdict, const Case& c) {
+  end_error = std::max(end_error, verdict.end_error);
+  excess = std::max(excess, verdict.excess);
+  if (!verdict.ok()) fail(verdict.fault, c);
+}
+
+std::string text(Real x) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.17Lg", x);
+  return buffer.data();
+}
+
+Solved solve(const Case& c, Tally& tally) {
+  Solved s;
+  s.move =
+      c.duration ? move_to(c.from, c.to, c.bounds, *c.duration) : move_to(c.from, c.to, c.bounds);
+  ++tally.cases;
+  if (!s.move) {
+    tally.fail(std::string("refused: ") + explain(s.move.status), c);
+    return s;
+  }
+  s.verdict = check(s.move.profile, c);
+  tally.note(s.verdict, c);
+  return s;
+}
+
+std::vector<Span> reachable(const Case& c, const Scale& scale, Real share) {
+  return reachable(c.from, c.to, c.bounds, slack_of(scale, share));
+}
+
+Slack slack_of(const Scale& scale, Real share) {
+  return {share * scale.position, share * scale.velocity, share * scale.acceleration};
+}
+
+Real minimum(const std::vector<Span>& spans) {
+  return spans.empty() ? std::numeric_limits<Real>::infinity() : spans.front().from;
+}
+
+void compare(Real is, const Reference& reference, const Case& c, Tally& tally) {
+  const Real exact = reference(last_bit);
+  if (std::abs(is - exact) <= same * exact) {
+    if (exact > 0) tally.longer = std::max(tally.longer, static_cast<double>((is - exact) / exact));
+    return;
+  }
+  if (c.from == c.to && exact == 0)
+    return tally.fail("moves for " + text(is) + " though it is there", c);
+  if (is >= reference(rounding) * (1 - same) && is <= reference(-rounding) * (1 + same)) {
+    ++tally.ties;
+    return;
+  }
+  tally.fail("lasts " + text(is) + ", the reference " + text(exact) +
+                 (is > exact ? " (too long)" : " (too short)"),
+             c);
+}
+
+Case any(Random& r) {
+  return draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))].draw(r);
+}
+
+}  // namespace jounce::proof

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "profiles/proof/reachable.hpp"
+#include "profiles/proof/workloads.hpp"
+
+namespace jounce::proof {
+
+/// The move and its verdict; counts one case. A refusal is a failure, as every draw is solvable.
+struct Solved {
+  Move move;
+  Verdict verdict;
+  explicit operator bool() const { return move && verdict.ok(); }
+};
+Solved solve(const Case& c, Tally& tally);
+
+/// A share of a problem's scale, forgiven; the durations and the least duration under it.
+Slack slack_of(const Scale& scale, Real share);
+std::vector<Span> reachable(const Case& c, const Scale& scale, Real share);
+Real minimum(const std::vector<Span>& spans);
+
+/// What the witness itself may round.
+constexpr Real last_bit = 0x1p-60L;
+
+/// The least duration if the data may be off by a share of their scale.
+using Reference = std::function<Real(Real share)>;
+
+/// Compares a duration with a reference: equal, a tie, or a failure.
+void compare(Real is, const Reference& reference, const Case& c, Tally& tally);
+
+/// A case of any draw.
+Case any(Random& r);
+
+/// 17 digits.
+std::string text(Real x);
+
+// The experiments; each draws a case of its own.
+void optimality(Random& r, Tally& tally);
+void blocks(Random& r, Tally& tally);
+void exact(Random& r, Tally& tally);
+void velocity(Random& r, Tally& tally);
+void invariance(Random& r, Tally& tally);
+void replan_rest(Random& r, Tally& tally);
+void replan_moving(Random& r, Tally& tally);
+void walls(Random& r, Tally& tally);
+void sync_time(Random& r, Tally& tally);
+void sync_phase(Random& r, Tally& tally);
+
+}  // namespace jounce::proof

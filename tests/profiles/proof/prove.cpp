@@ -1,0 +1,86 @@
+// prove [--count N] [--seed S] [--workload NAME ...] [--examples N] [--list]
+//
+// Throws random problems at the solver and checks every answer: one line a workload, exit status 1
+// on any failure, 2 on bad usage. A failure prints the C++ line that asks it again.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <set>
+#include <string>
+
+#include "profiles/proof/workloads.hpp"
+
+namespace {
+
+using namespace jounce::proof;
+
+struct Options {
+  std::int64_t count = 100000;
+  std::uint64_t seed = 1;
+  std::size_t examples = 5;
+  std::set<std::string> names = {};
+  bool list = false;
+  bool ok = true;
+};
+
+Options parsed(int argc, char** argv) {
+  Options o;
+  for (int i = 1; i < argc; ++i) {
+    const std::string key = argv[i];
+    if (key == "--list") {
+      o.list = true;
+      continue;
+    }
+    if (i + 1 == argc) {
+      o.ok = false;
+      break;
+    }
+    const char* value = argv[++i];
+    if (key == "--count")
+      o.count = static_cast<std::int64_t>(std::strtod(value, nullptr));
+    else if (key == "--seed")
+      o.seed = std::strtoull(value, nullptr, 10);
+    else if (key == "--examples")
+      o.examples = std::strtoull(value, nullptr, 10);
+    else if (key == "--workload")
+      o.names.insert(value);
+    else
+      o.ok = false;
+  }
+  return o;
+}
+
+bool report(const Workload& w, const Options& o) {
+  const Tally t = run(w, o.count, o.seed, o.examples);
+  std::printf("%-14s %10lld cases %6lld failures %7lld ties   end %.1e  excess %.1e  longer %.1e\n",
+              w.name.c_str(), static_cast<long long>(t.cases), static_cast<long long>(t.failures),
+              static_cast<long long>(t.ties), t.end_error, t.excess, t.longer);
+  for (const std::string& text : t.examples) std::printf("  %s\n", text.c_str());
+  std::fflush(stdout);
+  return t.failures == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const Options o = parsed(argc, argv);
+  bool ok = true;
+  std::size_t found = 0;
+  for (const Workload& w : workloads()) {
+    if (o.list) std::printf("%-14s %s\n", w.name.c_str(), w.what.c_str());
+    if (o.list || !(o.names.empty() || o.names.count(w.name) > 0)) continue;
+    ++found;
+    ok = report(w, o) && ok;
+  }
+  if (!o.ok || found < o.names.size()) {
+    std::fputs(
+        "usage: prove [--count N] [--seed S] [--workload NAME ...] [--examples N] [--list]\n",
+        stderr);
+    return 2;
+  }
+  return ok ? 0 : 1;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "%s\n", e.what());
+  return 3;
+}
