@@ -35,25 +35,24 @@ Segment segment(const MotionState& begin, int order, const Profile::Phase& phase
 
 }  // namespace
 
-std::size_t Profile::level(double value) noexcept {
+std::uint8_t Profile::term_of(double value) noexcept {
+  if (value == 0) return 0;
   std::size_t i = 0;
-  if (value != 0)
-    do {
-      ++i;
-      assert(i < levels);
-    } while (level_[i] != value && level_[i] != 0);
+  while (i + 1 < level_.size() && level_[i] != value && level_[i] != 0) ++i;
+  assert(level_[i] == value || level_[i] == 0);
   level_[i] = value;
-  return i;
+  return static_cast<std::uint8_t>(i + 1);
 }
 
 void Profile::add(double duration, double value, double more) noexcept {
   if (!(duration > 0)) return;
-  const auto code = static_cast<std::uint8_t>(level(value) + levels * level(more));
+  const auto code = static_cast<std::uint8_t>(term_of(value) + terms * term_of(more));
   if (count_ > 0 && code_[count_ - 1U] == code) {
     duration_[count_ - 1U] += duration;
     return;
   }
   assert(count_ < capacity);
+  if (count_ == capacity) return;
   duration_[count_] = duration;
   code_[count_] = code;
   ++count_;
@@ -75,20 +74,28 @@ double Profile::duration() const noexcept {
 }
 
 Motion Profile::at(double t) const noexcept {
-  MotionState s = start_;
-  if (!(t >= 0)) return {s.position, s.velocity, s.acceleration, 0};
-  double begin = 0;
-  for (std::size_t i = 0; i + 1 < count_; ++i) {
-    const Phase f = phase(i);
-    if (t < begin + f.duration) return advanced(s, order_, f.value, t - begin);
-    s = state(advanced(s, order_, f.value, f.duration));
-    begin += f.duration;
-  }
-  // The last phase is measured back from the end, so that the motion arrives exactly.
-  const Phase last = count_ > 0 ? phase(count_ - 1U) : Phase{};
-  const double left = begin + last.duration - t;
+  const double total = duration();
+  if (!(t >= 0)) return {start_.position, start_.velocity, start_.acceleration, 0};
+  double left = total - t;
   if (!(left > 0)) return {end_.position, end_.velocity, end_.acceleration, 0};
-  return advanced(end_, order_, last.value, -left);
+  // The first half is measured from the start, the second back from the end: near either, what is
+  // small there is exact in its own digits.
+  if (t < left) {
+    MotionState s = start_;
+    for (std::size_t i = 0;; ++i) {
+      const Phase f = phase(i);
+      if (t < f.duration || i + 1U == count_) return advanced(s, order_, f.value, t);
+      s = state(advanced(s, order_, f.value, f.duration));
+      t -= f.duration;
+    }
+  }
+  MotionState s = end_;
+  for (std::size_t i = count_ - 1U;; --i) {
+    const Phase f = phase(i);
+    if (left <= f.duration || i == 0) return advanced(s, order_, f.value, -left);
+    s = state(advanced(s, order_, f.value, -f.duration));
+    left -= f.duration;
+  }
 }
 
 Trajectory Profile::curve() const {

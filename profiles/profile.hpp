@@ -34,7 +34,7 @@ struct MotionState {
 /// Outside [0, duration] at() answers with the state at that end, jerk 0.
 class Profile {
  public:
-  static constexpr std::size_t capacity = 11;
+  static constexpr std::size_t capacity = 12;
 
   struct Phase {
     double duration = 0;  ///< > 0, s
@@ -56,7 +56,7 @@ class Profile {
   };
   Profile(const MotionState& start, const MotionState& end, int order, const Values& values,
           std::initializer_list<Step> phases) noexcept
-      : level_{0, values[0], values[1], values[2], values[3]},
+      : level_(values),
         start_(start),
         end_(end),
         order_(static_cast<std::uint8_t>(order)) {
@@ -88,7 +88,7 @@ class Profile {
   [[nodiscard]] int order() const noexcept { return order_; }
   [[nodiscard]] std::size_t phases() const noexcept { return count_; }
   [[nodiscard]] Phase phase(std::size_t i) const noexcept {
-    return {duration_[i], level_[code_[i] % levels] + level_[code_[i] / levels]};
+    return {duration_[i], term(code_[i] % terms) + term(code_[i] / terms)};
   }
   [[nodiscard]] const MotionState& start() const noexcept { return start_; }
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
@@ -102,14 +102,15 @@ class Profile {
   [[nodiscard]] Trajectory curve() const;
 
  private:
-  static constexpr std::size_t levels = 5;
+  static constexpr std::size_t terms = 5;  ///< zero, and the levels
 
-  std::size_t level(double value) noexcept;
+  [[nodiscard]] double term(std::size_t i) const noexcept { return i == 0 ? 0 : level_[i - 1]; }
+  std::uint8_t term_of(double value) noexcept;
 
   std::array<double, capacity> duration_{};
-  std::array<double, levels> level_{};  ///< the values in use; [0] is zero
+  Values level_{};  ///< of which phases have one, or the sum of two
   MotionState start_, end_;
-  std::array<std::uint8_t, capacity> code_{};  ///< which two levels a phase's value is the sum of
+  std::array<std::uint8_t, capacity> code_{};  ///< which two terms a phase's value is the sum of
   std::uint8_t count_ = 0;
   std::uint8_t order_ = 3;
 };

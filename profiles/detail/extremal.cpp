@@ -33,6 +33,12 @@ double root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
+/// A power of two within a factor of 4 of the cube root: the same in all units that are powers of two
+/// of each other, which std::cbrt is not.
+double about_cube_root(double x) {
+  return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
+}
+
 /// The zero of a monotone f in [lo, hi], or the nearer end: Newton from a guess, kept inside by
 /// bisection. f answers with its value over its slope, and says the sign of its value.
 template <class F>
@@ -79,8 +85,16 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
     return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c;
   };
   natural_ = std::max(natural(half_[0]), natural(half_[1]));
-  high_ = half_[0].c >= half_[1].c ? 0 : 1;
-  q_ = 2 * ik_ * std::abs(half_[0].c - half_[1].c);
+  // c1 - c2 from differences, so that what is small does not drown in the velocities.
+  const double s0 = half_[0].s;
+  const double s1 = half_[1].s;
+  const double dc = (from.velocity - to.velocity) - (s0 - s1) * (s0 + s1) * ijp_ / 2;
+  high_ = dc >= 0 ? 0 : 1;
+  q_ = 2 * ik_ * std::abs(dc);
+  if (half_[static_cast<std::size_t>(first_)].s < 0 && high_ != first_) {  // by rounding alone
+    high_ = first_;
+    q_ = 0;
+  }
   const auto start = [this](const Half& h) {
     return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6);
   };
@@ -95,8 +109,9 @@ bool Extremals::has_early() const noexcept {
   const Half& room = half_[static_cast<std::size_t>(1 - first_)];
   const double tolerance =
       rounding * (std::abs(degenerate.c) + std::abs(room.c) + k_ * square(degenerate.s) + k_ * square(room.s));
-  return room.s < 0 && degenerate.s > 0 && room.c >= degenerate.c - tolerance &&
-         room.c + k_ * square(room.s) / 2 >= natural_ - tolerance;
+  const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // room.c - degenerate.c
+  return room.s < 0 && degenerate.s > 0 && dc >= -tolerance &&
+         dc + k_ * (room.s - degenerate.s) * (room.s + degenerate.s) / 2 >= -tolerance;
 }
 
 Extremal Extremals::at_peak(double vp) const noexcept {
@@ -114,22 +129,30 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   return e;
 }
 
-Extremal Extremals::first(Branch b) const noexcept {
-  const auto i = static_cast<std::size_t>(b == Branch::main ? first_ : 1 - first_);
+/// The member at which one half is as it begins: peak acceleration z at once.
+Extremal Extremals::beginning(int which, double z_other_sign) const noexcept {
+  const auto i = static_cast<std::size_t>(which);
+  const std::size_t o = 1 - i;
   const double s = half_[i].s;
   Extremal e = at_peak(half_[i].c + k_ * s * s / 2);
   e.z[i] = s;
   e.hold[i] = 0;
+  if (e.hold[o] == 0) {
+    const double other = root(s * s + (which == high_ ? q_ : -q_));
+    e.z[o] = z_other_sign * std::min(other, half_[o].limit);
+    if (z_other_sign > 0) e.z[o] = std::max(e.z[o], half_[o].s);
+  } else {
+    e.z[o] *= z_other_sign;
+  }
   return e;
 }
 
+Extremal Extremals::first(Branch b) const noexcept {
+  return beginning(b == Branch::main ? first_ : 1 - first_, 1);
+}
+
 Extremal Extremals::last_early() const noexcept {
-  const auto o = static_cast<std::size_t>(first_);
-  Extremal e = at_peak(half_[o].c + k_ * square(half_[o].s) / 2);
-  e.z[o] = half_[o].s;
-  e.hold[o] = 0;
-  e.z[1 - o] = -e.z[1 - o];
-  return e;
+  return beginning(first_, -1);
 }
 
 double Extremals::duration(const Extremal& e) const noexcept {
@@ -138,7 +161,8 @@ double Extremals::duration(const Extremal& e) const noexcept {
 }
 
 double Extremals::distance(const Extremal& e) const noexcept {
-  if (e.hold[0] + e.hold[1] + e.cruise == 0) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
+  const bool only_passes = e.hold[0] + e.hold[1] + e.cruise == 0 && std::min(e.z[0], e.z[1]) > 0;
+  if (only_passes) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
   double d = e.vp * ((e.z[0] + e.z[1]) * ijd_ + e.cruise);
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
@@ -243,7 +267,8 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
     return s * sign / (ss * (mean_ + 3 * cubic_ * ss) + inverse_);
   };
   if (hi == inf) {
-    hi = std::max({2 * lo, std::cbrt(std::abs(g) / cubic_), std::sqrt(std::abs(mean_) / cubic_),
+    hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),
+                   std::sqrt(std::abs(mean_) / cubic_),
                    std::sqrt(std::sqrt(inverse_ / cubic_))});
     guess = hi;
     for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
@@ -325,6 +350,7 @@ int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexc
 }
 
 int Extremals::covering(Branch b, double d, Members& out, int most) const noexcept {
+  if (b == Branch::early && high_ == first_) return 0;  // no longer than rounding
   Stretches all;
   const int stretches_in_use = stretches(b, all);
   int found = 0;

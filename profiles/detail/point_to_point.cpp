@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "jounce/profiles/detail/velocity_change.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -28,10 +31,10 @@ double snapped(const MotionState& from, const MotionState& to, const Extremals::
   return is_ramp ? to.velocity - ramp : from.velocity;
 }
 
-/// The natural velocity of an end: where its acceleration a, seen forwards in time from the start
-/// and backwards from the target, comes to zero.
-double natural(double v, double a, const Extremals::Jerks& j) {
-  return v + a * std::abs(a) * (a > 0 ? j.per_fall : j.per_rise) / 2;
+/// How far the natural velocity of an end, where its acceleration a (seen forwards in time from the
+/// start and backwards from the target) comes to zero, is from the velocity there.
+double to_natural(double a, const Extremals::Jerks& j) {
+  return a * std::abs(a) * (a > 0 ? j.per_fall : j.per_rise) / 2;
 }
 
 }  // namespace
@@ -50,12 +53,16 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
       from_{snapped(from, to, jerks), from.acceleration},
       to_{to.velocity, to.acceleration},
       jerks_(jerks),
-      natural_{natural(from_.velocity, from.acceleration, jerks),
-               natural(to.velocity, -to.acceleration, jerks)},
+      start_is_higher_((from_.velocity - to_.velocity) +
+                           (to_natural(from.acceleration, jerks) -
+                            to_natural(-to.acceleration, jerks)) >=
+                       0),
+      natural_{from_.velocity + to_natural(from.acceleration, jerks),
+               to_.velocity + to_natural(-to.acceleration, jerks)},
       up_(from_, to_,
           {std::max({b.velocity_max, natural_[0], natural_[1]}), b.acceleration_max,
            -b.acceleration_min},
-          jerks, natural_[0] >= natural_[1] ? 0 : 1),
+          jerks, start_is_higher_ ? 0 : 1),
       direct_(up_.first(Branch::main)),
       direct_distance_(up_.distance(direct_)) {
   down_limits_ = {std::max({-b.velocity_min, -natural_[0], -natural_[1]}), -b.acceleration_min,
@@ -71,7 +78,7 @@ Extremals PointToPoint::down() const noexcept {
           {-to_.velocity, -to_.acceleration},
           down_limits_,
           jerks_.mirrored(),
-          natural_[0] >= natural_[1] ? 1 : 0};
+          start_is_higher_ ? 1 : 0};
 }
 
 PointToPoint::Families PointToPoint::families() const noexcept {
@@ -142,24 +149,71 @@ void PointToPoint::append(const Course& c, Profile& out) const noexcept {
 /// keep, their mean keeps.
 void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
                                 Profile& out) const noexcept {
+  const std::array<double, 2> weight{share, 1 - share};
+  // What is there already has whole jerks; it is written as the sum of the same parts.
+  Profile whole(out.start(), 3);
+  whole.finish(out.end());
+  for (std::size_t i = 0; i < out.phases(); ++i) {
+    const auto f = out.phase(i);
+    whole.add(f.duration, weight[0] * f.value, weight[1] * f.value);
+  }
   std::array<std::array<double, 3>, 2> jerk;  // of -, 0, +
   for (std::size_t k = 0; k < 2; ++k) {
     const auto [rise, fall] = jerks(c[k].upwards);
-    const double weight = k == 0 ? share : 1 - share;
-    jerk[k] = {weight * fall, 0, weight * rise};
+    jerk[k] = {weight[k] * fall, 0, weight[k] * rise};
   }
+  // Rounding may end one a little before the other: that has no jerk then.
   std::array<std::size_t, 2> at{0, 0};
   std::array<double, 2> left{c[0].phases[0], c[1].phases[0]};
-  while (at[0] < 7 && at[1] < 7) {
+  while (at[0] < 7 || at[1] < 7) {
     const double step = std::max(std::min(left[0], left[1]), 0.0);
-    out.add(step, jerk[0][static_cast<std::size_t>(pattern[at[0]] + 1)],
-            jerk[1][static_cast<std::size_t>(pattern[at[1]] + 1)]);
+    const auto value = [&](std::size_t k) {
+      return at[k] < 7 ? jerk[k][static_cast<std::size_t>(pattern[at[k]] + 1)] : 0;
+    };
+    whole.add(step, value(0), value(1));
     for (std::size_t k = 0; k < 2; ++k) {
+      if (at[k] == 7) continue;
       left[k] -= step;
       while (at[k] < 7 && left[k] <= 0)
-        if (++at[k] < 7) left[k] = c[k].phases[at[k]];
+        left[k] = ++at[k] < 7 ? c[k].phases[at[k]] : std::numeric_limits<double>::infinity();
     }
   }
+  out = whole;
+}
+
+/// The velocity stops half-way between both ends to cruise, if there is time for that. Of fewer phases
+/// than a mean of two motions: for where there are phases already.
+bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
+  const Bounds bounds{.acceleration_min = -down_limits_.rise,
+                      .acceleration_max = down_limits_.fall,
+                      .jerk_min = fall_,
+                      .jerk_max = rise_};
+  const auto with_cruise = [&](double velocity, Profile& p) {
+    const MotionState begin{0, from_.velocity, from_.acceleration};
+    const MotionState level = change_velocity(begin, velocity, 0, bounds, p);
+    Profile second(level, 3);
+    const MotionState end = change_velocity(level, to_.velocity, to_.acceleration, bounds, second);
+    const double cruise = t - p.duration() - second.duration();
+    p.add(cruise, 0);
+    for (std::size_t i = 0; i < second.phases(); ++i)
+      p.add(second.phase(i).duration, second.phase(i).value);
+    return cruise >= 0 ? end.position + velocity * cruise : std::nan("");
+  };
+  double low = std::min(natural_[0], natural_[1]);
+  double high = std::max(natural_[0], natural_[1]);
+  Profile stair;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = low + (high - low) / 2;
+    stair = Profile({}, 3);
+    const double reached = with_cruise(middle, stair);
+    if (std::isnan(reached)) return false;
+    if (!(middle > low && middle < high)) break;
+    (reached < d_ ? low : high) = middle;
+  }
+  if (out.phases() + stair.phases() > Profile::capacity) return false;
+  for (std::size_t i = 0; i < stair.phases(); ++i)
+    out.add(stair.phase(i).duration, stair.phase(i).value);
+  return true;
 }
 
 void PointToPoint::shortest(Profile& out) const noexcept {
@@ -193,6 +247,7 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
     reach[i] = (upwards ? 1 : -1) * f.distance(e);
   }
   if (reach[0] < d_ - rounding_ || reach[1] > d_ + rounding_) return false;
+  if (out.phases() > 0 && append_stair(t, out)) return true;
   const double width = reach[0] - reach[1];
   const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
   append_blend(ends, share, out);

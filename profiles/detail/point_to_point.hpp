@@ -50,6 +50,7 @@ class PointToPoint {
   [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
   void append(const Course& c, Profile& out) const noexcept;
+  bool append_stair(double t, Profile& out) const noexcept;
   void append_blend(const std::array<Course, 2>& c, double share, Profile& out) const noexcept;
 
   double rise_, fall_;  ///< the jerks, signed
@@ -57,6 +58,7 @@ class PointToPoint {
   Extremals::End from_, to_;
   Extremals::Limits down_limits_;
   Extremals::Jerks jerks_;
+  bool start_is_higher_;           ///< in its natural velocity
   std::array<double, 2> natural_;  ///< velocities of start and target
   Extremals up_;
   Extremal direct_;  ///< of up_

@@ -36,6 +36,18 @@ double SecondOrder::Way::peak() const noexcept {
   return std::max(std::sqrt(std::max(square, 0.0)), natural());
 }
 
+double SecondOrder::Way::above(double v, double other, double its_rate,
+                               double peak) const noexcept {
+  // (2) gives p^2 - v^2 without p.
+  const double squares = (2 * d - (v - other) * (v + other) / its_rate) / (1 / rise + 1 / fall);
+  return v > 0 ? std::max(squares, 0.0) / (peak + v) : peak - v;
+}
+
+void SecondOrder::Way::append_peak(double peak, Profile& out) const noexcept {
+  out.add(above(v0, vf, fall, peak) / rise, sign * rise);
+  out.add(above(vf, v0, rise, peak) / fall, -sign * fall);
+}
+
 double SecondOrder::Way::cruise_velocity(double t) const noexcept {
   // -(1/r + 1/f) p^2/2 + (t + v0/r + vf/f) p - v0^2/(2 r) - vf^2/(2 f) = d, the smaller solution.
   const double a = 1 / rise + 1 / fall;
@@ -68,9 +80,10 @@ double SecondOrder::minimum() const noexcept {
 
 void SecondOrder::shortest(Profile& out) const noexcept {
   const Way& w = way();
-  const double peak = is_direct() ? w.natural() : w.peak();
+  if (is_direct()) return w.append(w.natural(), 0, out);
+  const double peak = w.peak();
   if (peak <= w.vmax)
-    w.append(peak, 0, out);
+    w.append_peak(peak, out);
   else
     w.append(w.vmax, (w.d - w.distance(w.vmax)) / w.vmax, out);
 }

@@ -34,6 +34,10 @@ class SecondOrder {
     [[nodiscard]] double duration(double peak) const noexcept;
     [[nodiscard]] double distance(double peak) const noexcept;
     [[nodiscard]] double peak() const noexcept;  ///< (2) without cruise, the greater solution
+    /// peak() less the velocity at one end, accurate also where they nearly agree.
+    [[nodiscard]] double above(double v, double other, double its_rate,
+                               double peak) const noexcept;
+    void append_peak(double peak, Profile& out) const noexcept;
     [[nodiscard]] double cruise_velocity(double t) const noexcept;  ///< (1) and (2)
     void append(double peak, double cruise, Profile& out) const noexcept;
   };

@@ -24,8 +24,9 @@ MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) {
   return {s.position + t * (s.velocity + v) / 2, v, 0};
 }
 
-MotionState brought_inside(const MotionState& s, const Bounds& b, int order, Profile& profile) {
-  if (order == 3) return detail::brought_inside(s, b, profile);
+MotionState brought_inside(const MotionState& s, const Bounds& b, int order, Return way,
+                           Profile& profile) {
+  if (order == 3) return detail::brought_inside(s, b, way, profile);
   return order == 2 ? slowed(s, b, profile) : s;
 }
 
@@ -46,14 +47,16 @@ bool keeps_positions(const Profile& profile, const Bounds& b) {
   // A start outside may only come back: it is not held against the move.
   double t = 0;
   for (std::size_t i = 0; i < profile.phases(); ++i) {
-    const double length = profile.phase(i).duration;
+    const auto [length, value] = profile.phase(i);
     const Motion m = profile.at(t);
     if (i > 0 && !ok(m.position)) return false;
+    const double j = profile.order() == 3 ? value : 0;
+    const double a = profile.order() == 2 ? value : m.acceleration;
     // v + a u + j u^2/2 = 0
-    const double w = m.acceleration * m.acceleration - 2 * m.velocity * m.jerk;
+    const double w = a * a - 2 * m.velocity * j;
     if (w >= 0) {
-      const double q = -(m.acceleration + std::copysign(std::sqrt(w), m.acceleration));
-      for (const double u : {m.jerk != 0 ? q / m.jerk : -1, q != 0 ? 2 * m.velocity / q : -1})
+      const double q = -(a + std::copysign(std::sqrt(w), a));
+      for (const double u : {j != 0 ? q / j : -1, q != 0 ? 2 * m.velocity / q : -1})
         if (u > 0 && u < length && !ok(profile.at(t + u).position)) return false;
     }
     t += length;
@@ -70,15 +73,26 @@ Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bou
       to_(of_order(to, order_)),
       inside_(start_) {
   if (order_ == 3 && is_inside(start_, bounds_, 0)) return;
-  Profile way(start_, order_);
-  inside_ = brought_inside(start_, bounds_, order_, way);
-  before_ = way.duration();
+  come_inside(Return::fastest);
+  if (order_ != 3 || !(before_ > 0)) return;
+  // A limit that was lowered far from the target is best met level: the fastest way inside would
+  // carry the velocity on below it. Whichever arrives first:
+  const double fastest = minimum();
+  come_inside(Return::level);
+  if (!(minimum() < fastest)) come_inside(Return::fastest);
+}
+
+void Solver::come_inside(Return way) noexcept {
+  Profile p(start_, order_);
+  inside_ = brought_inside(start_, bounds_, order_, way, p);
+  before_ = p.duration();
+  way_ = way;
 }
 
 /// The way inside, to be gone on from.
 Profile Solver::begun() const noexcept {
   Profile p(start_, order_);
-  if (before_ > 0) (void)brought_inside(start_, bounds_, order_, p);
+  if (before_ > 0) (void)brought_inside(start_, bounds_, order_, way_, p);
   p.finish(to_);
   return p;
 }
@@ -170,7 +184,8 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
   const auto by_way_of = [&](double position) {
     const MotionState rest{position, 0, 0};
     Profile whole;
-    const bool fits = assembled(rest, free, whole) || assembled(rest, gentle(free), whole);
+    const bool fits = assembled(rest, free, whole) ||
+                      (order_ == 3 && assembled(rest, gentle(free), whole));
     if (fits) out = whole;
     return fits;
   };
@@ -197,7 +212,7 @@ MoveStatus to_velocity(const MotionState& from, double velocity, double accelera
                        const Bounds& bounds, Profile& out) noexcept {
   const int order = order_of(bounds);
   out = Profile(of_order(from, order), order);
-  MotionState s = brought_inside(out.start(), bounds, order, out);
+  MotionState s = brought_inside(out.start(), bounds, order, Return::fastest, out);
   if (order == 3) s = change_velocity(s, velocity, acceleration, bounds, out);
   if (order == 2) {
     const double dv = velocity - s.velocity;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "jounce/profiles/detail/brake.hpp"
 #include "jounce/profiles/move.hpp"
 
 namespace jounce::detail {
@@ -30,6 +31,7 @@ class Solver {
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
+  void come_inside(Return way) noexcept;
   [[nodiscard]] Profile begun() const noexcept;
   void straight(double t, Profile& out) const noexcept;
   [[nodiscard]] bool by_way_of_rest(Profile& out) const noexcept;
@@ -39,6 +41,7 @@ class Solver {
   MotionState start_, to_;
   MotionState inside_;  ///< where the way inside ends
   double before_ = 0;   ///< how long it takes
+  Return way_ = Return::fastest;
 };
 
 /// The fastest change to a velocity and acceleration.
