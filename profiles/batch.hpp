@@ -11,16 +11,16 @@ namespace jounce {
 ///     std::vector<double> seconds(way.size());
 ///     minimum_durations({.distance = way, .velocity = v, .acceleration = a, .jerk = j}, seconds);
 ///
-/// Every move is of third order with no acceleration at its ends. A column holds one value a move,
+/// Every move is of third order, without acceleration at its ends. A column holds one value a move,
 /// or one value for all; entry and exit may be empty: at rest. Units as in query.hpp, where the
 /// same questions are answered one by one.
 struct MoveColumns {
   std::span<const double> distance;      ///< u, of either sign
   std::span<const double> entry = {};    ///< u/s, of either sign; empty: 0
   std::span<const double> exit = {};     ///< u/s
-  std::span<const double> velocity;      ///< u/s, limit > 0
+  std::span<const double> velocity;      ///< u/s, limit > 0, may be infinite
   std::span<const double> acceleration;  ///< u/s^2, limit > 0
-  std::span<const double> jerk;          ///< u/s^3, limit > 0
+  std::span<const double> jerk;          ///< u/s^3, limit > 0; infinite: acceleration may step
 };
 
 /// The least duration of every move, s; NaN where there is none (a limit not > 0, an end above the

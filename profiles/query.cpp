@@ -53,27 +53,28 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
 /// The fastest way. One that is too short for the direct ramp only by rounding of the velocities,
 /// as entry_velocity answers them, is that ramp.
 constexpr double rounding = 1e-15;
-std::optional<detail::Way> way(double distance, const SpanEnds& ends, const Ramp& ramp) {
+std::optional<detail::Way<double>> way(double distance, const SpanEnds& ends, const Ramp& ramp) {
   const bool possible = valid(ramp) && distance > 0 && std::isfinite(distance) && ends.entry >= 0 &&
                         ends.exit >= 0 && ends.entry <= ends.velocity &&
                         ends.exit <= ends.velocity && ends.velocity > 0 &&
                         std::isfinite(ends.entry + ends.exit);
   if (!possible) return std::nullopt;
-  const detail::Rates rates(ramp.acceleration, ramp.jerk);
-  const detail::Span span(distance, ends.entry, ends.exit, rates);
+  const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
+  const detail::Span<double> span(distance, ends.entry, ends.exit, rates);
   if (!span.mirrored) return detail::fastest(span, ends.velocity);
   const double faster = std::max(ends.entry, ends.exit);
   const double spared = rates.ramp(std::max(span.d - rounding * faster, 0.0));
   const double shortest = 0.5 * (ends.entry + ends.exit) * spared;
   if (distance < shortest * (1 - rounding)) return std::nullopt;
-  return detail::Way{rates.ramp(span.d), faster};
+  return detail::Way<double>{rates.ramp(span.d), faster};
 }
 
 }  // namespace
 
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept {
   if (!valid(ramp) || !std::isfinite(v1 - v0)) return std::nullopt;
-  const double duration = detail::Rates(ramp.acceleration, ramp.jerk).ramp(std::abs(v1 - v0));
+  const double duration =
+      detail::Rates<double>(ramp.acceleration, ramp.jerk).ramp(std::abs(v1 - v0));
   return Extent{duration, 0.5 * (v0 + v1) * duration};
 }
 
@@ -96,7 +97,7 @@ std::optional<double> entry_velocity(double distance, double exit_velocity,
                         exit_velocity >= 0 && std::isfinite(exit_velocity);
   if (!possible) return std::nullopt;
   if (distance == 0) return exit_velocity;
-  const detail::Rates rates(ramp.acceleration, ramp.jerk);
+  const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
   const double b = 2 * exit_velocity + rates.threshold;
   const double r = 2 * (distance - exit_velocity * rates.tau);
   const double z = 2 * r / (b + detail::square_root(b * b + 4 * rates.a * r));  // (6)

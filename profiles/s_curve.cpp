@@ -63,8 +63,8 @@ JOUNCE_INLINE double peak_none_reaches(const Limit& r1, const Limit& r2, double 
 }
 
 double peak_mixed(const Limit& reaching, const Limit& other, double h) {  // (6)
-  const detail::Quartic f{reaching.per_a / 2, 1 / std::sqrt(other.j), reaching.jerk_time / 2, 0,
-                          -h};
+  const detail::Quartic<double> f{reaching.per_a / 2, 1 / std::sqrt(other.j),
+                                  reaching.jerk_time / 2, 0, -h};
   // Without the cubic term the root is larger.
   const double s = 2 * h / (f.c2 + std::sqrt(f.c2 * f.c2 + 4 * f.c4 * h));
   const double w = detail::largest_root({f, std::sqrt(s)});

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
 
 // The fastest way over a distance between two velocities, a = 0 at both ends, under |v| <= V,
 // |a| <= A, |j| <= J. Free of branches, so that a loop over many of them becomes vector code.
@@ -30,150 +35,231 @@ namespace jounce::detail {
 
 #define JOUNCE_INLINE inline __attribute__((always_inline))
 
-JOUNCE_INLINE double least(double a, double b) {
+/// The formulas hold for a double and for a vector of them (`__attribute__((vector_size))`), lane by
+/// lane; a comparison is then a mask, and `mask ? a : b` picks by lane.
+using Vector2 = double __attribute__((vector_size(16)));
+using Vector4 = double __attribute__((vector_size(32)));
+using Vector8 = double __attribute__((vector_size(64)));
+template <class Real>
+using Mask = decltype(Real{} < Real{});
+
+template <class Real>
+JOUNCE_INLINE Real every(double x) {  // in every lane
+  return Real{} + x;
+}
+template <class Real>
+JOUNCE_INLINE Real least(Real a, Real b) {
   return a < b ? a : b;
 }
-JOUNCE_INLINE double greatest(double a, double b) {
+template <class Real>
+JOUNCE_INLINE Real greatest(Real a, Real b) {
   return a > b ? a : b;
 }
-JOUNCE_INLINE double square_root(double x) {  // of what rounding makes negative: 0
-  return __builtin_sqrt(greatest(x, 0));
+template <class Real>
+JOUNCE_INLINE Real magnitude(Real x) {
+  return greatest(x, -x);
+}
+JOUNCE_INLINE double root_of(double x) {
+  return __builtin_sqrt(x);
+}
+template <class Real>
+JOUNCE_INLINE Real root_of(Real x) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(Real) == 64)
+    return std::bit_cast<Real>(_mm512_maskz_sqrt_pd(0xff, std::bit_cast<__m512d>(x)));
+#endif
+#ifdef __AVX__
+  if constexpr (sizeof(Real) == 32)
+    return std::bit_cast<Real>(_mm256_sqrt_pd(std::bit_cast<__m256d>(x)));
+#endif
+#ifdef __SSE2__
+  if constexpr (sizeof(Real) == 16)
+    return std::bit_cast<Real>(_mm_sqrt_pd(std::bit_cast<__m128d>(x)));
+#endif
+  for (std::size_t i = 0; i < sizeof(Real) / sizeof(double); ++i) x[i] = __builtin_sqrt(x[i]);
+  return x;
+}
+template <class Real>
+JOUNCE_INLINE Real square_root(Real x) {  // of what rounding makes negative: 0
+  return root_of(greatest(x, every<Real>(0)));
 }
 
-/// The cube root within 4 %, for normal x > 0: a third of the exponent, linear in between.
-JOUNCE_INLINE double rough_cube_root(double x) {
-  const std::uint64_t third = ((std::bit_cast<std::uint64_t>(x) >> 32U) * 0x55555556U) >> 32U;
-  return std::bit_cast<double>((third + 0x2a9f7893U) << 32U);
+/// The bits of a Real, lane by lane.
+template <class Real>
+struct BitsOf;
+template <>
+struct BitsOf<double> {
+  using Type = std::uint64_t;
+};
+template <>
+struct BitsOf<Vector2> {
+  using Type = std::uint64_t __attribute__((vector_size(16)));
+};
+template <>
+struct BitsOf<Vector4> {
+  using Type = std::uint64_t __attribute__((vector_size(32)));
+};
+template <>
+struct BitsOf<Vector8> {
+  using Type = std::uint64_t __attribute__((vector_size(64)));
+};
+
+/// The cube root within 4 %, for normal x > 0: a third of the exponent, linear in between. 1/3 is
+/// (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, for want of a vector product of 64 bits.
+template <class Real>
+JOUNCE_INLINE Real rough_cube_root(Real x) {
+  using Bits = typename BitsOf<Real>::Type;
+  Bits third = std::bit_cast<Bits>(x);
+  third += third >> 2;
+  third += third >> 4;
+  third += third >> 8;
+  third += third >> 16;
+  return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
 }
 
-/// The cube root within an ulp or two, for normal x > 0: a series in 1 - r^3/x about the rough root r,
-/// good to 1e-8, then one of Newton's steps.
-JOUNCE_INLINE double cube_root(double x) {
-  const double r = rough_cube_root(x);
-  const double e = 1 - r * r * (r / x);
-  const double series =
-      1 + e * (1. / 3 + e * (2. / 9 + e * (14. / 81 +
-                                           e * (35. / 243 + e * (91. / 729 + e * (728. / 6561))))));
-  const double y = r * series;
+/// The cube root within an ulp or two, for normal x > 0: a series in 1 - r^3/x about the rough root
+/// r, good to 1e-8, then one of Newton's steps.
+template <class Real>
+JOUNCE_INLINE Real cube_root(Real x) {
+  const Real r = rough_cube_root(x);
+  const Real e = 1 - r * r * (r / x);
+  const Real high = 35. / 243 + e * (91. / 729 + e * (728. / 6561));
+  const Real y = r + r * e * (1. / 3 + e * (2. / 9 + e * (14. / 81 + e * high)));
   return y - (y - x / (y * y)) * (1. / 3);
 }
 
 /// Limits, with what every formula needs of them.
+template <class Real>
 struct Rates {
-  double a, j, inv_a, inv_j, tau, threshold;
+  Real a, j, inv_a, inv_j, tau, threshold;
 
-  JOUNCE_INLINE Rates(double acceleration, double jerk)
+  JOUNCE_INLINE Rates(Real acceleration, Real jerk)
       : a(acceleration), j(jerk), inv_a(1 / a), inv_j(1 / j), tau(a * inv_j), threshold(a * tau) {}
 
   /// (1), (2): the smaller jerk time is the one that holds; a negative plateau says that (2) does.
-  [[nodiscard]] JOUNCE_INLINE double ramp(double dv) const {
-    return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, 0);
+  [[nodiscard]] JOUNCE_INLINE Real ramp(Real dv) const {
+    return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, every<Real>(0));
   }
 };
 
 /// A quartic of which the largest root is wanted.
+template <class Real>
 struct Quartic {
-  double c4, c3, c2, c1, c0;
+  Real c4, c3, c2, c1, c0;
 
   /// Halley's next point: Newton's, with the curvature taken into account.
-  [[nodiscard]] JOUNCE_INLINE double next(double x) const {
-    const double f = (((c4 * x + c3) * x + c2) * x + c1) * x + c0;
-    const double slope = ((4 * c4 * x + 3 * c3) * x + 2 * c2) * x + c1;
-    const double half_bend = (6 * c4 * x + 3 * c3) * x + c2;
+  [[nodiscard]] JOUNCE_INLINE Real next(Real x) const {
+    const Real f = (((c4 * x + c3) * x + c2) * x + c1) * x + c0;
+    const Real slope = ((4 * c4 * x + 3 * c3) * x + 2 * c2) * x + c1;
+    const Real half_bend = (6 * c4 * x + 3 * c3) * x + c2;
     return x - f * slope / (slope * slope - f * half_bend);
   }
 };
 
+template <class Real>
 struct Start {
-  Quartic f;
-  double x;  ///< above the root wanted, rarely by more than 60 %
+  Quartic<Real> f;
+  Real x;  ///< above the root wanted, rarely by more than 60 %
 };
 
 /// A distance with its velocities in order, D >= D0.
+template <class Real>
 struct Span {
-  Rates rates;
-  double D, l, h, d;
-  bool mirrored;
+  Rates<Real> rates;
+  Real D, l, h, d;
+  Real direct;  ///< duration of the direct ramp
+  Mask<Real> mirrored;
+  Mask<Real> is_direct;  ///< D = D0 to rounding, beside which a detour may be far longer
 
-  JOUNCE_INLINE Span(double distance, double entry, double exit, const Rates& r) : rates(r) {
-    const double lower = least(entry, exit);
-    const double upper = greatest(entry, exit);
+  JOUNCE_INLINE Span(Real distance, Real entry, Real exit, const Rates<Real>& r) : rates(r) {
+    const Real lower = least(entry, exit);
+    const Real upper = greatest(entry, exit);
     d = upper - lower;
-    mirrored = distance < 0.5 * (lower + upper) * r.ramp(d);
+    direct = r.ramp(d);
+    const Real over = distance - 0.5 * (lower + upper) * direct;
+    mirrored = over < 0;
+    is_direct = magnitude(over) <= 2e-16 * direct * (magnitude(lower) + magnitude(upper));
     D = mirrored ? -distance : distance;
     l = mirrored ? -upper : lower;
     h = mirrored ? -lower : upper;
   }
 
   /// D less the way of a direct ramp that reaches A.
-  [[nodiscard]] JOUNCE_INLINE double over() const {
+  [[nodiscard]] JOUNCE_INLINE Real over() const {
     return D - 0.5 * (l + h) * (d * rates.inv_a + rates.tau);
   }
 
   /// z of (3).
-  [[nodiscard]] JOUNCE_INLINE double both() const {
-    const double b = 2 * h + rates.threshold;
-    const double r = over() - h * rates.tau;
-    const double w = square_root(b * b + 4 * rates.a * r);
+  [[nodiscard]] JOUNCE_INLINE Real both() const {
+    const Real b = 2 * h + rates.threshold;
+    const Real r = over() - h * rates.tau;
+    const Real w = square_root(b * b + 4 * rates.a * r);
     return b > 0 ? 2 * r / (b + w) : (w - b) * 0.5 * rates.inv_a;
   }
 
   /// Is (5) the case, not (4)? Asked of the peak at which the ramp from l just reaches A.
-  [[nodiscard]] JOUNCE_INLINE bool none() const {
-    const double p = l + rates.threshold;
-    const double x = square_root(rates.tau * rates.tau - d * rates.inv_j);
-    return d < rates.threshold && D < (l + p) * rates.tau + (h + p) * x;
+  [[nodiscard]] JOUNCE_INLINE Mask<Real> none() const {
+    const Real p = l + rates.threshold;
+    const Real x = square_root(rates.tau * rates.tau - d * rates.inv_j);
+    return (d < rates.threshold) & (D < (l + p) * rates.tau + (h + p) * x);
   }
 
   /// (4). Without the positive terms above x^2 the root is larger; and it is at most tau.
-  [[nodiscard]] JOUNCE_INLINE Start one_start() const {
-    const double j_a = rates.j * rates.inv_a;
-    const Quartic f{0.5 * rates.j * j_a, rates.j, h * j_a + 0.5 * rates.a, 2 * h, -over()};
-    const double w = square_root(f.c1 * f.c1 - 4 * f.c2 * f.c0);
-    const double x = f.c1 > 0 ? -2 * f.c0 / (f.c1 + w) : (w - f.c1) / (2 * f.c2);
+  [[nodiscard]] JOUNCE_INLINE Start<Real> one_start() const {
+    const Real j_a = rates.j * rates.inv_a;
+    const Quartic<Real> f{0.5 * rates.j * j_a, rates.j, h * j_a + 0.5 * rates.a, 2 * h, -over()};
+    const Real w = square_root(f.c1 * f.c1 - 4 * f.c2 * f.c0);
+    const Real x = f.c1 > 0 ? -2 * f.c0 / (f.c1 + w) : (w - f.c1) / (2 * f.c2);
     return {f, f.c2 > 0 ? least(x, rates.tau) : rates.tau};
   }
 
   /// (5). The root is at most that of q^4 + 4c q^2 = m^2 plus that of q^3 + 4c q = k.
-  [[nodiscard]] JOUNCE_INLINE Start none_start() const {
-    const double c = (l + h) * rates.inv_j;
-    const double k = 4 * D * rates.inv_j;
-    const double m = d * rates.inv_j;
-    const double w = square_root(4 * c * c + m * m);
-    const double s = square_root(c > 0 ? m * m / (2 * c + w) : w - 2 * c);
-    const double t = k > 0 ? 1.04 * rough_cube_root(k) : 0;
-    return {{1, 0, 4 * c, -k, -m * m}, s + (4 * c * t > k ? 0.25 * k / c : t)};
+  [[nodiscard]] JOUNCE_INLINE Start<Real> none_start() const {
+    const Real c = (l + h) * rates.inv_j;
+    const Real k = 4 * D * rates.inv_j;
+    const Real m = d * rates.inv_j;
+    const Real w = square_root(4 * c * c + m * m);
+    const Real s = square_root(c > 0 ? m * m / (2 * c + w) : w - 2 * c);
+    const Real t = k > 0 ? 1.04 * rough_cube_root(k) : every<Real>(0);
+    const Real zero = every<Real>(0);
+    return {{zero + 1, zero, 4 * c, -k, -m * m}, s + (4 * c * t > k ? 0.25 * k / c : t)};
   }
 };
 
 /// How long a way takes, and the velocity at which it cruises or turns over, signed.
+template <class Real>
 struct Way {
-  double duration;
-  double peak;
+  Real duration;
+  Real peak;
 };
 
-JOUNCE_INLINE Way both_way(const Span& s, double z) {
+template <class Real>
+JOUNCE_INLINE Way<Real> both_way(const Span<Real>& s, Real z) {
   return {2 * z + s.d * s.rates.inv_a + 2 * s.rates.tau, s.h + s.rates.a * z};
 }
-JOUNCE_INLINE Way one_way(const Span& s, double x) {
-  const double rise = s.rates.j * x * x;
+template <class Real>
+JOUNCE_INLINE Way<Real> one_way(const Span<Real>& s, Real x) {
+  const Real rise = s.rates.j * x * x;
   return {2 * x + (s.d + rise) * s.rates.inv_a + s.rates.tau, s.h + rise};
 }
-JOUNCE_INLINE Way none_way(const Span& s, double q) {
-  const double x = 0.5 * (q - s.d * s.rates.inv_j / q);
+template <class Real>
+JOUNCE_INLINE Way<Real> none_way(const Span<Real>& s, Real q) {
+  const Real x = 0.5 * (q - s.d * s.rates.inv_j / q);
   return {2 * q, s.h + s.rates.j * x * x};
 }
 
 /// With a cruise at velocity v, whose duration tells whether there is one (>= 0).
+template <class Real>
 struct Cruise {
-  Way way;
-  double duration;
+  Way<Real> way;
+  Real duration;
 };
-JOUNCE_INLINE Cruise cruise_way(const Span& s, double v) {
-  const double rise = s.rates.ramp(v - s.l);
-  const double fall = s.rates.ramp(v - s.h);
-  const double ramps = 0.5 * ((v + s.l) * rise + (v + s.h) * fall);
-  const double cruise = (s.D - ramps) / v;
+template <class Real>
+JOUNCE_INLINE Cruise<Real> cruise_way(const Span<Real>& s, Real v) {
+  const Real rise = s.rates.ramp(v - s.l);
+  const Real fall = s.rates.ramp(v - s.h);
+  const Real ramps = 0.5 * ((v + s.l) * rise + (v + s.h) * fall);
+  const Real cruise = (s.D - ramps) / v;
   return {{rise + cruise + fall, v}, cruise};
 }
 
@@ -182,11 +268,12 @@ constexpr int usual_steps = 4;
 constexpr int most_steps = 64;
 
 /// Has a step from `before` to `after` arrived? The next would change about the cube of this.
-JOUNCE_INLINE bool settled(double before, double after) {
-  return __builtin_fabs(after - before) <= 1e-5 * after;
+template <class Real>
+JOUNCE_INLINE Mask<Real> settled(Real before, Real after) {
+  return magnitude(after - before) <= 1e-5 * after;
 }
 
-inline double largest_root(const Start& start) {
+inline double largest_root(const Start<double>& start) {
   double before = start.x;
   double x = start.x;
   const auto step = [&] {
@@ -199,10 +286,11 @@ inline double largest_root(const Start& start) {
 }
 
 /// The way under a velocity limit, which may be infinite, one branch at a time.
-inline Way fastest(const Span& s, double velocity) {
-  const Cruise cruise = cruise_way(s, velocity);
+inline Way<double> fastest(const Span<double>& s, double velocity) {
+  if (s.is_direct) return {s.direct, s.h};
+  const Cruise<double> cruise = cruise_way(s, velocity);
   if (cruise.duration >= 0) return cruise.way;
-  const double z = greatest(s.both(), 0);
+  const double z = greatest(s.both(), 0.0);
   if (z >= s.rates.tau) return both_way(s, z);
   return s.none() ? none_way(s, largest_root(s.none_start()))
                   : one_way(s, largest_root(s.one_start()));

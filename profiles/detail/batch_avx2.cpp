@@ -1,0 +1,17 @@
+#include "jounce/profiles/detail/batch_kernel.hpp"
+
+namespace jounce::detail {
+namespace {
+
+void ways(Block& block) noexcept {
+  each_way<Vector4>(block);
+}
+void rests(Block& block) noexcept {
+  each_rest<Vector4>(block);
+}
+
+}  // namespace
+
+const Kernels kernels_avx2{ways, rests};
+
+}  // namespace jounce::detail
