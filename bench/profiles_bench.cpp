@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 #include <kdl/velocityprofile_trap.hpp>
 
+#include "jounce/profiles/batch.hpp"
 #include "jounce/profiles/jounce.hpp"
 #include "jounce/profiles/query.hpp"
 #include "jounce/profiles/s_curve.hpp"
@@ -179,6 +180,86 @@ BENCHMARK(synchronised_3_ruckig);
 BENCHMARK(synchronised_7_ruckig);
 #endif
 
+Bounds bounds(const Axis& x) {
+  return within(x.velocity, x.acceleration, x.jerk);
+}
+void moves(benchmark::State& state, const Cases<1>& all) {
+  measure(state, all, [](const auto& c) { return move_to(c[0].from, c[0].to, bounds(c[0])); });
+}
+void general_jounce(benchmark::State& s) {
+  moves(s, make<1>(&Source::general));
+}
+void moving_jounce(benchmark::State& s) {
+  moves(s, make<1>(&Source::moving));
+}
+void resting_jounce(benchmark::State& s) {
+  moves(s, make<1>(&Source::resting));
+}
+BENCHMARK(general_jounce);
+BENCHMARK(moving_jounce);
+BENCHMARK(resting_jounce);
+
+template <std::size_t Axes>
+void synchronised(benchmark::State& state) {
+  std::vector<std::array<AxisMove, Axes>> all;
+  for (const auto& one : make<Axes>(&Source::general)) {
+    auto& axes = all.emplace_back();
+    for (std::size_t k = 0; k < Axes; ++k) axes[k] = {one[k].from, one[k].to, bounds(one[k])};
+  }
+  std::array<Profile, Axes> out;
+  measure(state, all, [&](const auto& axes) { return synchronise(axes, Sync::time, out); });
+}
+void synchronised_3_jounce(benchmark::State& s) {
+  synchronised<3>(s);
+}
+void synchronised_7_jounce(benchmark::State& s) {
+  synchronised<7>(s);
+}
+BENCHMARK(synchronised_3_jounce);
+BENCHMARK(synchronised_7_jounce);
+
+/// The time of one move out of many at once.
+void batch(benchmark::State& state, const Cases<1>& all, bool moving) {
+  std::array<std::vector<double>, 6> columns;
+  for (const auto& [x] : all) {
+    columns[0].push_back(x.to.position - x.from.position);
+    columns[1].push_back(x.from.velocity);
+    columns[2].push_back(x.to.velocity);
+    columns[3].push_back(x.velocity);
+    columns[4].push_back(x.acceleration);
+    columns[5].push_back(x.jerk);
+  }
+  const auto& [way, entry, exit, velocity, acceleration, jerk] = columns;
+  MoveColumns all_moves{way, entry, exit, velocity, acceleration, jerk};
+  if (!moving) all_moves.entry = all_moves.exit = {};
+  std::vector<double> durations(all.size());
+  const auto n = static_cast<benchmark::IterationCount>(all.size());
+  while (state.KeepRunningBatch(n)) {
+    minimum_durations(all_moves, durations);
+    benchmark::DoNotOptimize(durations.data());
+  }
+}
+void moving_batch(benchmark::State& s) {
+  batch(s, make<1>(&Source::moving), true);
+}
+void resting_batch(benchmark::State& s) {
+  batch(s, make<1>(&Source::resting), false);
+}
+BENCHMARK(moving_batch);
+BENCHMARK(resting_batch);
+
+void fourth_order_jounce(benchmark::State& state) {
+  measure(state, make<1>(&Source::resting), [](const auto& c) {
+    return fourth_order({.from = c[0].from.position,
+                         .to = c[0].to.position,
+                         .velocity = c[0].velocity,
+                         .acceleration = c[0].acceleration,
+                         .jerk = c[0].jerk,
+                         .jounce = 10 * c[0].jerk});
+  });
+}
+BENCHMARK(fourth_order_jounce);
+
 void trapezoid_kdl(benchmark::State& state) {
   measure(state, make<1>(&Source::resting), [](const auto& c) {
     KDL::VelocityProfile_Trap profile(c[0].velocity, c[0].acceleration);
@@ -208,7 +289,6 @@ void resting_s_curve(benchmark::State& state) {
   });
 }
 BENCHMARK(resting_s_curve);
-
 
 /// A span of its own for the queries, whose ends do not run backwards.
 struct Query {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/move.hpp"
 #include "jounce/profiles/s_curve.hpp"
 
 #include "support/random.hpp"
@@ -225,6 +226,42 @@ TEST(Stopping, SecondOrderIsTheTextbooks) {
   ASSERT_TRUE(stop);
   EXPECT_DOUBLE_EQ(stop->duration, 1.5);
   EXPECT_DOUBLE_EQ(stop->distance, -2.25);
+}
+
+TEST(Queries, AreTheSolversAnswers) {
+  testing::Random random(6);
+  for (int i = 0; i < 50000 && !::testing::Test::HasFailure(); ++i) {
+    const Ramp ramp = any_ramp(random);
+    const double v = any_velocity(random);
+    const double w = any_velocity(random);
+    const double limit = std::max({v, w, 1e-3}) * (1 + random.log_uniform(1e-3, 1e3));
+    SCOPED_TRACE(::testing::Message()
+                 << v << ' ' << w << ' ' << limit << ' ' << ramp.acceleration << ' ' << ramp.jerk);
+    const Bounds bounds = within(limit, ramp.acceleration, ramp.jerk);
+
+    const Extent ramped = ramp_between(v, w, ramp).value();
+    const Move change = move_velocity({0, v, 0}, w, bounds);
+    ASSERT_TRUE(change);
+    EXPECT_NEAR(ramped.duration, change.profile.duration(), 1e-14 * ramped.duration);
+    EXPECT_NEAR(ramped.distance, change.profile.end().position, 1e-14 * ramped.distance);
+
+    const double distance = ramped.distance + random.log_uniform(1e-3, 1e3);
+    const double duration = minimum_duration(distance, {v, w, limit}, ramp).value();
+    const Move move = move_to({0, v, 0}, {distance, w, 0}, bounds);
+    ASSERT_TRUE(move);
+    EXPECT_NEAR(duration, move.profile.duration(), 1e-13 * duration);
+
+    if (std::isinf(ramp.jerk)) continue;
+    const double a = random.uniform(-1, 1) * ramp.acceleration;
+    const double rest = v + a * std::abs(a) / (2 * ramp.jerk);
+    const double parts = v + std::abs(rest - v);
+    if (std::abs(rest) < 1e-6 * parts) continue;  // a stop that hangs on rounding
+    const Extent stopped = stopping({v, a}, ramp).value();
+    const Move halt = stop({0, v, a}, within(Bounds::none, ramp.acceleration, ramp.jerk));
+    ASSERT_TRUE(halt);
+    EXPECT_NEAR(stopped.duration, halt.profile.duration(), 1e-12 * stopped.duration) << "a " << a;
+    EXPECT_NEAR(stopped.distance, halt.profile.end().position, 1e-11 * parts * stopped.duration);
+  }
 }
 
 TEST(Queries, DoNotDependOnTheUnit) {
