@@ -58,7 +58,8 @@ JOUNCE_INLINE double peak_both_reach(const Limit& r1, const Limit& r2, double h)
 
 JOUNCE_INLINE double peak_none_reaches(const Limit& r1, const Limit& r2, double h) {  // (5)
   const double ratio = r1.j == r2.j ? 1 : std::sqrt(r1.j / r2.j);
-  const double t = detail::cube_root(h / (r1.j * (1 + ratio)));
+  const double k = r1.j * (1 + ratio);
+  const double t = detail::cube_root(h / k, k / h);
   return r1.j * t * t;
 }
 

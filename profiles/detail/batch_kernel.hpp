@@ -86,7 +86,7 @@ JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Real velocity = load<Real>(b.velocity + i);
   const Real D = magnitude(distance);
   const Real z = 2 * D / (r.threshold + square_root(r.threshold * r.threshold + 4 * r.a * D));
-  const Real q = cube_root(4 * D * r.inv_j);
+  const Real q = cube_root(4 * D * r.inv_j, 0.25 * r.j / D);
   const Mask<Real> reach = z >= r.tau;
   const Real turning = reach ? 2 * (z + r.tau) : 2 * q;
   const Real turn = reach ? r.a * z : 0.25 * r.j * q * q;

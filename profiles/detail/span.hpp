@@ -117,15 +117,15 @@ JOUNCE_INLINE Real rough_cube_root(Real x) {
   return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
 }
 
-/// The cube root within an ulp or two, for normal x > 0: a series in 1 - r^3/x about the rough root
-/// r, good to 1e-8, then one of Newton's steps.
+/// The cube root within two ulps, for normal x > 0 and its inverse: a series in e = 1 - r^3/x about
+/// the rough root r, good to 1e-8, then one of Newton's steps.
 template <class Real>
-JOUNCE_INLINE Real cube_root(Real x) {
+JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
   const Real r = rough_cube_root(x);
-  const Real e = 1 - r * r * (r / x);
+  const Real e = 1 - r * r * r * per_x;
   const Real high = 35. / 243 + e * (91. / 729 + e * (728. / 6561));
   const Real y = r + r * e * (1. / 3 + e * (2. / 9 + e * (14. / 81 + e * high)));
-  return y - (y - x / (y * y)) * (1. / 3);
+  return y + y * (1. / 3) * (1 - y * y * y * per_x);
 }
 
 /// Limits, with what every formula needs of them.
