@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/limits.hpp"
 #include "jounce/profiles/s_curve.hpp"
 
 #include "support/invariants.hpp"
@@ -139,6 +140,18 @@ TEST(Move, LastsExactlyAsLongAsAsked) {
   }
   EXPECT_EQ(move_to(from, to, b, 0.999 * least).status, MoveStatus::too_short);
   EXPECT_EQ(move_to(from, to, b, std::nan("")).status, MoveStatus::not_finite);
+}
+
+TEST(Move, FromBeyondTheAccelerationLimitLastsAsLongAsAsked) {
+  // From Ruckig's benchmark distribution: the way inside and a mean of two motions after it, which
+  // together have five different jerks.
+  const MotionState from{1.891050840083218, 0, -1.2591629585278754};
+  const MotionState to{-0.26578482380757729, 0.11989795430190574, 0.33841344201015777};
+  const Bounds bounds = within(5.7297321649416419, 1.1338033686180311, 10.844420297214457);
+  const Move move = move_to(from, to, bounds, 65.5);
+  ASSERT_TRUE(move);
+  EXPECT_NEAR(move.profile.duration(), 65.5, 1e-12);
+  EXPECT_TRUE(check_continuity(move.profile.curve(), 2).ok());
 }
 
 TEST(Move, AMovingTargetBlocksDurations) {
