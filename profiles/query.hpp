@@ -5,7 +5,8 @@
 
 namespace jounce {
 
-/// Questions that a planner asks again and again, answered in closed form: no profile is built.
+/// Questions that a planner asks again and again, answered by formulas (at most one quartic, a few
+/// steps from its root): no profile is built.
 ///
 ///     const Ramp ramp{.acceleration = 20, .jerk = 100};               // u/s^2, u/s^3
 ///     const auto room = stopping({.velocity = 10}, ramp);             // 0.7 s, 3.5 u
