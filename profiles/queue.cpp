@@ -5,8 +5,8 @@
 
 #include "jounce/profiles/detail/blend.hpp"
 #include "jounce/profiles/detail/brake.hpp"
-#include "jounce/profiles/detail/path.hpp"
 #include "jounce/profiles/detail/queue_input.hpp"
+#include "jounce/profiles/detail/sequence.hpp"
 #include "jounce/profiles/error.hpp"
 
 // A batch is planned in runs: position moves that follow each other. With L_k the length of move k
@@ -81,7 +81,7 @@ class Planner {
   MotionState start_;
   std::vector<CommandRecord> records_;
   std::vector<Place> places_ = std::vector<Place>(records_.size());
-  detail::Path path_;
+  detail::Sequence path_;
 };
 
 template <class Add>
@@ -114,7 +114,7 @@ void Planner::plan(std::size_t first, std::size_t last) {
 }
 
 void Planner::change_velocity(std::size_t command, double direction, double velocity) {
-  const Dynamics& dynamics = commands_[command].dynamics;
+  const MoveDynamics& dynamics = commands_[command].dynamics;
   const MotionState from = times(direction, path_.state());
   const Bounds bounds = detail::runs_backwards(from, dynamics) ? detail::turning(dynamics)
                                                                : detail::forward(dynamics);
@@ -177,7 +177,7 @@ double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::s
 void Planner::plan_run(std::size_t first, std::size_t last) {
   const std::vector<Leg> run = legs(first, last);
   for (std::size_t k = 0; k < run.size(); ++k) {  // (2)
-    const Dynamics& dynamics = commands_[first + k].dynamics;
+    const MoveDynamics& dynamics = commands_[first + k].dynamics;
     const double direction = run[k].length == 0 ? heading(path_.state()) : sign(run[k].length);
     const MotionState from = times(direction, path_.state());
     const double target = direction * run[k].target;

@@ -14,8 +14,8 @@ namespace jounce {
 /// with buffered, blended and aborting moves (PLCopen motion control part 1; PMC600 manual 7.1, Table
 /// 7.1; HIMC HMPL manual 8.1.4).
 ///
-///     const Dynamics slow{.velocity = 5, .acceleration = 10};
-///     const Dynamics fast{.velocity = 20, .acceleration = 20};
+///     const MoveDynamics slow{.velocity = 5, .acceleration = 10};
+///     const MoveDynamics fast{.velocity = 20, .acceleration = 20};
 ///     const QueuedMotion motion = queue({.commands = {
 ///         {MoveAbsolute{10}, slow},
 ///         {MoveAbsolute{50}, fast, BufferMode::blending_low}}});
@@ -64,12 +64,12 @@ struct Dwell {
   double time = 0;  ///< s, >= 0; any, not a multiple of a cycle (PMC600 manual 7.2.6, GroupWait)
 };
 
-using Command = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Halt, Dwell>;
+using MotionCommand = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Halt, Dwell>;
 
 /// How fast a command moves: magnitudes. Whichever way the axis goes, `acceleration` holds while it
 /// speeds up and `deceleration` while it slows down. A motion that has to turn round on its way to
 /// the target (after an abort) does both under the lower of the two.
-struct Dynamics {
+struct MoveDynamics {
   double velocity = 0;         ///< u/s, > 0; not used by Halt
   double acceleration = 0;     ///< u/s^2, > 0
   double deceleration = 0;     ///< u/s^2; 0: as acceleration
@@ -77,8 +77,8 @@ struct Dynamics {
 };
 
 struct QueuedCommand {
-  Command command;
-  Dynamics dynamics = {};                  ///< not used by Dwell
+  MotionCommand command;
+  MoveDynamics dynamics = {};              ///< not used by Dwell
   BufferMode mode = BufferMode::buffered;  ///< of the first command: not used
   /// s, >= 0, ascending; an aborting command's only, which must have it unless it is the first.
   std::optional<double> issued = {};

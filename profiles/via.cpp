@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-#include "jounce/profiles/detail/path.hpp"
+#include "jounce/profiles/detail/sequence.hpp"
 #include "jounce/profiles/detail/stretches.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -124,7 +124,7 @@ struct Built {
 
 Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
   Built built;
-  std::vector<detail::Path> paths(knots.front().begin(), knots.front().end());
+  std::vector<detail::Sequence> paths(knots.front().begin(), knots.front().end());
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const detail::Stretch stretch = detail::stretch(axes, knots[k], knots[k + 1]);
     built.times.push_back(built.times.back() + stretch.duration);
@@ -134,7 +134,7 @@ Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
       if (profile.phases() == 0) paths[i].hold(stretch.duration);
     }
   }
-  for (detail::Path& path : paths)
+  for (detail::Sequence& path : paths)
     built.axes.emplace_back(std::move(path).segments(), 0, Outside::hold);
   return built;
 }

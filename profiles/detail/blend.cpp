@@ -34,7 +34,7 @@ namespace jounce::detail {
 namespace {
 
 constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
-constexpr double little = 0x1p-30;    ///< share of a length that is left to a cruise at one end
+constexpr double little = 0x1p-10;    ///< share of a length below which a ramp almost fits it
 
 /// The last v from `holds` towards `fails` that holds, to 2^-64 of their distance. A fixed number of
 /// halvings: the same in every unit.
@@ -67,48 +67,43 @@ Profile finished(Profile profile, double target, double velocity) {
   return profile;
 }
 
-/// A ramp to u, as long at u as there is room, a ramp to the exit: how a move goes that begins or
-/// ends at more than its own velocity. u is the velocity given or, where that does not fit, the
-/// nearest to it that does.
+/// A ramp to u, as long at u as there is room, a ramp to the exit. u is the velocity given or, where
+/// that does not fit, the nearest to it that does. From a start without acceleration this is the
+/// shortest motion, and it needs no more than that one ramp to the exit fits.
 ///
 ///   (5)  D(from, u) + D(u, exit) <= L
 std::vector<Profile> by_ramps(const MotionState& from, double target, double exit, double velocity,
-                              Bounds bounds) {
+                              const Bounds& bounds) {
   const double length = target - from.position;
   const auto rest = [&](double u) {  // (5)
     return length - ramp_length(from, u, bounds) - ramp_length(u, exit, bounds);
   };
   const auto fits = [&](double u) { return rest(u) >= 0; };
   const double settled = std::max(natural_velocity(from, bounds), 0.0);
-  const double u = fits(velocity)  ? velocity
-                   : fits(settled) ? last_that_holds(settled, velocity, fits)
-                                   : 0;
-  if (u == 0) {  // an acceleration at the start leaves no room to settle
-    bounds.velocity_max = std::max({exit, from.velocity, settled});
-    return {solved(move_to(from, {target, exit, 0}, bounds))};
-  }
+  const double u =
+      fits(velocity) ? velocity : last_that_holds(fits(settled) ? settled : exit, velocity, fits);
   const MotionState end{target - ramp_length(u, exit, bounds), u, 0};
   const MotionState begin{end.position - rest(u), u, 0};
   Profile cruise(begin, 3);
-  if (rest(u) > rounding * length) cruise.add(rest(u) / u, 0);
+  if (u > 0 && rest(u) > rounding * length) cruise.add(rest(u) / u, 0);
   return {finished(ramp(from, u, bounds), begin.position, u), finished(cruise, end.position, u),
           finished(ramp(end, exit, bounds), target, exit)};
 }
 
 }  // namespace
 
-Bounds forward(const Dynamics& d) {
+Bounds forward(const MoveDynamics& d) {
   Bounds bounds = within(d.velocity, d.acceleration, d.jerk);
   if (d.deceleration != 0) bounds.acceleration_min = -d.deceleration;
   return bounds;
 }
 
-Bounds turning(const Dynamics& d) {
+Bounds turning(const MoveDynamics& d) {
   const double deceleration = d.deceleration == 0 ? d.acceleration : d.deceleration;
   return within(d.velocity, std::min(d.acceleration, deceleration), d.jerk);
 }
 
-bool runs_backwards(const MotionState& from, const Dynamics& dynamics) {
+bool runs_backwards(const MotionState& from, const MoveDynamics& dynamics) {
   return std::min(from.velocity, natural_velocity(from, forward(dynamics))) < 0;  // (4)
 }
 
@@ -126,7 +121,7 @@ double highest_entry(double length, double exit, double cap, const Bounds& bound
 }
 
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
-                    const Dynamics& dynamics) {
+                    const MoveDynamics& dynamics) {
   const double length = target - from.position;
   const bool backwards = runs_backwards(from, dynamics);
   const Bounds bounds = backwards ? turning(dynamics) : forward(dynamics);
@@ -141,17 +136,15 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
 }
 
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
-                             const Dynamics& dynamics) {
+                             const MoveDynamics& dynamics) {
   const Bounds bounds = exit.turns ? turning(dynamics) : forward(dynamics);
-  // Where a single ramp (almost) fits, it is the move: nothing is left to a solver's rounding.
   const double length = target - from.position;
   const double spare = length - ramp_length(from, exit.velocity, bounds);
   if (std::abs(spare) <= rounding * length)
     return {finished(ramp(from, exit.velocity, bounds), target, exit.velocity)};
-  const double settled = natural_velocity(from, bounds);
-  if (spare > 0 && spare <= little * length)
-    return by_ramps(from, target, exit.velocity, std::max(settled, exit.velocity), bounds);
-  if (std::max({exit.velocity, from.velocity, settled}) > dynamics.velocity)
+  const double fastest = std::max({from.velocity, natural_velocity(from, bounds), exit.velocity});
+  const bool fits = spare > 0 && fastest > 0;
+  if (fits && (fastest > dynamics.velocity || spare < little * length))
     return by_ramps(from, target, exit.velocity, dynamics.velocity, bounds);
   return {solved(move_to(from, {target, exit.velocity, 0}, bounds))};
 }

@@ -11,13 +11,13 @@
 namespace jounce::detail {
 
 /// The dynamics as bounds for a move in the positive direction.
-Bounds forward(const Dynamics& dynamics);
+Bounds forward(const MoveDynamics& dynamics);
 
 /// The same for a motion that turns round: the lower of the two accelerations, both ways.
-Bounds turning(const Dynamics& dynamics);
+Bounds turning(const MoveDynamics& dynamics);
 
 /// Whether the axis runs, or is about to run, backwards.
-bool runs_backwards(const MotionState& from, const Dynamics& dynamics);
+bool runs_backwards(const MotionState& from, const MoveDynamics& dynamics);
 
 /// The fastest change to a velocity; neither end need keep the velocity bound.
 Profile ramp(const MotionState& from, double velocity, const Bounds& bounds);
@@ -35,10 +35,10 @@ struct Exit {
 /// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as it can.
 /// `cap` >= `wanted` is the most that the moves after it can take over.
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
-                    const Dynamics& dynamics);
+                    const MoveDynamics& dynamics);
 
 /// The move itself: one profile, or three where it begins or leaves faster than it may run.
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
-                             const Dynamics& dynamics);
+                             const MoveDynamics& dynamics);
 
 }  // namespace jounce::detail

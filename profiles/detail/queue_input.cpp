@@ -8,7 +8,7 @@
 namespace jounce::detail {
 namespace {
 
-void require_valid(const std::string& key, const Command& command) {
+void require_valid(const std::string& key, const MotionCommand& command) {
   if (const auto* absolute = std::get_if<MoveAbsolute>(&command))
     require_finite((key + "position").c_str(), absolute->position);
   if (const auto* relative = std::get_if<MoveRelative>(&command))
@@ -20,7 +20,7 @@ void require_valid(const std::string& key, const Command& command) {
       throw InputError(key + "direction", move->direction, "must be 1 or -1");
 }
 
-void require_valid(const std::string& key, const Dynamics& dynamics, bool halts) {
+void require_valid(const std::string& key, const MoveDynamics& dynamics, bool halts) {
   if (!halts) require_positive((key + "velocity").c_str(), dynamics.velocity);
   require_positive((key + "acceleration").c_str(), dynamics.acceleration);
   require_not_negative((key + "deceleration").c_str(), dynamics.deceleration);

@@ -18,7 +18,7 @@ using testing::Random;
 
 // ---- what a failing test prints --------------------------------------------------------------------
 
-std::string text(const Command& command) {
+std::string text(const MotionCommand& command) {
   if (const auto* c = std::get_if<MoveAbsolute>(&command))
     return "MoveAbsolute{" + number(c->position) + "}";
   if (const auto* c = std::get_if<MoveRelative>(&command))
@@ -34,7 +34,7 @@ std::string text(const QueueSpec& spec) {
   out << "start {" << number(spec.start.position) << ", " << number(spec.start.velocity) << ", "
       << number(spec.start.acceleration) << "}\n";
   for (const QueuedCommand& c : spec.commands) {
-    const Dynamics& d = c.dynamics;
+    const MoveDynamics& d = c.dynamics;
     out << "{" << text(c.command) << ", {" << number(d.velocity) << ", " << number(d.acceleration)
         << ", " << number(d.deceleration) << ", " << number(d.jerk) << "}, BufferMode("
         << static_cast<int>(c.mode) << ")" << (c.issued ? ", " + number(*c.issued) : "") << "},\n";
@@ -54,7 +54,7 @@ struct Kind {
   bool rest = false;  ///< from rest, to positions: over many decades a velocity leads anywhere
 };
 
-Dynamics random_dynamics(Random& random, const Kind& kind) {
+MoveDynamics random_dynamics(Random& random, const Kind& kind) {
   const double lo = std::pow(10, -kind.decades);
   const double hi = 1 / lo;
   return {random.log_uniform(lo, hi), random.log_uniform(lo, hi),
@@ -62,7 +62,7 @@ Dynamics random_dynamics(Random& random, const Kind& kind) {
           kind.jerk ? random.log_uniform(lo, hi) * 10 : Bounds::none};
 }
 
-Command random_command(Random& random, const Kind& kind) {
+MotionCommand random_command(Random& random, const Kind& kind) {
   const double way = random.log_uniform(std::pow(10, -kind.decades), std::pow(10, kind.decades)) *
                      (random.below(5) == 0 ? -1 : 1);
   switch (kind.rest ? 2 + random.below(10) : random.below(12)) {
@@ -105,7 +105,7 @@ QueueSpec random_queue(Random& random, const Kind& kind) {
 
 bool begins_a_batch(const QueueSpec& spec, std::size_t i) {
   if (i == 0 || spec.commands[i].mode == BufferMode::aborting) return true;
-  const Command& before = spec.commands[i - 1].command;
+  const MotionCommand& before = spec.commands[i - 1].command;
   if (std::holds_alternative<Dwell>(before)) return begins_a_batch(spec, i - 1);
   return std::holds_alternative<MoveVelocity>(before);
 }
@@ -151,7 +151,7 @@ void expect_dynamics(const QueueSpec& spec, const QueuedMotion& m, std::size_t i
   const std::size_t last = segment_at(f, r.end);
   if (first == last || std::holds_alternative<Dwell>(spec.commands[i].command)) return;
   const Ranges range = segment_extrema(f, first, last - 1);
-  const Dynamics& d = spec.commands[i].dynamics;
+  const MoveDynamics& d = spec.commands[i].dynamics;
   const Jet begin = evaluate(f.segments()[first], 0);
   const double settled = begin[1] + begin[2] * std::abs(begin[2]) / (2 * d.jerk);
   const double velocity = std::holds_alternative<Halt>(spec.commands[i].command) ? 0 : d.velocity;
@@ -180,7 +180,7 @@ void expect_target(const QueueSpec& spec, const QueuedMotion& m, std::size_t i) 
     }
     EXPECT_NEAR(end[1], r.reached, 1e-12 * fastest + cruise_rounding(f, last - 1, last));
   }
-  const Command& command = spec.commands[i].command;
+  const MotionCommand& command = spec.commands[i].command;
   const bool goes_to = std::holds_alternative<MoveRelative>(command) ||
                        std::holds_alternative<MoveAbsolute>(command);
   if (!goes_to || begins_a_batch(spec, i) || r.begin == r.end) return;
@@ -303,9 +303,9 @@ TEST(QueueProperty, JunctionVelocitiesMeetAnIndependentLookAhead) {
     QueueSpec spec;
     const int n = 2 + random.below(20);
     for (int k = 0; k < n; ++k) {
-      const Dynamics d{random.log_uniform(0.3, 3), random.log_uniform(0.3, 3),
-                       random.log_uniform(0.3, 3),
-                       i % 2 == 0 ? Bounds::none : random.log_uniform(1, 100)};
+      const MoveDynamics d{random.log_uniform(0.3, 3), random.log_uniform(0.3, 3),
+                           random.log_uniform(0.3, 3),
+                           i % 2 == 0 ? Bounds::none : random.log_uniform(1, 100)};
       spec.commands.push_back({MoveRelative{random.log_uniform(0.03, 3)}, d,
                                static_cast<BufferMode>(2 + random.below(4))});
     }

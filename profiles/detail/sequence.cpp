@@ -1,17 +1,17 @@
-#include "jounce/profiles/detail/path.hpp"
+#include "jounce/profiles/detail/sequence.hpp"
 
 #include <algorithm>
 
 namespace jounce::detail {
 
-void Path::append(const Segment& f) {
+void Sequence::append(const Segment& f) {
   if (end_ + f.length == end_) return;  // shorter than the rounding of the time
   segments_.push_back(f);
   begins_.push_back(end_);
   end_ += f.length;
 }
 
-void Path::add(const Profile& profile, double sign) {
+void Sequence::add(const Profile& profile, double sign) {
   const MotionState& end = profile.end();
   if (profile.phases() > 0) {
     const Trajectory curve = profile.curve();
@@ -20,7 +20,7 @@ void Path::add(const Profile& profile, double sign) {
   state_ = {sign * end.position, sign * end.velocity, sign * end.acceleration};
 }
 
-void Path::hold(double time) {
+void Sequence::hold(double time) {
   if (!(time > 0)) return;
   const double way = state_.velocity * time;
   Segment f;
@@ -31,7 +31,7 @@ void Path::hold(double time) {
   state_.position += way;
 }
 
-std::size_t Path::end_at(double time) {
+std::size_t Sequence::end_at(double time) {
   // What is shorter than the rounding of the time is no segment.
   const double dust = 0x1p-50 * time;
   if (time >= end_) {

@@ -6,10 +6,10 @@
 
 namespace jounce::detail {
 
-/// A motion being put together, stretch by stretch; ends with the state that the next begins from.
-class Path {
+/// A motion being put together, profile after profile; ends with the state that the next begins from.
+class Sequence {
  public:
-  explicit Path(const MotionState& start) : state_(start) {}
+  explicit Sequence(const MotionState& start) : state_(start) {}
 
   [[nodiscard]] const MotionState& state() const { return state_; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
