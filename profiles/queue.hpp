@@ -98,7 +98,7 @@ enum class CommandState : std::uint8_t {
 struct CommandRecord {
   double begin = 0;    ///< s
   double end = 0;      ///< s; both are breaks of the trajectory
-  double target = 0;   ///< u; of a Halt, MoveVelocity, Dwell: where it ends. 0 if it never began
+  double target = 0;   ///< u; where it ends or, aborted, would have ended
   double planned = 0;  ///< u/s, the junction velocity that the next command's mode asks for
   double reached = 0;  ///< u/s, at `end`
   CommandState state = CommandState::done;

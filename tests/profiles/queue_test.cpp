@@ -265,6 +265,7 @@ TEST(Queue, WhatNeverBeganIsAborted) {
   EXPECT_DOUBLE_EQ(m.commands[1].end, 1.8);
   EXPECT_EQ(m.commands[2].state, CommandState::aborted);
   EXPECT_EQ(m.commands[2].begin, m.commands[2].end);
+  EXPECT_EQ(m.commands[2].target, 30);
   EXPECT_EQ(m.commands[3].begin, m.commands[1].end);
   EXPECT_TRUE(check_continuity(m.trajectory, 2).ok());
   EXPECT_EQ(m.end, (MotionState{0, 0, 0}));
