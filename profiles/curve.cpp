@@ -188,15 +188,23 @@ Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
     const double g_end = g.breaks()[k + 1];
     const bool both = close(f_end, g_end, scale);
     const double next = both ? f_end : std::min(f_end, g_end);
-    const auto piece = [&](const Curve<Over>& c, std::size_t n, bool ends_here) {
-      const double length = c.segments()[n].length;
-      const double s0 = std::clamp((x - c.breaks()[n]) / length, 0.0, 1.0);
-      Segment cut = part(c.segments()[n], s0, ends_here ? 1.0 : (next - c.breaks()[n]) / length);
-      cut.length = next - x;
-      return cut;
-    };
     const bool f_ends = both || next == f_end;
     const bool g_ends = both || next == g_end;
+    // A whole segment keeps its own length: the difference of two places has fewer digits.
+    const bool f_whole = f_ends && close(x, f.breaks()[i], scale);
+    const bool g_whole = g_ends && close(x, g.breaks()[k], scale);
+    const double length = f_whole   ? f.segments()[i].length
+                          : g_whole ? g.segments()[k].length
+                                    : next - x;
+    const auto piece = [&](const Curve<Over>& c, std::size_t n, bool ends_here) {
+      const Segment& whole = c.segments()[n];
+      const double width = std::min(1.0, length / whole.length);
+      const double s0 =
+          ends_here ? 1 - width : std::clamp((x - c.breaks()[n]) / whole.length, 0.0, 1 - width);
+      Segment cut = part(whole, s0, std::min(1.0, s0 + width));
+      cut.length = length;
+      return cut;
+    };
     const auto added = sum(piece(f, i, f_ends), piece(g, k, g_ends));
     if (!added) throw InputError("sum", number(x), "needs more than three sines in one segment");
     segments.push_back(*added);

@@ -88,6 +88,15 @@ TEST(Curve, SumHasTheBreaksOfBoth) {
   EXPECT_THROW(sum(f, Trajectory({line(4, 0, 1)})), InputError);
 }
 
+TEST(Curve, SumKeepsShortSegmentsFarFromTheOrigin) {
+  // Jerk phases of 4 ms, 10 000 s from the origin, where a double resolves 2e-12 s.
+  const Trajectory f =
+      shifted(s_curve({.to = 170, .velocity = 1.3, .acceleration = 0.14, .jerk = 35}).curve(), 1e4);
+  const Trajectory rest({line(f.length(), 5, 5)}, f.start());
+  EXPECT_NEAR(extrema(sum(f, rest), 3).max.value, 35, 35e-14);
+  EXPECT_NEAR(extrema(sum(rest, f), 2).max.value, 0.14, 0.14e-14);
+}
+
 TEST(Curve, RefusesWhatIsNoCurve) {
   EXPECT_THROW(Trajectory(std::vector<Segment>{}), InputError);
   EXPECT_THROW(Trajectory({line(0, 0, 1)}), InputError);
