@@ -1,6 +1,6 @@
 #include "jounce/profiles/moving_average.hpp"
 
-#include <string>
+#include <cmath>
 
 #include "jounce/profiles/between.hpp"
 #include "jounce/profiles/error.hpp"
@@ -10,9 +10,16 @@
 //   (1)  g(x)  = 1/T * integral of f from x - T to x
 //   (2)  g'(x) = (f(x) - f(x - T)) / T
 //
-// (2) is a curve with the breaks of head and tail. Each of its pieces is integrated from the value
-// that (1) gives at its start, so that no error adds up along the curve; values are counted from f's
-// first, so that a far origin costs no digits.
+// (2) is a curve with the breaks of head and tail. While both lie in one segment, with q = T as a
+// share of its length, (1) is
+//
+//   (3)  s^m           ->  sum over k = 1..m+1 of C(m+1, k) (-q)^(k-1) s^(m+1-k) / (m + 1)
+//   (4)  A sin(w s + p) ->  A sin(w q/2) / (w q/2) * sin(w s + p - w q/2)
+//
+// without the difference of large numbers that (2) is for a short window. Elsewhere, where a piece
+// is no longer than T, (2) is integrated from the value that (1) gives at the piece's start, so that
+// no error adds up along the curve. Places and values are counted from where f begins, so that
+// a far origin costs no digits.
 
 namespace jounce {
 namespace {
@@ -27,8 +34,42 @@ Segment integrated(const Segment& f, double start_value) {
 template <class Over>
 double mean(const Curve<Over>& f) {
   double total = 0;
-  for (const Segment& piece : f.segments()) total += value(integrated(piece, 0), 1);
-  return total / f.length();
+  double length = 0;  // the difference of start and end would have fewer digits
+  for (const Segment& piece : f.segments()) {
+    total += value(integrated(piece, 0), 1);
+    length += piece.length;
+  }
+  return total / length;
+}
+
+/// (3) and (4).
+Segment averaged(const Segment& f, double q) {
+  Segment g = f;
+  g.c.fill(0);
+  for (std::size_t m = 0; m <= static_cast<std::size_t>(f.degree); ++m) {
+    double factor = f.c[m];  // times C(m + 1, k) (-q)^(k-1) / (m + 1)
+    for (std::size_t k = 1; k <= m + 1; ++k) {
+      g.c[m + 1 - k] += factor;
+      factor *= -q * static_cast<double>(m + 1 - k) / static_cast<double>(k + 1);
+    }
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    const double half = f.sine[i].angle * q / 2;
+    if (half != 0) g.sine[i].amplitude *= std::sin(half) / half;
+    g.sine[i].phase -= half;
+  }
+  return g;
+}
+
+/// g over one piece of (2), from x on.
+template <class Over>
+Segment piece(const Curve<Over>& f, double window, double x, const Segment& slope) {
+  const auto swept = between(f, x - window, x + slope.length);
+  const double q = window / (window + slope.length);
+  if (swept.segments().size() > 1) return integrated(slope, mean(between(f, x - window, x)));
+  Segment g = part(averaged(swept.segments().front(), q), q, 1);
+  g.length = slope.length;
+  return g;
 }
 
 }  // namespace
@@ -38,7 +79,8 @@ Curve<Over> moving_average(const Curve<Over>& f, double window) {
   require_positive("window", window);
   const double origin = value(f.segments().front(), 0);
   const bool wraps = f.outside() == Outside::wrap;
-  const auto from_origin = with(shifted(f, 0, -origin), wraps ? Outside::wrap : Outside::hold);
+  const auto from_origin =
+      with(shifted(f, -f.start(), -origin), wraps ? Outside::wrap : Outside::hold);
   const auto head = delayed(from_origin, 0, window);
   const auto tail = delayed(from_origin, window, window);
   const auto slope = sum(scaled(head, 1 / window), scaled(tail, -1 / window));  // (2)
@@ -46,9 +88,8 @@ Curve<Over> moving_average(const Curve<Over>& f, double window) {
   std::vector<Segment> pieces;
   pieces.reserve(slope.segments().size());
   for (std::size_t i = 0; i < slope.segments().size(); ++i) {
-    const double x = slope.breaks()[i];
-    const double at_start = mean(between(from_origin, x - window, x));
-    pieces.push_back(scaled(integrated(slope.segments()[i], at_start), 1, origin));
+    const Segment g = piece(from_origin, window, slope.breaks()[i], slope.segments()[i]);
+    pieces.push_back(scaled(g, 1, origin));
   }
   return Curve<Over>(std::move(pieces), f.start(), from_origin.outside());
 }

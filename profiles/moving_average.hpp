@@ -22,8 +22,8 @@ namespace jounce {
 /// refuses): the result runs over [start, end + T] and holds. A curve that wraps is averaged
 /// through its seam, over its own interval, and wraps.
 ///
-/// Accurate to rounding (about 1e-15 of the stroke), however long the curve: each piece
-/// is integrated on its own. Throws InputError for a window that is not positive and finite, and
+/// Accurate to rounding (about 1e-14 of the stroke), however long the curve and short the window:
+/// each piece is integrated on its own. Throws InputError for a window that is not positive and finite, and
 /// where a degree would pass 11 or a piece need more than three sines.
 template <class Over>
 Curve<Over> moving_average(const Curve<Over>& f, double window);

@@ -90,12 +90,12 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
 Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
   require_shaper(impulses);
   const double origin = value(f.segments().front(), 0);  // a far origin shall cost no digits
-  const Trajectory from_origin = shifted(f, 0, -origin);
+  const Trajectory from_origin = shifted(f, -f.start(), -origin);
   const double last = impulses.back().time;
   Trajectory total = scaled(delayed(from_origin, 0, last), impulses.front().amplitude);
   for (const Impulse& impulse : impulses.subspan(1))
     total = sum(total, scaled(delayed(from_origin, impulse.time, last), impulse.amplitude));
-  return shifted(total, 0, origin);
+  return shifted(total, f.start(), origin);
 }
 
 }  // namespace jounce

@@ -8,6 +8,7 @@
 #include "jounce/profiles/s_curve.hpp"
 
 #include "support/invariants.hpp"
+#include "support/random.hpp"
 
 namespace jounce {
 namespace {
@@ -136,6 +137,32 @@ TEST(MovingAverage, AFarOriginCostsNoDigits) {
   const Trajectory far = moving_average(shifted(himc_trapezoid(), 0, 0x1p30), 0.05);
   EXPECT_NEAR(extrema(far, 3).max.value, 10000, 1e-2 /* 2^30 has an ulp of 2e-7 */);
   EXPECT_NEAR(extrema(near, 3).max.value, 10000, 1e-9);
+}
+
+TEST(MovingAverage, KeepsItsPromisesOverFiveDecadesOfWindows) {
+  testing::Random random(77);
+  for (int n = 0; n < 300 && !HasFailure(); ++n) {
+    const double v = random.log_uniform(0.01, 1000);
+    const double a = v / random.log_uniform(0.01, 10);
+    const double j = a / random.log_uniform(0.001, 3);
+    const double to = random.log_uniform(0.01, 20) * (v * v / a + v * a / j);
+    const Trajectory move = s_curve({0, to, v, a, 0, j, 0}).curve();
+    const Trajectory f = shifted(move, random.uniform(-100, 100) * move.length());
+    // Half of the windows coincide with the distance of two breaks.
+    const int breaks = static_cast<int>(f.breaks().size());
+    const double window =
+        random.below(2) == 0
+            ? random.log_uniform(1e-4, 3) * f.length()
+            : move.breaks()[1 + static_cast<std::size_t>(random.below(breaks - 1))];
+    SCOPED_TRACE(::testing::Message() << "to " << to << " v " << v << " a " << a << " j " << j
+                                      << " start " << f.start() << " window " << window);
+    const Trajectory g = moving_average(f, window);
+    EXPECT_TRUE(check_continuity(g, 2).ok());
+    EXPECT_NEAR(g.at(g.end()).position, to, 2e-14 * to);
+    for (int k = 1; k < 3; ++k)
+      EXPECT_LE(std::abs(extrema(g, k).peak().value),
+                std::abs(extrema(f, k).peak().value) * (1 + 1e-9));
+  }
 }
 
 TEST(MovingAverage, RefusesWhatItCannotHold) {
