@@ -19,8 +19,8 @@
 //   (3)  A sin(w (r0 + d1 s) + p) = A sin(w d1 s + (p + w r0))   where d = d1 s
 //
 // (2) by Horner's rule over polynomials. Far from the axis' origin (1) has few digits in a short
-// segment, and the place where y passes a break has few. So r0 is 0 or 1 where the piece begins at a
-// break and continues the piece before within a segment; and a piece that ends at a break, r1,
+// segment, and the place where y passes a break has few. So r0 is 0 or 1 where the piece begins at
+// a break and continues the piece before within a segment; and a piece that ends at a break, r1,
 // ends there exactly: d and the piece's length are both multiplied by
 //
 //   (4)  (r1 - r0) / d(1)

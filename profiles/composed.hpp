@@ -6,22 +6,23 @@ namespace jounce {
 
 /// outer(inner(x)), exactly: a curve over the inner's axis.
 ///
-///     Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+///     Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100})
+///                           .curve();
 ///     Trajectory clock({line(move.end() / 0.5, 0, move.end())});  // path time over time: 50 %
 ///     Trajectory slow = composed(move, clock);
-///     Trajectory slave = composed(cam, master);                   // cam: a Cam, master: a Trajectory
+///     Trajectory slave = composed(cam, master);               // cam: a Cam, master: a Trajectory
 ///
 /// **Vocabulary.** The *inner* curve says where on the outer's axis we are: a clock (path time over
 /// time) or a master; the *outer* is played along it: a motion over path time, or a cam.
 ///
 /// **Breaks** are those of the inner and every place where the inner passes a break of the outer
-/// (isolated as in roots.hpp). **Outside**: the result has the inner's policy; where the inner leaves
-/// the outer's interval, the outer's rules: hold gives a rest, wrap the next turn.
+/// (isolated as in roots.hpp). **Outside**: the result has the inner's policy; where the inner
+/// leaves the outer's interval, the outer's rules: hold gives a rest, wrap the next turn.
 ///
-/// **Exact where it fits a Segment**: on each piece the product of the two degrees is at most 11, the
-/// outer's sines meet an inner that is linear there, and the inner's sines an outer that is linear
-/// there. So an S-curve (degree 3) may be played along a jerk-limited clock (3) or by a quintic
-/// master, not a quintic along a cubic.
+/// **Exact where it fits a Segment**: on each piece the product of the two degrees is at most 11,
+/// the outer's sines meet an inner that is linear there, and the inner's sines an outer that is
+/// linear there. So an S-curve (degree 3) may be played along a jerk-limited clock (3), a quintic
+/// cam behind a trapezoidal master (2), but not a quintic along a cubic.
 ///
 /// Throws InputError("composed", ...) naming the place, where it does not fit, and "inner" where
 /// the inner leaves (by more than rounding) an outer that refuses.

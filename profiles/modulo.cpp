@@ -30,8 +30,8 @@ double shortest(double from, double to, double period) {
   return d <= period - d ? d : d - period;
 }
 
-/// Distances from the present position, which is given reduced. `stop` is how far the axis goes if it
-/// stops now: a target in one direction is sought from there on.
+/// Distances from the present position, which is given reduced. `stop` is how far the axis goes if
+/// it stops now: a target in one direction is sought from there on.
 struct Ways {
   double period, from, to, stop;
 

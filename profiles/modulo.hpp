@@ -17,8 +17,8 @@ struct Turned {
 ///     double far = rolled(1e15 + 90, 360).position; // exact: no drift, however many turns
 ///
 /// The remainder is exact (no rounding in a division). Below zero, position = remainder + period is
-/// rounded once; what would round to a whole period is position 0 of the next turn. Throws InputError
-/// unless the period is positive and x finite.
+/// rounded once; what would round to a whole period is position 0 of the next turn. Throws
+/// InputError unless the period is positive and x finite.
 Turned rolled(double x, double period);
 
 /// turns * period + position, rounded once.
@@ -47,24 +47,23 @@ struct ModuloTarget {
 ///         modulo_target({.position = 350}, 10, Direction::shortest, 360, axis);
 ///     const Move move = move_to({.position = 350}, {.position = target.position}, axis);  // +20
 ///
-/// **Shortest** counts from where the axis is, moving or not: at most half a turn; exactly half a turn
-/// goes in the positive direction. **Positive** and **negative** never make an axis turn back that
-/// moves the way asked for: a target nearer than the stopping distance is taken a turn later. An
-/// axis that moves the other way stops first, and counts from there. At the target already (within
-/// 1e-12 of a turn): no motion.
-/// **Fastest** compares the minimum durations (`durations`) of the nearest targets on both sides of
-/// the present position and of the stopping point; a tie goes to the shorter way, then to the
-/// positive one.
+/// **Shortest** counts from where the axis is, moving or not: at most half a turn; exactly half a
+/// turn goes in the positive direction. **Positive** and **negative** never make an axis turn back
+/// that moves the way asked for: a target nearer than the stopping distance is taken a turn later.
+/// An axis that moves the other way stops first, and counts from there. At the target already
+/// (within 1e-12 of a turn): no motion. **Fastest** compares the minimum durations (`durations`) of
+/// the nearest targets on both sides of the present position and of the stopping point; a tie goes
+/// to the shorter way, then to the positive one.
 ///
-/// Exact for any number of turns: the distance is formed from the remainders. Keep the position of an
-/// endless axis reduced, and plan by distance; a sum of 1e12 turns has no room for the digits.
+/// Exact for any number of turns: the distance is formed from the remainders. Keep the position of
+/// an endless axis reduced, and plan by distance; a sum of 1e12 turns has no room for the digits.
 /// Throws InputError for a period that is not positive or values that are not finite.
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);
 
-/// Agito's conditions for ModRev (PCSuite manual 5.3) with a jerk exponent: throws InputError with the key
-/// `ModRev` or `Jerk` unless M is a whole number in [1, 2e9], Jerk one in [0, 9],
-/// M * 2^Jerk < 2^31 - 1, and the time to travel M at the maximum speed (counts/s) exceeds the jerk
+/// Agito's conditions for ModRev (PCSuite manual 5.3) with a jerk exponent: throws InputError with
+/// the key `ModRev` or `Jerk` unless M is a whole number in [1, 2e9], Jerk one in [0, 9], M *
+/// 2^Jerk < 2^31 - 1, and the time to travel M at the maximum speed (counts/s) exceeds the jerk
 /// time 2^Jerk / 16384 s.
 void require_agito_modulo(double modulo, int jerk, double speed_max);
 

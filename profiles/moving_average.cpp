@@ -17,8 +17,8 @@
 //   (4)  A sin(w s + p) ->  A sin(w q/2) / (w q/2) * sin(w s + p - w q/2)
 //
 // without the difference of large numbers that (2) is for a short window. Elsewhere, where a piece
-// is no longer than T, (2) is integrated from the value that (1) gives at the piece's start, so that
-// no error adds up along the curve. Places and values are counted from where f begins, so that
+// is no longer than T, (2) is integrated from the value that (1) gives at the piece's start, so
+// that no error adds up along the curve. Places and values are counted from where f begins, so that
 // a far origin costs no digits.
 
 namespace jounce {

@@ -45,19 +45,19 @@ struct Overridden {
 ///                                     .jerk = 100}).curve()};
 ///     const std::vector<Limits> limits{{.velocity = 10, .acceleration = 20, .jerk = 100}};
 ///     const Overridden held = overridden(axes, limits, {{{2, 0}, {4, 1}}});  // hold, resume
-///     const Motion now = held.axes[0].at(3);                                 // at rest, on the path
+///     const Motion now = held.axes[0].at(3);  // at rest, on the path
 ///
 /// **Ramps.** The factor changes by a ramp of limited first and second derivative. Of eight shapes
 /// (gentle to sharp at either end), each as steep as every axis keeps its limits all through the
-/// ramp (by the exact `check`; to 0.3 %), the one that ends first is taken. Where none holds at once
-/// (a plan that brakes at its limit cannot brake harder) the ramp begins later: at a break of the
-/// plan or a quarter between. In a cruise a hold is as fast as the axis can stop. While the plan
-/// accelerates or brakes it takes up to about three times as long (measured over four plans; 1.0 to
-/// 1.5 times on average), or the motion ends by itself first. The search takes about a millisecond a
-/// request: it belongs into planning, not into the control cycle.
+/// ramp (by the exact `check`; to 0.3 %), the one that ends first is taken. Where none holds at
+/// once (a plan that brakes at its limit cannot brake harder) the ramp begins later: at a break of
+/// the plan or a quarter between. In a cruise a hold is as fast as the axis can stop. While the
+/// plan accelerates or brakes it takes up to about three times as long (measured over four plans;
+/// 1.0 to 1.5 times on average), or the motion ends by itself first. The search takes about a
+/// millisecond a request: it belongs into planning, not into the control cycle.
 ///
-/// **Guaranteed.** Velocity, acceleration and jerk limits hold at every instant if they hold for the
-/// plan, whatever the requests: a change that would break them comes later, or not at all
+/// **Guaranteed.** Velocity, acceleration and jerk limits hold at every instant if they hold for
+/// the plan, whatever the requests: a change that would break them comes later, or not at all
 /// (`granted`); a hold that would end after the motion itself gives way to it. A factor above 1 is
 /// reduced to what the rest of the plan leaves room for. Steps of the plan's acceleration (a
 /// trapezoid's) stay steps and count as no jerk.
@@ -65,10 +65,11 @@ struct Overridden {
 /// A request replaces a ramp that has begun, from where that stands. The curves end where the path
 /// ends, or, if it is not reached, where the last ramp does; they hold there.
 ///
-/// Throws InputError if an axis lacks a velocity, acceleration or jerk limit, if the plan breaks one
-/// at the first factor, for a factor out of range, times that do not ascend or lie before the start,
-/// axes with different intervals or that all stand still, a first factor of 0 that nothing ends, and
-/// where `composed` does (a plan of degree 4 or more does not fit the ramp of a clock, degree 3).
+/// Throws InputError if an axis lacks a velocity, acceleration or jerk limit, if the plan breaks
+/// one at the first factor, for a factor out of range, times that do not ascend or lie before the
+/// start, axes with different intervals or that all stand still, a first factor of 0 that nothing
+/// ends, and where `composed` does (a plan of degree 4 or more does not fit the ramp of a clock,
+/// degree 3).
 Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,
                       const OverrideSpec& spec);
 

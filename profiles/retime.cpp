@@ -7,8 +7,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 
-// Stretched by k, g(t) = f(t / k): g' = f' / k, g'' = f'' / k^2, g''' = f''' / k^3. With the greatest
-// magnitudes v, a, j of f and the limits V, A, J the least k that keeps them is
+// Stretched by k, g(t) = f(t / k): g' = f' / k, g'' = f'' / k^2, g''' = f''' / k^3. With the
+// greatest magnitudes v, a, j of f and the limits V, A, J the least k that keeps them is
 //
 //   (1)  k = max( v / V, (a / A)^(1/2), (j / J)^(1/3) )
 

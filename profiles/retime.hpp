@@ -14,10 +14,10 @@ namespace jounce {
 ///     const Trajectory fits = retimed(motion, axis);  // at some instant exactly at a limit
 ///
 /// The least k > 0 such that the motion stretched to k times its duration keeps the rates: velocity
-/// falls by k, acceleration by k^2, jerk by k^3. Closed form from the exact extrema, so that nothing
-/// faster with the same shape exists; below 1 where the motion has room. Steps of the acceleration
-/// (infinite jerk) stay steps and are not counted. Position limits do not enter: stretching cannot
-/// change a path.
+/// falls by k, acceleration by k^2, jerk by k^3. Closed form from the exact extrema, so that
+/// nothing faster with the same shape exists; below 1 where the motion has room. Steps of the
+/// acceleration (infinite jerk) stay steps and are not counted. Position limits do not enter:
+/// stretching cannot change a path.
 ///
 /// Throws InputError for limits out of range, or if no rate bounds the motion (none is given, or
 /// those given are of derivatives that are zero all along).

@@ -8,8 +8,9 @@
 
 namespace jounce {
 
-/// Which input shaper. Each leaves nothing (ei: its tolerance) of the mode it is made for; they differ
-/// in how far off the mode may lie, and how much longer the motion takes (in damped periods).
+/// Which input shaper. Each leaves nothing (ei: its tolerance) of the mode it is made for; they
+/// differ in how far off the mode may lie, and how much longer the motion takes (in damped
+/// periods).
 enum class ShaperKind {
   zv,  ///< zero vibration: two impulses, half a period; fast, needs the frequency to a few per cent
   zvd,  ///< zero vibration and derivative: three impulses, one period; forgives about 14 %
@@ -29,24 +30,24 @@ struct ShaperSpec {
 
 /// The impulses of a shaper, ascending from time 0, all positive, adding up to 1.
 ///
-///     const std::vector<Impulse> zv = shaper({ShaperKind::zv, {.frequency = 5.5, .damping = 0.03}});
+///     const std::vector<Impulse> zv = shaper({ShaperKind::zv, {5.5, 0.03}});  // Hz, damping
 ///     const Trajectory quiet = shaped(move, zv);
 ///     const double left = residual_vibration(quiet, {5.5, 0.03});      // 0, to rounding
 ///
-/// Sources: Smith 1957 (zv), Singer & Seering 1990 (zvd), Singhose, Seering & Singer 1994 (ei). For a
-/// damped mode ei has the weights of the undamped one scaled by the mode's decay: exactly `tolerance`
-/// is left at the mode; at the frequencies beside it where the undamped shaper leaves nothing, little
-/// is left. Throws InputError for a mode or tolerance out of range, and where damping alone leaves
-/// less than the tolerance (ei).
+/// Sources: Smith 1957 (zv), Singer & Seering 1990 (zvd), Singhose, Seering & Singer 1994 (ei). For
+/// a damped mode ei has the weights of the undamped one scaled by the mode's decay: exactly
+/// `tolerance` is left at the mode; at the frequencies beside it where the undamped shaper leaves
+/// nothing, little is left. Throws InputError for a mode or tolerance out of range, and where
+/// damping alone leaves less than the tolerance (ei).
 std::vector<Impulse> shaper(const ShaperSpec& spec);
 
 /// Two shapers one after the other: for two modes, or a more robust one of the same mode.
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
 /// The curve through a shaper: the sum of its copies, each delayed and scaled by an impulse. Exact;
-/// longer by the last impulse's time; before and after f the axis rests (also where f refuses),
-/// a wrapping curve is shaped through its seam. Through positive impulses, limits that hold for f hold
-/// for the result.
+/// longer by the last impulse's time; before and after f the axis rests (also where f refuses), a
+/// wrapping curve is shaped through its seam. Through positive impulses, limits that hold for f
+/// hold for the result.
 ///
 /// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add
 /// up to 1, and where one piece would need more than three sines.

@@ -9,8 +9,8 @@
 
 #include "jounce/profiles/error.hpp"
 
-// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). Each impulse at t_i leaves
-// at t_n, the last one's instant, A_i e^(s (t_n - t_i)), and one impulse at t_n leaves 1:
+// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). Each impulse at t_i
+// leaves at t_n, the last one's instant, A_i e^(s (t_n - t_i)), and one impulse at t_n leaves 1:
 //
 //   (1)  V = | sum of A_i e^(s (t_n - t_i)) |
 //
@@ -21,14 +21,14 @@
 // (a common factor e^(i sqrt(1 - D^2) w t_n/2) does not change V, so times may be counted from the
 // middle).
 //
-// Motions. The load's deviation after a unit step of the command is -Re(c e^(st)) with
-// c = 1 - i D / sqrt(1 - D^2), |c| = 1 / sqrt(1 - D^2). Superposed over the motion f, which ends at T,
+// Motions. The load's deviation after a unit step of the command is -Re(c e^(st)) with c = 1 - i D
+// / sqrt(1 - D^2), |c| = 1 / sqrt(1 - D^2). Superposed over the motion f, which ends at T,
 //
 //   (3)  |x - f(T)| <= |c| |I| at T,   I = integral of f'(t) e^(s (T - t)) dt
 //
 // On a segment of length L, with z = s L, a polynomial p(r) = L f' and a sine, r in [0, 1]:
 //
-//   (4)  phi_k(z) = integral of r^k e^(z (1 - r)) dr;   z phi_k = k phi_(k-1) - 1,  z phi_0 = e^z - 1
+//   (4)  phi_k(z) = integral of r^k e^(z (1 - r)) dr;  z phi_k = k phi_(k-1) - 1, z phi_0 = e^z - 1
 //   (5)  integral of e^(i b r) e^(z (1 - r)) dr = (e^(ib) - e^z) / (ib - z)
 //
 // (4) is stable upwards for k <= |z| and downwards for k >= |z|.

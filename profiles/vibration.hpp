@@ -23,8 +23,8 @@ struct Impulse {
   double amplitude = 1;
 };
 
-/// How much of a mode a sequence of impulses leaves: the amplitude after its last impulse as a share
-/// of what one impulse at that instant leaves. 0: nothing; 1: as if unshaped. Closed form
+/// How much of a mode a sequence of impulses leaves: the amplitude after its last impulse as a
+/// share of what one impulse at that instant leaves. 0: nothing; 1: as if unshaped. Closed form
 /// (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError for a mode out
 /// of range, or no impulses.
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode);
@@ -44,8 +44,8 @@ WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, 
 /// end, in the curve's unit u: the envelope of the free vibration at that instant. f is taken to
 /// rest before and after; steps of the position are allowed.
 ///
-/// Exact: polynomials and sines against the mode's exponential in closed form; the error is rounding,
-/// about 1e-15 of the travel for each segment. Throws InputError for a mode out of range.
+/// Exact: polynomials and sines against the mode's exponential in closed form; the error is
+/// rounding, about 1e-15 of the travel for each segment. Throws InputError for a mode out of range.
 double residual_vibration(const Trajectory& motion, const Mode& mode);
 
 /// Throws InputError unless frequency > 0 and 0 <= damping < 1.

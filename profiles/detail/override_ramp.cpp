@@ -15,14 +15,14 @@
 //
 //   (1)  v = f' c',   a = f'' c'^2 + f' c'',   j = f''' c'^3 + 3 f'' c' c'' + f' c'''
 //
-// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses A and J
-// up: with v the plan's fastest anywhere these are the nominal bounds of a ramp. The ramps that
+// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses A and
+// J up: with v the plan's fastest anywhere these are the nominal bounds of a ramp. The ramps that
 // are tried are k times as slow, in shapes that differ in the jerk at either end:
 //
 //   (2)  |c''| <= A / (k v),   |c'''| <= g J / (k^2 v)
 //
-// k stretches a ramp without changing its shape. Where f'' = 0, g = 1 holds from k = 1 on. Early
-// in an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds; where f accelerates at its
+// k stretches a ramp without changing its shape. Where f'' = 0, g = 1 holds from k = 1 on. Early in
+// an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds; where f accelerates at its
 // limit speeding up does not hold at all, nor slowing down where it brakes at its limit.
 
 namespace jounce::detail {
