@@ -135,9 +135,11 @@ void add_ramp(Growing& motion, double v1, const RampLimits& limits, bool jerk) {
 
 /// What the dynamics allow an axis that travels upwards (direction 1) or downwards (-1).
 Bounds bounds(const Dynamics& d, double direction) {
-  constexpr double none = Bounds::none;
-  Bounds b =
-      within(d.velocity, d.acceleration, d.jerk > 0 ? std::max(d.jerk, d.deceleration_jerk) : none);
+  Bounds b = within(d.velocity, d.acceleration);
+  if (d.jerk > 0) {
+    b.jerk_max = std::max(d.jerk, d.deceleration_jerk);
+    b.jerk_min = -b.jerk_max;
+  }
   (direction > 0 ? b.acceleration_min : b.acceleration_max) =
       direction > 0 ? -d.deceleration : d.deceleration;
   return b;

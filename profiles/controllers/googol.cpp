@@ -80,7 +80,7 @@ Dynamics dynamics(const MoveAbsolute& move) {
 template <class Law>
 Profile ramped(double from, std::int64_t pos, const Law& up, double v0, const Law& down, double v1,
                double vel, const char* key) {
-  const double to = static_cast<double>(pos);
+  const auto to = static_cast<double>(pos);
   const auto move = detail::ramped(up, v0, down, v1, vel, std::abs(to - from));
   if (!move)
     throw InputError(key, std::max(v0, v1),

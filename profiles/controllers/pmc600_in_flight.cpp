@@ -39,7 +39,7 @@ Trajectory move_superimposed(const Trajectory& running, double t, double distanc
 
 Trajectory inch(double from, double distance, const Dynamics& dynamics,
                 std::optional<double> released) {
-  const Trajectory step = point_to_point(from, from + distance, dynamics).curve();
+  Trajectory step = point_to_point(from, from + distance, dynamics).curve();
   if (!released || *released >= step.end()) return step;
   require_positive("released", *released);
   return with_velocity(step, *released, 0, dynamics);

@@ -148,7 +148,7 @@ TEST(GoogolTrap, WithAStartSpeedIsAsFastAsTheSolver) {
     m.acc = random.log_uniform(1e-2, 10);
     m.smooth_time = 1 + random.below(50);
     m.vel_start = random.uniform(0, 0.9) * m.vel;
-    const double h = static_cast<double>(m.pos);
+    const auto h = static_cast<double>(m.pos);
     // As far as it takes to stop.
     if (m.vel_start * (m.vel_start / m.acc + m.smooth_time) > h) continue;
     const Move fastest =
