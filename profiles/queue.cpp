@@ -114,7 +114,7 @@ void Planner::plan(std::size_t first, std::size_t last) {
 }
 
 void Planner::change_velocity(std::size_t command, double direction, double velocity) {
-  const MoveDynamics& dynamics = commands_[command].dynamics;
+  const Dynamics& dynamics = commands_[command].dynamics;
   const MotionState from = times(direction, path_.state());
   const Bounds bounds = detail::runs_backwards(from, dynamics) ? detail::turning(dynamics)
                                                                : detail::forward(dynamics);
@@ -177,7 +177,7 @@ double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::s
 void Planner::plan_run(std::size_t first, std::size_t last) {
   const std::vector<Leg> run = legs(first, last);
   for (std::size_t k = 0; k < run.size(); ++k) {  // (2)
-    const MoveDynamics& dynamics = commands_[first + k].dynamics;
+    const Dynamics& dynamics = commands_[first + k].dynamics;
     const double direction = run[k].length == 0 ? heading(path_.state()) : sign(run[k].length);
     const MotionState from = times(direction, path_.state());
     const double target = direction * run[k].target;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/dynamics.hpp"
 #include "jounce/profiles/move.hpp"
 
 namespace jounce {
@@ -14,8 +15,8 @@ namespace jounce {
 /// with buffered, blended and aborting moves (PLCopen motion control part 1; PMC600 manual 7.1, Table
 /// 7.1; HIMC HMPL manual 8.1.4).
 ///
-///     const MoveDynamics slow{.velocity = 5, .acceleration = 10};
-///     const MoveDynamics fast{.velocity = 20, .acceleration = 20};
+///     const Dynamics slow{.velocity = 5, .acceleration = 10};
+///     const Dynamics fast{.velocity = 20, .acceleration = 20};
 ///     const QueuedMotion motion = queue({.commands = {
 ///         {MoveAbsolute{10}, slow},
 ///         {MoveAbsolute{50}, fast, BufferMode::blending_low}}});
@@ -66,19 +67,13 @@ struct Dwell {
 
 using MotionCommand = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Halt, Dwell>;
 
-/// How fast a command moves: magnitudes. Whichever way the axis goes, `acceleration` holds while it
-/// speeds up and `deceleration` while it slows down. A motion that has to turn round on its way to
-/// the target (after an abort) does both under the lower of the two.
-struct MoveDynamics {
-  double velocity = 0;         ///< u/s, > 0; not used by Halt
-  double acceleration = 0;     ///< u/s^2, > 0
-  double deceleration = 0;     ///< u/s^2; 0: as acceleration
-  double jerk = Bounds::none;  ///< u/s^3, > 0; infinite: acceleration may step
-};
-
 struct QueuedCommand {
   MotionCommand command;
-  MoveDynamics dynamics = {};              ///< not used by Dwell
+  /// Not used by Dwell; Halt does not use the velocity. Whichever way the axis goes, `acceleration`
+  /// holds while it speeds up and `deceleration` while it slows down; a motion that has to turn
+  /// round on its way to the target (after an abort) does both under the lower of the two. There is
+  /// one jerk: deceleration_jerk must be 0.
+  Dynamics dynamics = {};
   BufferMode mode = BufferMode::buffered;  ///< of the first command: not used
   /// s, >= 0, ascending; an aborting command's only, which must have it unless it is the first.
   std::optional<double> issued = {};
@@ -110,7 +105,7 @@ struct QueuedMotion {
   MotionState end;
 };
 
-/// Plans the queue. Exact cubic segments, continuous up to acceleration (with infinite jerk: up to
+/// Plans the queue. Exact cubic segments, continuous up to acceleration (without a jerk limit: up to
 /// velocity). Rules:
 ///
 /// 1. A junction is passed exactly at the end position, with acceleration 0, at exactly the velocity

@@ -7,8 +7,8 @@ using namespace jounce;
 
 int main() {
   // PMC600 manual 5.2.4, Fig. 5.21: pulses.
-  const MoveDynamics slow{.velocity = 5000, .acceleration = 10000};
-  const MoveDynamics fast{.velocity = 20000, .acceleration = 20000};
+  const Dynamics slow{.velocity = 5000, .acceleration = 10000};
+  const Dynamics fast{.velocity = 20000, .acceleration = 20000};
   const char* names[] = {"buffered", "blending low", "blending previous", "blending next",
                          "blending high"};
   for (int mode = 1; mode <= 5; ++mode) {

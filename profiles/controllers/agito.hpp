@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 /// The point-to-point motions of an Agito controller, in its keywords. User units and s; times set
 /// in ms say so. Agito PCSuite IDE manual 5.3, 4.1, 4.6, 4.10, 4.11.

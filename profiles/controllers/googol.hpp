@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 /// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, in its own words and
 /// units: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The trajectories run over ms.

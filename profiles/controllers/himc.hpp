@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 namespace jounce::himc {
 

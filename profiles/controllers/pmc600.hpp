@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 /// The single-axis blocks of a Leadshine PMC600, in its own words: u (or pulse) and s. PMC600
 /// manual, volume 4, 4.1, 5.2.2 and 5.2.4.

@@ -92,18 +92,26 @@ std::vector<Profile> by_ramps(const MotionState& from, double target, double exi
 
 }  // namespace
 
-Bounds forward(const MoveDynamics& d) {
-  Bounds bounds = within(d.velocity, d.acceleration, d.jerk);
+namespace {
+
+double jerk_limit(const Dynamics& d) {
+  return d.jerk == 0 ? Bounds::none : d.jerk;
+}
+
+}  // namespace
+
+Bounds forward(const Dynamics& d) {
+  Bounds bounds = within(d.velocity, d.acceleration, jerk_limit(d));
   if (d.deceleration != 0) bounds.acceleration_min = -d.deceleration;
   return bounds;
 }
 
-Bounds turning(const MoveDynamics& d) {
+Bounds turning(const Dynamics& d) {
   const double deceleration = d.deceleration == 0 ? d.acceleration : d.deceleration;
-  return within(d.velocity, std::min(d.acceleration, deceleration), d.jerk);
+  return within(d.velocity, std::min(d.acceleration, deceleration), jerk_limit(d));
 }
 
-bool runs_backwards(const MotionState& from, const MoveDynamics& dynamics) {
+bool runs_backwards(const MotionState& from, const Dynamics& dynamics) {
   return std::min(from.velocity, natural_velocity(from, forward(dynamics))) < 0;  // (4)
 }
 
@@ -121,7 +129,7 @@ double highest_entry(double length, double exit, double cap, const Bounds& bound
 }
 
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
-                    const MoveDynamics& dynamics) {
+                    const Dynamics& dynamics) {
   const double length = target - from.position;
   const bool backwards = runs_backwards(from, dynamics);
   const Bounds bounds = backwards ? turning(dynamics) : forward(dynamics);
@@ -136,7 +144,7 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
 }
 
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
-                             const MoveDynamics& dynamics) {
+                             const Dynamics& dynamics) {
   const Bounds bounds = exit.turns ? turning(dynamics) : forward(dynamics);
   const double length = target - from.position;
   const double spare = length - ramp_length(from, exit.velocity, bounds);

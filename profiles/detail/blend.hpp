@@ -11,13 +11,13 @@
 namespace jounce::detail {
 
 /// The dynamics as bounds for a move in the positive direction.
-Bounds forward(const MoveDynamics& dynamics);
+Bounds forward(const Dynamics& dynamics);
 
 /// The same for a motion that turns round: the lower of the two accelerations, both ways.
-Bounds turning(const MoveDynamics& dynamics);
+Bounds turning(const Dynamics& dynamics);
 
 /// Whether the axis runs, or is about to run, backwards.
-bool runs_backwards(const MotionState& from, const MoveDynamics& dynamics);
+bool runs_backwards(const MotionState& from, const Dynamics& dynamics);
 
 /// The fastest change to a velocity; neither end need keep the velocity bound.
 Profile ramp(const MotionState& from, double velocity, const Bounds& bounds);
@@ -35,10 +35,10 @@ struct Exit {
 /// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as it can.
 /// `cap` >= `wanted` is the most that the moves after it can take over.
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
-                    const MoveDynamics& dynamics);
+                    const Dynamics& dynamics);
 
 /// The move itself: one profile, or three where it begins or leaves faster than it may run.
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
-                             const MoveDynamics& dynamics);
+                             const Dynamics& dynamics);
 
 }  // namespace jounce::detail

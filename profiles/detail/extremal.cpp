@@ -129,20 +129,22 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   return e;
 }
 
-/// The member at which one half is as it begins: peak acceleration z at once.
-Extremal Extremals::beginning(int which, double z_other_sign) const noexcept {
+/// The member at which one half has no phase of rising acceleration: its z is where it begins. The
+/// other half's z has the given sign.
+Extremal Extremals::beginning(int which, double sign) const noexcept {
   const auto i = static_cast<std::size_t>(which);
-  const std::size_t o = 1 - i;
+  const Half& other = half_[1 - i];
+  Extremal e;
   const double s = half_[i].s;
-  Extremal e = at_peak(half_[i].c + k_ * s * s / 2);
   e.z[i] = s;
-  e.hold[i] = 0;
-  if (e.hold[o] == 0) {
-    const double other = root(s * s + (which == high_ ? q_ : -q_));
-    e.z[o] = z_other_sign * std::min(other, half_[o].limit);
-    if (z_other_sign > 0) e.z[o] = std::max(e.z[o], half_[o].s);
+  e.vp = half_[i].c + k_ * s * s / 2;
+  const double square_of_z = s * s + (which == high_ ? q_ : -q_);
+  if (square_of_z < other.limit * other.limit) {
+    const double z = sign * root(square_of_z);
+    e.z[1 - i] = sign > 0 ? std::max(z, other.s) : z;
   } else {
-    e.z[o] *= z_other_sign;
+    e.z[1 - i] = sign * other.limit;
+    e.hold[1 - i] = std::max((e.vp - other.sat) / other.limit, 0.0);
   }
   return e;
 }
@@ -376,17 +378,25 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
 }
 
 Extremal Extremals::cover(double d, const Extremal& begin, double covered) const noexcept {
-  // Where the distance cannot turn back (4), the peak velocity tells the stretches apart.
   Extremal lo = begin;
-  const double s = half_[static_cast<std::size_t>(first_)].s;
-  if (s < 0) {
-    const auto low = static_cast<std::size_t>(1 - first_);
-    if (begin.hold[low] > 0 || natural_ + s * begin.z[low] * ijd_ / 2 < 0) {
+  double from = lo.z[0] + lo.z[1];
+  const double g = (d - base_) * ik_;
+  if (half_[static_cast<std::size_t>(first_)].s < 0) {
+    if (begin.hold[static_cast<std::size_t>(1 - first_)] > 0) {
       Members members{begin};
       (void)covering(Branch::main, d, members, 1);
       return members[0];
     }
-    lo.vp = natural_;  // the velocity passes zero acceleration with the same formula
+    // The velocity passes zero acceleration with the same formula; but the distance may have risen,
+    // and fallen again, before that.
+    lo.vp = natural_;
+    const Stretch p{Stretch::Held::none, 0, from, std::sqrt(q_)};
+    std::array<double, 2> turns;
+    const int n = mean_ < 0 ? turning(p, turns) : 0;
+    const bool rises_first = n > 0 && slope(begin) > 0;
+    if (rises_first && of_sum(turns[0]) >= g)
+      return member(p, solve_sum(g, from, turns[0], true, turns[0]));
+    if (n > 0) from = turns[static_cast<std::size_t>(n - 1)];
   }
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
   const auto free = static_cast<std::size_t>(1 - lower);
@@ -397,8 +407,6 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
     return std::sqrt(x0 * x0 + (x1 - x0) * (x1 + x0) * share);
   };
   if (first_sat > lo.vp) {
-    const double g = (d - base_) * ik_;
-    const double from = lo.z[0] + lo.z[1];
     if (first_sat == inf)
       return member({Stretch::Held::none, 0, from, inf}, solve_sum(g, from, inf, true, 0));
     const Extremal hi = at_peak(first_sat);

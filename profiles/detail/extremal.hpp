@@ -120,7 +120,7 @@ class Extremals {
     return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
   }
   [[nodiscard]] Extremal at_peak(double vp) const noexcept;
-  [[nodiscard]] Extremal beginning(int which, double z_other_sign) const noexcept;
+  [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
 
   std::array<Half, 2> half_;
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k

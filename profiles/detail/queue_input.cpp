@@ -20,11 +20,14 @@ void require_valid(const std::string& key, const MotionCommand& command) {
       throw InputError(key + "direction", move->direction, "must be 1 or -1");
 }
 
-void require_valid(const std::string& key, const MoveDynamics& dynamics, bool halts) {
+void require_valid(const std::string& key, const Dynamics& dynamics, bool halts) {
   if (!halts) require_positive((key + "velocity").c_str(), dynamics.velocity);
   require_positive((key + "acceleration").c_str(), dynamics.acceleration);
   require_not_negative((key + "deceleration").c_str(), dynamics.deceleration);
-  if (!(dynamics.jerk > 0)) throw InputError(key + "jerk", dynamics.jerk, "must be greater than 0");
+  require_not_negative((key + "jerk").c_str(), dynamics.jerk);
+  if (dynamics.deceleration_jerk != 0)
+    throw InputError(key + "deceleration_jerk", dynamics.deceleration_jerk,
+                     "must be left out: a queue is planned with one jerk");
 }
 
 /// Returns when the last abort up to this command was issued.

@@ -34,7 +34,7 @@ std::string text(const QueueSpec& spec) {
   out << "start {" << number(spec.start.position) << ", " << number(spec.start.velocity) << ", "
       << number(spec.start.acceleration) << "}\n";
   for (const QueuedCommand& c : spec.commands) {
-    const MoveDynamics& d = c.dynamics;
+    const Dynamics& d = c.dynamics;
     out << "{" << text(c.command) << ", {" << number(d.velocity) << ", " << number(d.acceleration)
         << ", " << number(d.deceleration) << ", " << number(d.jerk) << "}, BufferMode("
         << static_cast<int>(c.mode) << ")" << (c.issued ? ", " + number(*c.issued) : "") << "},\n";
@@ -54,12 +54,12 @@ struct Kind {
   bool rest = false;  ///< from rest, to positions: over many decades a velocity leads anywhere
 };
 
-MoveDynamics random_dynamics(Random& random, const Kind& kind) {
+Dynamics random_dynamics(Random& random, const Kind& kind) {
   const double lo = std::pow(10, -kind.decades);
   const double hi = 1 / lo;
   return {random.log_uniform(lo, hi), random.log_uniform(lo, hi),
           random.below(3) == 0 ? 0 : random.log_uniform(lo, hi),
-          kind.jerk ? random.log_uniform(lo, hi) * 10 : Bounds::none};
+          kind.jerk ? random.log_uniform(lo, hi) * 10 : 0, 0};
 }
 
 MotionCommand random_command(Random& random, const Kind& kind) {
@@ -151,7 +151,8 @@ void expect_dynamics(const QueueSpec& spec, const QueuedMotion& m, std::size_t i
   const std::size_t last = segment_at(f, r.end);
   if (first == last || std::holds_alternative<Dwell>(spec.commands[i].command)) return;
   const Ranges range = segment_extrema(f, first, last - 1);
-  const MoveDynamics& d = spec.commands[i].dynamics;
+  Dynamics d = spec.commands[i].dynamics;
+  if (d.jerk == 0) d.jerk = Bounds::none;
   const Jet begin = evaluate(f.segments()[first], 0);
   const double settled = begin[1] + begin[2] * std::abs(begin[2]) / (2 * d.jerk);
   const double velocity = std::holds_alternative<Halt>(spec.commands[i].command) ? 0 : d.velocity;
@@ -242,9 +243,9 @@ TEST(QueueProperty, HoldsOverSixDecades) {
 /// The way of a velocity change without acceleration at either end, in closed form.
 double way(double from, double to, double acceleration, double jerk) {
   const double dv = std::abs(to - from);
-  const double reach = acceleration * acceleration / jerk;
+  const double rise = jerk == 0 ? 0 : acceleration / jerk;
   const double time =
-      dv >= reach ? dv / acceleration + acceleration / jerk : 2 * std::sqrt(dv / jerk);
+      dv >= acceleration * rise ? dv / acceleration + rise : 2 * std::sqrt(dv / jerk);
   return (from + to) / 2 * time;
 }
 
@@ -303,9 +304,8 @@ TEST(QueueProperty, JunctionVelocitiesMeetAnIndependentLookAhead) {
     QueueSpec spec;
     const int n = 2 + random.below(20);
     for (int k = 0; k < n; ++k) {
-      const MoveDynamics d{random.log_uniform(0.3, 3), random.log_uniform(0.3, 3),
-                           random.log_uniform(0.3, 3),
-                           i % 2 == 0 ? Bounds::none : random.log_uniform(1, 100)};
+      const Dynamics d{random.log_uniform(0.3, 3), random.log_uniform(0.3, 3),
+                       random.log_uniform(0.3, 3), i % 2 == 0 ? 0 : random.log_uniform(1, 100), 0};
       spec.commands.push_back({MoveRelative{random.log_uniform(0.03, 3)}, d,
                                static_cast<BufferMode>(2 + random.below(4))});
     }
@@ -327,7 +327,7 @@ QueueSpec scaled(QueueSpec spec, double length) {
                 spec.start.acceleration * length};
   for (QueuedCommand& c : spec.commands) {
     c.dynamics = {c.dynamics.velocity * size, c.dynamics.acceleration * size,
-                  c.dynamics.deceleration * size, c.dynamics.jerk * size};
+                  c.dynamics.deceleration * size, c.dynamics.jerk * size, 0};
     if (auto* m = std::get_if<MoveAbsolute>(&c.command)) m->position *= length;
     if (auto* m = std::get_if<MoveRelative>(&c.command)) m->distance *= length;
     if (auto* m = std::get_if<MoveVelocity>(&c.command); m != nullptr && length < 0)

@@ -19,12 +19,11 @@ namespace {
 constexpr BufferMode blending[] = {BufferMode::blending_low, BufferMode::blending_previous,
                                    BufferMode::blending_next, BufferMode::blending_high};
 
-MoveDynamics dynamics(double velocity, double acceleration, double deceleration = 0,
-                      double jerk = Bounds::none) {
-  return {velocity, acceleration, deceleration, jerk};
+Dynamics dynamics(double velocity, double acceleration, double deceleration = 0, double jerk = 0) {
+  return {velocity, acceleration, deceleration, jerk, 0};
 }
 
-QueuedCommand aborting(const MotionCommand& command, const MoveDynamics& d, double issued) {
+QueuedCommand aborting(const MotionCommand& command, const Dynamics& d, double issued) {
   return {command, d, BufferMode::aborting, issued};
 }
 
@@ -64,7 +63,7 @@ TEST(Queue, Pmc600Fig517TurnsRound) {
 }
 
 TEST(Queue, Pmc600Fig57RelativeMovesAddUpOrBeginWhereTheyAbort) {
-  const MoveDynamics d = dynamics(1000, 2000);
+  const Dynamics d = dynamics(1000, 2000);
   const QueuedMotion both = queue({.commands = {{MoveRelative{6000}, d}, {MoveRelative{4000}, d}}});
   EXPECT_EQ(both.commands[0].target, 6000);
   EXPECT_EQ(both.end.position, 10000);
@@ -101,10 +100,10 @@ TEST(Queue, JunctionVelocityIsThatOfTheMode) {
   const double expected[2][4] = {{5, 5, 20, 20}, {5, 20, 5, 20}};
   for (int order = 0; order < 2; ++order)
     for (std::size_t i = 0; i < 4; ++i)
-      for (const double jerk : {200.0, Bounds::none})
+      for (const double jerk : {200.0, 0.0})
         for (const double way : {1.0, -1.0}) {
-          const MoveDynamics first = dynamics(order == 0 ? 5 : 20, 40, 30, jerk);
-          const MoveDynamics second = dynamics(order == 0 ? 20 : 5, 40, 30, jerk);
+          const Dynamics first = dynamics(order == 0 ? 5 : 20, 40, 30, jerk);
+          const Dynamics second = dynamics(order == 0 ? 20 : 5, 40, 30, jerk);
           const QueuedMotion m =
               queue({.commands = {{MoveAbsolute{100 * way}, first},
                                   {MoveRelative{100 * way}, second, blending[i]}}});
@@ -113,7 +112,7 @@ TEST(Queue, JunctionVelocityIsThatOfTheMode) {
           const Motion joint = m.trajectory.at(m.commands[0].end);
           EXPECT_NEAR(joint.position, 100 * way, 1e-13);
           EXPECT_NEAR(joint.velocity, way * expected[order][i], 1e-13);
-          if (std::isfinite(jerk)) {
+          if (jerk > 0) {
             EXPECT_NEAR(joint.acceleration, 0, 1e-13);
           }
         }
@@ -132,7 +131,7 @@ TEST(Queue, SpeedsUpJustBeforeTheEndToLeaveFaster) {
 TEST(Queue, TooShortAMoveBeforeTheJunctionReachesWhatItCan) {
   const double jerk = 100;
   for (const bool limited : {false, true}) {
-    const MoveDynamics d = dynamics(50, 1000, 1000, limited ? jerk : Bounds::none);
+    const Dynamics d = dynamics(50, 1000, 1000, limited ? jerk : 0);
     const QueuedMotion m = queue(
         {.commands = {{MoveAbsolute{0.1}, d}, {MoveAbsolute{1000}, d, BufferMode::blending_low}}});
     // v^2 = 2 a h; without a plateau h = v sqrt(v/j).
@@ -146,7 +145,7 @@ TEST(Queue, TooShortAMoveBeforeTheJunctionReachesWhatItCan) {
 TEST(Queue, TooShortAMoveAfterTheJunctionIsEnteredAsFastAsItCanStop) {
   const double jerk = 100;
   for (const bool limited : {false, true}) {
-    const MoveDynamics d = dynamics(50, 1000, 1000, limited ? jerk : Bounds::none);
+    const Dynamics d = dynamics(50, 1000, 1000, limited ? jerk : 0);
     const QueuedMotion m =
         queue({.commands = {{MoveAbsolute{-1000}, d},
                             {MoveRelative{-0.125}, d, BufferMode::blending_low}}});
@@ -173,7 +172,7 @@ TEST(Queue, LooksAheadOverAllMoves) {
 }
 
 TEST(Queue, StopsWhereItTurnsRoundAndWhereNothingIsLeft) {
-  const MoveDynamics d = dynamics(5, 10, 8, 100);
+  const Dynamics d = dynamics(5, 10, 8, 100);
   const auto mode = BufferMode::blending_low;
   const QueuedMotion m = queue({.commands = {{MoveAbsolute{3}, d},
                                              {MoveAbsolute{3}, d, mode},
@@ -191,7 +190,7 @@ TEST(Queue, StopsWhereItTurnsRoundAndWhereNothingIsLeft) {
 }
 
 TEST(Queue, BlendsIntoAVelocityAndIntoAHalt) {
-  const MoveDynamics d = dynamics(5, 10, 8, 100);
+  const Dynamics d = dynamics(5, 10, 8, 100);
   const QueuedMotion run =
       queue({.commands = {{MoveAbsolute{3}, d},
                           {MoveVelocity{}, dynamics(7, 10), BufferMode::blending_low},
@@ -207,7 +206,7 @@ TEST(Queue, BlendsIntoAVelocityAndIntoAHalt) {
 }
 
 TEST(Queue, AfterAVelocityTheNextBeginsInVelocity) {
-  const MoveDynamics d = dynamics(10, 10);
+  const Dynamics d = dynamics(10, 10);
   const QueuedMotion m = queue({.commands = {{MoveVelocity{}, d}, {MoveRelative{15}, d}}});
   EXPECT_EQ(m.commands[0].state, CommandState::done);
   EXPECT_DOUBLE_EQ(m.commands[0].end, 1);
@@ -254,7 +253,7 @@ TEST(Queue, OverTheEndItComesBackAndHandsOverAtRest) {
 }
 
 TEST(Queue, WhatNeverBeganIsAborted) {
-  const MoveDynamics d = dynamics(10, 10, 10, 100);
+  const Dynamics d = dynamics(10, 10, 10, 100);
   const QueuedMotion m = queue({.commands = {{MoveAbsolute{10}, d},
                                              {MoveAbsolute{20}, d, BufferMode::blending_low},
                                              {MoveAbsolute{30}, d},
@@ -272,7 +271,7 @@ TEST(Queue, WhatNeverBeganIsAborted) {
 }
 
 TEST(Queue, AnAbortAfterTheEndFindsTheAxisWaiting) {
-  const MoveDynamics d = dynamics(10, 10);
+  const Dynamics d = dynamics(10, 10);
   const QueuedMotion m =
       queue({.commands = {{MoveAbsolute{10}, d}, aborting(MoveAbsolute{0}, d, 5)}});
   EXPECT_EQ(m.commands[0].state, CommandState::done);
@@ -285,7 +284,7 @@ TEST(Queue, AnAbortAfterTheEndFindsTheAxisWaiting) {
 
 TEST(Queue, TheLastOfSeveralInOneInstantWins) {
   // PMC600 manual 1.2, Fig. 1.5.
-  const MoveDynamics d = dynamics(1000, 1000);
+  const Dynamics d = dynamics(1000, 1000);
   const QueuedMotion m = queue(
       {.commands = {aborting(MoveAbsolute{2234}, d, 0), aborting(MoveAbsolute{-5000}, d, 0)}});
   EXPECT_EQ(m.commands[0].state, CommandState::aborted);
@@ -293,7 +292,7 @@ TEST(Queue, TheLastOfSeveralInOneInstantWins) {
 }
 
 TEST(Queue, RefusesWhatIsNoQueue) {
-  const MoveDynamics d = dynamics(1, 1);
+  const Dynamics d = dynamics(1, 1);
   const auto refused = [](const QueueSpec& spec, const std::string& key) {
     try {
       queue(spec);
@@ -309,7 +308,7 @@ TEST(Queue, RefusesWhatIsNoQueue) {
           "commands[2].velocity");
   refused({.commands = {{Halt{}, dynamics(0, 0)}}}, "commands[1].acceleration");
   refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, -1)}}}, "commands[1].deceleration");
-  refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, 1, 0)}}}, "commands[1].jerk");
+  refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, 1, -1)}}}, "commands[1].jerk");
   refused({.commands = {{MoveVelocity{2}, d}}}, "commands[1].direction");
   refused({.commands = {{Dwell{-1}}}}, "commands[1].time");
   refused({.commands = {{MoveAbsolute{1}, d}, {MoveAbsolute{2}, d, BufferMode::aborting}}},

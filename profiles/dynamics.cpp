@@ -1,4 +1,4 @@
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>

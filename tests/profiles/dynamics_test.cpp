@@ -1,4 +1,4 @@
-#include "jounce/profiles/controllers/dynamics.hpp"
+#include "jounce/profiles/dynamics.hpp"
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/move.hpp"
