@@ -60,8 +60,10 @@ MoveStatus detail::status_of(const MotionState& from, const MotionState& to,
 
 const char* explain(MoveStatus status) noexcept {
   switch (status) {
-    case MoveStatus::ok: return "the move exists";
-    case MoveStatus::not_finite: return "a state is not finite, or greater than 1e100";
+    case MoveStatus::ok:
+      return "the move exists";
+    case MoveStatus::not_finite:
+      return "a state is not finite, or greater than 1e100";
     case MoveStatus::invalid_bounds:
       return "every max must be greater and every min less than 0, and the highest derivative that "
              "is limited must be limited in both directions";
@@ -69,10 +71,13 @@ const char* explain(MoveStatus status) noexcept {
       return "the target's velocity or acceleration lies outside the bounds";
     case MoveStatus::target_unreachable:
       return "the target's acceleration cannot be reached without a velocity outside the bounds";
-    case MoveStatus::position_limit: return "no motion between the two keeps the position limits";
-    case MoveStatus::too_short: return "the move takes longer than that";
+    case MoveStatus::position_limit:
+      return "no motion between the two keeps the position limits";
+    case MoveStatus::too_short:
+      return "the move takes longer than that";
     case MoveStatus::blocked:
-      return "a shorter and a longer duration are possible, this one is not: the axis would have to "
+      return "a shorter and a longer duration are possible, this one is not: the axis would have "
+             "to "
              "go back";
     case MoveStatus::not_straight:
       return "velocities and accelerations of start and target do not lie on the line between them";
@@ -90,21 +95,18 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
 Move move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
              double duration) noexcept {
   Move move;
-  move.status =
-      std::isnan(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
+  move.status = std::isnan(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
   if (!move) return move;
   const detail::Solver solver(from, to, bounds);
   const bool is_long_enough = duration >= solver.minimum() * (1 - forgiven);
-  move.status =
-      is_long_enough ? solver.lasting(duration, move.profile) : MoveStatus::too_short;
+  move.status = is_long_enough ? solver.lasting(duration, move.profile) : MoveStatus::too_short;
   // The edge of a blocked interval may miss by rounding what the interval itself permits.
   if (move.status == MoveStatus::blocked && solver.durations().allows(duration))
     move.status = solver.lasting(solver.durations().at_least(duration), move.profile);
   return move;
 }
 
-Durations durations(const MotionState& from, const MotionState& to,
-                    const Bounds& bounds) noexcept {
+Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
   Durations d;
   d.status = detail::status_of(from, to, bounds);
   return d.status == MoveStatus::ok ? detail::Solver(from, to, bounds).durations() : d;

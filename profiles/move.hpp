@@ -38,15 +38,15 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 /// Why there is no move; `ok` where there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,         ///< a state is not finite, or so large that squares of it overflow
-  invalid_bounds,     ///< a max that is not > 0, a min that is not < 0, NaN, or jerk limited without
-                      ///< acceleration being limited in one direction and not in the other
-  target_outside,     ///< the target's velocity or acceleration lies outside the bounds
-  target_unreachable, ///< reaching (or leaving) the target's acceleration needs a velocity outside
-  position_limit,     ///< no move keeps the position limits: start or target runs into them
-  too_short,          ///< less than the minimum duration was asked for
-  blocked,            ///< the duration asked for lies in a blocked interval
-  not_straight,       ///< phase synchronisation of states that do not lie on one line
+  not_finite,      ///< a state is not finite, or so large that squares of it overflow
+  invalid_bounds,  ///< a max that is not > 0, a min that is not < 0, NaN, or jerk limited without
+                   ///< acceleration being limited in one direction and not in the other
+  target_outside,  ///< the target's velocity or acceleration lies outside the bounds
+  target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside
+  position_limit,      ///< no move keeps the position limits: start or target runs into them
+  too_short,           ///< less than the minimum duration was asked for
+  blocked,             ///< the duration asked for lies in a blocked interval
+  not_straight,        ///< phase synchronisation of states that do not lie on one line
 };
 
 /// One sentence for a status, for people.

@@ -56,10 +56,7 @@ class Profile {
   };
   Profile(const MotionState& start, const MotionState& end, int order, const Values& values,
           std::initializer_list<Step> phases) noexcept
-      : level_(values),
-        start_(start),
-        end_(end),
-        order_(static_cast<std::uint8_t>(order)) {
+      : level_(values), start_(start), end_(end), order_(static_cast<std::uint8_t>(order)) {
     assert(phases.size() <= capacity);
     // Not read before they are set. Clearing them (`rep stos`, as GCC would) takes longer than
     // solving for a trapezoid.

@@ -53,11 +53,16 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, dou
 /// What of an axis may define the common line: the distance, or where nothing moves, a rate.
 double component(const AxisMove& m, int which) {
   switch (which) {
-    case 0: return m.to.position - m.from.position;
-    case 1: return m.from.velocity;
-    case 2: return m.to.velocity;
-    case 3: return m.from.acceleration;
-    default: return m.to.acceleration;
+    case 0:
+      return m.to.position - m.from.position;
+    case 1:
+      return m.from.velocity;
+    case 2:
+      return m.to.velocity;
+    case 3:
+      return m.from.acceleration;
+    default:
+      return m.to.acceleration;
   }
 }
 
@@ -139,9 +144,12 @@ Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Pr
   if (std::isnan(minimum_duration)) return {MoveStatus::not_finite, 0, 0};
   if (axes.empty()) return {};
   switch (sync) {
-    case Sync::none: return each(axes, out, minimum_duration);
-    case Sync::time: return in_time(axes, out, minimum_duration);
-    case Sync::phase: break;
+    case Sync::none:
+      return each(axes, out, minimum_duration);
+    case Sync::time:
+      return in_time(axes, out, minimum_duration);
+    case Sync::phase:
+      break;
   }
   return in_phase(axes, out, minimum_duration);
 }

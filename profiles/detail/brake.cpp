@@ -32,8 +32,8 @@ MotionState limited(const MotionState& s, const Bounds& b, Profile& profile) {
 double entry(const MotionState& s, const Bounds& b, bool above) {
   const double width = b.velocity_max - b.velocity_min;
   const double limit = above ? b.velocity_max : b.velocity_min;
-  const double jerk = above ? b.jerk_min : b.jerk_max;     // towards the inside
-  const double back = above ? b.jerk_max : b.jerk_min;     // out of it
+  const double jerk = above ? b.jerk_min : b.jerk_max;  // towards the inside
+  const double back = above ? b.jerk_max : b.jerk_min;  // out of it
   const double most = above ? b.acceleration_min : b.acceleration_max;
   // What the bare ramp arrives with: as if it had set out from zero acceleration.
   const double top = s.velocity - s.acceleration * s.acceleration / (2 * jerk);
@@ -72,7 +72,8 @@ MotionState brought_inside(const MotionState& from, const Bounds& b, Return way,
   s = limited(s, b, profile);
   // Twice at most: a velocity that falls too fast to be held passes the other limit first.
   for (int i = 0; i < 2 && !is_inside(s, b, forgiven); ++i) {
-    const bool above = s.velocity > b.velocity_max || (s.velocity >= b.velocity_min && s.acceleration > 0);
+    const bool above =
+        s.velocity > b.velocity_max || (s.velocity >= b.velocity_min && s.acceleration > 0);
     const double limit = above ? b.velocity_max : b.velocity_min;
     const double a = way == Return::level ? 0 : entry(s, b, above);
     // The bare ramp to that acceleration may already lead beyond: then the way is to zero.

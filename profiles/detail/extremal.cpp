@@ -21,6 +21,8 @@ namespace jounce::detail {
 namespace {
 
 constexpr double rounding = 0x1p-49;  // eight units in the last place
+constexpr double quadratic = 1e-9;    // settled steps, by the order of convergence
+constexpr double cubic = 1e-6;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 double square(double x) {
@@ -39,10 +41,16 @@ double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
 
-/// The zero of a monotone f in [lo, hi], or the nearer end: Newton from a guess, kept inside by
-/// bisection. f answers with its value over its slope, and says the sign of its value.
+/// Halley's step from where f has this value and derivatives.
+double halley(double f, double first, double second) {
+  return 2 * f * first / (2 * first * first - f * second);
+}
+
+/// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
+/// guess, kept inside by bisection. f says the sign of its value. `settled`: after a relative step as
+/// small the next is lost in rounding.
 template <class F>
-double zero(F f, double lo, double hi, bool rising, double guess) {
+double zero(F f, double lo, double hi, bool rising, double guess, double settled) {
   double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
   for (int i = 0; i < 100; ++i) {
     double sign = 0;
@@ -51,8 +59,7 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
     ((sign < 0) == rising ? lo : hi) = x;
     double next = x - step;
     const bool inside = next > lo && next < hi;
-    // Convergence is quadratic: after a step of 1e-9 the next would be lost in rounding.
-    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
+    const bool done = std::abs(step) <= settled * std::abs(x);
     if (!inside || i > 60) {
       if (done) return next > lo ? hi : lo;
       next = lo + (hi - lo) / 2;
@@ -81,9 +88,7 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
   half_ = {half(from.velocity, from.acceleration, limits.rise),
            half(to.velocity, -to.acceleration, limits.fall)};
   // Where a half must begin: at its own s, or where its z passes zero.
-  const auto natural = [this](const Half& h) {
-    return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c;
-  };
+  const auto natural = [this](const Half& h) { return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c; };
   natural_ = std::max(natural(half_[0]), natural(half_[1]));
   // c1 - c2 from differences, so that what is small does not drown in the velocities.
   const double s0 = half_[0].s;
@@ -95,9 +100,7 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
     high_ = first_;
     q_ = 0;
   }
-  const auto start = [this](const Half& h) {
-    return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6);
-  };
+  const auto start = [this](const Half& h) { return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6); };
   mean_ = (half_[0].c + half_[1].c) / 2;
   cubic_ = (k_ + ijd_) / 24;
   inverse_ = q_ * q_ * ijp_ / 8;
@@ -107,8 +110,8 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
 bool Extremals::has_early() const noexcept {
   const Half& degenerate = half_[static_cast<std::size_t>(first_)];
   const Half& room = half_[static_cast<std::size_t>(1 - first_)];
-  const double tolerance =
-      rounding * (std::abs(degenerate.c) + std::abs(room.c) + k_ * square(degenerate.s) + k_ * square(room.s));
+  const double tolerance = rounding * (std::abs(degenerate.c) + std::abs(room.c) +
+                                       k_ * square(degenerate.s) + k_ * square(room.s));
   const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // room.c - degenerate.c
   return room.s < 0 && degenerate.s > 0 && dc >= -tolerance &&
          dc + k_ * (room.s - degenerate.s) * (room.s + degenerate.s) / 2 >= -tolerance;
@@ -265,17 +268,18 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
                             double guess) const noexcept {
   const auto f = [&](double s, double& sign) {
     const double ss = s * s;
-    sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;
-    return s * sign / (ss * (mean_ + 3 * cubic_ * ss) + inverse_);
+    sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
+    const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
+    const double curvature = 6 * cubic_ * ss * ss - 2 * inverse_;    // s^3 f''
+    return s * halley(sign, slope, curvature);
   };
   if (hi == inf) {
     hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),
-                   std::sqrt(std::abs(mean_) / cubic_),
-                   std::sqrt(std::sqrt(inverse_ / cubic_))});
+                   std::sqrt(std::abs(mean_) / cubic_), std::sqrt(std::sqrt(inverse_ / cubic_))});
     guess = hi;
     for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
   }
-  return zero(f, lo, hi, rising, guess);
+  return zero(f, lo, hi, rising, guess, cubic);
 }
 
 /// Where in the stretch the distance d is covered; it is covered there.
@@ -298,14 +302,15 @@ double Extremals::solve(const Stretch& p, double d, bool rising, double guess) c
       const double c4 = k_ / (8 * l);
       const auto f = [&](double y, double& sign) {
         sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
-        return sign / (x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)));
+        return halley(sign, x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)),
+                      2 * c2 + y * (6 * c3 + y * 12 * c4));
       };
       if (hi == inf) {
         hi = std::max(2 * std::abs(p.lo), l);
         guess = hi;
         for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return zero(f, p.lo, hi, rising, guess);
+      return zero(f, p.lo, hi, rising, guess, cubic);
     }
     case Stretch::Held::both: {
       const Extremal e = at_peak(p.lo);
@@ -369,7 +374,8 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
       piece.hi = k < n ? turns[static_cast<std::size_t>(k)] : end;
       const double after = piece.hi == inf ? inf : distance(member(piece, piece.hi));
       if ((before < d) != (after < d))
-        out[static_cast<std::size_t>(found++)] = member(piece, solve(piece, d, after > before, piece.hi));
+        out[static_cast<std::size_t>(found++)] =
+            member(piece, solve(piece, d, after > before, piece.hi));
       before = after;
       piece.lo = piece.hi;
     }
@@ -459,7 +465,7 @@ Extremal Extremals::cruising(double t, double d, double top) const noexcept {
     return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
   // Without the time that the ramps take, the mean velocity would do.
-  return at(zero(f, natural_, top, true, d / t));
+  return at(zero(f, natural_, top, true, d / t, quadratic));
 }
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {

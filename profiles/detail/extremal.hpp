@@ -126,7 +126,7 @@ class Extremals {
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double natural_;
   double mean_, cubic_, inverse_, base_;  ///< of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
-  double q_;   ///< z_low^2 - z_high^2 while nothing is held
+  double q_;                              ///< z_low^2 - z_high^2 while nothing is held
   int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
   int first_;  ///< the half that is degenerate at the start of the main branch
 };

@@ -53,9 +53,8 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
       from_{snapped(from, to, jerks), from.acceleration},
       to_{to.velocity, to.acceleration},
       jerks_(jerks),
-      start_is_higher_((from_.velocity - to_.velocity) +
-                           (to_natural(from.acceleration, jerks) -
-                            to_natural(-to.acceleration, jerks)) >=
+      start_is_higher_((from_.velocity - to_.velocity) + (to_natural(from.acceleration, jerks) -
+                                                          to_natural(-to.acceleration, jerks)) >=
                        0),
       natural_{from_.velocity + to_natural(from.acceleration, jerks),
                to_.velocity + to_natural(-to.acceleration, jerks)},
@@ -83,7 +82,8 @@ Extremals PointToPoint::down() const noexcept {
 
 PointToPoint::Families PointToPoint::families() const noexcept {
   Families both{up_, down(), false};
-  both.early = from_.acceleration * to_.acceleration > 0 && up_.has_early() && both.down.has_early();
+  both.early =
+      from_.acceleration * to_.acceleration > 0 && up_.has_early() && both.down.has_early();
   return both;
 }
 
@@ -108,8 +108,7 @@ PointToPoint::Course PointToPoint::fastest() const noexcept {
   Course c;
   if (fastest_early(c)) return c;
   if (std::abs(d_ - direct_distance_) <= rounding_) return {true, up_.phases(direct_)};
-  if (d_ > direct_distance_)
-    return {true, up_.phases(up_.cover(d_, direct_, direct_distance_))};
+  if (d_ > direct_distance_) return {true, up_.phases(up_.cover(d_, direct_, direct_distance_))};
   const Extremals mirrored = down();
   const Extremal begin = mirrored.first(Branch::main);
   return {false, mirrored.phases(mirrored.cover(-d_, begin, mirrored.distance(begin)))};
@@ -133,16 +132,18 @@ std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
   return upwards ? std::array{rise_, fall_} : std::array{fall_, rise_};
 }
 
-void PointToPoint::append(const Course& c, Profile& out) const noexcept {
+Profile PointToPoint::shortest(const MotionState& from, const MotionState& to) const noexcept {
+  const Course c = fastest();
   const auto [rise, fall] = jerks(c.upwards);
   const auto& t = c.phases;
-  if (out.phases() == 0) {
-    out = Profile(out.start(), out.end(), 3, {rise, fall},
-                  {{t[0], 1}, {t[1], 0}, {t[2], 2}, {t[3], 0}, {t[4], 2}, {t[5], 0}, {t[6], 1}});
-    return;
-  }
+  return Profile(from, to, 3, {rise, fall},
+                 {{t[0], 1}, {t[1], 0}, {t[2], 2}, {t[3], 0}, {t[4], 2}, {t[5], 0}, {t[6], 1}});
+}
+
+void PointToPoint::append(const Course& c, Profile& out) const noexcept {
+  const auto [rise, fall] = jerks(c.upwards);
   for (std::size_t i = 0; i < 7; ++i)
-    out.add(t[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
+    out.add(c.phases[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
 }
 
 /// `share` of one motion and the rest of another that lasts as long. Bounds are convex: what both
@@ -216,10 +217,6 @@ bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   return true;
 }
 
-void PointToPoint::shortest(Profile& out) const noexcept {
-  append(fastest(), out);
-}
-
 bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const Families both = families();
   const double main = up_.duration(direct_);
@@ -277,8 +274,7 @@ Durations PointToPoint::durations() const noexcept {
       const Extremals& f = both.of(upwards);
       Extremals::Members members;
       const int found = f.covering(b, towards(upwards), members);
-      for (int i = 0; i < found; ++i)
-        event[n++] = f.duration(members[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < found; ++i) event[n++] = f.duration(members[static_cast<std::size_t>(i)]);
     }
   }
   std::sort(event.begin(), event.begin() + n);

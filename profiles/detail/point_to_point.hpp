@@ -14,8 +14,10 @@ class PointToPoint {
  public:
   PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-  /// Appends the phases of the shortest motion.
-  void shortest(Profile& out) const noexcept;
+  /// The shortest motion, as a profile between the two states that were asked for.
+  [[nodiscard]] Profile shortest(const MotionState& from, const MotionState& to) const noexcept;
+  /// The same appended to a way inside.
+  void append_shortest(Profile& out) const noexcept { append(fastest(), out); }
   /// Appends the phases of a motion of exactly this duration >= minimum(); false if it is blocked.
   bool lasting(double t, Profile& out) const noexcept;
   [[nodiscard]] double minimum() const noexcept;

@@ -10,12 +10,12 @@ constexpr double ulps = 0x1p-49;
 
 }  // namespace
 
-SecondOrder::SecondOrder(const MotionState& from, const MotionState& to,
-                         const Bounds& b) noexcept {
+SecondOrder::SecondOrder(const MotionState& from, const MotionState& to, const Bounds& b) noexcept {
   const double d = to.position - from.position;
   up_ = {1, from.velocity, to.velocity, b.velocity_max, b.acceleration_max, -b.acceleration_min, d};
-  down_ = {-1,  -from.velocity,      -to.velocity,       -b.velocity_min,
-           -b.acceleration_min, b.acceleration_max, -d};
+  down_ = {
+      -1, -from.velocity, -to.velocity, -b.velocity_min, -b.acceleration_min, b.acceleration_max,
+      -d};
   for (Way* w : {&up_, &down_}) w->vmax = std::max(w->vmax, w->natural());
   direct_ = up_.duration(up_.natural());
   direct_distance_ = up_.distance(up_.natural());
@@ -117,9 +117,10 @@ Durations SecondOrder::durations() const noexcept {
   // With both velocities against the way, the farthest that can be reached along it first falls
   // back, and passes the target on its return.
   for (const Way* w : {&up_, &down_}) {
-    const double p = std::sqrt(std::max(
-        (2 * w->d + w->v0 * w->v0 / w->rise + w->vf * w->vf / w->fall) / (1 / w->rise + 1 / w->fall),
-        0.0));
+    const double p =
+        std::sqrt(std::max((2 * w->d + w->v0 * w->v0 / w->rise + w->vf * w->vf / w->fall) /
+                               (1 / w->rise + 1 / w->fall),
+                           0.0));
     if (-p > w->natural() && p > 0) {
       const double back = p <= w->vmax
                               ? w->duration(p)

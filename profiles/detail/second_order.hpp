@@ -35,8 +35,7 @@ class SecondOrder {
     [[nodiscard]] double distance(double peak) const noexcept;
     [[nodiscard]] double peak() const noexcept;  ///< (2) without cruise, the greater solution
     /// peak() less the velocity at one end, accurate also where they nearly agree.
-    [[nodiscard]] double above(double v, double other, double its_rate,
-                               double peak) const noexcept;
+    [[nodiscard]] double above(double v, double other, double its_rate, double peak) const noexcept;
     void append_peak(double peak, Profile& out) const noexcept;
     [[nodiscard]] double cruise_velocity(double t) const noexcept;  ///< (1) and (2)
     void append(double peak, double cruise, Profile& out) const noexcept;
@@ -46,7 +45,7 @@ class SecondOrder {
   [[nodiscard]] bool is_direct() const noexcept;
 
   Way up_, down_;
-  double direct_;         ///< duration of the direct change
+  double direct_;  ///< duration of the direct change
   double direct_distance_;
   double rounding_;
 };

@@ -119,11 +119,15 @@ void Solver::straight(double t, Profile& out) const noexcept {
 }
 
 MoveStatus Solver::shortest(Profile& out) const noexcept {
-  out = begun();
-  if (inside_ == to_) return MoveStatus::ok;
-  if (order_ == 3) PointToPoint(inside_, to_, bounds_).shortest(out);
-  if (order_ == 2) SecondOrder(inside_, to_, bounds_).shortest(out);
-  if (order_ == 1) straight(minimum(), out);
+  if (order_ == 3 && before_ == 0 && !(inside_ == to_)) {
+    out = PointToPoint(inside_, to_, bounds_).shortest(start_, to_);
+  } else {
+    out = begun();
+    if (inside_ == to_) return MoveStatus::ok;
+    if (order_ == 3) PointToPoint(inside_, to_, bounds_).append_shortest(out);
+    if (order_ == 2) SecondOrder(inside_, to_, bounds_).shortest(out);
+    if (order_ == 1) straight(minimum(), out);
+  }
   if (keeps_positions(out, bounds_) || by_way_of_rest(out)) return MoveStatus::ok;
   return MoveStatus::position_limit;
 }
@@ -184,8 +188,8 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
   const auto by_way_of = [&](double position) {
     const MotionState rest{position, 0, 0};
     Profile whole;
-    const bool fits = assembled(rest, free, whole) ||
-                      (order_ == 3 && assembled(rest, gentle(free), whole));
+    const bool fits =
+        assembled(rest, free, whole) || (order_ == 3 && assembled(rest, gentle(free), whole));
     if (fits) out = whole;
     return fits;
   };
