@@ -76,14 +76,18 @@ MotionState brought_inside(const MotionState& from, const Bounds& b, Return way,
         s.velocity > b.velocity_max || (s.velocity >= b.velocity_min && s.acceleration > 0);
     const double limit = above ? b.velocity_max : b.velocity_min;
     const double a = way == Return::level ? 0 : entry(s, b, above);
-    // The bare ramp to that acceleration may already lead beyond: then the way is to zero.
+    // An acceleration that carries the velocity through the limit whatever is done is raised on the
+    // way, until it is there.
     const double out = above ? b.jerk_max : b.jerk_min;
     const double ramp = (a - s.acceleration) * (a + s.acceleration) / (2 * out);
     const bool too_steep = above ? s.acceleration < a && s.velocity + ramp < limit
                                  : s.acceleration > a && s.velocity + ramp > limit;
     if (too_steep) {
-      s = after(profile, s, -s.acceleration / out, out);
-      s.acceleration = 0;
+      const double left = s.acceleration * s.acceleration - 2 * out * (s.velocity - limit);
+      const double at_limit = std::copysign(std::sqrt(std::max(left, 0.0)), s.acceleration);
+      s = after(profile, s, (at_limit - s.acceleration) / out, out);
+      s.velocity = limit;
+      s.acceleration = at_limit;
     } else {
       s = change_velocity(s, limit, a, b, profile);
     }

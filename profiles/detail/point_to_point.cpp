@@ -66,10 +66,15 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
       direct_distance_(up_.distance(direct_)) {
   down_limits_ = {std::max({-b.velocity_min, -natural_[0], -natural_[1]}), -b.acceleration_min,
                   b.acceleration_max};
-  const double t = up_.duration(direct_);
-  rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
-                      t * (std::abs(from.velocity) + std::abs(to.velocity) +
-                           t * (std::abs(from.acceleration) + std::abs(to.acceleration))));
+  scale_ = {std::abs(from.position) + std::abs(to.position),
+            std::abs(from.velocity) + std::abs(to.velocity),
+            std::abs(from.acceleration) + std::abs(to.acceleration)};
+  rounding_ = rounding(up_.duration(direct_));
+}
+
+/// How well a distance is known that is covered in t.
+double PointToPoint::rounding(double t) const noexcept {
+  return ulps * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
 }
 
 Extremals PointToPoint::down() const noexcept {
@@ -182,34 +187,38 @@ void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
   out = whole;
 }
 
-/// The velocity stops half-way between both ends to cruise, if there is time for that. Of fewer phases
-/// than a mean of two motions: for where there are phases already.
+/// The velocity stops half-way between both ends to cruise, if there is time for that. Of fewer
+/// phases than a mean of two motions, and each of its own length: for where there are phases already,
+/// and for long durations, beside which the ends of short phases would lose their digits.
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   const Bounds bounds{.acceleration_min = -down_limits_.rise,
                       .acceleration_max = down_limits_.fall,
                       .jerk_min = fall_,
                       .jerk_max = rise_};
-  const auto with_cruise = [&](double velocity, Profile& p) {
-    const MotionState begin{0, from_.velocity, from_.acceleration};
-    const MotionState level = change_velocity(begin, velocity, 0, bounds, p);
+  Profile stair;
+  const auto covered = [&](double velocity) {
+    stair = Profile({0, from_.velocity, from_.acceleration}, 3);
+    const MotionState level = change_velocity(stair.start(), velocity, 0, bounds, stair);
     Profile second(level, 3);
     const MotionState end = change_velocity(level, to_.velocity, to_.acceleration, bounds, second);
-    const double cruise = t - p.duration() - second.duration();
-    p.add(cruise, 0);
+    const double cruise = t - stair.duration() - second.duration();
+    stair.add(cruise, 0);
     for (std::size_t i = 0; i < second.phases(); ++i)
-      p.add(second.phase(i).duration, second.phase(i).value);
+      stair.add(second.phase(i).duration, second.phase(i).value);
     return cruise >= 0 ? end.position + velocity * cruise : std::nan("");
   };
+  // The distance grows with the velocity, by about the time at cruise.
   double low = std::min(natural_[0], natural_[1]);
   double high = std::max(natural_[0], natural_[1]);
-  Profile stair;
+  double velocity = std::clamp(d_ / t, low, high);
   for (int i = 0; i < 100; ++i) {
-    const double middle = low + (high - low) / 2;
-    stair = Profile({}, 3);
-    const double reached = with_cruise(middle, stair);
-    if (std::isnan(reached)) return false;
-    if (!(middle > low && middle < high)) break;
-    (reached < d_ ? low : high) = middle;
+    const double excess = covered(velocity) - d_;
+    if (std::isnan(excess)) return false;
+    (excess < 0 ? low : high) = velocity;
+    double next = velocity - excess / t;
+    if (!(next > low && next < high) || i > 20) next = low + (high - low) / 2;
+    if (excess == 0 || !(next > low && next < high) || next == velocity) break;
+    velocity = next;
   }
   if (out.phases() + stair.phases() > Profile::capacity) return false;
   for (std::size_t i = 0; i < stair.phases(); ++i)
@@ -222,6 +231,7 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const double main = up_.duration(direct_);
   const bool is_early = both.early && t < main && t <= up_.duration(up_.last_early()) * (1 + ulps);
   if (!is_early && t < main * (1 - ulps)) return false;
+  const double slack = rounding(t) + ulps * std::abs(d_);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -235,7 +245,7 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
       e.cruise = spare;
       if (f.distance(e) < towards(upwards)) {
         const Extremal farthest = f.lasting(Branch::main, t);
-        if (f.distance(farthest) < towards(upwards) - rounding_) return false;
+        if (f.distance(farthest) < towards(upwards) - slack) return false;
         append({upwards, f.phases(f.cruising(t, towards(upwards), farthest.vp))}, out);
         return true;
       }
@@ -243,8 +253,8 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
     ends[i] = {upwards, f.phases(e)};
     reach[i] = (upwards ? 1 : -1) * f.distance(e);
   }
-  if (reach[0] < d_ - rounding_ || reach[1] > d_ + rounding_) return false;
-  if (out.phases() > 0 && append_stair(t, out)) return true;
+  if (reach[0] < d_ - slack || reach[1] > d_ + slack) return false;
+  if ((out.phases() > 0 || t > 8 * main) && append_stair(t, out)) return true;
   const double width = reach[0] - reach[1];
   const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
   append_blend(ends, share, out);
@@ -255,8 +265,9 @@ bool PointToPoint::reachable(const Families& both, double t) const noexcept {
   const bool is_main = t >= up_.duration(direct_);
   if (!is_main && !(both.early && t <= up_.duration(up_.last_early()))) return false;
   const Branch b = is_main ? Branch::main : Branch::early;
-  return up_.distance(up_.lasting(b, t)) >= d_ - rounding_ &&
-         -both.down.distance(both.down.lasting(b, t)) <= d_ + rounding_;
+  const double slack = rounding(t) + ulps * std::abs(d_);
+  return up_.distance(up_.lasting(b, t)) >= d_ - slack &&
+         -both.down.distance(both.down.lasting(b, t)) <= d_ + slack;
 }
 
 Durations PointToPoint::durations() const noexcept {

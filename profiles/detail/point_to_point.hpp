@@ -50,6 +50,7 @@ class PointToPoint {
   [[nodiscard]] bool fastest_early(Course& out) const noexcept;
   [[nodiscard]] Course fastest() const noexcept;
   [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
+  [[nodiscard]] double rounding(double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
   void append(const Course& c, Profile& out) const noexcept;
   bool append_stair(double t, Profile& out) const noexcept;
@@ -65,7 +66,8 @@ class PointToPoint {
   Extremals up_;
   Extremal direct_;  ///< of up_
   double direct_distance_;
-  double rounding_;  ///< of positions: a distance is not known better
+  MotionState scale_;  ///< what the states are made of
+  double rounding_;    ///< of positions: a distance is not known better
 };
 
 }  // namespace jounce::detail
