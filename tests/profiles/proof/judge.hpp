@@ -27,7 +27,11 @@ constexpr Real last_bit = 0x1p-60L;
 /// The least duration if the data may be off by a share of their scale.
 using Reference = std::function<Real(Real share)>;
 
+/// What was asked, for people.
+using Asked = std::function<std::string()>;
+
 /// Compares a duration with a reference: equal, a tie, or a failure.
+void compare(Real is, const Reference& reference, const Asked& asked, Tally& tally);
 void compare(Real is, const Reference& reference, const Case& c, Tally& tally);
 
 /// A case of any draw.

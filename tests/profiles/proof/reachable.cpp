@@ -43,15 +43,19 @@
 // a change of sign between neighbours is the only way to have a root. Nothing is sampled.
 //
 // **A start outside.** Safe is a state inside the bounds that can stay there: with v* = v + a^2/(2 m)
-// for a > 0 and v for a <= 0, v* <= v_max, and the mirror image. While v* > v_max, the fastest way
-// into the safe set is the fastest change of velocity to (v_min, 0): a falls with m, is held at
-// a_min, and rises with k, cut where v passes v_max. Without the rise that is plain braking; the
-// rise is what keeps it from falling out of the other side,
+// for a > 0 and v for a <= 0, v* <= v_max, and the mirror image. While v* > v_max there are two ways
+// into the safe set, both of the form: a falls with m, is held at a_min, and rises with k, until v
+// is v_max. The fastest is that of the change of velocity to (v_min, 0), cut where v passes v_max.
+// Without the rise that is plain braking; the rise is what keeps it from falling out of the other
+// side,
 //
 //     a^2 <= 2 k (v_max - v_min) at v = v_max.                                             (8)
 //
-// Acceleration alone outside comes in with full jerk. The durations are those from the state so
-// reached, later by the time it took.
+// The level one is that of the change to (v_max, 0); where the acceleration is already so low that v
+// passes v_max whatever is done, it passes as level as it can, a rising all the way. Acceleration
+// alone outside comes in with full jerk. The
+// durations are those from the state so reached, later by the time it took; of both ways, those of
+// the one with the shorter minimum.
 #include "profiles/proof/reachable.hpp"
 
 #include <algorithm>
@@ -155,8 +159,9 @@ Cut second_order(const Level& y, Real k, Real m) {
   const auto at = [=](Real T) -> Reach {
     const Real hold = std::max<Real>(T - cruise, 0);
     const Real u = hold > 0 ? top : (T + u0) / q;
-    return {(u * u - y.from * y.from) / (2 * k) + (u * u - y.to * y.to) / (2 * m) +
-                (hold > 0 ? top * hold : 0),
+    const Real up = hold > 0 ? top - y.from : (T + (y.to - y.from) / m) / q;
+    const Real down = hold > 0 ? top - y.to : (T - (y.to - y.from) / k) / q;
+    return {(u + y.from) * up / (2 * k) + (u + y.to) * down / (2 * m) + (hold > 0 ? top * hold : 0),
             u};
   };
   return {at, {cruise}};
@@ -349,8 +354,17 @@ Real at_rest(const Point& s, Real j) {
   return s.v - s.a * s.a / (2 * j);
 }
 
-/// The way into the safe set from v* > v_max (8), of third order.
-Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m) {
+/// Down to v_max while the acceleration rises from where it is below 0.
+Entry risen(Point s, Real v_max, Real k, Real time) {
+  const Real last = -std::sqrt(std::max<Real>(s.a * s.a - 2 * k * (s.v - v_max), 0));
+  const Real t = (last - s.a) / k;
+  s.advance(t, k);
+  return {{s.x, v_max, last}, time + t};
+}
+
+/// The way into the safe set from v* > v_max, of third order, arriving with an acceleration not
+/// below `steep` <= 0, or as little below as it can.
+Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m, Real steep) {
   Real time = 0;
   const auto go = [&](Real t, Real j) {
     if (!(t > 0)) return;
@@ -358,8 +372,9 @@ Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m) {
     time += t;
   };
   if (s.a > a.min) go((s.a - std::min<Real>(a.max, s.a)) / m, -m);
-  go((a.min - s.a) / k, k);                                // from below a_min: this side first
-  const Real steep = -std::sqrt(2 * k * (v.max - v.min));  // (8)
+  go((a.min - s.a) / k, k);  // from below a_min: this side first
+  s.a = std::max(s.a, a.min);
+  if (s.a <= 0 && s.v <= v.max) return {s, time};
   // Down to a level `low`, held until v_max, or until the rise to `steep` brings it there.
   const Real to_zero = s.a > 0 ? at_rest(s, -m) : s.v + s.a * s.a / (2 * m);
   const Real plain = -std::sqrt(std::max<Real>(2 * m * (to_zero - v.max), 0));
@@ -371,6 +386,7 @@ Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m) {
     // to_zero - low^2/(2 m) - (low^2 - steep^2)/(2 k) = v_max
     const Real both = (to_zero - v.max + steep * steep / (2 * k)) / (1 / (2 * m) + 1 / (2 * k));
     const Real low = std::max(-std::sqrt(std::max<Real>(both, 0)), a.min);
+    if (low > s.a) return risen(s, v.max, k, time);
     go((s.a - low) / m, -m);
     go((s.v - (low * low - steep * steep) / (2 * k) - v.max) / -low, 0);
     go((steep - low) / k, k);
@@ -383,27 +399,36 @@ Point negated(const Point& s) {
   return {-s.x, -s.v, -s.a};
 }
 
+using Entries = std::vector<Entry>;
+
+/// Both ways from v* > v_max.
+Entries both_from_above(const Point& s, const Level& v, const Level& a, Real k, Real m) {
+  const Real steepest = -std::sqrt(2 * k * (v.max - v.min));  // (8)
+  return {from_above(s, v, a, k, m, steepest), from_above(s, v, a, k, m, 0)};
+}
+
 /// Of third order: from wherever it is into the safe set. Where the acceleration already makes it
 /// pass one bound, that comes first, even if the velocity is still beyond the other.
-Entry entered(const Point& s, const Level& v, const Level& a, Real k, Real m) {
+Entries entered(const Point& s, const Level& v, const Level& a, Real k, Real m) {
   const bool over = s.a > 0 ? at_rest(s, -m) > v.max : s.v > v.max;
   const bool under = s.a < 0 ? at_rest(s, k) < v.min : s.v < v.min;
-  if (over && (s.a > 0 || !under)) return from_above(s, v, a, k, m);
+  if (over && (s.a > 0 || !under)) return both_from_above(s, v, a, k, m);
   if (under) {
-    const Entry e = from_above(negated(s), v.mirrored(), a.mirrored(), m, k);
-    return {negated(e.at), e.time};
+    Entries ways = both_from_above(negated(s), v.mirrored(), a.mirrored(), m, k);
+    for (Entry& e : ways) e.at = negated(e.at);
+    return ways;
   }
   Entry e{s, std::max({(s.a - a.max) / m, (a.min - s.a) / k, Real{0}})};
   e.at.advance(e.time, s.a > 0 ? -m : k);
-  return e;
+  return {e};
 }
 
 /// Of second order: brakes until the velocity is inside.
-Entry entered(const Point& s, const Level& v, Real k, Real m) {
+Entries entered(const Point& s, const Level& v, Real k, Real m) {
   Entry e{s, std::max({(s.v - v.max) / m, (v.min - s.v) / k, Real{0}})};
   e.at.a = s.v > 0 ? -m : k;
   e.at.advance(e.time, 0);
-  return e;
+  return {e};
 }
 
 std::vector<Span> later(std::vector<Span> spans, Real time) {
@@ -424,15 +449,21 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
   const Real k = third ? b.jerk_max : b.acceleration_max;
   const Real m = third ? -b.jerk_min : -b.acceleration_min;
   const Point start{x.from, v.from, a.from};
-  const Entry inside = third ? entered(start, v, a, k, m) : entered(start, v, k, m);
-  x.from = inside.at.x;
-  v.from = inside.at.v;
-  a.from = inside.at.a;
-  if (!third) return later(second(x, v, -m, k, slack.position, slack.velocity), inside.time);
-  return later(
-      between(second(v, a, -m, k, slack.velocity, slack.acceleration), third_order(v, a, k, m),
-              third_order(v.mirrored(), a.mirrored(), m, k), x.to - x.from, slack.position),
-      inside.time);
+  std::vector<Span> shortest;
+  for (const Entry& inside : third ? entered(start, v, a, k, m) : entered(start, v, k, m)) {
+    x.from = inside.at.x;
+    v.from = inside.at.v;
+    a.from = inside.at.a;
+    const std::vector<Span> spans = later(
+        third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
+                        third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
+                        x.to - x.from, slack.position)
+              : second(x, v, -m, k, slack.position, slack.velocity),
+        inside.time);
+    if (shortest.empty() || (!spans.empty() && spans.front().from < shortest.front().from))
+      shortest = spans;
+  }
+  return shortest;
 }
 
 // Starts outside are not brought inside first: on the fastest way they come inside by themselves.

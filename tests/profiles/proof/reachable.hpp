@@ -31,7 +31,8 @@ struct Slack {
 ///     T[i].to, T[i + 1].from;               // a blocked interval
 ///
 /// The target must be safe (`safe_target`). A start that is not (`safe_start`) is brought inside
-/// first, as fast as the bounds allow. Position limits are not considered. Derivation:
+/// first, passing the limit fastest or arriving at it level, whichever gives the shorter minimum;
+/// acceleration comes inside at once. Position limits are not considered. Derivation:
 /// reachable.cpp.
 std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
                             const Slack& slack = {});

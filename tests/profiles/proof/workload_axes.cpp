@@ -14,6 +14,13 @@ Case of(const AxisMove& axis) {
   return {axis.from, axis.to, axis.bounds, {}};
 }
 
+/// All axes' questions, for people.
+std::string line_of(std::span<const AxisMove> axes, double least) {
+  std::string text = "not before " + jounce::proof::text(least) + ":";
+  for (const AxisMove& axis : axes) text += "\n    " + reproducer(of(axis));
+  return text;
+}
+
 /// Every axis checked on its own; false if one failed.
 bool check_axes(std::span<const AxisMove> axes, std::span<const Profile> profiles, double T,
                 Tally& tally) {
@@ -59,21 +66,23 @@ void sync_time(Random& r, Tally& tally) {
   std::vector<Profile> out(axes.size());
   const Synchronised s = synchronise(axes, Sync::time, out, least);
   ++tally.cases;
-  const Case worst = of(axes[std::min(s.axis, axes.size() - 1)]);
   if (s.status != MoveStatus::ok)
-    return tally.fail(std::string("sync of ") + kind + " refused: " + explain(s.status), worst);
+    return tally.fail(std::string("sync of ") + kind + " refused: " + explain(s.status) +
+                          ", axis " + std::to_string(s.axis + 1),
+                      line_of(axes, least));
   if (!check_axes(axes, out, s.duration, tally)) return;
   compare(
       s.duration,
       [&](Real share) {
         std::vector<std::vector<Span>> spans;
         for (std::size_t i = 0; i < axes.size(); ++i) {
-          const Scale scale = check(out[i], of(axes[i])).scale;
+          const Scale scale =
+              check(move_to(axes[i].from, axes[i].to, axes[i].bounds).profile, of(axes[i])).scale;
           spans.push_back(reachable(of(axes[i]), scale, share));
         }
         return common(spans, least);
       },
-      worst, tally);
+      [&] { return line_of(axes, least); }, tally);
 }
 
 /// States on one line: all axes are integer multiples of one of them, in exact arithmetic.

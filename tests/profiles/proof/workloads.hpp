@@ -22,6 +22,7 @@ struct Tally {
   std::vector<std::string> examples = {};  ///< of failures, the first `kept`
   std::size_t kept = 5;
 
+  void fail(const std::string& why, const std::string& asked);
   void fail(const std::string& why, const Case& c);
   void note(const Verdict& verdict, const Case& c);
 };
