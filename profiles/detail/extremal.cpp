@@ -21,8 +21,6 @@ namespace jounce::detail {
 namespace {
 
 constexpr double rounding = 0x1p-49;  // eight units in the last place
-constexpr double quadratic = 1e-9;    // settled steps, by the order of convergence
-constexpr double cubic = 1e-6;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 double square(double x) {
@@ -41,16 +39,17 @@ double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
 
-/// Halley's step from where f has this value and derivatives.
-double halley(double f, double first, double second) {
+/// Halley's step from where f has this value and derivatives; none (NaN) where f does not go the way
+/// that it does at the zero.
+double halley(double f, double first, double second, bool rising) {
+  if ((first > 0) != rising) return std::numeric_limits<double>::quiet_NaN();
   return 2 * f * first / (2 * first * first - f * second);
 }
 
 /// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
-/// guess, kept inside by bisection. f says the sign of its value. `settled`: after a relative step as
-/// small the next is lost in rounding.
+/// guess, kept inside by bisection. f says the sign of its value.
 template <class F>
-double zero(F f, double lo, double hi, bool rising, double guess, double settled) {
+double zero(F f, double lo, double hi, bool rising, double guess) {
   double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
   for (int i = 0; i < 100; ++i) {
     double sign = 0;
@@ -59,7 +58,8 @@ double zero(F f, double lo, double hi, bool rising, double guess, double settled
     ((sign < 0) == rising ? lo : hi) = x;
     double next = x - step;
     const bool inside = next > lo && next < hi;
-    const bool done = std::abs(step) <= settled * std::abs(x);
+    // Convergence is quadratic at least: after such a step the next is lost in rounding.
+    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
     if (!inside || i > 60) {
       if (done) return next > lo ? hi : lo;
       next = lo + (hi - lo) / 2;
@@ -271,7 +271,7 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
     sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
     const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
     const double curvature = 6 * cubic_ * ss * ss - 2 * inverse_;    // s^3 f''
-    return s * halley(sign, slope, curvature);
+    return s * halley(sign, slope, curvature, rising);
   };
   if (hi == inf) {
     hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),
@@ -279,7 +279,7 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
     guess = hi;
     for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
   }
-  return zero(f, lo, hi, rising, guess, cubic);
+  return zero(f, lo, hi, rising, guess);
 }
 
 /// Where in the stretch the distance d is covered; it is covered there.
@@ -303,14 +303,14 @@ double Extremals::solve(const Stretch& p, double d, bool rising, double guess) c
       const auto f = [&](double y, double& sign) {
         sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
         return halley(sign, x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)),
-                      2 * c2 + y * (6 * c3 + y * 12 * c4));
+                      2 * c2 + y * (6 * c3 + y * 12 * c4), rising);
       };
       if (hi == inf) {
         hi = std::max(2 * std::abs(p.lo), l);
         guess = hi;
         for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return zero(f, p.lo, hi, rising, guess, cubic);
+      return zero(f, p.lo, hi, rising, guess);
     }
     case Stretch::Held::both: {
       const Extremal e = at_peak(p.lo);
@@ -465,7 +465,7 @@ Extremal Extremals::cruising(double t, double d, double top) const noexcept {
     return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
   // Without the time that the ramps take, the mean velocity would do.
-  return at(zero(f, natural_, top, true, d / t, quadratic));
+  return at(zero(f, natural_, top, true, d / t));
 }
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {

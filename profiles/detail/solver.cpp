@@ -72,7 +72,7 @@ Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bou
       start_(of_order(from, order_)),
       to_(of_order(to, order_)),
       inside_(start_) {
-  if (order_ == 3 && is_inside(start_, bounds_, 0)) return;
+  if (start_ == to_ || (order_ == 3 && is_inside(start_, bounds_, 0))) return;
   come_inside(Return::fastest);
   if (order_ != 3 || !(before_ > 0)) return;
   // A limit that was lowered far from the target is best met level: the fastest way inside would
