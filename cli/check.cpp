@@ -6,6 +6,7 @@
 #include "jounce/io/units.hpp"
 
 #include "input.hpp"
+#include "json.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -13,6 +14,7 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string axis;
   std::vector<std::string> limits;
   int continuity = 1;
   bool json = false;
@@ -44,28 +46,46 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
 }
 
-int run(const Options& options) {
-  Input input = load(options.file);
+void set_limits(Input& input, const Options& options) {
   for (const auto& text : options.limits) set_limit(input.limits, text, input.labels);
   try {
     require_valid(input.limits);
   } catch (const InputError& error) {
     throw InputError("--limit", error.value(), error.key() + " " + error.rule());
   }
-  const Report report = check_all(input, options.continuity);
-  if (options.json) {
-    auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
-    document["segments"] = nlohmann::ordered_json::parse(std::visit(
-        [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
-    fmt::print("{}\n", document.dump(1));
-  } else {
-    fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
-    fmt::print("{}\n",
-               std::visit([&](const auto& curve) { return extrema_text(curve, input.labels); },
-                          input.curve));
-    fmt::print("{}", full_text(report, input.labels));
+}
+
+nlohmann::ordered_json json_of(const Report& report, const Input& input) {
+  auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
+  document["segments"] = nlohmann::ordered_json::parse(std::visit(
+      [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
+  return document;
+}
+
+void print_text(const Report& report, const Input& input) {
+  fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
+  fmt::print("{}\n",
+             std::visit([&](const auto& curve) { return extrema_text(curve, input.labels); },
+                        input.curve));
+  fmt::print("{}", full_text(report, input.labels));
+}
+
+int run(const Options& options) {
+  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  for (Input& input : inputs) set_limits(input, options);
+  bool ok = true;
+  std::vector<std::pair<std::string, nlohmann::ordered_json>> documents;
+  for (const Input& input : inputs) {
+    const Report report = check_all(input, options.continuity);
+    ok = ok && report.ok();
+    if (options.json)
+      documents.emplace_back(input.axis, json_of(report, input));
+    else
+      print_text(report, input);
+    if (!options.json && &input != &inputs.back()) fmt::print("\n");
   }
-  return report.ok() ? fine : finding;
+  if (options.json) print_json(documents);
+  return ok ? fine : finding;
 }
 
 }  // namespace
@@ -78,6 +98,7 @@ void add_check(CLI::App& app, Work& work) {
   verb->add_option("--limit", options->limits,
                    "KEY=VALUE: a limit beside or over the spec's own; repeatable")
       ->allow_extra_args(false);
+  add_axis_option(verb, options->axis);
   verb->add_option("--continuity", options->continuity,
                    "Highest derivative that must be continuous: 0 position ... 2 acceleration")
       ->check(CLI::Range(0, 3))

@@ -14,46 +14,84 @@ namespace {
 
 struct Options {
   std::string spec;
+  std::string axis;
   std::string output = "-";
   std::string curve;
   bool json = false;
 };
 
-void print_summary(const Options& options, const Input& input) {
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+/// The file of one axis: feeder.csv, or of several feeder-x.csv, feeder-y.csv.
+std::string file_of(const std::string& path, const std::string& axis, std::size_t axes) {
+  if (axes == 1 || path.empty()) return path;
+  if (path == "-")
+    throw InputError("--output", "",
+                     "is missing: several axes need a file each; -o a.csv writes a-" + axis +
+                         ".csv and so on, --axis " + axis + " makes this one alone");
+  const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
+  const auto dot = path.find_last_of('.');
+  const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;
+  return path.substr(0, end) + "-" + axis + path.substr(end);
+}
+
+nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
+  const Table& table = input.table.table;
+  nlohmann::ordered_json summary{{"table", file},
+                                 {"knots", table.size()},
+                                 {"rule", name(table.rule())},
+                                 {"sha256", hex(content_hash(table, input.labels.units))}};
+  if (input.error) {
+    summary["error"] = input.error->position;
+    summary["error_where"] = input.error->where;
+  }
+  for (const Residual& r : input.residuals)
+    summary["residuals"].push_back({{"frequency", r.mode.frequency},
+                                    {"damping", r.mode.damping},
+                                    {"before", r.before},
+                                    {"after", r.after}});
+  return summary;
+}
+
+void print_text(std::FILE* out, const Input& input) {
   const Table& table = input.table.table;
   const Units& units = input.labels.units;
-  if (options.json) {
-    nlohmann::ordered_json summary{{"table", options.output},
-                                   {"knots", table.size()},
-                                   {"rule", name(table.rule())},
-                                   {"sha256", hex(content_hash(table, units))}};
-    if (input.error) {
-      summary["error"] = input.error->position;
-      summary["error_where"] = input.error->where;
-    }
-    fmt::print(out, "{}\n", summary.dump());
-    return;
-  }
   fmt::print(out, "{}: {} knots, {}, from {} to {} {}\n", input.name, table.size(),
              name(table.rule()), rounded(table.start()), rounded(table.end()), units.x);
   if (input.error)
     fmt::print(out, "error against the exact curve: {} {} at the most (certified), at {} {}\n",
                rounded(input.error->position), units.position, rounded(input.error->where),
                units.x);
+  for (const Residual& r : input.residuals)
+    fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without the operators {} {}\n",
+               rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,
+               rounded(r.before), units.position);
   fmt::print(out, "sha256 {}\n", hex(content_hash(table, units)));
 }
 
+/// What is written for one axis.
+void add_files(const Input& input, const Options& options, std::size_t axes,
+               std::vector<Output>& files) {
+  const std::string table = file_of(options.output, input.axis, axes);
+  files.push_back({table, table_text(table, input.table)});
+  if (options.curve.empty()) return;
+  files.push_back(
+      {file_of(options.curve, input.axis, axes),
+       std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
+                  input.curve)});
+}
+
 int run(const Options& options) {
-  const Input input = load(options.spec);
-  std::vector<Output> files{{options.output, table_text(options.output, input.table)}};
-  if (!options.curve.empty())
-    files.push_back(
-        {options.curve,
-         std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
-                    input.curve)});
+  const std::vector<Input> inputs = load_axes(options.spec, options.axis);
+  std::vector<Output> files;
+  for (const Input& input : inputs) add_files(input, options, inputs.size(), files);
   write_files(files);
-  print_summary(options, input);
+  std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+  for (const Input& input : inputs) {
+    if (options.json)
+      fmt::print(out, "{}\n",
+                 json_of(input, file_of(options.output, input.axis, inputs.size())).dump());
+    else
+      print_text(out, input);
+  }
   return fine;
 }
 
@@ -65,7 +103,9 @@ void add_design(CLI::App& app, Work& work) {
                             "jounce design cam.toml -o cam.csv --curve cam.curve.json");
   verb->add_option("SPEC", options->spec, "Spec to make; - is standard input")->required();
   verb->add_option("-o,--output", options->output,
-                   "Table to write, CSV or .json; - is standard output");
+                   "Table to write, CSV or .json; - is standard output. Several axes: a.csv is "
+                   "a-NAME.csv for each");
+  add_axis_option(verb, options->axis);
   verb->add_option("--curve", options->curve,
                    "Also write the exact curve, segment by segment (JSON)");
   verb->add_flag("--json", options->json, "Summary for machines");

@@ -17,33 +17,47 @@ Input from_table(TableFile file, const std::string& path) {
           : file.table.curve<OverTime>();
   Labels labels{file.units, file.table.axis() == Axis::master, {}};
   return {std::nullopt, std::move(curve),  std::move(file), std::nullopt,
-          {},           std::move(labels), printable(path)};
+          {},           std::move(labels), printable(path), ""};
 }
 
-Input from_spec(Spec spec, const std::string& path) {
-  Made made = make(spec);
+Input from_made(Made made, const Spec& spec, const std::string& path) {
+  const AxisPart& part = made.part;
   TableFile table{std::move(made.sampled.table),
-                  spec.units,
+                  part.units,
                   {path == "-" ? "" : printable(path), hex(spec.document.hash), made_by()}};
-  Labels labels{spec.units, spec.is_cam(), std::move(made.segments)};
-  Input input{std::nullopt,
-              std::move(made.curve),
-              std::move(table),
-              std::holds_alternative<Table>(spec.subject) ? std::nullopt
-                                                          : std::optional(made.sampled.error),
-              spec.limits,
-              std::move(labels),
-              spec.name.empty() ? printable(path) : spec.name};
-  input.spec = std::move(spec);
-  return input;
+  const bool is_table = std::holds_alternative<Table>(spec.subject) && spec.then.empty();
+  const std::string name = spec.name.empty() ? printable(path) : spec.name;
+  return {spec,
+          std::move(made.curve),
+          std::move(table),
+          is_table ? std::nullopt : std::optional(made.sampled.error),
+          part.limits,
+          Labels{part.units, spec.is_cam(), std::move(made.segments)},
+          part.name.empty() ? name : name + " " + part.name,
+          part.name,
+          part.table,
+          part.drive,
+          std::move(made.residuals)};
+}
+
+std::vector<Input> from_spec(const Spec& spec, const std::string& path) {
+  std::vector<Input> all;
+  for (Made& made : make_axes(spec)) all.push_back(from_made(std::move(made), spec, path));
+  return all;
+}
+
+std::string names_of(const std::vector<Input>& inputs) {
+  std::string names;
+  for (const Input& input : inputs) names += (names.empty() ? "" : ", ") + input.axis;
+  return names;
 }
 
 /// What the table was allowed to differ: the tolerance asked for, or a millionth of the stroke where
 /// only a number of intervals was.
 double allowed_error(const Input& input, const Range& travel) {
   const double stroke = travel.max.value - travel.min.value;
-  if (input.spec->table.tolerance) return *input.spec->table.tolerance;
-  return (input.spec->table.intervals ? 1e-6 : 1e-9) * (stroke > 0 ? stroke : 1);
+  if (input.options.tolerance) return *input.options.tolerance;
+  return (input.options.intervals ? 1e-6 : 1e-9) * (stroke > 0 ? stroke : 1);
 }
 
 template <class Over>
@@ -92,11 +106,39 @@ Report check_all(const Input& input, int continuity) {
   return report;
 }
 
-Input load(const std::string& path) {
+std::vector<Input> load_axes(const std::string& path, const std::string& axis) {
   std::string text = read_file(path);
   const std::string name = path == "-" ? "standard input" : path;
-  if (is_table(text)) return from_table(parse_table(text, name), name);
-  return from_spec(parse_spec(std::move(text), name), path);
+  std::vector<Input> all;
+  if (is_table(text))
+    all.push_back(from_table(parse_table(text, name), name));
+  else
+    all = from_spec(parse_spec(std::move(text), name), path);
+  if (axis.empty()) return all;
+  const auto named =
+      std::find_if(all.begin(), all.end(), [&](const Input& input) { return input.axis == axis; });
+  if (named == all.end())
+    throw InputError("--axis", axis,
+                     all.size() == 1 ? name + " has one axis, which has no name"
+                                     : "must be one of " + names_of(all));
+  Input one = std::move(*named);
+  all.clear();
+  all.push_back(std::move(one));
+  return all;
+}
+
+Input load(const std::string& path, const std::string& axis) {
+  std::vector<Input> all = load_axes(path, axis);
+  if (all.size() > 1)
+    throw InputError("--axis", "",
+                     "is missing: this verb takes one axis at a time, " +
+                         all.front().spec->document.name + " has " + names_of(all));
+  return std::move(all.front());
+}
+
+Input load_beside(const std::string& path, const Input& input) {
+  std::vector<Input> all = load_axes(path);
+  return all.size() == 1 ? std::move(all.front()) : load(path, input.axis);
 }
 
 }  // namespace jounce::cli

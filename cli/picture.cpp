@@ -1,5 +1,6 @@
 #include "picture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -60,7 +61,39 @@ CurveLook look_of(const Input& input) {
   return look;
 }
 
+/// Adds what another axis does to a panel.
+void add(Panel& panel, Panel other) {
+  if (panel.lower != other.lower) panel.lower.reset();
+  if (panel.upper != other.upper) panel.upper.reset();
+  panel.noise = std::max(panel.noise, other.noise);
+  for (Series& series : other.series) panel.series.push_back(std::move(series));
+  for (Marker& marker : other.markers) panel.markers.push_back(std::move(marker));
+}
+
+Figure figure_of_axis(const Input& input) {
+  CurveLook look = look_of(input);
+  if (!input.axis.empty()) look.label = input.axis;
+  return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, input.curve);
+}
+
 }  // namespace
+
+Figure figure_of(const std::vector<Input>& axes) {
+  Figure figure = figure_of_axis(axes.front());
+  if (axes.size() == 1) return figure;
+  figure.title = axes.front().spec->name;
+  figure.knots.clear();  // each axis has its own
+  for (std::size_t i = 1; i < axes.size(); ++i) {
+    if (axes[i].labels.units.position != axes.front().labels.units.position)
+      throw InputError("--axis", "",
+                       "is missing: " + axes.front().axis + " and " + axes[i].axis +
+                           " have different units, and do not go into one picture");
+    Figure other = figure_of_axis(axes[i]);
+    for (std::size_t k = 0; k < figure.panels.size(); ++k)
+      add(figure.panels[k], std::move(other.panels[k]));
+  }
+  return figure;
+}
 
 Figure figure_of(const Input& input, const std::optional<Input>& before) {
   CurveLook look = look_of(input);

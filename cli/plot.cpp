@@ -10,18 +10,25 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string axis;
   std::string before;
   std::string output = "-";
 };
+
+Figure figure(const Options& options) {
+  const std::vector<Input> inputs = load_axes(options.file, options.axis);
+  if (options.before.empty()) return figure_of(inputs);
+  if (inputs.size() > 1)
+    throw InputError("--before", options.before, "compares one axis: say which with --axis");
+  return figure_of(inputs.front(), load_beside(options.before, inputs.front()));
+}
 
 int run(const Options& options) {
   const bool png = options.output.ends_with(".png");
   if (!png && !options.output.ends_with(".svg") && options.output != "-")
     throw InputError("--output", options.output,
                      "must end in .svg or .png, or be - for SVG on standard output");
-  const Input input = load(options.file);
-  const auto before = options.before.empty() ? std::nullopt : std::optional(load(options.before));
-  const std::string picture = svg(figure_of(input, before));
+  const std::string picture = svg(figure(options));
   if (png)
     write_png(options.output, picture);
   else
@@ -36,6 +43,7 @@ void add_plot(CLI::App& app, Work& work) {
   CLI::App* verb = add_verb(app, "plot", "Draw position, velocity, acceleration and jerk",
                             "jounce plot better.toml --before cam.toml -o cam.png");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  add_axis_option(verb, options->axis);
   verb->add_option("--before", options->before, "Another one, drawn paler underneath");
   verb->add_option("-o,--output", options->output,
                    "Picture to write, .svg or .png; - is SVG on standard output");

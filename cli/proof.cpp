@@ -55,8 +55,8 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
   Report fit = check_all(input);
   std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
   add(proof.report, fit, "table");
-  if (input.spec && input.spec->drive) {
-    const DriveSpec& drive = *input.spec->drive;
+  if (input.drive) {
+    const DriveSpec& drive = *input.drive;
     const Reference reference = table_reference(input);
     proof.drive =
         drive_through(view(reference), drive.drive,

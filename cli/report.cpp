@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string axis;
   std::string before;
   std::string log;
   std::string output = "-";
@@ -101,8 +102,9 @@ Section proof_section(const Proof& proof, const Input& input) {
 }
 
 int run(const Options& options) {
-  const Input input = load(options.file);
-  const auto before = options.before.empty() ? std::nullopt : std::optional(load(options.before));
+  const Input input = load(options.file, options.axis);
+  const auto before =
+      options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   Report report = check_all(input);
   const Proof proof = prove(input, options.log, 2000);
   std::erase_if(report.findings,
@@ -138,6 +140,7 @@ void add_report(CLI::App& app, Work& work) {
       add_verb(app, "report", "Write one self-contained HTML page with curve, limits and proof",
                "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  add_axis_option(verb, options->axis);
   verb->add_option("--before", options->before, "Another one, drawn paler underneath");
   verb->add_option("--log", options->log, "Tick log of an executor, compared with the exact curve");
   verb->add_option("-o,--output", options->output, "Page to write; - is standard output");

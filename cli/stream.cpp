@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string axis;
   std::string to;
   std::string master;
   LinkOptions link;
@@ -29,7 +30,7 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 
 StreamPlan plan_of(const Options& options) {
-  Input input = load(options.file);
+  Input input = load(options.file, options.axis);
   Tables tables = [&] {
     if (options.master.empty()) return executor_tables(input);
     return Tables{input.table, read_table(options.master)};
@@ -97,6 +98,7 @@ void add_stream(CLI::App& app, Work& work) {
       app, "stream", "Send a table to an executor; nothing moves before all of it has arrived",
       "jounce stream cam.toml --to feeder");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  add_axis_option(verb, options->axis);
   verb->add_option("--to", options->to, "Name of the executor")->required();
   verb->add_option("--master", options->master,
                    "Table over time that drives a cam table; a cam spec has its own [master]");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json.hpp"
 #include "proof.hpp"
 #include "verb.hpp"
 
@@ -11,11 +12,12 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string axis;
   std::string log;
   bool json = false;
 };
 
-void print_json(const Proof& proof, const Input& input) {
+nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   using Json = nlohmann::ordered_json;
   Json document = Json::parse(to_json(proof.report, input.labels));
   const auto witness_json = [](const Witness& w) {
@@ -41,23 +43,34 @@ void print_json(const Proof& proof, const Input& input) {
     document["executor"] = {{"ticks", proof.played->ticks},
                             {"error", proof.played->error},
                             {"where", proof.played->where}};
-  fmt::print("{}\n", document.dump(1));
+  return document;
+}
+
+void print_text(const Proof& proof, const Input& input) {
+  fmt::print("{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
+             proof_text(proof, input));
+  if (!proof.drive)
+    fmt::print("  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
+               "drive");
+  if (!proof.report.ok()) fmt::print("\n{}", full_text(proof.report, input.labels));
 }
 
 int run(const Options& options) {
-  const Input input = load(options.file);
-  const Proof proof = prove(input, options.log);
-  if (options.json) {
-    print_json(proof, input);
-  } else {
-    fmt::print("{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
-               proof_text(proof, input));
-    if (!proof.drive)
-      fmt::print("  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
-                 "drive");
-    if (!proof.report.ok()) fmt::print("\n{}", full_text(proof.report, input.labels));
+  const std::vector<Input> inputs = load_axes(options.file, options.axis);
+  if (inputs.size() > 1 && !options.log.empty())
+    throw InputError("--log", options.log, "is of one axis: say which with --axis");
+  bool ok = true;
+  std::vector<std::pair<std::string, nlohmann::ordered_json>> documents;
+  for (const Input& input : inputs) {
+    const Proof proof = prove(input, options.log);
+    ok = ok && proof.report.ok();
+    if (options.json)
+      documents.emplace_back(input.axis, json_of(proof, input));
+    else
+      print_text(proof, input);
   }
-  return proof.report.ok() ? fine : finding;
+  if (options.json) print_json(documents);
+  return ok ? fine : finding;
 }
 
 }  // namespace
@@ -69,6 +82,7 @@ void add_validate(CLI::App& app, Work& work) {
                "Prove it by integration, against a servo model, and against what was played",
                "jounce validate cam.toml --log run.csv");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
+  add_axis_option(verb, options->axis);
   verb->add_option("--log", options->log,
                    "Tick log of an executor: compare every tick with the exact curve");
   verb->add_flag("--json", options->json, "Everything for machines, numbers in full");

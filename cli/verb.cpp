@@ -8,4 +8,8 @@ CLI::App* add_verb(CLI::App& app, const char* name, const char* description, con
   return verb;
 }
 
+void add_axis_option(CLI::App* verb, std::string& axis) {
+  verb->add_option("--axis", axis, "NAME: this axis only, of a spec with several");
+}
+
 }  // namespace jounce::cli

@@ -34,4 +34,7 @@ void add_monitor(CLI::App& app, Work& work);
 /// A verb with its one-line description and the example that closes its --help.
 CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example);
 
+/// --axis NAME, for specs of several axes.
+void add_axis_option(CLI::App* verb, std::string& axis);
+
 }  // namespace jounce::cli

@@ -1,7 +1,9 @@
 #include "jounce/io/make.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "jounce/io/detail/motion.hpp"
 #include "jounce/io/units.hpp"
 
 namespace jounce {
@@ -21,50 +23,115 @@ std::string numbered(std::size_t i, const std::string& name) {
   return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
 }
 
-Made make_cam(const CamSpec& cam, const TableOptions& options) {
+Made make_cam(const Spec& spec) {
+  const auto& cam = std::get<CamSpec>(spec.subject);
   auto [curve, origin] = design(cam);
   std::vector<std::string> names;
   names.reserve(origin.size());
   for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
-  Sampled table = sampled(curve, options);
-  return {std::move(curve), std::move(names), std::move(table)};
+  Sampled table = sampled(curve, spec.table);
+  return {spec.parts().front(), std::move(curve), std::move(names), std::move(table)};
 }
 
-Made make_trajectory(Trajectory curve, Sampled table) {
+/// The motions before any operator, and names for the segments where they are not just numbered.
+struct Motions {
+  std::vector<Trajectory> curves;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < curve.segments().size(); ++i) names.push_back(numbered(i, ""));
-  return {std::move(curve), std::move(names), std::move(table)};
-}
+};
 
-/// A generator names its own fields; in the document they stand under [move].
-Profile make_profile(const MoveSpec& move) {
-  try {
-    return std::holds_alternative<SCurveSpec>(move) ? s_curve(std::get<SCurveSpec>(move))
-                                                    : trapezoid(std::get<TrapezoidSpec>(move));
-  } catch (const InputError& error) {
-    throw InputError("move." + error.key(), error.value(), error.rule());
+Motions motions_of(const Spec& spec) {
+  if (const auto* knots = std::get_if<Table>(&spec.subject))
+    return {{knots->curve<OverTime>()}, {}};
+  if (const auto* axes = std::get_if<AxesSpec>(&spec.subject))
+    return {detail::motions_of(*axes), {}};
+  if (const auto* queue = std::get_if<QueueSpec>(&spec.subject)) {
+    detail::QueueMotion motion = detail::motion_of(*queue);
+    return {{std::move(motion.curve)}, std::move(motion.labels)};
   }
+  return {{detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
 }
 
-Made make_any(const Spec& spec) {
+/// Names of the segments after the operators. A filter makes many, of which none means anything.
+std::vector<std::string> names_after(const Spec& spec, const Trajectory& curve,
+                                     std::vector<std::string> names) {
+  const bool same = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
+    return std::holds_alternative<RetimeSpec>(each);
+  });
+  const bool changed = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
+    return std::holds_alternative<RetimeSpec>(each) || std::holds_alternative<ChangeSpec>(each);
+  });
+  if (same && !names.empty()) return names;
+  names.clear();
+  for (std::size_t i = 0; i < curve.segments().size(); ++i)
+    names.push_back(changed ? numbered(i, "") : "all");
+  return names;
+}
+
+std::optional<Mode> mode_of(const Operator& each) {
+  if (const auto* shaper = std::get_if<ShaperSpec>(&each)) return shaper->mode;
+  if (const auto* notch = std::get_if<NotchSpec>(&each))
+    return Mode{notch->frequency, notch->mode_damping};
+  return std::nullopt;
+}
+
+std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
+                                   const Trajectory& after) {
+  std::vector<Residual> all;
+  for (const Operator& each : spec.then) {
+    const auto mode = mode_of(each);
+    if (!mode) continue;
+    const Mode scaled{mode->frequency * seconds_per_unit(spec), mode->damping};
+    all.push_back({*mode, residual_vibration(before, scaled), residual_vibration(after, scaled)});
+  }
+  return all;
+}
+
+/// The knots of a PVT spec are its table, unless operators make it another.
+Sampled table_of(const Spec& spec, const Trajectory& curve, const AxisPart& part) {
+  const auto* knots = std::get_if<Table>(&spec.subject);
+  if (knots != nullptr && spec.then.empty()) return {*knots, {}};
+  return sampled(curve, part.table);
+}
+
+std::vector<Made> make_motions(const Spec& spec) {
+  const std::vector<AxisPart> parts = spec.parts();
+  const Motions before = motions_of(spec);
+  std::vector<Trajectory> curves = before.curves;
+  detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
+  std::vector<Made> all;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Sampled table = table_of(spec, curves[i], parts[i]);
+    all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
+                   std::move(table), residuals_of(spec, before.curves[i], curves[i])});
+  }
+  return all;
+}
+
+std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
     throw InputError("kind", "\"axis\"", "an axis makes no table; it is what `jounce run` takes");
-  if (const auto* cam = std::get_if<CamSpec>(&spec.subject)) return make_cam(*cam, spec.table);
-  if (const auto* knots = std::get_if<Table>(&spec.subject))
-    return make_trajectory(knots->curve<OverTime>(), {*knots, {}});
-  Trajectory curve = make_profile(std::get<MoveSpec>(spec.subject)).curve();
-  Sampled table = sampled(curve, spec.table);
-  return make_trajectory(std::move(curve), std::move(table));
+  if (!spec.is_cam()) return make_motions(spec);
+  std::vector<Made> all;
+  all.push_back(make_cam(spec));
+  return all;
 }
 
 }  // namespace
 
-Made make(const Spec& spec) {
+std::vector<Made> make_axes(const Spec& spec) {
   try {
     return make_any(spec);
   } catch (const InputError& error) {
     throw spec.document.located(error);
   }
+}
+
+Made make(const Spec& spec) {
+  std::vector<Made> all = make_axes(spec);
+  if (all.size() > 1)
+    throw spec.document.located(
+        InputError("axis", std::to_string(all.size()), "are too many: one axis is wanted here"));
+  return std::move(all.front());
 }
 
 namespace {

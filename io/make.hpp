@@ -5,18 +5,34 @@
 #include <vector>
 
 #include "jounce/io/spec.hpp"
+#include "jounce/profiles/vibration.hpp"
 #include "jounce/pvt/sample.hpp"
 
 namespace jounce {
 
-/// What a spec makes: the exact curve, the table a controller gets, and how far they differ.
+/// How much of a mode the motion leaves swinging at its end: predicted for each mode that an operator
+/// of the spec was made for, in the unit of the position.
+struct Residual {
+  Mode mode;          ///< Hz
+  double before = 0;  ///< of the motion as it was before all operators
+  double after = 0;   ///< of the finished one
+};
+
+/// What a spec makes for one axis: the exact curve, the table a controller gets, and how far they
+/// differ.
 struct Made {
+  AxisPart part;  ///< whose it is
   std::variant<Cam, Trajectory> curve;
   std::vector<std::string> segments;  ///< a name for each segment of the curve, for reports
   Sampled sampled;
+  std::vector<Residual> residuals = {};
 };
 
-/// Spec -> generator -> curve -> table. Throws InputError, placed in the spec's document.
+/// Spec -> generator -> operators -> curve -> table; one an axis, all over the same time. Throws
+/// InputError, placed in the spec's document.
+std::vector<Made> make_axes(const Spec& spec);
+
+/// The same where there is one axis; several are an InputError.
 Made make(const Spec& spec);
 
 /// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError

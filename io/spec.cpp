@@ -1,7 +1,5 @@
 #include "jounce/io/spec.hpp"
 
-#include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -14,16 +12,9 @@ namespace {
 
 using detail::TomlReader;
 
-const std::vector<std::string> kinds{"cam", "move", "pvt", "axis"};
-const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
+using detail::read_unit;
 
-std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
-  auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
-  if (!is_unit(unit))
-    reader.fail(key, '"' + unit + '"',
-                "is not a unit that Jounce knows, such as mm, deg, rev, pulse, s, ms");
-  return unit;
-}
+const std::vector<std::string> kinds{"cam", "move", "queue", "axes", "pvt", "axis"};
 
 void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
   TomlReader units = top.table("units");
@@ -37,48 +28,6 @@ void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
   spec.units.x = kind == "cam" ? read_unit(units, "master", nullptr) : spec.time_unit;
   if (kind == "axis" && units.has("master")) spec.master_unit = read_unit(units, "master", nullptr);
   units.finish();
-}
-
-TableOptions read_table_options(TomlReader& top, const Units& units, const std::string& kind) {
-  TableOptions options;
-  if (kind == "pvt") options.rule = Rule::cubic_hermite;
-  auto table = top.optional_table("table");
-  if (!table) return options;
-  if (table->has("rule")) options.rule = static_cast<Rule>(table->choice("rule", rules));
-  if (kind == "pvt") {  // the knots are the table
-    table->finish();
-    return options;
-  }
-  options.tolerance = table->optional_number("tolerance", units.position);
-  options.intervals = table->optional_count("intervals");
-  if (options.intervals.value_or(1) > 10'000'000)
-    table->fail("intervals", std::to_string(*options.intervals), "must be at most 10000000");
-  if (options.tolerance && !(*options.tolerance > 0))
-    table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
-  if (options.tolerance && options.intervals)
-    table->fail("intervals", "", "either a tolerance or a number of intervals, not both");
-  table->finish();
-  return options;
-}
-
-Limits read_limits(TomlReader& top, const Units& units, bool over_master) {
-  Limits limits;
-  auto table = top.optional_table("limits");
-  if (!table) return limits;
-  const auto& names = over_master ? OverMaster::names : OverTime::names;
-  limits.position_min = table->optional_number("position_min", units.position);
-  limits.position_max = table->optional_number("position_max", units.position);
-  const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    *rates[k] = table->optional_number(names[k + 1],
-                                       rate_unit(units.position, units.x, static_cast<int>(k) + 1));
-    if (*rates[k] && !(**rates[k] > 0))
-      table->fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
-  }
-  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
-    table->fail("position_min", number(*limits.position_min), "must not be above position_max");
-  table->finish();
-  return limits;
 }
 
 std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
@@ -107,25 +56,41 @@ void require_version(TomlReader& top) {
              "this program reads format version " + std::to_string(Spec::version));
 }
 
+/// What belongs to the one axis of a spec.
+void read_one_axis(TomlReader& top, Spec& spec, const std::string& kind) {
+  const bool knots = kind == "pvt";
+  spec.table = detail::read_table_options(top, spec.units,
+                                          knots ? Rule::cubic_hermite : Rule::quintic_hermite,
+                                          knots && !top.has("then"));
+  spec.limits = detail::read_limits(top, spec.units, kind == "cam");
+  spec.drive = detail::read_drive(top, spec.units);
+}
+
+void read_cam_parts(TomlReader& top, Spec& spec) {
+  spec.subject = detail::read_cam(top, spec.units, spec.optimize);
+  detail::read_optimize(top, spec.optimize);
+  spec.master = read_master(top, spec);
+}
+
 void read_body(TomlReader& top, Spec& spec) {
   require_version(top);
   const std::string& kind = kinds[top.choice("kind", kinds)];
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
-  spec.table = read_table_options(top, spec.units, kind);
-  spec.limits = read_limits(top, spec.units, kind == "cam");
-  spec.drive = detail::read_drive(top, spec.units);
-  if (kind == "cam") {
-    spec.subject = detail::read_cam(top, spec.units, spec.optimize);
-    detail::read_optimize(top, spec.optimize);
-    spec.master = read_master(top, spec);
-  } else if (kind == "move") {
+  if (kind != "axes") read_one_axis(top, spec, kind);
+  if (kind == "cam")
+    read_cam_parts(top, spec);
+  else if (kind == "move")
     spec.subject = detail::read_move(top.table("move"), spec.units);
-  } else if (kind == "pvt") {
+  else if (kind == "queue")
+    spec.subject = detail::read_queue(top, spec.units);
+  else if (kind == "axes")
+    spec.subject = detail::read_axes(top, spec);
+  else if (kind == "pvt")
     spec.subject = detail::read_knots(top, spec.units, spec.table.rule);
-  } else {
+  else
     spec.subject = detail::read_axis(top.table("axis"), spec.units);
-  }
+  if (kind != "cam" && kind != "axis") spec.then = detail::read_then(top, spec.units);
   top.finish();
 }
 
@@ -156,6 +121,11 @@ Spec parse_spec(std::string text, std::string name) {
     throw spec.document.located(error);
   }
   return spec;
+}
+
+std::vector<AxisPart> Spec::parts() const {
+  if (!axes.empty()) return axes;
+  return {{"", units, table, limits, drive}};
 }
 
 Spec read_spec(const std::string& path) {

@@ -9,9 +9,9 @@
 #include "jounce/cam/design.hpp"
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
+#include "jounce/io/motion_spec.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/table.hpp"
 #include "jounce/validate/drive.hpp"
 
@@ -53,7 +53,14 @@ struct AxisSpec {
   double position = 0;  ///< where the axis stands at first
 };
 
-using MoveSpec = std::variant<TrapezoidSpec, SCurveSpec>;
+/// One axis of a spec: what belongs to it alone. A spec of one axis has one, without a name.
+struct AxisPart {
+  std::string name;
+  Units units;
+  TableOptions table;
+  Limits limits;  ///< of a cam: per master unit
+  std::optional<DriveSpec> drive;
+};
 
 /// A whole spec file: what to make, for which axis, within which limits.
 struct Spec {
@@ -64,12 +71,17 @@ struct Spec {
   Units units;              ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;    ///< "s" unless the spec says otherwise
   std::string master_unit;  ///< of an axis that follows a master; otherwise ""
-  std::variant<CamSpec, MoveSpec, Table, AxisSpec> subject;
+  std::variant<CamSpec, MoveSpec, QueueSpec, AxesSpec, Table, AxisSpec> subject;
+  std::vector<Operator> then;  ///< done to the motion, one after another
+  std::vector<AxisPart> axes;  ///< of kind "axes"; empty for the others
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit
   std::optional<MasterSpec> master;
   OptimizeSpec optimize;
   std::optional<DriveSpec> drive;
+
+  /// The axes: those of kind "axes", or the one.
+  [[nodiscard]] std::vector<AxisPart> parts() const;
 
   [[nodiscard]] bool is_cam() const { return std::holds_alternative<CamSpec>(subject); }
 };

@@ -28,8 +28,8 @@ void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
 
 }  // namespace
 
-std::optional<DriveSpec> read_drive(TomlReader& top, const Units& units) {
-  auto table = top.optional_table("drive");
+std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
+  auto table = owner.optional_table("drive");
   if (!table) return std::nullopt;
   DriveSpec spec;
   const std::vector<std::string> models{"servo_400w"};
@@ -47,7 +47,7 @@ std::optional<DriveSpec> read_drive(TomlReader& top, const Units& units) {
   try {
     require_valid(spec.drive);
   } catch (const InputError& error) {  // the model names its own fields
-    throw InputError("drive." + error.key(), error.value(), error.rule());
+    throw InputError(owner.path("drive." + error.key()), error.value(), error.rule());
   }
   return spec;
 }

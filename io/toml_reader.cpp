@@ -98,6 +98,19 @@ std::optional<std::size_t> TomlReader::optional_count(const char* key) {
   return static_cast<std::size_t>(*value);
 }
 
+std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::int64_t>();
+  if (!value) fail(key, shown(*node), "must be a whole number");
+  return value;
+}
+
+std::int64_t TomlReader::whole(const char* key) {
+  require(key);
+  return *optional_whole(key);
+}
+
 std::optional<bool> TomlReader::optional_flag(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
@@ -128,6 +141,12 @@ std::size_t TomlReader::choice(const char* key, std::span<const std::string> per
   fail(key, '"' + given + '"',
        (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") + std::string("must be one of ") +
            join(permitted));
+}
+
+std::optional<std::size_t> TomlReader::optional_choice(const char* key,
+                                                       std::span<const std::string> permitted) {
+  if (find(key) == nullptr) return std::nullopt;
+  return choice(key, permitted);
 }
 
 TomlReader TomlReader::table(const char* key) {
@@ -170,6 +189,19 @@ std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* k
     fail(key, shown(*node), "must be two numbers, [lower, upper]");
   return std::pair{read_number(*array->get(0), path(key), unit),
                    read_number(*array->get(1), path(key), unit)};
+}
+
+std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != units.size())
+    fail(key, shown(*node), "must be a list of " + std::to_string(units.size()) + " numbers");
+  std::vector<double> all;
+  for (const std::string& unit : units)
+    all.push_back(read_number(*array->get(all.size()),
+                              path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
+  return all;
 }
 
 std::vector<std::string> TomlReader::texts(const char* key) {

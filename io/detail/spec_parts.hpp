@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "jounce/io/detail/motion_fields.hpp"
 #include "jounce/io/detail/toml_reader.hpp"
 #include "jounce/io/spec.hpp"
 
@@ -12,12 +15,40 @@ CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize);
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 
+/// A `profile` of [move] and what reads its keys.
+struct ProfileReader {
+  const char* name;
+  MoveSpec (*read)(MotionFields& fields);
+};
+std::span<const ProfileReader> general_profiles();
+std::span<const ProfileReader> controller_profiles();
+
 /// [move], [[knot]], [axis].
 MoveSpec read_move(TomlReader move, const Units& units);
 Table read_knots(TomlReader& top, const Units& units, Rule rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 
-/// [drive] and [drive.limits], where there is one.
-std::optional<DriveSpec> read_drive(TomlReader& top, const Units& units);
+/// [start], [dynamics], [[command]].
+QueueSpec read_queue(TomlReader& top, const Units& units);
+
+/// [[axis]] into spec.axes; sync and duration, or [[point]].
+AxesSpec read_axes(TomlReader& top, Spec& spec);
+
+/// [[then]].
+std::vector<Operator> read_then(TomlReader& top, const Units& units);
+
+/// velocity, acceleration, deceleration, jerk, deceleration_jerk. Without `with_velocity` the
+/// velocity is the value of something else.
+Dynamics read_dynamics(MotionFields& fields, bool with_velocity = true);
+
+/// [table], [limits], and [drive] with [drive.limits] where there is one: of the document, or of
+/// one axis. A table that already is one (`finished`) has a rule only.
+TableOptions read_table_options(TomlReader& owner, const Units& units, Rule fallback,
+                                bool finished = false);
+Limits read_limits(TomlReader& owner, const Units& units, bool over_master = false);
+std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
+
+/// A unit of measure under `key`.
+std::string read_unit(TomlReader& reader, const char* key, const char* fallback);
 
 }  // namespace jounce::detail

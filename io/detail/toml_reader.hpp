@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <span>
@@ -25,11 +26,16 @@ class TomlReader {
   double number(const char* key, const std::string& unit);
   std::optional<double> optional_number(const char* key, const std::string& unit);
   std::optional<std::size_t> optional_count(const char* key);
+  /// A whole number of any sign.
+  std::optional<std::int64_t> optional_whole(const char* key);
+  std::int64_t whole(const char* key);
   std::optional<bool> optional_flag(const char* key);
   std::string text(const char* key);
   std::optional<std::string> optional_text(const char* key);
   /// The index of a text among the permitted ones.
   std::size_t choice(const char* key, std::span<const std::string> permitted);
+  std::optional<std::size_t> optional_choice(const char* key,
+                                             std::span<const std::string> permitted);
 
   std::optional<TomlReader> optional_table(const char* key);
   TomlReader table(const char* key);
@@ -37,6 +43,8 @@ class TomlReader {
   std::vector<TomlReader> tables(const char* key);
   /// key = [a, b] of two numbers.
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
+  /// key = [a, b, ...]: one number for each unit; nothing if the key is left out.
+  std::vector<double> numbers(const char* key, std::span<const std::string> units);
   std::vector<std::string> texts(const char* key);
 
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/io/spec.hpp"
+
+/// From what a spec says of motions over time to the motions. All throw InputError, whose keys are
+/// those of the document.
+namespace jounce::detail {
+
+/// [move]. That there is no such move is bad input here: the spec asks for it.
+Trajectory motion_of(const MoveSpec& move);
+
+/// [[command]]; the labels say which segment belongs to which command.
+struct QueueMotion {
+  Trajectory curve;
+  std::vector<std::string> labels;
+};
+QueueMotion motion_of(const QueueSpec& queue);
+
+/// [[axis]]: one motion each, over one interval.
+std::vector<Trajectory> motions_of(const AxesSpec& axes);
+
+/// The motions behind the operators, one after another; all axes together. A unit of time has
+/// `unit` seconds.
+void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
+           std::vector<Trajectory>& motions);
+
+/// The same error under another key of the document.
+InputError renamed(const InputError& error, const std::string& key);
+
+}  // namespace jounce::detail

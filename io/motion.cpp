@@ -1,0 +1,211 @@
+#include "jounce/io/detail/motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "jounce/profiles/between.hpp"
+#include "jounce/profiles/via.hpp"
+
+namespace jounce::detail {
+namespace {
+
+Trajectory curve_of(const Move& move, const char* key) {
+  if (!move) throw InputError(key, "", explain(move.status));
+  if (!(move.profile.duration() > 0))
+    throw InputError(key, "", "is where the axis is already: there is no move");
+  return move.profile.curve();
+}
+
+// ---- a move of each profile ------------------------------------------------------------------
+
+Trajectory made(const TrapezoidSpec& s) {
+  return trapezoid(s).curve();
+}
+Trajectory made(const SCurveSpec& s) {
+  return s_curve(s).curve();
+}
+
+/// Why a duration cannot be had, with the one that can.
+InputError refused(const PointToPointSpec& s, const MotionState& to, MoveStatus status) {
+  const Durations all = durations(s.from, to, s.bounds);
+  return {"duration", *s.duration,
+          std::string(explain(status)) + "; the next possible one is " +
+              number(all.at_least(*s.duration))};
+}
+
+MotionState target_of(const PointToPointSpec& s) {
+  MotionState to = s.to;
+  if (!s.period) return to;
+  const ModuloTarget target = modulo_target(s.from, to.position, s.direction, *s.period, s.bounds);
+  if (target.status != MoveStatus::ok) throw InputError("direction", "", explain(target.status));
+  to.position = target.position;
+  return to;
+}
+
+Trajectory made(const PointToPointSpec& s) {
+  const MotionState to = target_of(s);
+  if (!s.duration) return curve_of(move_to(s.from, to, s.bounds), "to");
+  const Move move = move_to(s.from, to, s.bounds, *s.duration);
+  if (move.status == MoveStatus::too_short || move.status == MoveStatus::blocked)
+    throw refused(s, to, move.status);
+  return curve_of(move, "to");
+}
+
+Trajectory made(const VelocitySpec& s) {
+  return curve_of(move_velocity(s.from, s.velocity, s.bounds, s.acceleration), "to_velocity");
+}
+
+Trajectory made(const HimcMoveSpec& s) {
+  return himc::move_abs(s.from, s.to, s.axis).curve();
+}
+Trajectory made(const HimcVelocitySpec& s) {
+  return himc::move_vel(s.from, s.direction, s.axis).curve();
+}
+
+Trajectory made(const googol::Trap& s) {
+  return googol::trap(s).curve();
+}
+Trajectory made(const googol::MoveAbsolute& s) {
+  return googol::move_absolute(s).curve();
+}
+Trajectory made(const googol::MoveAbsoluteEx& s) {
+  return googol::move_absolute_ex(s).curve();
+}
+Trajectory made(const GoogolVelocitySpec& s) {
+  return googol::move_velocity(s.from, s.move).curve();
+}
+Trajectory made(const GoogolJogSpec& s) {
+  return googol::jog(s.from, s.velocities, s.parameters);
+}
+
+Trajectory made(const AgitoSpec& s) {
+  return s.strokes ? agito::repetitive(s.from, s.target, s.settings, *s.strokes, s.rpt_wait)
+                   : agito::begin(s.from, s.target, s.settings).curve();
+}
+Trajectory made(const AgitoSineSpec& s) {
+  const auto stroke = static_cast<std::int32_t>(2 * s.amplitude);
+  if (stroke != 2 * s.amplitude)
+    throw InputError("amplitude", s.amplitude, "must make a whole stroke: RelTrgt = 2 amplitude");
+  return agito::repetitive(s.from, {.rel_trgt = stroke},
+                           agito::quasi_sine(s.amplitude, s.frequency), s.strokes, s.rpt_wait);
+}
+Trajectory made(const AgitoJogSpec& s) {
+  return agito::jog(s.from, s.settings).curve();
+}
+
+Trajectory made(const Pmc600Spec& s) {
+  return pmc600::move_absolute(s.from, s.to, s.ramps);
+}
+Trajectory made(const pmc600::LsMove& s) {
+  return pmc600::ls_move(s).curve();
+}
+Trajectory made(const Pmc600LsVelocitySpec& s) {
+  return pmc600::ls_move_velocity(s.from, s.velocity, s.acceleration, s.start_velocity).curve();
+}
+Trajectory made(const pmc600::PositionToVelocity& s) {
+  return pmc600::position_to_velocity(s);
+}
+Trajectory made(const Pmc600InchSpec& s) {
+  return pmc600::inch(s.from, s.distance, s.dynamics, s.released);
+}
+Trajectory made(const Pmc600JogSpec& s) {
+  return pmc600::jog(s.from, s.inputs, s.dynamics, s.max_velocity);
+}
+
+// ---- queue -----------------------------------------------------------------------------------
+
+const char* type_of(const MotionCommand& command) {
+  constexpr std::array names{"absolute", "relative", "velocity", "halt", "dwell"};
+  return names[command.index()];
+}
+
+/// Each segment under the command that was running in its middle.
+std::vector<std::string> labels_of(const QueueSpec& queue, const QueuedMotion& motion) {
+  std::vector<std::string> labels;
+  const auto breaks = motion.trajectory.breaks();
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const double middle = (breaks[i] + breaks[i + 1]) / 2;
+    const auto running =
+        std::find_if(motion.commands.begin(), motion.commands.end(),
+                     [&](const CommandRecord& c) { return c.begin < middle && middle <= c.end; });
+    if (running == motion.commands.end()) {
+      labels.emplace_back("none");
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(running - motion.commands.begin());
+    labels.push_back(std::to_string(k + 1) + " " + type_of(queue.commands[k].command));
+  }
+  return labels;
+}
+
+// ---- several axes ----------------------------------------------------------------------------
+
+/// Until the last axis is done: one that is done earlier stands.
+void bring_to_one_end(std::vector<Trajectory>& motions) {
+  double end = 0;
+  for (const Trajectory& motion : motions) end = std::max(end, motion.end());
+  for (Trajectory& motion : motions)
+    if (motion.end() < end) motion = between(motion, motion.start(), end);
+}
+
+std::string key_of(std::size_t axis) {
+  return "axis[" + std::to_string(axis + 1) + "]";
+}
+
+std::vector<Trajectory> through_points(const AxesSpec& axes) {
+  ViaSpec spec{{}, axes.points};
+  for (const AxisMove& axis : axes.axes) spec.axes.push_back(axis.bounds);
+  try {
+    return via(spec).axes;
+  } catch (const InputError& error) {  // axes[1] and points[2] are [[axis]] and [[point]]
+    std::string key = error.key();
+    if (key.starts_with("axes")) key.replace(0, 4, "axis");
+    if (key.starts_with("points")) key.replace(0, 6, "point");
+    throw renamed(error, key);
+  }
+}
+
+}  // namespace
+
+InputError renamed(const InputError& error, const std::string& key) {
+  return {key, error.value(), error.rule()};
+}
+
+Trajectory motion_of(const MoveSpec& move) {
+  try {
+    return std::visit([](const auto& spec) { return made(spec); }, move);
+  } catch (const InputError& error) {  // a generator names its own fields
+    throw renamed(error, "move." + error.key());
+  }
+}
+
+QueueMotion motion_of(const QueueSpec& spec) {
+  try {
+    QueuedMotion motion = queue(spec);
+    std::vector<std::string> labels = labels_of(spec, motion);
+    return {std::move(motion.trajectory), std::move(labels)};
+  } catch (const InputError& error) {
+    std::string key = error.key();
+    if (key.starts_with("commands")) key.replace(0, 8, "command");
+    throw renamed(error, key);
+  }
+}
+
+std::vector<Trajectory> motions_of(const AxesSpec& axes) {
+  if (!axes.points.empty()) return through_points(axes);
+  std::vector<Profile> profiles(axes.axes.size());
+  const Synchronised all = synchronise(axes.axes, axes.sync, profiles, axes.duration);
+  if (all.status != MoveStatus::ok) throw InputError(key_of(all.axis), "", explain(all.status));
+  std::vector<Trajectory> motions;
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    motions.push_back(
+        profiles[i].duration() > 0
+            ? profiles[i].curve()
+            : Trajectory({line(all.duration, axes.axes[i].to.position, axes.axes[i].to.position)},
+                         0, Outside::hold));
+  bring_to_one_end(motions);
+  return motions;
+}
+
+}  // namespace jounce::detail

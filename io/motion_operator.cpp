@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/io/detail/motion.hpp"
+#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/moving_average.hpp"
+#include "jounce/profiles/retime.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// What an operator may need beside the motions.
+struct Context {
+  std::vector<Limits> limits;
+  double unit = 1;  ///< s
+};
+
+using Motions = std::vector<Trajectory>;
+
+/// Filters take a motion to stand after its end: one that ends moving would be stopped dead there.
+void require_rest_at_end(const Trajectory& motion) {
+  const double v = motion.jet(motion.end(), Side::left)[1];
+  if (std::abs(v) > 1e-9 * std::abs(extrema(motion, 1).peak().value))
+    throw InputError("operator", "",
+                     "needs a motion that ends at rest; this one ends at velocity " + number(v));
+}
+
+template <class Filter>
+void each(Motions& motions, Filter filter) {
+  for (Trajectory& motion : motions) {
+    require_rest_at_end(motion);
+    motion = filter(motion);
+  }
+}
+
+void apply(const MovingAverageSpec& s, const Context&, Motions& motions) {
+  each(motions, [&](const Trajectory& f) { return moving_average(f, s.window); });
+}
+
+void apply(ShaperSpec s, const Context& context, Motions& motions) {
+  s.mode.frequency *= context.unit;
+  const std::vector<Impulse> impulses = shaper(s);
+  each(motions, [&](const Trajectory& f) { return shaped(f, impulses); });
+}
+
+void apply(NotchSpec s, const Context& context, Motions& motions) {
+  s.frequency *= context.unit;
+  each(motions, [&](const Trajectory& f) { return notched(f, s).motion; });
+}
+
+void apply(const RetimeSpec&, const Context& context, Motions& motions) {
+  const double k = least_stretch(motions, context.limits);
+  for (Trajectory& motion : motions) motion = scaled(motion, 1, k);
+}
+
+void apply(const OverrideSpec& s, const Context& context, Motions& motions) {
+  motions = overridden(motions, context.limits, s).axes;
+}
+
+Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
+  switch (c.to) {
+    case ChangeSpec::To::target:
+      return with_target(running, c.time, c.value, c.dynamics);
+    case ChangeSpec::To::velocity:
+      return with_velocity(running, c.time, c.value, c.dynamics);
+    case ChangeSpec::To::additive:
+      return pmc600::move_additive(running, c.time, c.value, c.dynamics);
+    default:
+      return pmc600::move_superimposed(running, c.time, c.value, c.dynamics, c.abort);
+  }
+}
+
+void apply(const ChangeSpec& c, const Context&, Motions& motions) {
+  if (motions.size() > 1)
+    throw InputError("operator", "", "changes one axis: it does not keep several together");
+  motions.front() = changed(motions.front(), c);
+}
+
+/// Generators name their own fields: "t" and "target" are `time` and `to` of the operator, the
+/// limits and the axes are the document's.
+std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
+  const std::string then = "then[" + std::to_string(k + 1) + "]";
+  if (key == "t") key = "time";
+  if (key == "target") key = "to";
+  if (key.starts_with("axes[1]") && axes == 1) key.erase(0, key.find(']') + 1);
+  if (key.starts_with("axes[")) return "axis" + key.substr(4);
+  if (key.starts_with(".limits")) return "limits";
+  if (key.starts_with("limits") || key == "axes") return axes == 1 ? "limits" : then;
+  return key.empty() ? then : then + "." + key;
+}
+
+}  // namespace
+
+void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
+           std::vector<Trajectory>& motions) {
+  Context context{{}, unit};
+  for (const AxisPart& part : parts) context.limits.push_back(part.limits);
+  for (std::size_t k = 0; k < then.size(); ++k) {
+    try {
+      std::visit([&](const auto& spec) { apply(spec, context, motions); }, then[k]);
+    } catch (const InputError& error) {
+      throw renamed(error, key_in_document(error.key(), k, motions.size()));
+    }
+  }
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/profiles/controllers/agito.hpp"
+#include "jounce/profiles/controllers/googol.hpp"
+#include "jounce/profiles/controllers/himc.hpp"
+#include "jounce/profiles/controllers/pmc600.hpp"
+#include "jounce/profiles/modulo.hpp"
+#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/notch.hpp"
+#include "jounce/profiles/override.hpp"
+#include "jounce/profiles/queue.hpp"
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/shaper.hpp"
+#include "jounce/profiles/synchronise.hpp"
+
+/// What a spec says of motions over time: one struct a `profile`, each with what its generator in
+/// `profiles/` takes. Numbers are in the spec's units, unless a controller's own are named.
+namespace jounce {
+
+/// profile = "point_to_point": move_to, on a modulo axis where there is a period.
+struct PointToPointSpec {
+  MotionState from, to;
+  Bounds bounds;
+  std::optional<double> duration;
+  std::optional<double> period;
+  Direction direction = Direction::shortest;  ///< with a period only
+};
+
+/// profile = "velocity": move_velocity.
+struct VelocitySpec {
+  MotionState from;
+  double velocity = 0;
+  double acceleration = 0;  ///< at the end
+  Bounds bounds;
+};
+
+struct HimcMoveSpec {
+  double from = 0, to = 0;
+  himc::AxisProfile axis;
+};
+
+struct HimcVelocitySpec {
+  MotionState from;
+  int direction = 1;
+  himc::AxisProfile axis;
+};
+
+struct GoogolVelocitySpec {
+  MotionState from;
+  googol::MoveVelocity move;
+};
+
+struct GoogolJogSpec {
+  double from = 0;
+  std::vector<googol::JogVelocity> velocities;
+  googol::Jog parameters;
+};
+
+struct AgitoSpec {
+  double from = 0;
+  agito::Target target;
+  agito::Settings settings;
+  std::optional<int> strokes;  ///< repetitive
+  double rpt_wait = 0;         ///< ms
+};
+
+struct AgitoSineSpec {
+  double from = 0;
+  double amplitude = 0;
+  double frequency = 0;  ///< Hz
+  int strokes = 2;
+  double rpt_wait = 0;  ///< ms
+};
+
+struct AgitoJogSpec {
+  MotionState from;
+  agito::Settings settings;
+};
+
+struct Pmc600Spec {
+  double from = 0, to = 0;
+  pmc600::Ramps ramps;
+};
+
+struct Pmc600LsVelocitySpec {
+  double from = 0;
+  double velocity = 0, acceleration = 0;
+  double start_velocity = 20;
+};
+
+struct Pmc600InchSpec {
+  double from = 0;
+  double distance = 0;
+  Dynamics dynamics = {};
+  std::optional<double> released;
+};
+
+struct Pmc600JogSpec {
+  double from = 0;
+  std::vector<pmc600::JogInput> inputs;
+  Dynamics dynamics = {};
+  std::optional<double> max_velocity;
+};
+
+/// kind = "move": its `profile`.
+using MoveSpec =
+    std::variant<TrapezoidSpec, SCurveSpec, PointToPointSpec, VelocitySpec, HimcMoveSpec,
+                 HimcVelocitySpec, googol::Trap, googol::MoveAbsolute, googol::MoveAbsoluteEx,
+                 GoogolVelocitySpec, GoogolJogSpec, AgitoSpec, AgitoSineSpec, AgitoJogSpec,
+                 Pmc600Spec, pmc600::LsMove, Pmc600LsVelocitySpec, pmc600::PositionToVelocity,
+                 Pmc600InchSpec, Pmc600JogSpec>;
+
+/// kind = "axes": several axes in one motion, from one state to another, or through points.
+struct AxesSpec {
+  Sync sync = Sync::time;
+  double duration = 0;                      ///< the least; 0: as short as it can be
+  std::vector<AxisMove> axes;               ///< with points, only the bounds count
+  std::vector<std::vector<double>> points;  ///< through these; then without `sync`
+};
+
+// ---- [[then]]: what is done to a motion, one after another -----------------------------------
+
+struct MovingAverageSpec {
+  double window = 0;
+};
+
+/// To the [limits] of each axis.
+struct RetimeSpec {};
+
+/// A change in flight, at a time.
+struct ChangeSpec {
+  enum class To { target, velocity, additive, superimposed };
+  To to = To::target;
+  double time = 0;
+  double value = 0;  ///< target, velocity or distance
+  Dynamics dynamics = {};
+  std::optional<double> abort = {};  ///< of superimposed
+};
+
+/// ShaperSpec and NotchSpec count in Hz, whatever the spec's unit of time.
+using Operator =
+    std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec, ChangeSpec>;
+
+}  // namespace jounce

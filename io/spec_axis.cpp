@@ -1,0 +1,66 @@
+#include <array>
+#include <vector>
+
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
+
+}  // namespace
+
+std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
+  auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
+  if (!is_unit(unit))
+    reader.fail(key, '"' + unit + '"',
+                "is not a unit that Jounce knows, such as mm, deg, rev, pulse, s, ms");
+  return unit;
+}
+
+TableOptions read_table_options(TomlReader& owner, const Units& units, Rule fallback,
+                                bool finished) {
+  TableOptions options;
+  options.rule = fallback;
+  auto table = owner.optional_table("table");
+  if (!table) return options;
+  if (const auto rule = table->optional_choice("rule", rules))
+    options.rule = static_cast<Rule>(*rule);
+  if (finished) {
+    table->finish();
+    return options;
+  }
+  options.tolerance = table->optional_number("tolerance", units.position);
+  options.intervals = table->optional_count("intervals");
+  if (options.intervals.value_or(1) > 10'000'000)
+    table->fail("intervals", std::to_string(*options.intervals), "must be at most 10000000");
+  if (options.tolerance && !(*options.tolerance > 0))
+    table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
+  if (options.tolerance && options.intervals)
+    table->fail("intervals", "", "either a tolerance or a number of intervals, not both");
+  table->finish();
+  return options;
+}
+
+Limits read_limits(TomlReader& owner, const Units& units, bool over_master) {
+  Limits limits;
+  auto table = owner.optional_table("limits");
+  if (!table) return limits;
+  const auto& names = over_master ? OverMaster::names : OverTime::names;
+  limits.position_min = table->optional_number("position_min", units.position);
+  limits.position_max = table->optional_number("position_max", units.position);
+  const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    *rates[k] = table->optional_number(names[k + 1],
+                                       rate_unit(units.position, units.x, static_cast<int>(k) + 1));
+    if (*rates[k] && !(**rates[k] > 0))
+      table->fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
+  }
+  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
+    table->fail("position_min", number(*limits.position_min), "must not be above position_max");
+  table->finish();
+  return limits;
+}
+
+}  // namespace jounce::detail
