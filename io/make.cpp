@@ -1,6 +1,7 @@
 #include "jounce/io/make.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "jounce/io/detail/motion.hpp"
@@ -9,14 +10,23 @@
 namespace jounce {
 namespace {
 
+/// A quintic needs one acceleration at each knot: where it steps, there are two.
+template <class Over>
+Rule rule_for(const Curve<Over>& curve, const TableOptions& options) {
+  if (options.rule) return *options.rule;
+  const bool steps = std::is_same_v<Over, OverTime> && !check_continuity(curve, 2).ok();
+  return steps ? Rule::cubic_hermite : Rule::quintic_hermite;
+}
+
 template <class Over>
 Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
-  if (options.intervals) return sample(curve, options.rule, *options.intervals);
+  const Rule rule = rule_for(curve, options);
+  if (options.intervals) return sample(curve, rule, *options.intervals);
   const Range travel = extrema(curve, 0);
   const double stroke = travel.max.value - travel.min.value;
   // A billionth of the stroke is finer than any encoder of today resolves.
   const double tolerance = options.tolerance.value_or(1e-9 * (stroke > 0 ? stroke : 1));
-  return sample_within(curve, options.rule, tolerance);
+  return sample_within(curve, rule, tolerance);
 }
 
 std::string numbered(std::size_t i, const std::string& name) {

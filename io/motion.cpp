@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "jounce/profiles/between.hpp"
+#include "jounce/profiles/splice.hpp"
 #include "jounce/profiles/via.hpp"
 
 namespace jounce::detail {
@@ -14,7 +14,7 @@ Trajectory curve_of(const Move& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
     throw InputError(key, "", "is where the axis is already: there is no move");
-  return move.profile.curve();
+  return moving_at_ends(move.profile.curve());
 }
 
 // ---- a move of each profile ------------------------------------------------------------------
@@ -43,6 +43,10 @@ MotionState target_of(const PointToPointSpec& s) {
   return to;
 }
 
+Trajectory made(const FourthOrderSpec& s) {
+  return fourth_order(s);
+}
+
 Trajectory made(const PointToPointSpec& s) {
   const MotionState to = target_of(s);
   if (!s.duration) return curve_of(move_to(s.from, to, s.bounds), "to");
@@ -60,7 +64,7 @@ Trajectory made(const HimcMoveSpec& s) {
   return himc::move_abs(s.from, s.to, s.axis).curve();
 }
 Trajectory made(const HimcVelocitySpec& s) {
-  return himc::move_vel(s.from, s.direction, s.axis).curve();
+  return moving_at_ends(himc::move_vel(s.from, s.direction, s.axis).curve());
 }
 
 Trajectory made(const googol::Trap& s) {
@@ -73,10 +77,10 @@ Trajectory made(const googol::MoveAbsoluteEx& s) {
   return googol::move_absolute_ex(s).curve();
 }
 Trajectory made(const GoogolVelocitySpec& s) {
-  return googol::move_velocity(s.from, s.move).curve();
+  return moving_at_ends(googol::move_velocity(s.from, s.move).curve());
 }
 Trajectory made(const GoogolJogSpec& s) {
-  return googol::jog(s.from, s.velocities, s.parameters);
+  return moving_at_ends(googol::jog(s.from, s.velocities, s.parameters));
 }
 
 Trajectory made(const AgitoSpec& s) {
@@ -91,7 +95,7 @@ Trajectory made(const AgitoSineSpec& s) {
                            agito::quasi_sine(s.amplitude, s.frequency), s.strokes, s.rpt_wait);
 }
 Trajectory made(const AgitoJogSpec& s) {
-  return agito::jog(s.from, s.settings).curve();
+  return moving_at_ends(agito::jog(s.from, s.settings).curve());
 }
 
 Trajectory made(const Pmc600Spec& s) {
@@ -110,7 +114,7 @@ Trajectory made(const Pmc600InchSpec& s) {
   return pmc600::inch(s.from, s.distance, s.dynamics, s.released);
 }
 Trajectory made(const Pmc600JogSpec& s) {
-  return pmc600::jog(s.from, s.inputs, s.dynamics, s.max_velocity);
+  return moving_at_ends(pmc600::jog(s.from, s.inputs, s.dynamics, s.max_velocity));
 }
 
 // ---- queue -----------------------------------------------------------------------------------
@@ -141,12 +145,12 @@ std::vector<std::string> labels_of(const QueueSpec& queue, const QueuedMotion& m
 
 // ---- several axes ----------------------------------------------------------------------------
 
-/// Until the last axis is done: one that is done earlier stands.
+/// Until the last axis is done: one that is done earlier stands, or goes on at its velocity.
 void bring_to_one_end(std::vector<Trajectory>& motions) {
   double end = 0;
   for (const Trajectory& motion : motions) end = std::max(end, motion.end());
   for (Trajectory& motion : motions)
-    if (motion.end() < end) motion = between(motion, motion.start(), end);
+    if (motion.end() < end) motion = until(motion, end);
 }
 
 std::string key_of(std::size_t axis) {
@@ -167,6 +171,12 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
 }
 
 }  // namespace
+
+Trajectory moving_at_ends(const Trajectory& motion) {
+  const bool moves =
+      motion.jet(motion.start())[1] != 0 || motion.jet(motion.end(), Side::left)[1] != 0;
+  return moves ? with(motion, Outside::refuse) : motion;
+}
 
 InputError renamed(const InputError& error, const std::string& key) {
   return {key, error.value(), error.rule()};
@@ -197,6 +207,8 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   std::vector<Profile> profiles(axes.axes.size());
   const Synchronised all = synchronise(axes.axes, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) throw InputError(key_of(all.axis), "", explain(all.status));
+  if (!(all.duration > 0))
+    throw InputError("axis", "", "all are where they shall go: nothing moves");
   std::vector<Trajectory> motions;
   for (std::size_t i = 0; i < profiles.size(); ++i)
     motions.push_back(
@@ -205,6 +217,7 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
             : Trajectory({line(all.duration, axes.axes[i].to.position, axes.axes[i].to.position)},
                          0, Outside::hold));
   bring_to_one_end(motions);
+  for (Trajectory& motion : motions) motion = moving_at_ends(motion);
   return motions;
 }
 

@@ -18,18 +18,20 @@ struct Context {
 
 using Motions = std::vector<Trajectory>;
 
-/// Filters take a motion to stand after its end: one that ends moving would be stopped dead there.
-void require_rest_at_end(const Trajectory& motion) {
-  const double v = motion.jet(motion.end(), Side::left)[1];
-  if (std::abs(v) > 1e-9 * std::abs(extrema(motion, 1).peak().value))
-    throw InputError("operator", "",
-                     "needs a motion that ends at rest; this one ends at velocity " + number(v));
+/// Filters take a motion to stand before and after: one that does not would be stopped dead there.
+void require_rest_at_ends(const Trajectory& motion) {
+  const double peak = std::abs(extrema(motion, 1).peak().value);
+  for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
+    if (std::abs(v) > 1e-9 * peak)
+      throw InputError(
+          "operator", "",
+          "needs a motion from rest to rest; this one has velocity " + number(v) + " at an end");
 }
 
 template <class Filter>
 void each(Motions& motions, Filter filter) {
   for (Trajectory& motion : motions) {
-    require_rest_at_end(motion);
+    require_rest_at_ends(motion);
     motion = filter(motion);
   }
 }
@@ -63,7 +65,7 @@ Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
     case ChangeSpec::To::target:
       return with_target(running, c.time, c.value, c.dynamics);
     case ChangeSpec::To::velocity:
-      return with_velocity(running, c.time, c.value, c.dynamics);
+      return moving_at_ends(with_velocity(running, c.time, c.value, c.dynamics));
     case ChangeSpec::To::additive:
       return pmc600::move_additive(running, c.time, c.value, c.dynamics);
     default:

@@ -9,6 +9,7 @@
 #include "jounce/profiles/controllers/googol.hpp"
 #include "jounce/profiles/controllers/himc.hpp"
 #include "jounce/profiles/controllers/pmc600.hpp"
+#include "jounce/profiles/jounce.hpp"
 #include "jounce/profiles/modulo.hpp"
 #include "jounce/profiles/move.hpp"
 #include "jounce/profiles/notch.hpp"
@@ -109,11 +110,11 @@ struct Pmc600JogSpec {
 
 /// kind = "move": its `profile`.
 using MoveSpec =
-    std::variant<TrapezoidSpec, SCurveSpec, PointToPointSpec, VelocitySpec, HimcMoveSpec,
-                 HimcVelocitySpec, googol::Trap, googol::MoveAbsolute, googol::MoveAbsoluteEx,
-                 GoogolVelocitySpec, GoogolJogSpec, AgitoSpec, AgitoSineSpec, AgitoJogSpec,
-                 Pmc600Spec, pmc600::LsMove, Pmc600LsVelocitySpec, pmc600::PositionToVelocity,
-                 Pmc600InchSpec, Pmc600JogSpec>;
+    std::variant<TrapezoidSpec, SCurveSpec, FourthOrderSpec, PointToPointSpec, VelocitySpec,
+                 HimcMoveSpec, HimcVelocitySpec, googol::Trap, googol::MoveAbsolute,
+                 googol::MoveAbsoluteEx, GoogolVelocitySpec, GoogolJogSpec, AgitoSpec,
+                 AgitoSineSpec, AgitoJogSpec, Pmc600Spec, pmc600::LsMove, Pmc600LsVelocitySpec,
+                 pmc600::PositionToVelocity, Pmc600InchSpec, Pmc600JogSpec>;
 
 /// kind = "axes": several axes in one motion, from one state to another, or through points.
 struct AxesSpec {

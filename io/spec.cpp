@@ -58,10 +58,9 @@ void require_version(TomlReader& top) {
 
 /// What belongs to the one axis of a spec.
 void read_one_axis(TomlReader& top, Spec& spec, const std::string& kind) {
-  const bool knots = kind == "pvt";
-  spec.table = detail::read_table_options(top, spec.units,
-                                          knots ? Rule::cubic_hermite : Rule::quintic_hermite,
-                                          knots && !top.has("then"));
+  const bool knots_are_the_table = kind == "pvt" && !top.has("then");
+  spec.table = detail::read_table_options(top, spec.units, knots_are_the_table);
+  if (kind == "pvt" && !spec.table.rule) spec.table.rule = Rule::cubic_hermite;
   spec.limits = detail::read_limits(top, spec.units, kind == "cam");
   spec.drive = detail::read_drive(top, spec.units);
 }
@@ -87,7 +86,7 @@ void read_body(TomlReader& top, Spec& spec) {
   else if (kind == "axes")
     spec.subject = detail::read_axes(top, spec);
   else if (kind == "pvt")
-    spec.subject = detail::read_knots(top, spec.units, spec.table.rule);
+    spec.subject = detail::read_knots(top, spec.units, *spec.table.rule);
   else
     spec.subject = detail::read_axis(top.table("axis"), spec.units);
   if (kind != "cam" && kind != "axis") spec.then = detail::read_then(top, spec.units);

@@ -19,7 +19,9 @@ namespace jounce {
 
 /// How a curve becomes a table: the rule, and either a tolerance or a number of equal intervals.
 struct TableOptions {
-  Rule rule = Rule::quintic_hermite;
+  /// Left out: quintic_hermite, but cubic_hermite for a motion whose acceleration steps, and for a
+  /// spec of knots.
+  std::optional<Rule> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
   std::optional<std::size_t> intervals;  ///< equal ones, instead of a tolerance
 };

@@ -19,10 +19,8 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
   return unit;
 }
 
-TableOptions read_table_options(TomlReader& owner, const Units& units, Rule fallback,
-                                bool finished) {
+TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished) {
   TableOptions options;
-  options.rule = fallback;
   auto table = owner.optional_table("table");
   if (!table) return options;
   if (const auto rule = table->optional_choice("rule", rules))

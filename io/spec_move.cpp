@@ -49,6 +49,17 @@ MoveSpec read_s_curve(MotionFields& f) {
   return s;
 }
 
+MoveSpec read_fourth_order(MotionFields& f) {
+  FourthOrderSpec s;
+  f.may("from", 0, s.from);
+  f.need("to", 0, s.to);
+  f.need("velocity", 1, s.velocity);
+  f.need("acceleration", 2, s.acceleration);
+  f.need("jerk", 3, s.jerk);
+  f.need("jounce", 4, s.jounce);
+  return s;
+}
+
 constexpr std::array directions{Direction::negative, Direction::shortest, Direction::positive,
                                 Direction::current, Direction::fastest};
 const std::vector<std::string> direction_names{"negative", "shortest", "positive", "current",
@@ -85,6 +96,7 @@ MoveSpec read_velocity(MotionFields& f) {
 
 constexpr std::array general{
     ProfileReader{"trapezoid", read_trapezoid}, ProfileReader{"s_curve", read_s_curve},
+    ProfileReader{"fourth_order", read_fourth_order},
     ProfileReader{"point_to_point", read_point_to_point}, ProfileReader{"velocity", read_velocity}};
 
 }  // namespace

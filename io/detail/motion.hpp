@@ -28,6 +28,10 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes);
 void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
            std::vector<Trajectory>& motions);
 
+/// A motion that may begin or end moving, which is what was asked for: where it does, it does not
+/// hold outside (nothing stands still there) but refuses.
+Trajectory moving_at_ends(const Trajectory& motion);
+
 /// The same error under another key of the document.
 InputError renamed(const InputError& error, const std::string& key);
 

@@ -43,8 +43,7 @@ Dynamics read_dynamics(MotionFields& fields, bool with_velocity = true);
 
 /// [table], [limits], and [drive] with [drive.limits] where there is one: of the document, or of
 /// one axis. A table that already is one (`finished`) has a rule only.
-TableOptions read_table_options(TomlReader& owner, const Units& units, Rule fallback,
-                                bool finished = false);
+TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished = false);
 Limits read_limits(TomlReader& owner, const Units& units, bool over_master = false);
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
 
