@@ -19,7 +19,8 @@ void add_new(CLI::App& app, Work& work) {
       add_verb(app, "new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
-  verb->add_option("KIND", options->kind, "cam, move, pvt or axis")
+  verb->add_option("KIND", options->kind,
+                   "cam; move, queue, axes or pvt over time; or axis, an executor's")
       ->required()
       ->check(CLI::IsMember(kinds));
   verb->add_option("-o,--output", options->output, "File to write; - is standard output");

@@ -92,6 +92,8 @@ Figure figure_of(const std::vector<Input>& axes) {
     for (std::size_t k = 0; k < figure.panels.size(); ++k)
       add(figure.panels[k], std::move(other.panels[k]));
   }
+  for (Panel& panel : figure.panels)  // every axis rests at 0 somewhere: not worth a number each
+    std::erase_if(panel.markers, [](const Marker& marker) { return marker.y == 0; });
   return figure;
 }
 
