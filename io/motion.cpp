@@ -14,7 +14,11 @@ Trajectory curve_of(const Move& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
     throw InputError(key, "", "is where the axis is already: there is no move");
-  return moving_at_ends(move.profile.curve());
+  // The states that were asked for, not those of the curve: without bounds of the acceleration the
+  // velocity steps, and the axis does stand before.
+  const bool moves = move.profile.start().velocity != 0 || move.profile.end().velocity != 0;
+  const Trajectory curve = move.profile.curve();
+  return moves ? with(curve, Outside::refuse) : curve;
 }
 
 // ---- a move of each profile ------------------------------------------------------------------
@@ -195,7 +199,7 @@ QueueMotion motion_of(const QueueSpec& spec) {
     QueuedMotion motion = queue(spec);
     std::vector<std::string> labels = labels_of(spec, motion);
     return {std::move(motion.trajectory), std::move(labels)};
-  } catch (const InputError& error) {
+  } catch (const InputError& error) {  // commands[1] is the first [[command]]
     std::string key = error.key();
     if (key.starts_with("commands")) key.replace(0, 8, "command");
     throw renamed(error, key);

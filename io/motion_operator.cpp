@@ -85,9 +85,9 @@ std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
   const std::string then = "then[" + std::to_string(k + 1) + "]";
   if (key == "t") key = "time";
   if (key == "target") key = "to";
-  if (key.starts_with("axes[1]") && axes == 1) key.erase(0, key.find(']') + 1);
-  if (key.starts_with("axes[")) return "axis" + key.substr(4);
-  if (key.starts_with(".limits")) return "limits";
+  if (key.starts_with("axis[") && axes > 1) return key;
+  if (key.starts_with("axis[1].")) key.erase(0, 8);
+  if (key.starts_with("axis")) return then;
   if (key.starts_with("limits") || key == "axes") return axes == 1 ? "limits" : then;
   return key.empty() ? then : then + "." + key;
 }
