@@ -5,7 +5,8 @@ usage: run_snippets.py JOUNCE PAGE.md...
 
 A fence tagged `sh run` is executed with the jounce given, in one scratch folder per page; `exit N` as a
 second tag (`sh run exit=1`) is the status expected. A fence `output` right after it must be found in what
-was printed, line by line. Prints file and line of what fails.
+was printed, line by line. A fence `toml examples/NAME.toml` must stand in that file as it is. Prints file and line of
+what fails.
 """
 import os
 import re
@@ -14,6 +15,11 @@ import sys
 import tempfile
 
 FENCE = re.compile(r"^```(.*)\n(.*?)^```$", re.M | re.S)
+
+
+def source(name, env):
+    with open(os.path.join(os.path.dirname(env["EXAMPLES"]), name), encoding="utf-8") as file:
+        return file.read()
 
 
 def run_page(path, env):
@@ -38,6 +44,9 @@ def run_page(path, env):
                         print(f"{path}:{line}: not printed: {wanted}\n{printed}")
                         failures += 1
                 printed = None
+            elif tags[:1] == ["toml"] and len(tags) > 1 and body not in source(tags[1], env):
+                print(f"{path}:{line}: does not stand in {tags[1]}")
+                failures += 1
     return failures
 
 
