@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-FENCE = re.compile(r"^```(.*)\n(.*?)^```$", re.M | re.S)
+FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.M | re.S)
 
 
 def source(name, env):
