@@ -9,7 +9,7 @@ void print_json(std::vector<std::pair<std::string, nlohmann::ordered_json>>& axe
     fmt::print("{}\n", axes.front().second.dump(1));
     return;
   }
-  nlohmann::ordered_json all;
+  auto all = nlohmann::ordered_json::object();
   for (auto& [name, document] : axes) {
     if (document.contains("ok")) all["ok"] = all.value("ok", true) && document["ok"].get<bool>();
     all["axes"][name] = std::move(document);

@@ -97,7 +97,7 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
 }
 
 TEST_F(Cli, EveryStartingSpecIsGood) {
-  for (const char* kind : {"cam", "move", "pvt"}) {
+  for (const char* kind : {"cam", "move", "queue", "axes", "pvt"}) {
     const std::string file = std::string(kind) + ".toml";
     EXPECT_EQ(run(std::string("new ") + kind + " -o " + file).status, 0);
     const Result check = run("check " + file);
@@ -252,6 +252,108 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
   const std::string page = slurp(folder / "cam.html");
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
   EXPECT_THAT(page, Not(HasSubstr("<script")));
+}
+
+const std::string via = examples + "generators/08-via.toml";
+
+TEST_F(Cli, DesignWritesATableForEachAxis) {
+  const Result all = run("design " + via + " -o via.csv --curve via.curve.json");
+  EXPECT_EQ(all.status, 0) << all.err;
+  EXPECT_THAT(all.out, StartsWith("via points x: "));
+  EXPECT_THAT(all.out, HasSubstr("\nvia points y: "));
+  EXPECT_EQ(files(), (std::vector<std::string>{"via-x.csv", "via-y.csv", "via.curve-x.json",
+                                               "via.curve-y.json"}));
+  EXPECT_THAT(slurp(folder / "via-x.csv"), HasSubstr("4000"));
+  EXPECT_EQ(run("check via-y.csv").status, 0);
+  EXPECT_EQ(run("design " + via + " -o ./no_suffix").status, 0);
+  EXPECT_THAT(files(), ::testing::Contains("no_suffix-y"));
+
+  const Result one = run("design " + via + " --axis y");
+  EXPECT_EQ(one.status, 0);
+  EXPECT_EQ(one.out, slurp(folder / "via-y.csv"));
+}
+
+TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
+  const Result piped = run("design " + via);
+  EXPECT_EQ(piped.status, 2);
+  EXPECT_EQ(piped.err,
+            "jounce: --output: is missing: several axes need a file each; -o a.csv writes a-x.csv "
+            "and so on, --axis x makes this one alone\n");
+  EXPECT_EQ(piped.out, "");
+  const Result other = run("design --axis z " + via);
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(other.err, "jounce: --axis = z: must be one of x, y\n");
+  EXPECT_EQ(run("check " + cam + " --axis x").err,
+            "jounce: --axis = x: " + cam + " has one axis, which has no name\n");
+  for (const std::string verb : {"report ", "stream --to feeder --url memq:// "}) {
+    const Result result = run(verb + via);
+    EXPECT_EQ(result.status, 2) << verb;
+    EXPECT_EQ(result.err, "jounce: --axis: is missing: this verb takes one axis at a time, " + via +
+                              " has x, y\n");
+  }
+  EXPECT_EQ(run("report --axis x " + via + " -o x.html").status, 0);
+  EXPECT_EQ(run("plot " + via + " --before " + via).status, 2);
+  EXPECT_EQ(run("plot --axis x " + via + " --before " + via).status, 0);
+  EXPECT_EQ(run("validate " + via + " --log x.csv").status, 2);
+}
+
+TEST_F(Cli, CheckAndValidateTakeEveryAxis) {
+  const Result text = run("check " + via);
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.out, StartsWith("via points x: all limits hold"));
+  EXPECT_THAT(text.out, HasSubstr("\nvia points y: all limits hold"));
+  const json all = json::parse(run("check --json " + via).out);
+  EXPECT_TRUE(all["ok"].get<bool>());
+  EXPECT_EQ(all["axes"]["x"]["findings"][0]["rule"], "limit/jerk");
+  EXPECT_TRUE(all["axes"].contains("y"));
+  const json x = json::parse(run("check --axis x --json " + via).out);
+  EXPECT_EQ(x, all["axes"]["x"]);
+  EXPECT_TRUE(json::parse(run("validate --json " + via).out)["axes"]["y"]["ok"].get<bool>());
+
+  std::string spec = slurp(via);
+  spec.replace(spec.rfind("limits = { velocity = 1000"), 26, "limits = { velocity = 900");
+  write("tight.toml", spec);
+  EXPECT_EQ(run("check tight.toml").status, 1) << "y alone is over its limit";
+  EXPECT_EQ(run("check tight.toml --axis x").status, 0);
+  EXPECT_FALSE(json::parse(run("check tight.toml --json").out)["ok"].get<bool>());
+}
+
+TEST_F(Cli, PlotDrawsAllAxesOfOneUnit) {
+  const Result all = run("plot " + via);
+  EXPECT_EQ(all.status, 0);
+  EXPECT_THAT(all.out, HasSubstr(">x</text>"));
+  EXPECT_THAT(all.out, HasSubstr(">y</text>"));
+  std::string spec = slurp(via);
+  spec.replace(spec.find("name = \"y\""), 10, "name = \"y\"\nunit = \"deg\"");
+  write("mixed.toml", spec);
+  EXPECT_EQ(run("plot mixed.toml").err,
+            "jounce: --axis: is missing: x and y have different units, and do not go into one "
+            "picture\n");
+  EXPECT_THAT(run("plot mixed.toml --axis y").out, HasSubstr("deg"));
+}
+
+TEST_F(Cli, DesignSaysWhatIsLeftSwinging) {
+  const std::string spec = examples + "generators/21-shaper.toml";
+  EXPECT_THAT(run("design " + spec + " -o t.csv").out,
+              HasSubstr("; without the operators 8.84401 mm\n"));
+  const json residual = json::parse(run("design --json " + spec + " -o t.csv").out)["residuals"][0];
+  EXPECT_EQ(residual["frequency"], 5.5);
+  EXPECT_NEAR(residual["before"].get<double>(), 8.84401, 1e-5);
+  EXPECT_LT(residual["after"].get<double>(), 1e-10);
+}
+
+TEST_F(Cli, WhatOnlyRoundingOfKnotsBreaksIsNotFound) {
+  // The shortest phases of this motion last 3.5 us, at 2000 mm: there the jerk of a table of doubles
+  // is off by more than the limit itself, the curve's is not.
+  EXPECT_EQ(run("check " + via).status, 0);
+  // A limit that the table breaks by more is still found.
+  write("coarse.toml",
+        "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
+        "profile = \"s_curve\"\nto = 300\nvelocity = 400\nacceleration = 2000\njerk = 20000\n"
+        "[limits]\njerk = 20000\n[table]\nrule = \"cubic_hermite\"\nintervals = 10\n");
+  const Result coarse = run("check coarse.toml");
+  EXPECT_EQ(coarse.status, 1);
+  EXPECT_THAT(coarse.out, HasSubstr("table"));
 }
 
 TEST_F(Cli, WithoutANetworkTheStreamSaysWhatItNeeds) {
