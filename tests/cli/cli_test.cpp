@@ -304,8 +304,8 @@ TEST_F(Cli, CheckAndValidateTakeEveryAxis) {
   EXPECT_THAT(text.out, HasSubstr("\nvia points y: all limits hold"));
   const json all = json::parse(run("check --json " + via).out);
   EXPECT_TRUE(all["ok"].get<bool>());
-  EXPECT_EQ(all["axes"]["x"]["findings"][0]["rule"], "limit/jerk");
-  EXPECT_TRUE(all["axes"].contains("y"));
+  EXPECT_EQ(all["axes"]["x"]["segments"].size(), 19U);
+  EXPECT_TRUE(all["axes"]["y"]["ok"].get<bool>());
   const json x = json::parse(run("check --axis x --json " + via).out);
   EXPECT_EQ(x, all["axes"]["x"]);
   EXPECT_TRUE(json::parse(run("validate --json " + via).out)["axes"]["y"]["ok"].get<bool>());
