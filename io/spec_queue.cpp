@@ -9,7 +9,7 @@ const std::vector<std::string> types{"absolute", "relative", "velocity", "halt",
 const std::vector<std::string> modes{"aborting",          "buffered",      "blending_low",
                                      "blending_previous", "blending_next", "blending_high"};
 
-void read_over(MotionFields& f, MoveDynamics& d) {
+void read_over(MotionFields& f, Dynamics& d) {
   f.may("velocity", 1, d.velocity);
   f.may("acceleration", 2, d.acceleration);
   f.may("deceleration", 2, d.deceleration);
@@ -42,7 +42,7 @@ void require_dynamics(MotionFields& f, const QueuedCommand& c) {
   if (c.dynamics.acceleration == 0) f.reader().fail("acceleration", "", elsewhere);
 }
 
-QueuedCommand read_command(TomlReader& command, const Units& units, const MoveDynamics& common) {
+QueuedCommand read_command(TomlReader& command, const Units& units, const Dynamics& common) {
   MotionFields fields(command, units);
   QueuedCommand c{.command = read_what(fields), .dynamics = common};
   if (!std::holds_alternative<Dwell>(c.command)) {
@@ -67,7 +67,7 @@ QueueSpec read_queue(TomlReader& top, const Units& units) {
     fields.may("acceleration", 2, queue.start.acceleration);
     start->finish();
   }
-  MoveDynamics common;
+  Dynamics common;
   if (auto dynamics = top.optional_table("dynamics")) {
     MotionFields fields(*dynamics, units);
     read_over(fields, common);

@@ -241,8 +241,8 @@ issued = 3
 )";
 
 TEST(QueueSpec, IsTheLibrarysQueue) {
-  const MoveDynamics common{.velocity = 100, .acceleration = 400, .jerk = 4000};
-  const MoveDynamics second{.velocity = 60, .acceleration = 400, .deceleration = 300, .jerk = 4000};
+  const Dynamics common{.velocity = 100, .acceleration = 400, .jerk = 4000};
+  const Dynamics second{.velocity = 60, .acceleration = 400, .deceleration = 300, .jerk = 4000};
   const QueuedMotion expected =
       queue({.start = {.position = 2},
              .commands = {{MoveAbsolute{50}, common},
