@@ -141,6 +141,13 @@ MoveSpec read_googol_jog(MotionFields& f) {
 
 // ---- Agito -----------------------------------------------------------------------------------
 
+std::optional<int> read_strokes(TomlReader& move) {
+  const auto strokes = optional_int(move, "strokes");
+  if (strokes && *strokes > 10'000)
+    move.fail("strokes", std::to_string(*strokes), "must be at most 10000");
+  return strokes;
+}
+
 agito::Settings read_agito_settings(MotionFields& f) {
   require_unit("time", f.units().x, "s", "Agito");
   agito::Settings s;
@@ -158,7 +165,7 @@ MoveSpec read_agito(MotionFields& f) {
   s.target.abs_trgt = int_or(move, "abs_trgt", 0);
   s.target.rel_trgt = int_or(move, "rel_trgt", 0);
   s.settings = read_agito_settings(f);
-  s.strokes = optional_int(move, "strokes");
+  s.strokes = read_strokes(move);
   f.may_in("rpt_wait", "ms", s.rpt_wait);
   if (!s.strokes && move.has("rpt_wait"))
     move.fail("rpt_wait", number(s.rpt_wait), "goes with strokes, which make the move repetitive");
@@ -171,7 +178,7 @@ MoveSpec read_agito_quasi_sine(MotionFields& f) {
   f.may("from", 0, s.from);
   f.need("amplitude", 0, s.amplitude);
   s.frequency = f.reader().number("frequency", "Hz");
-  s.strokes = int_or(f.reader(), "strokes", s.strokes);
+  s.strokes = read_strokes(f.reader()).value_or(s.strokes);
   f.may_in("rpt_wait", "ms", s.rpt_wait);
   return s;
 }

@@ -1,10 +1,13 @@
 // Every profile, queue, set of axes and operator of a spec is the library's own, key by key.
-#include <cmath>
+#include <algorithm>
+#include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "jounce/io/file.hpp"
 #include "jounce/io/make.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/moving_average.hpp"
@@ -626,6 +629,45 @@ INSTANTIATE_TEST_SUITE_P(
                   "together"},
         BadMotion{std::string(axes_spec) + "[[then]]\noperator = \"override\"",
                   "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk"}));
+
+std::vector<std::filesystem::path> generator_examples() {
+  std::vector<std::filesystem::path> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(JOUNCE_SOURCE_DIR "/examples/generators"))
+    all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(BadMotionSpecs, AnExampleCutOffAtAnyLineIsRefusedOrStillASpec) {
+  for (const auto& path : generator_examples()) {
+    const std::string text = read_file(path);
+    for (std::size_t end = text.find('\n'); end != std::string::npos;
+         end = text.find('\n', end + 1)) {
+      const std::string message = complaint(text.substr(0, end));  // nothing but InputError
+      EXPECT_TRUE(message.empty() || message.starts_with("a.toml")) << path << "\n" << message;
+    }
+    EXPECT_EQ(complaint(text), "") << path;
+  }
+}
+
+TEST(BadMotionSpecs, AnExampleWithAnyNumberReplacedIsRefusedOrStillASpec) {
+  const std::regex assignment(R"(^[a-z_]+ = (-?[0-9.]+)\b)", std::regex::multiline);
+  for (const auto& path : generator_examples()) {
+    const std::string text = read_file(path);
+    for (std::sregex_iterator at(text.begin(), text.end(), assignment), none; at != none; ++at) {
+      for (const char* number : {"0", "-1", "3", "nan", "inf", "1e-300", "1e-9", "1e9", "1e300"}) {
+        std::string changed = text;
+        changed.replace(static_cast<std::size_t>(at->position(1)),
+                        static_cast<std::size_t>(at->length(1)), number);
+        SCOPED_TRACE(path.string() + ": " + at->str() + " -> " + number);
+        std::string message;
+        EXPECT_NO_THROW(message = complaint(changed));
+        EXPECT_TRUE(message.empty() || message.starts_with("a.toml")) << message;
+      }
+    }
+  }
+}
 
 TEST(BadMotionSpecs, OneAxisIsNotSeveral) {
   EXPECT_THROW((void)make(parse_spec(axes_spec, "a.toml")), InputError);
