@@ -39,10 +39,10 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, dou
     if (out[i].duration() == t) continue;
     const Solver axis = solver(axes[i]);
     MoveStatus status = axis.lasting(t, out[i]);
-    if (status == MoveStatus::blocked) {
-      const double next = axis.durations().at_least(t);
-      if (next > t) agreed = 0;
-      t = std::max(next, t);
+    // At the very edge of a blocked interval rounding decides: then a little later.
+    for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
+      t = axis.durations().at_least(t * (1 + more));
+      agreed = 0;
       status = axis.lasting(t, out[i]);
     }
     if (status != MoveStatus::ok) return {status, i, 0};

@@ -83,13 +83,13 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
       first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
-    return Half{s, limit, c, c + k_ * limit * limit / 2};
+    // A half begins at its own s, or where its z passes zero.
+    const double natural = s > 0 ? v + s * s * ijd_ / 2 : c;
+    return Half{s, limit, c, c + k_ * limit * limit / 2, natural};
   };
   half_ = {half(from.velocity, from.acceleration, limits.rise),
            half(to.velocity, -to.acceleration, limits.fall)};
-  // Where a half must begin: at its own s, or where its z passes zero.
-  const auto natural = [this](const Half& h) { return h.s > 0 ? h.c + k_ * h.s * h.s / 2 : h.c; };
-  natural_ = std::max(natural(half_[0]), natural(half_[1]));
+  natural_ = std::max(half_[0].natural, half_[1].natural);
   // c1 - c2 from differences, so that what is small does not drown in the velocities.
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
@@ -122,7 +122,9 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   e.vp = vp;
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
-    if (vp <= h.sat) {
+    if (vp - h.natural <= rounding * std::abs(vp)) {
+      e.z[i] = std::max(h.s, 0.0);  // no phases for the sake of the last digits
+    } else if (vp <= h.sat) {
       e.z[i] = std::max(std::min(root(2 * ik_ * (vp - h.c)), h.limit), h.s);
     } else {
       e.z[i] = h.limit;

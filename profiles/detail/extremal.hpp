@@ -99,7 +99,9 @@ class Extremals {
 
  private:
   struct Half {
-    double s, limit, c, sat;  ///< sat: vp at which z reaches the limit
+    double s, limit, c;
+    double sat;      ///< vp at which z reaches the limit
+    double natural;  ///< vp at which z is s, or 0 if that is more
   };
   /// A stretch of a branch over which the same z are held, run through by one parameter.
   struct Stretch {
