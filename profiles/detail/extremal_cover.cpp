@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "jounce/profiles/detail/extremal.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
+
+// Which member covers a distance.
+//
+// While nothing is held, (1) gives z_low^2 - z_high^2 = q. With the sum S = z1 + z2, which grows
+// with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
+//
+//   (5)  d = K + k (m S + (k + 1/jd) S^3/24 - q^2/(8 jp S)),   m = (c1 + c2)/2
+//
+// While one half holds z = L, the peak acceleration x of the other runs, with w = the held half's
+// hold at x = 0,
+//
+//   (6)  d = K' + k (c x + (L/(2 jd) + c/L) x^2/2 + (k + 1/jd) x^3/6 + k x^4/(8 L))
+//
+// While both hold, vp runs: (7) d = d1 + (1/L1 + 1/L2) ((vp1 + L1 L2/(2 jd)) y + y^2/2), y = vp - vp1.
+// K = -sum of c s/jp + s^3/(6 jp^2) over both halves; K' is (3) of both halves at x = 0.
+
+namespace jounce::detail {
+namespace {
+
+/// A power of two within a factor of 4 of the cube root: the same in all units that are powers of two
+/// of each other, which std::cbrt is not.
+double about_cube_root(double x) {
+  return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
+}
+
+/// Halley's step from where f has this value and derivatives; none (NaN) where f does not go the way
+/// that it does at the zero.
+double halley(double f, double first, double second, bool rising) {
+  if ((first > 0) != rising) return std::numeric_limits<double>::quiet_NaN();
+  return 2 * f * first / (2 * first * first - f * second);
+}
+
+/// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
+/// guess, kept inside by bisection. f says the sign of its value.
+template <class F>
+double zero(F f, double lo, double hi, bool rising, double guess) {
+  double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
+  for (int i = 0; i < 100; ++i) {
+    double sign = 0;
+    const double step = f(x, sign);
+    if (sign == 0) break;
+    ((sign < 0) == rising ? lo : hi) = x;
+    double next = x - step;
+    const bool inside = next > lo && next < hi;
+    // Convergence is quadratic at least: after such a step the next is lost in rounding.
+    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
+    if (!inside || i > 60) {
+      if (done) return next > lo ? hi : lo;
+      next = lo + (hi - lo) / 2;
+      if (!(next > lo && next < hi)) break;
+    }
+    x = next;
+    if (done) break;
+  }
+  return x;
+}
+
+}  // namespace
+
+/// (5): the sum at which of_sum is g.
+double Extremals::solve_sum(double g, double lo, double hi, bool rising,
+                            double guess) const noexcept {
+  const auto f = [&](double s, double& sign) {
+    const double ss = s * s;
+    sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
+    const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
+    const double curvature = 6 * cubic_ * ss * ss - 2 * inverse_;    // s^3 f''
+    return s * halley(sign, slope, curvature, rising);
+  };
+  if (hi == inf) {
+    hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),
+                   std::sqrt(std::abs(mean_) / cubic_), std::sqrt(std::sqrt(inverse_ / cubic_))});
+    guess = hi;
+    for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
+  }
+  return zero(f, lo, hi, rising, guess);
+}
+
+/// Where in the stretch the distance d is covered; it is covered there.
+double Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
+  double hi = p.hi;
+  switch (p.held) {
+    case Stretch::Held::none:
+      return solve_sum((d - base_) * ik_, p.lo, p.hi, rising, guess);
+    case Stretch::Held::one: {
+      const auto& x = half_[static_cast<std::size_t>(p.free)];
+      const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
+      const double l = held.limit;
+      const double h0 = (x.c - held.sat) / l;  // hold at x = 0, may be negative
+      const double k0 = base_ + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
+                        h0 * (held.c + l * l * ijp_ / 2 + l * h0 / 2) + x.c * l * ijd_ -
+                        cube(l) * ijd_ * ijd_ / 6;
+      const double g = (d - k0) / k_;
+      const double c2 = l * ijd_ / 4 + x.c / (2 * l);
+      const double c3 = 4 * cubic_;
+      const double c4 = k_ / (8 * l);
+      const auto f = [&](double y, double& sign) {
+        sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
+        return halley(sign, x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)),
+                      2 * c2 + y * (6 * c3 + y * 12 * c4), rising);
+      };
+      if (hi == inf) {
+        hi = std::max(2 * std::abs(p.lo), l);
+        guess = hi;
+        for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
+      }
+      return zero(f, p.lo, hi, rising, guess);
+    }
+    case Stretch::Held::both: {
+      const Extremal e = at_peak(p.lo);
+      const double h = slope(e);
+      const double g = (d - distance(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
+      const double r = root(h * h + 2 * g);
+      const double y = !rising ? -h - r : (h > 0 ? 2 * g / (h + r) : r - h);
+      return std::clamp(p.lo + y, p.lo, p.hi);
+    }
+    case Stretch::Held::cruise: {
+      const Extremal e = at_peak(vmax_);
+      return (d - distance(e)) / vmax_;
+    }
+  }
+  return p.lo;
+}
+
+/// Where (4) is zero in a stretch, ascending.
+int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexcept {
+  double lo = inf;
+  double hi = inf;
+  if (p.held == Stretch::Held::none) {
+    const double w = mean_ * mean_ - 12 * cubic_ * inverse_;
+    if (mean_ < 0 && w >= 0) {
+      const double r = -mean_ + std::sqrt(w);
+      lo = std::sqrt(2 * inverse_ / r);
+      hi = std::sqrt(r / (6 * cubic_));
+    }
+  } else if (p.held == Stretch::Held::one) {
+    const double c = half_[static_cast<std::size_t>(p.free)].c;
+    const double l = half_[static_cast<std::size_t>(1 - p.free)].limit * ijd_ / 2;
+    const double w = l * l - 2 * k_ * c;
+    if (w >= 0) {
+      lo = (-l - std::sqrt(w)) / k_;
+      hi = (-l + std::sqrt(w)) / k_;
+    }
+  } else if (p.held == Stretch::Held::both) {
+    lo = -half_[0].limit * half_[1].limit * ijd_ / 2;
+  }
+  int n = 0;
+  for (const double x : {lo, hi})
+    if (x > p.lo && x < p.hi) out[static_cast<std::size_t>(n++)] = x;
+  return n;
+}
+
+int Extremals::covering(Branch b, double d, Members& out, int most) const noexcept {
+  if (b == Branch::early && high_ == first_) return 0;  // no longer than rounding
+  Stretches all;
+  const int stretches_in_use = stretches(b, all);
+  int found = 0;
+  double before = distance(first(b));
+  for (int i = 0; i < stretches_in_use && found < most; ++i) {
+    Stretch piece = all[static_cast<std::size_t>(i)];
+    const double end = piece.hi;
+    // The distance may rise, fall and rise again; once it rises with both z > 0 it goes on rising.
+    const Extremal begin = member(piece, piece.lo);
+    std::array<double, 2> turns;
+    const bool turns_somewhere = std::min(begin.z[0], begin.z[1]) < 0 || slope(begin) < 0;
+    const int n = turns_somewhere ? turning(piece, turns) : 0;
+    for (int k = 0; k <= n && found < most; ++k) {
+      piece.hi = k < n ? turns[static_cast<std::size_t>(k)] : end;
+      const double after = piece.hi == inf ? inf : distance(member(piece, piece.hi));
+      if ((before < d) != (after < d))
+        out[static_cast<std::size_t>(found++)] =
+            member(piece, solve(piece, d, after > before, piece.hi));
+      before = after;
+      piece.lo = piece.hi;
+    }
+  }
+  return found;
+}
+
+Extremal Extremals::cover(double d, const Extremal& begin, double covered) const noexcept {
+  Extremal lo = begin;
+  double from = lo.z[0] + lo.z[1];
+  const double g = (d - base_) * ik_;
+  if (half_[static_cast<std::size_t>(first_)].s < 0) {
+    if (begin.hold[static_cast<std::size_t>(1 - first_)] > 0) {
+      Members members{begin};
+      (void)covering(Branch::main, d, members, 1);
+      return members[0];
+    }
+    // The velocity passes zero acceleration with the same formula; but the distance may have risen,
+    // and fallen again, before that.
+    lo.vp = natural_;
+    const Stretch p{Stretch::Held::none, 0, from, std::sqrt(q_)};
+    std::array<double, 2> turns;
+    const int n = mean_ < 0 ? turning(p, turns) : 0;
+    const bool rises_first = n > 0 && slope(begin) > 0;
+    if (rises_first && of_sum(turns[0]) >= g)
+      return member(p, solve_sum(g, from, turns[0], true, turns[0]));
+    if (n > 0) from = turns[static_cast<std::size_t>(n - 1)];
+  }
+  const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
+  const auto free = static_cast<std::size_t>(1 - lower);
+  const double first_sat = std::min(half_[1 - free].sat, vmax_);
+  const double second_sat = std::min(half_[free].sat, vmax_);
+  // In the square of its parameter, a stretch is about linear.
+  const auto guess = [](double x0, double x1, double share) {
+    return std::sqrt(x0 * x0 + (x1 - x0) * (x1 + x0) * share);
+  };
+  if (first_sat > lo.vp) {
+    if (first_sat == inf)
+      return member({Stretch::Held::none, 0, from, inf}, solve_sum(g, from, inf, true, 0));
+    const Extremal hi = at_peak(first_sat);
+    const double to = hi.z[0] + hi.z[1];
+    const double reach = of_sum(to);
+    if (reach >= g) {
+      const double begun = of_sum(from);
+      return member({Stretch::Held::none, 0, from, to},
+                    solve_sum(g, from, to, true, guess(from, to, (g - begun) / (reach - begun))));
+    }
+    lo = hi;
+    covered = base_ + k_ * reach;
+  }
+  if (second_sat > lo.vp) {
+    Stretch p{Stretch::Held::one, 1 - lower, lo.z[free], inf};
+    if (second_sat == inf) return member(p, solve(p, d, true, 0));
+    const Extremal hi = at_peak(second_sat);
+    const double reach = distance(hi);
+    if (reach >= d) {
+      p.hi = hi.z[free];
+      return member(p, solve(p, d, true, guess(p.lo, p.hi, (d - covered) / (reach - covered))));
+    }
+    lo = hi;
+    covered = reach;
+  }
+  if (vmax_ > lo.vp) {
+    const Extremal hi = vmax_ == inf ? lo : at_peak(vmax_);
+    const double reach = vmax_ == inf ? inf : distance(hi);
+    if (reach >= d) {
+      const Stretch p{Stretch::Held::both, 0, lo.vp, vmax_};
+      return member(p, solve(p, d, true, 0));
+    }
+    lo = hi;
+    covered = reach;
+  }
+  lo.cruise = (d - covered) / vmax_;
+  return lo;
+}
+
+Extremal Extremals::cruising(double t, double d, double top) const noexcept {
+  // Of the peak velocity: the distance, whose slope is (z1 + z2)/(2 jd) plus the time at cruise.
+  const auto at = [&](double vp) {
+    Extremal e = at_peak(vp);
+    e.cruise = t - duration(e);
+    return e;
+  };
+  const auto f = [&](double vp, double& sign) {
+    const Extremal e = at(vp);
+    sign = distance(e) - d;
+    return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
+  };
+  // Without the time that the ramps take, the mean velocity would do.
+  return at(zero(f, natural_, top, true, d / t));
+}
+
+}  // namespace jounce::detail
