@@ -10,37 +10,45 @@ namespace jounce {
 namespace {
 
 constexpr double forgiven = 1e-12;  // share of a limit that rounding may have added
-constexpr double huge = 1e100;      // squares and cubes of what is smaller stay finite
+// What products of a few of them stay finite and do not vanish for.
+constexpr double greatest = 1e40;
+constexpr double least = 1e-40;
 
 bool is_state(const MotionState& s) {
-  return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < huge;
+  return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < greatest;
+}
+
+bool is_magnitude(double x) {
+  return x >= least && (x <= greatest || x == Bounds::none);
 }
 
 bool is_pair(double min, double max) {
-  const bool one_sided = std::isfinite(min) != std::isfinite(max);
-  return min < 0 && max > 0 && !one_sided;
+  return is_magnitude(-min) && is_magnitude(max);
+}
+
+bool is_either(double min, double max) {
+  return std::isfinite(min) == std::isfinite(max);
 }
 
 bool are_bounds(const Bounds& b) {
-  const bool limited = b.velocity_min < 0 && b.velocity_max > 0 && b.acceleration_min < 0 &&
-                       b.acceleration_max > 0 && is_pair(b.jerk_min, b.jerk_max) &&
+  const bool limited = is_pair(b.velocity_min, b.velocity_max) &&
+                       is_pair(b.acceleration_min, b.acceleration_max) &&
+                       is_pair(b.jerk_min, b.jerk_max) && is_either(b.jerk_min, b.jerk_max) &&
                        b.position_min < b.position_max;
   const int order = detail::order_of(b);
-  if (!limited) return false;
-  if (order == 2) return std::isfinite(b.acceleration_min);
-  return order == 3 || (std::isfinite(b.velocity_min) && std::isfinite(b.velocity_max) &&
-                        std::isinf(b.acceleration_min));
+  if (!limited || order == 3) return limited;
+  return is_either(b.acceleration_min, b.acceleration_max) &&
+         (order == 2 || (std::isfinite(b.velocity_min) && std::isfinite(b.velocity_max)));
 }
 
 MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
   const auto outside = [](double x, double min, double max) {
     return x < min * (1 + forgiven) || x > max * (1 + forgiven);
   };
-  if (order == 1) return MoveStatus::ok;
-  if (outside(to.velocity, b.velocity_min, b.velocity_max)) return MoveStatus::target_outside;
-  if (order == 2) return MoveStatus::ok;
-  if (outside(to.acceleration, b.acceleration_min, b.acceleration_max))
+  if (outside(to.velocity, b.velocity_min, b.velocity_max) ||
+      outside(to.acceleration, b.acceleration_min, b.acceleration_max))
     return MoveStatus::target_outside;
+  if (order < 3) return MoveStatus::ok;
   // Backwards in time the acceleration has the other sign.
   const MotionState before{to.position, to.velocity, -to.acceleration};
   const Bounds backwards{b.velocity_min,      b.velocity_max, -b.acceleration_max,
@@ -63,10 +71,10 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::ok:
       return "the move exists";
     case MoveStatus::not_finite:
-      return "a state is not finite, or greater than 1e100";
+      return "a state or the duration is not finite, or greater than 1e40";
     case MoveStatus::invalid_bounds:
-      return "every max must be greater and every min less than 0, and the highest derivative that "
-             "is limited must be limited in both directions";
+      return "every max must be between 1e-40 and 1e40 (or infinite), every min between -1e40 and "
+             "-1e-40, and the highest derivative that is limited limited in both directions";
     case MoveStatus::target_outside:
       return "the target's velocity or acceleration lies outside the bounds";
     case MoveStatus::target_unreachable:
@@ -95,7 +103,8 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
 Move move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
              double duration) noexcept {
   Move move;
-  move.status = std::isnan(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
+  move.status =
+      !std::isfinite(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
   if (!move) return move;
   const detail::Solver solver(from, to, bounds);
   const bool is_long_enough = duration >= solver.minimum() * (1 - forgiven);

@@ -38,9 +38,10 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 /// Why there is no move; `ok` where there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,      ///< a state is not finite, or so large that squares of it overflow
-  invalid_bounds,  ///< a max that is not > 0, a min that is not < 0, NaN, or jerk limited without
-                   ///< acceleration being limited in one direction and not in the other
+  not_finite,         ///< a state or the duration is not finite, or greater than 1e40
+  invalid_bounds,     ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-40 to
+                      ///< 1e40 that is not infinite, NaN, or the highest derivative that is limited
+                      ///< limited in one direction alone
   target_outside,  ///< the target's velocity or acceleration lies outside the bounds
   target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside
   position_limit,      ///< no move keeps the position limits: start or target runs into them
@@ -52,7 +53,7 @@ enum class MoveStatus : std::uint8_t {
 /// One sentence for a status, for people.
 const char* explain(MoveStatus status) noexcept;
 
-/// A move, if there is one.
+/// A move, if there is one; otherwise the profile says nothing.
 struct Move {
   MoveStatus status = MoveStatus::ok;
   Profile profile;
@@ -68,7 +69,8 @@ struct Move {
 ///     const Motion now = move.profile.at(0.1);
 ///
 /// A start outside the bounds is brought inside first, as fast as the bounds allow. The target must
-/// lie inside. Never longer than the true minimum by more than rounding; ends at `to` exactly;
+/// lie inside (what may step, as the acceleration of a second-order motion, steps to it at the end).
+/// Never longer than the true minimum by more than rounding; ends at `to` exactly;
 /// results do not depend on the unit. Where a position limit forbids the shortest motion, the move
 /// goes by way of a point of rest, chosen as near as the limit allows: it then keeps the limits, but
 /// need not be the shortest that does. Does not allocate, does not throw. Derivation:

@@ -87,8 +87,9 @@ void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double rati
   const auto both = [ratio](double min, double max, double& lead_min, double& lead_max) {
     const double lo = (ratio > 0 ? min : max) / ratio;
     const double hi = (ratio > 0 ? max : min) / ratio;
-    lead_min = std::max(lead_min, lo);
-    lead_max = std::min(lead_max, hi);
+    // An axis that hardly moves limits nothing.
+    if (lo > -1e40) lead_min = std::max(lead_min, lo);
+    if (hi < 1e40) lead_max = std::min(lead_max, hi);
   };
   const Bounds& b = axis.bounds;
   both(b.velocity_min, b.velocity_max, lead.velocity_min, lead.velocity_max);
@@ -99,6 +100,27 @@ void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double rati
   both(b.position_min - axis.from.position, b.position_max - axis.from.position, lo, hi);
   lead.position_min = std::max(lead.position_min, lead_from + lo);
   lead.position_max = std::min(lead.position_max, lead_from + hi);
+}
+
+/// Whether a component of an axis is `ratio` times the leader's, as well as positions and the states of
+/// a running motion can tell: their last digits are those of the positions and of the bounds.
+bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio, double scale) {
+  constexpr double digits = 0x1p-48;
+  const auto far = [](const AxisMove& m) {
+    return std::abs(m.from.position) + std::abs(m.to.position);
+  };
+  const auto bound = [which](const Bounds& b) {
+    const double most = which < 3 ? std::max(b.velocity_max, -b.velocity_min)
+                                  : std::max(b.acceleration_max, -b.acceleration_min);
+    return which > 0 && std::isfinite(most) ? most : 0;
+  };
+  const double here = component(axis, which);
+  const double there = component(lead, which);
+  const double of_ratio = (far(axis) + std::abs(ratio) * far(lead)) / std::abs(scale);
+  const double slack = 1e-12 * (std::abs(here) + std::abs(ratio * there)) +
+                       digits * (of_ratio * std::abs(there) + (which == 0 ? far(axis) : 0) +
+                                 bound(axis.bounds) + std::abs(ratio) * bound(lead.bounds));
+  return std::abs(here - ratio * there) <= slack;
 }
 
 Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out, double minimum) {
@@ -113,15 +135,8 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out, do
   Bounds bounds = first.bounds;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const double ratio = component(axes[i], lead.which) / scale;
-    for (int k = 0; k < 5; ++k) {
-      const double here = component(axes[i], k);
-      const double expected = ratio * component(first, k);
-      // Rounding of the positions themselves is all that may be between the two.
-      const double slack =
-          1e-12 * (std::abs(here) + std::abs(expected)) +
-          (k == 0 ? 1e-15 * (std::abs(axes[i].from.position) + std::abs(axes[i].to.position)) : 0);
-      if (std::abs(here - expected) > slack) return {MoveStatus::not_straight, i, 0};
-    }
+    for (int k = 0; k < 5; ++k)
+      if (!on_line(axes[i], first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
     if (ratio != 0) intersect(bounds, axes[i], first.from.position, ratio);
   }
   Move move = move_to(first.from, first.to, bounds);
@@ -141,7 +156,7 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out, do
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration) noexcept {
   assert(axes.size() == out.size());
-  if (std::isnan(minimum_duration)) return {MoveStatus::not_finite, 0, 0};
+  if (!std::isfinite(minimum_duration)) return {MoveStatus::not_finite, 0, 0};
   if (axes.empty()) return {};
   switch (sync) {
     case Sync::none:

@@ -71,6 +71,7 @@ Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bou
       bounds_(bounds),
       start_(of_order(from, order_)),
       to_(of_order(to, order_)),
+      asked_(to),
       inside_(start_) {
   if (start_ == to_ || (order_ == 3 && is_inside(start_, bounds_, 0))) return;
   come_inside(Return::fastest);
@@ -93,7 +94,7 @@ void Solver::come_inside(Return way) noexcept {
 Profile Solver::begun() const noexcept {
   Profile p(start_, order_);
   if (before_ > 0) (void)brought_inside(start_, bounds_, order_, way_, p);
-  p.finish(to_);
+  p.finish(asked_);
   return p;
 }
 
@@ -120,7 +121,7 @@ void Solver::straight(double t, Profile& out) const noexcept {
 
 MoveStatus Solver::shortest(Profile& out) const noexcept {
   if (order_ == 3 && before_ == 0 && !(inside_ == to_)) {
-    out = PointToPoint(inside_, to_, bounds_).shortest(start_, to_);
+    out = PointToPoint(inside_, to_, bounds_).shortest(start_, asked_);
   } else {
     out = begun();
     if (inside_ == to_) return MoveStatus::ok;
@@ -182,7 +183,7 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
     (void)Solver(start_, rest, free).shortest(there);
     (void)Solver(rest, to_, second).shortest(on);
     whole = Profile(start_, order_);
-    whole.finish(to_);
+    whole.finish(asked_);
     return append(there, whole) && append(on, whole) && keeps_positions(whole, bounds_);
   };
   const auto by_way_of = [&](double position) {
@@ -224,7 +225,7 @@ MoveStatus to_velocity(const MotionState& from, double velocity, double accelera
     out.add(dv / a, a);
     s = {s.position + dv / a * (s.velocity + velocity) / 2, velocity, 0};
   }
-  out.finish(s);
+  out.finish({s.position, velocity, acceleration});
   return keeps_positions(out, bounds) ? MoveStatus::ok : MoveStatus::position_limit;
 }
 

@@ -74,9 +74,38 @@ TEST(Move, SolvesTheTieThatNeedsFourSeconds) {
   EXPECT_NEAR(move.profile.duration(), 4, 1e-14);
 }
 
+TEST(Move, IsTheSameInUnitsManyDecadesApart) {
+  const double expected = std::cbrt(32);  // rest to rest under jerk alone
+  for (const double unit : {1e-39, 1e-20, 1.0, 1e20, 1e39}) {
+    const Move move = move_to({}, {unit, 0, 0}, within(10 * unit, 10 * unit, unit));
+    ASSERT_TRUE(move);
+    EXPECT_NEAR(move.profile.duration(), expected, 1e-14 * expected) << unit;
+    const Bounds b = within(2 * unit, 10 * unit, unit);
+    const Move moving = move_to({0, unit, -unit}, {unit, -unit, 0}, b);
+    ASSERT_TRUE(moving);
+    EXPECT_NEAR(moving.profile.duration(),
+                move_to({0, 1, -1}, {1, -1, 0}, within(2, 10, 1)).profile.duration(), 1e-12)
+        << unit;
+  }
+}
+
+TEST(Move, WhatMayStepStepsToTheTarget) {
+  const Move first = move_to({}, {1, 0.5, 0}, within(2));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first.profile.end().velocity, 0.5);
+  const Move second = move_to({}, {1, 0, -1}, within(2, 2));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second.profile.end().acceleration, -1);
+  EXPECT_EQ(move_velocity({0, 1, 0}, -1, within(2)).profile.end().velocity, -1);
+}
+
 TEST(Move, EachDirectionHasItsOwnBounds) {
-  const Bounds b{.velocity_min = -1, .velocity_max = 3, .acceleration_min = -2,
-                 .acceleration_max = 5, .jerk_min = -20, .jerk_max = 40};
+  const Bounds b{.velocity_min = -1,
+                 .velocity_max = 3,
+                 .acceleration_min = -2,
+                 .acceleration_max = 5,
+                 .jerk_min = -20,
+                 .jerk_max = 40};
   const MotionState a{-4, 0.5, -1};
   const MotionState c{4, -0.5, 1};
   expect_sound(move_to(a, c, b), c, b);
@@ -114,8 +143,8 @@ TEST(Move, FromBeyondTheVelocityLimitComesInsideAndArrives) {
     bool inside = false;
     for (int i = 0; i <= 10000; ++i) {
       const Motion m = f.at(f.end() * i / 10000);
-      const bool now = std::abs(m.velocity) <= 2 * (1 + 1e-12) &&
-                       std::abs(m.acceleration) <= 5 * (1 + 1e-12);
+      const bool now =
+          std::abs(m.velocity) <= 2 * (1 + 1e-12) && std::abs(m.acceleration) <= 5 * (1 + 1e-12);
       if (inside) {
         ASSERT_TRUE(now) << "at " << f.end() * i / 10000 << ": " << m.velocity << ' '
                          << m.acceleration;
@@ -254,6 +283,12 @@ TEST(Move, SaysWhatIsWrong) {
   EXPECT_EQ(move_to({}, {1, 1.1, 0}, b).status, MoveStatus::target_outside);
   EXPECT_EQ(move_to({}, {1, 0, 1.1}, b).status, MoveStatus::target_outside);
   EXPECT_EQ(move_to({}, {1, 0.9, -1}, b).status, MoveStatus::target_unreachable);
+  EXPECT_EQ(move_to({}, {1, 0, 0}, b, Bounds::none).status, MoveStatus::not_finite);
+  for (const double extreme : {1e-300, 1e-60, 1e60, 1e300})
+    EXPECT_EQ(move_to({}, {1, 0, 0}, within(extreme, extreme, extreme)).status,
+              MoveStatus::invalid_bounds);
+  EXPECT_EQ(move_to({}, {1, 5, 0}, within(2)).status, MoveStatus::target_outside);
+  EXPECT_EQ(move_to({}, {1, 0, 3}, within(2, 2)).status, MoveStatus::target_outside);
   for (int s = 0; s <= static_cast<int>(MoveStatus::not_straight); ++s)
     EXPECT_STRNE(explain(static_cast<MoveStatus>(s)), "");
 }

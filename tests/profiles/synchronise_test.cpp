@@ -52,7 +52,8 @@ TEST(Synchronise, InPhaseStaysOnTheLine) {
     for (auto& axis : axes) {
       const double d = random.uniform(-3, 3);
       const double from = random.uniform(-3, 3);
-      axis = {{from, v0 * d, a0 * d}, {from + d, vf * d, 0},
+      axis = {{from, v0 * d, a0 * d},
+              {from + d, vf * d, 0},
               within(random.uniform(2, 6), random.uniform(2, 6), random.uniform(5, 20))};
     }
     std::vector<Profile> out(axes.size());
@@ -74,6 +75,33 @@ TEST(Synchronise, InPhaseStaysOnTheLine) {
     }
     if (HasFailure()) break;
   }
+}
+
+TEST(Synchronise, InPhaseIsReplannedOnItsOwnLine) {
+  testing::Random random(43);
+  for (int i = 0; i < 5000; ++i) {
+    const double offset = i % 2 == 0 ? 0 : 1e4;
+    std::vector<AxisMove> axes(2);
+    for (auto& axis : axes)
+      axis = {{offset + random.uniform(0, 1000), 0, 0},
+              {offset + random.uniform(0, 1000), 0, 0},
+              within(2, 10, 100)};
+    std::vector<Profile> out(2);
+    const double t = synchronise(axes, Sync::phase, out).duration * random.uniform(0.001, 0.99);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Motion m = out[k].at(t);
+      axes[k].from = {m.position, m.velocity, m.acceleration};
+    }
+    EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::ok) << i << " at " << t;
+    if (HasFailure()) break;
+  }
+}
+
+TEST(Synchronise, RefusesAnEndlessDuration) {
+  std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(1);
+  for (const Sync sync : {Sync::none, Sync::time, Sync::phase})
+    EXPECT_EQ(synchronise(axes, sync, out, Bounds::none).status, MoveStatus::not_finite);
 }
 
 TEST(Synchronise, NeverBendsAPathThatShouldBeStraight) {
