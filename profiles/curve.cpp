@@ -201,7 +201,10 @@ Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
       const double width = std::min(1.0, length / whole.length);
       const double s0 =
           ends_here ? 1 - width : std::clamp((x - c.breaks()[n]) / whole.length, 0.0, 1 - width);
-      Segment cut = part(whole, s0, std::min(1.0, s0 + width));
+      const double s1 = std::min(1.0, s0 + width);
+      // Beside a piece that is shorter than the rounding of this one, this one does not change.
+      Segment cut =
+          s0 < s1 ? part(whole, s0, s1) : line(length, value(whole, s0), value(whole, s0));
       cut.length = length;
       return cut;
     };
