@@ -74,7 +74,7 @@ int run(const Options& options) {
   std::vector<Input> inputs = load_axes(options.file, options.axis);
   for (Input& input : inputs) set_limits(input, options);
   bool ok = true;
-  std::vector<std::pair<std::string, nlohmann::ordered_json>> documents;
+  AxisDocuments documents;
   for (const Input& input : inputs) {
     const Report report = check_all(input, options.continuity);
     ok = ok && report.ok();
@@ -84,7 +84,7 @@ int run(const Options& options) {
       print_text(report, input);
     if (!options.json && &input != &inputs.back()) fmt::print("\n");
   }
-  if (options.json) print_json(documents);
+  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
   return ok ? fine : finding;
 }
 

@@ -7,6 +7,7 @@
 #include "jounce/io/file.hpp"
 
 #include "input.hpp"
+#include "json.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -85,13 +86,15 @@ int run(const Options& options) {
   for (const Input& input : inputs) add_files(input, options, inputs.size(), files);
   write_files(files);
   std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+  AxisDocuments documents;
   for (const Input& input : inputs) {
     if (options.json)
-      fmt::print(out, "{}\n",
-                 json_of(input, file_of(options.output, input.axis, inputs.size())).dump());
+      documents.emplace_back(input.axis,
+                             json_of(input, file_of(options.output, input.axis, inputs.size())));
     else
       print_text(out, input);
   }
+  if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump());
   return fine;
 }
 

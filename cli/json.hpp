@@ -8,8 +8,11 @@
 
 namespace jounce::cli {
 
-/// What a verb says of each axis, under its name. One axis: as it is. Several: {"ok": ..., "axes":
-/// {"x": ..., "y": ...}}, ok (where they have one) if all are.
-void print_json(std::vector<std::pair<std::string, nlohmann::ordered_json>>& axes);
+/// What a verb says of each axis, by its name.
+using AxisDocuments = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+
+/// One axis: its document as it is. Several: {"ok": ..., "axes": {"x": ..., "y": ...}}, where `ok`,
+/// if they have one, says whether all are.
+nlohmann::ordered_json document_of(AxisDocuments axes);
 
 }  // namespace jounce::cli

@@ -60,7 +60,7 @@ int run(const Options& options) {
   if (inputs.size() > 1 && !options.log.empty())
     throw InputError("--log", options.log, "is of one axis: say which with --axis");
   bool ok = true;
-  std::vector<std::pair<std::string, nlohmann::ordered_json>> documents;
+  AxisDocuments documents;
   for (const Input& input : inputs) {
     const Proof proof = prove(input, options.log);
     ok = ok && proof.report.ok();
@@ -69,7 +69,7 @@ int run(const Options& options) {
     else
       print_text(proof, input);
   }
-  if (options.json) print_json(documents);
+  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
   return ok ? fine : finding;
 }
 

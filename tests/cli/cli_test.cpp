@@ -268,6 +268,10 @@ TEST_F(Cli, DesignWritesATableForEachAxis) {
   EXPECT_EQ(run("design " + via + " -o ./no_suffix").status, 0);
   EXPECT_THAT(files(), ::testing::Contains("no_suffix-y"));
 
+  const json summary = json::parse(run("design --json " + via + " -o via.csv").out);
+  EXPECT_EQ(summary["axes"]["y"]["table"], "via-y.csv");
+  EXPECT_FALSE(summary.contains("ok"));
+
   const Result one = run("design " + via + " --axis y");
   EXPECT_EQ(one.status, 0);
   EXPECT_EQ(one.out, slurp(folder / "via-y.csv"));
@@ -316,6 +320,22 @@ TEST_F(Cli, CheckAndValidateTakeEveryAxis) {
   EXPECT_EQ(run("check tight.toml").status, 1) << "y alone is over its limit";
   EXPECT_EQ(run("check tight.toml --axis x").status, 0);
   EXPECT_FALSE(json::parse(run("check tight.toml --json").out)["ok"].get<bool>());
+}
+
+TEST_F(Cli, EachAxisHasADriveOfItsOwn) {
+  const std::string spec =
+      "jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
+      "[[axis]]\nname = \"x\"\nto = 30\nvelocity = 100\nacceleration = 1000\njerk = 20000\n"
+      "[axis.drive]\nmodel = \"servo_400w\"\nposition_per_rev = 10\n"
+      "[[axis]]\nname = \"y\"\nto = 30\nvelocity = 100\nacceleration = 1000\n";
+  write("gantry.toml", spec);
+  const json proof = json::parse(run("validate --json gantry.toml").out)["axes"];
+  EXPECT_GT(proof["x"]["drive"]["peak_torque"].get<double>(), 0);
+  EXPECT_FALSE(proof["y"].contains("drive"));
+  write("wrong.toml", std::string(spec).replace(spec.find("rev = 10"), 8, "rev = -1"));
+  EXPECT_EQ(
+      run("validate wrong.toml").err,
+      "jounce: wrong.toml:12:20: axis[1].drive.position_per_rev = -1: must be greater than 0\n");
 }
 
 TEST_F(Cli, PlotDrawsAllAxesOfOneUnit) {
