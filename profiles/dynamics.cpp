@@ -152,8 +152,7 @@ Profile solved(const Move& move) {
 }
 
 /// From a state to rest at the target, in one profile or, where it must turn round, two.
-std::vector<Profile> approach(MotionState from, double target, const Dynamics& d) {
-  if (d.jerk == 0) from.acceleration = 0;
+std::vector<Profile> approach(const MotionState& from, double target, const Dynamics& d) {
   const double heading = from.velocity != 0 ? from.velocity : target - from.position;
   const double direction = heading < 0 ? -1 : 1;
   const Bounds limits = bounds(d, direction);
@@ -210,12 +209,14 @@ Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics) {
   require_positive("velocity", dynamics.velocity);
   require_finite("target", target);
-  return spliced(running, t, approach(state_at(running, t), target, completed(dynamics)));
+  const Dynamics d = completed(dynamics);
+  return spliced(running, t, approach(state_for(running, t, d.jerk), target, d));
 }
 
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics) {
-  return spliced(running, t, velocity_ramp(state_at(running, t), velocity, dynamics));
+  return spliced(running, t,
+                 velocity_ramp(state_for(running, t, dynamics.jerk), velocity, dynamics));
 }
 
 }  // namespace jounce

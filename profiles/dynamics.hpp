@@ -14,7 +14,8 @@ namespace jounce {
 ///     const Trajectory halted = with_velocity(running, 2, 0, axis);    // MC_Halt
 ///
 /// **In flight** position, velocity and (with a jerk) acceleration go on continuously from the
-/// instant of the change. Without jerk the acceleration steps, as in a trapezoid.
+/// instant of the change. Without jerk the acceleration steps, as in a trapezoid; out of one, a
+/// command with a jerk begins with no acceleration (`state_for` in splice.hpp).
 ///
 /// **Throws** InputError for values out of range: velocity and acceleration must be > 0, the others
 /// not negative.

@@ -33,6 +33,28 @@ MotionState beyond(const Trajectory& f, double t) {
   return {end[0] + v * (t - f.end()), v, 0};
 }
 
+/// Whether the stretch around t over which f's acceleration is continuous, and not zero, has zero at
+/// one of its ends.
+bool is_built_up(const Trajectory& f, double t) {
+  const auto segments = f.segments();
+  const auto begin = [&](std::size_t i) { return evaluate(segments[i], 0)[2]; };
+  const auto end = [&](std::size_t i) { return evaluate(segments[i], 1)[2]; };
+  double greatest = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    greatest = std::max({greatest, std::abs(begin(i)), std::abs(end(i))});
+  const double rounding = 1e-9 * greatest;
+  const auto none = [&](double a) { return std::abs(a) <= rounding; };
+  const auto joined = [&](std::size_t i) {  // segment i with the one before
+    return !none(begin(i)) && none(begin(i) - end(i - 1));
+  };
+  const auto after = std::upper_bound(f.breaks().begin() + 1, f.breaks().end() - 1, t);
+  auto first = static_cast<std::size_t>(after - f.breaks().begin()) - 1;
+  auto last = first;
+  while (first > 0 && joined(first)) --first;
+  while (last + 1 < segments.size() && joined(last + 1)) ++last;
+  return none(begin(first)) || none(end(last));
+}
+
 /// f's segments from its start up to t, t inside f or at its end.
 Segments cut(const Trajectory& f, double t) {
   Segments kept;
@@ -68,6 +90,12 @@ MotionState state_at(const Trajectory& f, double t) {
     return {now.position, now.velocity, now.acceleration};
   }
   return beyond(f, std::max(t, f.end()));
+}
+
+MotionState state_for(const Trajectory& f, double t, double jerk) {
+  MotionState now = state_at(f, t);
+  if (now.acceleration != 0 && (jerk == 0 || !is_built_up(f, t))) now.acceleration = 0;
+  return now;
 }
 
 Trajectory until(const Trajectory& f, double t) {

@@ -22,6 +22,11 @@ namespace jounce {
 /// Position, velocity and acceleration at t >= f.start(), right-continuous.
 MotionState state_at(const Trajectory& f, double t);
 
+/// The state that a new command with this jerk (0: not limited) takes over at t. An acceleration is
+/// one only under a jerk limit, and only where `f` led to it, or leads from it to zero, continuously:
+/// one that steps in and steps out again, as a trapezoid's, can step at t too, and is none.
+MotionState state_for(const Trajectory& f, double t, double jerk);
+
 /// f from its start up to t > f.start(): shortened, or prolonged as said above. A t that differs
 /// from a break by rounding alone is that break.
 Trajectory until(const Trajectory& f, double t);

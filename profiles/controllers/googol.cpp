@@ -177,7 +177,7 @@ Profile move_velocity(const MotionState& from, const MoveVelocity& move) {
 }
 
 Trajectory move_velocity(const Trajectory& running, double t, const MoveVelocity& move) {
-  return spliced(running, t, move_velocity(state_at(running, t), move));
+  return spliced(running, t, move_velocity(state_for(running, t, move.jerk_begin), move));
 }
 
 }  // namespace jounce::googol

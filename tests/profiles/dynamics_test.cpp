@@ -218,6 +218,20 @@ TEST(InFlight, ATargetJustWithinReachIsMetWithoutTurningRound) {
   }
 }
 
+TEST(InFlight, AJerkLimitedCommandTakesOverNoAccelerationThatSteps) {
+  const Dynamics soft{.velocity = 10, .acceleration = 20, .jerk = 10};
+  const Trajectory f = point_to_point(0, 50, {.velocity = 10, .acceleration = 20}).curve();
+  // 6 u/s after 0.3 s; s-curves to rest and back up to speed, each of its own.
+  const Trajectory halted = with_velocity(f, 0.3, 0, soft);
+  EXPECT_DOUBLE_EQ(halted.end(), 0.3 + 2 * std::sqrt(6.0 / 10));
+  testing::expect_within(halted, 6, 20);
+  const Trajectory late = with_velocity(f, 5.2, 0, soft);  // slowing down, at 6 u/s again
+  EXPECT_NEAR(late.end(), 5.2 + 2 * std::sqrt(6.0 / 10), 1e-12);
+  EXPECT_GT(extrema(late, 1).min.value, -1e-12);
+  testing::expect_within(with_target(f, 0.3, 50, soft), 10, 20);
+  testing::expect_invariants(halted, 1);
+}
+
 TEST(InFlight, RefusesWhatIsNoNumber) {
   const Trajectory f = point_to_point(0, 100, {.velocity = 10, .acceleration = 10}).curve();
   EXPECT_THROW(with_target(f, 2, std::nan(""), {.velocity = 10, .acceleration = 10}), InputError);

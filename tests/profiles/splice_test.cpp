@@ -66,6 +66,30 @@ TEST(Until, RefusesTimesBeforeTheMotion) {
   EXPECT_THROW(until(running(), std::nan("")), InputError);
 }
 
+double taken_over(const Trajectory& f, double t, double jerk = 1) {
+  return state_for(f, t, jerk).acceleration;
+}
+
+TEST(StateFor, TakesOverWhatWasBuiltUpAndNoStep) {
+  const Trajectory soft = running();                               // acceleration 20, 1.2 to 1.5
+  const Trajectory step({cubic(1, 0, 0, 5, 10), line(1, 5, 15)});  // 10 for 1 s
+  EXPECT_NEAR(taken_over(soft, 1.1), 10, 1e-12);
+  EXPECT_DOUBLE_EQ(taken_over(soft, 1.3), 20);
+  EXPECT_EQ(taken_over(soft, 1.3, 0), 0);
+  for (const double t : {0.0, 0.5, std::nextafter(1.0, 0)}) EXPECT_EQ(taken_over(step, t), 0);
+  EXPECT_EQ(state_at(step, 0.5).acceleration, 10);
+  // Out of the step and into it, several commands and cuts deep.
+  const Trajectory twice = spliced(step, 0.3, Trajectory({cubic(1, 1.35, 3, 9.35, 13)}));
+  EXPECT_EQ(taken_over(twice, 0.2), 0);
+  EXPECT_EQ(taken_over(twice, 0.8), 0);
+  const Trajectory built = spliced(soft, 1.3, step);
+  EXPECT_DOUBLE_EQ(taken_over(built, 1.25), 20);
+  EXPECT_EQ(taken_over(built, 1.8), 0);
+  // One that a motion begins with and leads to zero is a state.
+  const Trajectory given({quintic(1, 0, 1, 7, 3, 2, 0)});
+  EXPECT_DOUBLE_EQ(taken_over(given, 0), 7);
+}
+
 TEST(Spliced, GoesOnWithTheNextMotionWhateverItsTime) {
   const Trajectory f = running();
   const Profile back =
