@@ -25,6 +25,15 @@
 // and a ramp a0 -> A -> 0 with rise at jb and fall at je changes the velocity by
 //
 //   (3)  dv = (A^2 - a0^2)/2jb + A^2/2je + A hold,   A <= the limit.
+//
+// Where speeding up and slowing down have limits of their own, an acceleration that leads past v1 falls
+// to zero first, under those of the sense that it acts in (1); the ramp from there is one of (3), or
+// two with a rest between. If it slows the axis down and would turn it round, it falls until the axis
+// rests, after
+//
+//   (4)  t = 2 |v0| / (|a0| + |a1|),   a1^2 = a0^2 - 2 je |v0|
+//
+// and what is left of it, a1, speeds up.
 
 namespace jounce {
 namespace {
@@ -64,7 +73,9 @@ class Growing {
   }
   [[nodiscard]] const MotionState& now() const { return now_; }
   /// Ends at a velocity that is known better than its sum.
-  void reached(double velocity) { now_ = {now_.position, velocity, 0}; }
+  void reached(double velocity, double acceleration = 0) {
+    now_ = {now_.position, velocity, acceleration};
+  }
   [[nodiscard]] Profile finished() {
     profile_.finish(now_);
     return profile_;
@@ -127,8 +138,39 @@ void add_step_ramp(Growing& motion, double v1, const RampLimits& limits) {
   motion.reached(v1);
 }
 
-void add_ramp(Growing& motion, double v1, const RampLimits& limits, bool jerk) {
-  jerk ? add_jerk_ramp(motion, v1, limits) : add_step_ramp(motion, v1, limits);
+/// To v1 in one sense.
+void add_ramp(Growing& motion, double v1, const RampLimits& limits) {
+  limits.jerk_end > 0 ? add_jerk_ramp(motion, v1, limits) : add_step_ramp(motion, v1, limits);
+}
+
+/// (4), where it applies.
+void add_fall_to_rest(Growing& motion, const RampLimits& down) {
+  const auto [p, v0, a0] = motion.now();
+  const double left = a0 * a0 - 2 * down.jerk_end * std::abs(v0);
+  if (!(v0 * a0 < 0 && left > 0)) return;
+  const double a1 = std::copysign(std::sqrt(left), a0);
+  motion.add(2 * std::abs(v0) / std::abs(a0 + a1), -std::copysign(down.jerk_end, a0));
+  motion.reached(0, a1);
+}
+
+/// (1): lets the acceleration in force fall where it would lead past v1.
+void add_fall(Growing& motion, double v1, const RampLimits& up, const RampLimits& down) {
+  if (motion.now().acceleration == 0) return;
+  add_fall_to_rest(motion, down);
+  const auto [p, v0, a0] = motion.now();
+  const RampLimits& own = a0 * v0 < 0 ? down : up;
+  const double v = v0 + fall_alone(a0, own);
+  if ((v1 - v) * a0 >= 0) return;
+  motion.add(std::abs(a0) / own.jerk_end, -std::copysign(own.jerk_end, a0));
+  motion.reached(v);
+}
+
+/// To v1, from any state, each sense under its own limits.
+void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimits& down) {
+  if (up == down) return add_ramp(motion, v1, up);
+  add_fall(motion, v1, up, down);
+  if (motion.now().velocity * v1 < 0) add_ramp(motion, 0, down);
+  add_ramp(motion, v1, std::abs(v1) > std::abs(motion.now().velocity) ? up : down);
 }
 
 // ---- position moves in flight --------------------------------------------------------------------
@@ -186,16 +228,7 @@ Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits
   MotionState start = from;
   if (!jerk) start.acceleration = 0;
   Growing motion(start, jerk ? 3 : 2);
-  // Where the acceleration in force would lead by itself: what is still to do begins there.
-  const bool speeds_up = start.acceleration * start.velocity > 0;
-  const double v =
-      start.velocity + (jerk ? fall_alone(start.acceleration, speeds_up ? up : down) : 0);
-  if (v * velocity < 0 && up != down) {
-    add_ramp(motion, 0, down, jerk);
-    add_ramp(motion, velocity, up, jerk);
-  } else {
-    add_ramp(motion, velocity, std::abs(velocity) > std::abs(v) ? up : down, jerk);
-  }
+  add_change(motion, velocity, up, down);
   return motion.finished();
 }
 

@@ -41,8 +41,11 @@ struct RampLimits {
 
 /// From any state to a velocity (signed) and no acceleration, as fast as the limits allow; `up` for
 /// what speeds up, `down` for what slows down. An acceleration that a state has already is taken
-/// over (not where jerk is not limited). The jerks may differ between begin and end, or between up
-/// and down, not both.
+/// over (not where jerk is not limited); it falls first where it would lead past the velocity, and
+/// until the axis rests where it would turn it round. Where up and down differ, a change through rest
+/// is two ramps. From a state within them the limits hold throughout, but for what an acceleration at
+/// rest, allowed in slowing down, needs to fall. The jerks may differ between begin and end, or
+/// between up and down, not both.
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
                       const RampLimits& down);
 

@@ -85,6 +85,62 @@ TEST(VelocityRamp, RandomRampsUseEachAccelerationInItsSense) {
   }
 }
 
+/// Where speeding up and slowing down have jerks of their own, too: at both ends and in the middle of
+/// each phase, rest left out.
+void expect_each_sense(const Profile& p, const Dynamics& d) {
+  const Trajectory f = p.curve();
+  const double standstill = 1e-7 * std::abs(extrema(f, 1).peak().value);
+  const double none = 1e-7 * std::max(d.acceleration, d.deceleration);
+  for (const Segment& phase : f.segments())
+    for (int n = 0; n <= 32; ++n) {
+      const Jet x = evaluate(phase, n / 32.0);
+      if (std::abs(x[1]) <= standstill || std::abs(x[2]) <= none) continue;
+      const bool up = x[1] * x[2] > 0;
+      EXPECT_LE(std::abs(x[2]), (up ? d.acceleration : d.deceleration) * (1 + 1e-9));
+      EXPECT_LE(std::abs(x[3]), (up ? d.jerk : d.deceleration_jerk) * (1 + 1e-9));
+    }
+}
+
+TEST(VelocityRamp, AnAccelerationInForceFallsUnderTheLimitsOfItsOwnSense) {
+  // -5 at 100 leads to 9.875, from where 0.025 is made up for at 400.
+  const Dynamics a{.acceleration = 40, .deceleration = 5, .jerk = 400, .deceleration_jerk = 100};
+  const Profile p = velocity_ramp({0, 10, -5}, 9.9, a);
+  EXPECT_NEAR(p.duration(), 0.05 + 2 * std::sqrt(0.025 / 400), 1e-12);
+  expect_each_sense(p, a);
+  // +20 at 100 leads to 7, then back to 6 at 1000.
+  const Dynamics b{.acceleration = 20, .deceleration = 20, .jerk = 100, .deceleration_jerk = 1000};
+  const Profile q = velocity_ramp({0, 5, 20}, 6, b);
+  EXPECT_NEAR(q.duration(), 0.2 + (1.0 / 20 + 20.0 / 1000), 1e-12);
+  expect_each_sense(q, b);
+  // +20 at 100 from -1: at rest with sqrt(200), then upwards at 1000 to 200/2000, and on to 5.
+  const Dynamics c{.acceleration = 20, .deceleration = 20, .jerk = 1000, .deceleration_jerk = 100};
+  const Profile r = velocity_ramp({0, -1, 20}, 5, c);
+  EXPECT_DOUBLE_EQ(r.phase(0).duration, 2 / (20 + std::sqrt(200.0)));
+  expect_each_sense(r, c);
+}
+
+TEST(VelocityRamp, RandomStatesWithinTheLimitsStayThere) {
+  Random random(67);
+  for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
+    Dynamics d = random_dynamics(random, i % 3 == 0, true);
+    d.deceleration_jerk = random.log_uniform(0.1, 1000);
+    MotionState from{0, random.uniform(-1, 1) * d.velocity, 0};
+    const double sense = random.uniform(-1, 1) < 0 ? -1 : 1;
+    from.acceleration = random.uniform(0, 1) * sense * std::copysign(1, from.velocity) *
+                        (sense > 0 ? d.acceleration : d.deceleration);
+    // What is left at rest of an acceleration that turns the axis round is another matter.
+    if (sense < 0 && d.deceleration > d.acceleration &&
+        from.acceleration * from.acceleration > 2 * d.deceleration_jerk * std::abs(from.velocity))
+      continue;
+    const double v = random.uniform(-1, 1) * d.velocity;
+    SCOPED_TRACE(::testing::Message()
+                 << i << ": " << from << " to " << number(v) << " under " << d);
+    const Profile p = velocity_ramp(from, v, d);
+    testing::expect_arrives(p, 1e-11);
+    expect_each_sense(p, d);
+  }
+}
+
 TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
   EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 2}, {1, 1, 3}), InputError);
   EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 0}, {1, 1, 1}), InputError);
