@@ -222,6 +222,9 @@ Profile point_to_point(double from, double to, const Dynamics& dynamics) {
 
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
                       const RampLimits& down) {
+  require_finite("from.position", from.position);
+  require_finite("from.velocity", from.velocity);
+  require_finite("from.acceleration", from.acceleration);
   require_finite("velocity", velocity);
   require_valid(up, down);
   const bool jerk = up.jerk_begin > 0;
@@ -229,6 +232,9 @@ Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits
   if (!jerk) start.acceleration = 0;
   Growing motion(start, jerk ? 3 : 2);
   add_change(motion, velocity, up, down);
+  if (!std::isfinite(motion.now().position) || !std::isfinite(motion.finished().duration()))
+    throw InputError("velocity", velocity,
+                     "cannot be reached: time or position would not be finite");
   return motion.finished();
 }
 

@@ -30,6 +30,7 @@ Trajectory move_additive(const Trajectory& running, double t, double distance,
 
 Trajectory move_superimposed(const Trajectory& running, double t, double distance,
                              const Dynamics& dynamics, std::optional<double> abort) {
+  if (abort) require_finite("abort", *abort);
   if (!target_of(running)) return move_additive(running, t, distance, dynamics);
   Trajectory added = shifted(point_to_point(0, distance, dynamics).curve(), t);
   if (abort && *abort <= t) return running;

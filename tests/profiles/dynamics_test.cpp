@@ -150,6 +150,23 @@ TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
   EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
 }
 
+TEST(VelocityRamp, RefusesStatesThatAreNoNumbersOrTooLarge) {
+  const Dynamics step{.acceleration = 1};
+  const Dynamics soft{.acceleration = 1, .jerk = 1};
+  for (const double bad : {std::nan(""), Bounds::none, -Bounds::none})
+    for (const Dynamics& d : {step, soft}) {
+      EXPECT_THROW(velocity_ramp({bad, 0, 0}, 1, d), InputError);
+      EXPECT_THROW(velocity_ramp({0, bad, 0}, 1, d), InputError);
+      EXPECT_THROW(velocity_ramp({0, 0, bad}, 1, d), InputError);
+      EXPECT_THROW(velocity_ramp({0, 0, 0}, bad, d), InputError);
+    }
+  for (const Dynamics& d : {step, soft}) {
+    EXPECT_THROW(velocity_ramp({0, 1e200, 0}, 1, d), InputError);
+    EXPECT_THROW(velocity_ramp({}, -1e200, d), InputError);
+  }
+  EXPECT_THROW(velocity_ramp({0, 0, 1e200}, 1, soft), InputError);
+}
+
 // ---- in flight -----------------------------------------------------------------------------------
 
 TEST(InFlight, ANewTargetAndVelocityEndWhereTheManualsExampleDoes) {

@@ -198,6 +198,11 @@ TEST(VelocityCommands, FollowOneAnotherAsTheManualShows) {
   }
 }
 
+TEST(LsMoveVelocity, RefusesWhatIsNoNumber) {
+  EXPECT_THROW(ls_move_velocity(std::nan(""), 100, 100), InputError);
+  EXPECT_THROW(ls_move_velocity(0, std::nan(""), 100), InputError);
+}
+
 TEST(PositionToVelocity, ExamplePassesTheJointAtFiveThousand) {
   // 5.2.4, Fig. 5.21.
   const PositionToVelocity m{.end_pos = {10000, 50000},
@@ -294,6 +299,13 @@ TEST(Superimposed, AddsBothMotionsAndBothDistances) {
   const double end = aborted.at(aborted.end()).position;  // 125 + 750 + 125 of the second motion
   EXPECT_NEAR(end, 7000, 1e-9);
   EXPECT_DOUBLE_EQ(move_superimposed(base, 1, 2000, top, 0.5).at(10).position, 6000);
+}
+
+TEST(Superimposed, RefusesAnAbortThatIsNoNumber) {
+  const Dynamics d{.velocity = 2000, .acceleration = 4000};
+  const Trajectory base = point_to_point(0, 6000, d).curve();
+  EXPECT_THROW(move_superimposed(base, 1, 2000, d, std::nan("")), InputError);
+  EXPECT_THROW(move_superimposed(base, std::nan(""), 2000, d), InputError);
 }
 
 TEST(Superimposed, SinesAreAddedExactly) {
