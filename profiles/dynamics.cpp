@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/move.hpp"
 #include "jounce/profiles/s_curve.hpp"
@@ -193,8 +195,45 @@ Profile solved(const Move& move) {
   return move.profile;
 }
 
+/// With two jerks: to one velocity towards the target and from there to rest, each sense under its
+/// own, or to rest alone. Nothing where that does not end at the target.
+std::optional<Profile> in_two_ramps(const MotionState& from, double target, const Dynamics& d) {
+  const RampLimits up{d.acceleration, d.jerk, d.jerk};
+  const RampLimits down{d.deceleration, d.deceleration_jerk, d.deceleration_jerk};
+  const double h = std::abs(target - from.position);
+  const double s = target < from.position ? -1 : 1;
+  const auto motion = [&](double peak, double cruise) {
+    Growing result({0, s * from.velocity, s * from.acceleration}, 3);
+    add_change(result, peak, up, down);
+    result.add(cruise, 0);
+    add_change(result, 0, up, down);
+    return result;
+  };
+  const auto covered = [&](double peak) { return motion(peak, 0).now().position; };
+  const double rounding = 1e-13 * std::max({std::abs(from.position), std::abs(target), h});
+  const auto made = [&](double peak, double cruise) {
+    Growing result = motion(peak, cruise);
+    return result.finished().scaled(s, from, {target, 0, 0});
+  };
+  if (from.velocity != 0 && std::abs(covered(0) - h) <= rounding) return made(0, 0);
+  const double left_alone =
+      s * from.velocity +
+      fall_alone(s * from.acceleration, from.velocity * from.acceleration < 0 ? down : up);
+  if (s * from.velocity < 0 || left_alone < 0) return std::nullopt;
+  // Below what the velocity would be if the acceleration fell alone, the distance does not grow with
+  // the peak.
+  const double low = std::min(left_alone, d.velocity);
+  if (covered(low) > h + rounding) return std::nullopt;
+  const double rise =
+      detail::greatest(d.velocity - low, h, [&](double x) { return covered(low + x); });
+  const double rest = h - covered(low + rise);
+  return made(low + rise, rest > rounding ? rest / (low + rise) : 0);
+}
+
 /// From a state to rest at the target, in one profile or, where it must turn round, two.
 std::vector<Profile> approach(const MotionState& from, double target, const Dynamics& d) {
+  if (d.jerk != d.deceleration_jerk)
+    if (const auto profile = in_two_ramps(from, target, d)) return {*profile};
   const double heading = from.velocity != 0 ? from.velocity : target - from.position;
   const double direction = heading < 0 ? -1 : 1;
   const Bounds limits = bounds(d, direction);

@@ -59,8 +59,10 @@ Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& 
 /// new one is brought down first.
 ///
 /// Where acceleration and deceleration differ, a motion that must turn round stops first, then
-/// moves back. With two jerks the larger one holds for what is left of the move: with the smaller one
-/// an axis that is speeding up could not help passing its velocity.
+/// moves back. With two jerks each holds in its own sense where the motion goes to one velocity and
+/// from there to rest, or just stops: the same move given again changes nothing. Otherwise, where it
+/// must turn round or its target has come nearer than that, the larger jerk holds for what is left of
+/// the move: with the smaller one an axis that is speeding up could not help passing its velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 

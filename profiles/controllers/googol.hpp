@@ -79,7 +79,7 @@ struct MoveAbsolute {
 Profile move_absolute(const MoveAbsolute& move);
 
 /// While moving: from the state at t; `from` is not used. The jerk is what `percent` gives for a
-/// ramp from rest to `vel`, the larger of the two halves; see with_target.
+/// ramp from rest to `vel`, for each half; see with_target.
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
 /// GT_MoveAbsoluteEx, from standstill. Manual 7.7, I-104.

@@ -273,6 +273,44 @@ TEST(InFlight, TwoJerksDoNotLeadPastTheVelocity) {
   }
 }
 
+TEST(InFlight, WithTwoJerksTheSameMoveAgainChangesNothing) {
+  Random random(68);
+  for (int i = 0; i < 4000 && !::testing::Test::HasFailure(); ++i) {
+    Dynamics d = random_dynamics(random, i % 2 == 0, true);
+    d.deceleration_jerk = random.log_uniform(0.1, 1000);
+    const double from = random.uniform(-100, 100);
+    const double to = from + random.uniform(-1, 1) * random.log_uniform(0.1, 1000);
+    const Trajectory f = point_to_point(from, to, d).curve();
+    const double t = random.uniform(0, 1) * f.end();
+    SCOPED_TRACE(::testing::Message() << i << ": from " << number(from) << " to " << number(to)
+                                      << " under " << d << " at " << number(t));
+    const Trajectory again = with_target(f, t, to, d);
+    EXPECT_NEAR(again.end(), f.end(), 1e-6 * f.end());
+    EXPECT_DOUBLE_EQ(again.at(again.end()).position, to);
+    for (int n = 0; n <= 16; ++n) {
+      const double x = t + (std::min(f.end(), again.end()) - t) * n / 16;
+      EXPECT_NEAR(again.at(x).position, f.at(x).position, 1e-9 * (std::abs(from) + std::abs(to)));
+    }
+    EXPECT_TRUE(check_continuity(again, 2).ok());
+  }
+}
+
+TEST(InFlight, WithTwoJerksAFartherTargetTakesAsLongAsIfItHadBeenGivenAtOnce) {
+  Random random(69);
+  for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
+    Dynamics d = random_dynamics(random, false, true);
+    d.deceleration_jerk = random.log_uniform(0.1, 1000);
+    const double to = random.log_uniform(0.1, 1000);
+    const Trajectory f = point_to_point(0, to, d).curve();
+    const Trajectory longer = point_to_point(0, 2 * to, d).curve();
+    const double t = random.uniform(0, 1) * f.breaks()[1];  // both rise at the same jerk
+    SCOPED_TRACE(::testing::Message()
+                 << i << ": to " << number(to) << " under " << d << " at " << number(t));
+    EXPECT_NEAR(with_target(f, t, 2 * to, d).end(), longer.end(), 1e-7 * longer.end());
+    EXPECT_NEAR(with_target(longer, t, to, d).end(), f.end(), 1e-7 * f.end());
+  }
+}
+
 TEST(InFlight, UnequalRampsStopBeforeTheyTurnRound) {
   const Dynamics d{.velocity = 10, .acceleration = 10, .deceleration = 20};
   const Trajectory f = point_to_point(0, 100, d).curve();

@@ -175,6 +175,13 @@ TEST(GoogolTrap, TakesANewTargetAndVelocityWhileMoving) {
   testing::expect_invariants(back, 2);
 }
 
+TEST(GoogolTrap, GivenAgainIsTheSameMove) {
+  const Trap example{.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125, .smooth_time = 25};
+  const Trajectory f = trap(example).curve();
+  for (const double t : {10.0, 100.0, 210.0, 500.0, 1000.0, 1310.0})
+    EXPECT_NEAR(trap(f, t, example).end(), 1325, 1e-3) << t;
+}
+
 TEST(GoogolMoveAbsolute, GoesOnFromWhateverMoves) {
   const MoveAbsolute m{.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125, .percent = 60};
   const Trajectory f = move_absolute(m).curve();

@@ -112,6 +112,15 @@ TEST(HimcMoveAbs, TakesANewTargetAndVelocityWhileMoving) {
   testing::expect_within(g, 100, 500, 10000);
 }
 
+TEST(HimcMoveAbs, GivenAgainIsTheSameMove) {
+  const AxisProfile axis{
+      .velocity = 100, .acceleration = 1000, .deceleration = 250, .smoothing_time = 50};
+  const Trajectory f = move_abs(0, 200, axis).curve();
+  EXPECT_NEAR(f.end(), 2.3, 1e-12);
+  for (const double t : {0.02, 0.07, 0.12, 1.0, 1.88, 2.0, 2.28})
+    EXPECT_NEAR(move_abs(f, t, 200, axis).end(), 2.3, 1e-6) << t;
+}
+
 TEST(HimcStop, BringsTheAxisToRestSmoothly) {
   const Trajectory f = stop(move_abs(0, 1000, example).curve(), 0.1, example);
   EXPECT_NEAR(state_at(f, f.end()).velocity, 0, 1e-12);
