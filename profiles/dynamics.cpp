@@ -88,19 +88,23 @@ class Growing {
   MotionState now_;
 };
 
-void require_valid(const RampLimits& up, const RampLimits& down) {
-  for (const RampLimits& limits : {up, down}) {
-    require_positive("acceleration", limits.acceleration);
-    require_not_negative("jerk_begin", limits.jerk_begin);
-    require_not_negative("jerk_end", limits.jerk_end);
-    for (const double jerk : {limits.jerk_begin, limits.jerk_end})
-      if ((jerk > 0) != (up.jerk_begin > 0))
-        throw InputError("jerk", jerk, "must be limited at both ends of both ramps, or nowhere");
+void require_valid(const std::string& ramp, const RampLimits& limits, bool jerk_limited) {
+  require_positive((ramp + "acceleration").c_str(), limits.acceleration);
+  for (const auto& [name, jerk] :
+       {std::pair{"jerk_begin", limits.jerk_begin}, {"jerk_end", limits.jerk_end}}) {
+    require_not_negative((ramp + name).c_str(), jerk);
+    if ((jerk > 0) != jerk_limited)
+      throw InputError(ramp + name, jerk, "must be limited at both ends of both ramps, or nowhere");
   }
+}
+
+void require_valid(const RampLimits& up, const RampLimits& down) {
+  require_valid("up.", up, up.jerk_begin > 0);
+  require_valid("down.", down, up.jerk_begin > 0);
   const bool same_ends = up.jerk_begin == up.jerk_end && down.jerk_begin == down.jerk_end;
   const bool same_ramps = up.jerk_begin == down.jerk_begin && up.jerk_end == down.jerk_end;
   if (!same_ends && !same_ramps)
-    throw InputError("jerk_end", down.jerk_end,
+    throw InputError("down.jerk_end", down.jerk_end,
                      "may differ from jerk_begin, or from that of speeding up, but not from both");
 }
 

@@ -71,6 +71,12 @@ void append(Segments& segments, const Trajectory& next) {
   segments.insert(segments.end(), next.segments().begin(), next.segments().end());
 }
 
+/// What lies beyond a motion that has been cut and gone on with: rest, or nothing that is known.
+Trajectory with_end(const Trajectory& f) {
+  const bool rests = beyond(f, f.end()).velocity == 0;
+  return with(f, rests ? Outside::hold : Outside::refuse);
+}
+
 /// f, standing before its start from `from` on.
 Trajectory from_standstill(const Trajectory& f, double from) {
   const double lead = f.start() - from;
@@ -111,8 +117,8 @@ Trajectory until(const Trajectory& f, double t) {
 
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next) {
   require_not_before(running, t);
-  if (same_time(running, t, running.start())) return shifted(next, t - next.start());
-  return concatenated(until(running, t), next);
+  if (same_time(running, t, running.start())) return with_end(shifted(next, t - next.start()));
+  return with_end(concatenated(until(running, t), next));
 }
 
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next) {
@@ -125,7 +131,7 @@ Trajectory spliced(const Trajectory& running, double t, std::span<const Profile>
     result = result ? concatenated(*result, curve) : shifted(curve, t);
   }
   if (!result) throw InputError("t", t, "nothing moves: neither before it nor after");
-  return *result;
+  return with_end(*result);
 }
 
 Trajectory superimposed(const Trajectory& f, const Trajectory& g) {

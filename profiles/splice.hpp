@@ -32,7 +32,8 @@ MotionState state_for(const Trajectory& f, double t, double jerk);
 Trajectory until(const Trajectory& f, double t);
 
 /// `running` up to t >= its start, then `next`, whatever the time it says of itself; it should begin
-/// in state_at(running, t). With t at the start, `next` alone, from there.
+/// in state_at(running, t). With t at the start, `next` alone, from there. The result holds outside
+/// where it ends at rest, otherwise it refuses, whatever `running` did.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
 /// The same with profiles one after another; those of no duration are left out.

@@ -150,6 +150,21 @@ TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
   EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
 }
 
+TEST(VelocityRamp, NamesTheJerkThatItRefuses) {
+  const auto key = [](const RampLimits& up, const RampLimits& down) -> std::string {
+    try {
+      velocity_ramp({}, 1, up, down);
+    } catch (const InputError& error) {
+      return error.key();
+    }
+    return "";
+  };
+  EXPECT_EQ(key({1, 1, 0}, {1, 1, 1}), "up.jerk_end");
+  EXPECT_EQ(key({1, 1, 1}, {1, 0, 1}), "down.jerk_begin");
+  EXPECT_EQ(key({1, 1, 1}, {0, 1, 1}), "down.acceleration");
+  EXPECT_EQ(key({1, 1, 2}, {1, 1, 3}), "down.jerk_end");
+}
+
 TEST(VelocityRamp, RefusesStatesThatAreNoNumbersOrTooLarge) {
   const Dynamics step{.acceleration = 1};
   const Dynamics soft{.acceleration = 1, .jerk = 1};
@@ -242,6 +257,8 @@ TEST(InFlight, AnyChangeArrivesContinuouslyWithinTheLimits) {
                  << number(target) << " under " << changed);
     const Trajectory g = with_target(f, t, target, changed);
     EXPECT_NEAR(g.at(g.end()).position, target, 1e-15 * std::abs(extrema(g, 0).peak().value));
+    EXPECT_EQ(g.outside(), Outside::hold);
+    EXPECT_EQ(with_velocity(f, t, 0, changed).outside(), Outside::hold);
     // An acceleration in force goes on to change the velocity while the new jerk brings it down.
     const MotionState now = state_at(f, t);
     const double a = now.acceleration;
@@ -309,6 +326,22 @@ TEST(InFlight, WithTwoJerksAFartherTargetTakesAsLongAsIfItHadBeenGivenAtOnce) {
     EXPECT_NEAR(with_target(f, t, 2 * to, d).end(), longer.end(), 1e-7 * longer.end());
     EXPECT_NEAR(with_target(longer, t, to, d).end(), f.end(), 1e-7 * f.end());
   }
+}
+
+TEST(InFlight, WhatEndsAtRestHoldsAndWhatEndsMovingRefuses) {
+  const Dynamics d{.velocity = 10, .acceleration = 20, .jerk = 100};
+  const Trajectory move = point_to_point(0, 50, d).curve();
+  for (const Outside outside : {Outside::refuse, Outside::hold, Outside::wrap}) {
+    const Trajectory f = with(move, outside);
+    for (const double t : {0.0, 0.3, 2.0, 9.0}) {
+      EXPECT_EQ(with_target(f, t, 80, d).outside(), Outside::hold);
+      EXPECT_EQ(with_velocity(f, t, 5, d).outside(), Outside::refuse);
+    }
+    EXPECT_EQ(with_velocity(f, 2, 0, d).outside(), Outside::hold);
+  }
+  const Trajectory jog = with(velocity_ramp({}, 10, d).curve(), Outside::refuse);
+  const Trajectory placed = with_target(jog, 3, 80, d);
+  EXPECT_DOUBLE_EQ(placed.at(placed.end() + 5).position, 80);
 }
 
 TEST(InFlight, UnequalRampsStopBeforeTheyTurnRound) {
