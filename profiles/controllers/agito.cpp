@@ -24,6 +24,23 @@ void require_speed(const char* key, double value) {
   if (value == 0) throw InputError(key, value, "must not be 0: nothing would move");
 }
 
+void set_jerks(Dynamics& d, int exponent) {
+  const double time = jerk_time(exponent);
+  if (time == 0) return;
+  d.jerk = d.acceleration / time;
+  d.deceleration_jerk = d.deceleration / time;
+}
+
+/// What Stop takes: Accel only where an acceleration is in force still, and if it is given.
+Dynamics stopping(const Settings& settings) {
+  require_rate("decel", settings.decel);
+  if (settings.accel != 0) require_rate("accel", settings.accel);
+  Dynamics d{.acceleration = settings.accel != 0 ? settings.accel : settings.decel,
+             .deceleration = settings.decel};
+  set_jerks(d, settings.jerk);
+  return d;
+}
+
 }  // namespace
 
 double jerk_time(int jerk) {
@@ -42,10 +59,7 @@ Dynamics dynamics(const Settings& settings) {
   Dynamics d{.velocity = std::abs(settings.speed),
              .acceleration = settings.accel,
              .deceleration = settings.decel};
-  if (const double time = jerk_time(settings.jerk); time > 0) {
-    d.jerk = d.acceleration / time;
-    d.deceleration_jerk = d.deceleration / time;
-  }
+  set_jerks(d, settings.jerk);
   return d;
 }
 
@@ -64,7 +78,7 @@ Profile jog(const MotionState& from, const Settings& settings) {
 }
 
 Trajectory stop(const Trajectory& running, double t, const Settings& settings) {
-  return with_velocity(running, t, 0, dynamics(settings));
+  return with_velocity(running, t, 0, stopping(settings));
 }
 
 Trajectory repetitive(double position, const Target& target, const Settings& settings, int strokes,

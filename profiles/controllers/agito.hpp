@@ -53,7 +53,8 @@ Trajectory begin(const Trajectory& running, double t, const Target& target,
 /// Begin in MotionMode 0 (jog): to Speed, with its sign, and on.
 Profile jog(const MotionState& from, const Settings& settings);
 
-/// Stop: to rest with Decel.
+/// Stop: to rest with Decel. Speed is not used; an acceleration in force falls with the jerk of Accel,
+/// or, where that is 0, of Decel.
 Trajectory stop(const Trajectory& running, double t, const Settings& settings);
 
 /// MotionMode 2 (repetitive PTP): `strokes` >= 1 of them, between the start and the target, with

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "jounce/profiles/detail/ascending.hpp"
 #include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/splice.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 void require_move(double from, std::int64_t pos, double vel, double acc, double dec) {
   require_finite("from", from);
-  if (std::abs(pos) > max_position)
+  if (pos < -max_position || pos > max_position)
     throw InputError("pos", std::to_string(pos),
                      "must be between -1 073 741 823 and 1 073 741 823");
   require_positive("vel", vel);
@@ -129,6 +130,10 @@ Profile jog(const MotionState& from, double vel, const Jog& parameters) {
 
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters) {
   if (velocities.empty()) throw InputError("velocities", "none", "a jog needs at least one");
+  require_finite("velocities[1].vel", velocities[0].vel);
+  if (velocities[0].vel == 0)
+    throw InputError("velocities[1].vel", 0, "must not be 0: nothing moves before it");
+  detail::require_ascending("velocities", velocities);
   Trajectory running = jog({from, 0, 0}, velocities[0].vel, parameters).curve();
   running = shifted(running, velocities[0].time);
   for (const auto& [time, vel] : velocities.subspan(1))

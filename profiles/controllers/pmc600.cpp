@@ -87,6 +87,13 @@ void require_end_velocity(const char* key, double v, double velocity) {
   if (v > velocity) throw InputError(key, v, "must not be above velocity = " + number(velocity));
 }
 
+/// The block's own value where it is not above the velocity.
+double end_velocity(const char* key, double v, double velocity) {
+  if (v == default_end_velocity) return std::min(v, velocity);
+  require_end_velocity(key, v, velocity);
+  return v;
+}
+
 void require_distance(const char* key, double from, double to) {
   require_finite("from", from);
   require_finite(key, to);
@@ -103,13 +110,11 @@ Trajectory move_absolute(double from, double to, const Ramps& ramps) {
 Profile ls_move(const LsMove& move) {
   require_distance("to", move.from, move.to);
   const Ramps r = completed({move.velocity, move.acceleration, move.deceleration});
-  require_end_velocity("start_velocity", move.start_velocity, move.velocity);
-  require_end_velocity("end_second_velocity", move.end_second_velocity, move.velocity);
+  const double v0 = end_velocity("start_velocity", move.start_velocity, move.velocity);
+  const double v1 = end_velocity("end_second_velocity", move.end_second_velocity, move.velocity);
   const detail::JerkLaw up{r.acceleration};
   const detail::JerkLaw down{r.deceleration};
   const double h = std::abs(move.to - move.from);
-  const double v0 = move.start_velocity;
-  const double v1 = move.end_second_velocity;
   // From the lower of the two, the distance may not suffice for the higher one.
   const bool brakes = v0 > v1;
   const double low = std::min(v0, v1);
@@ -124,8 +129,10 @@ Profile ls_move(const LsMove& move) {
 }
 
 Profile ls_move_velocity(double from, double velocity, double acceleration, double start_velocity) {
-  require_end_velocity("start_velocity", start_velocity, std::abs(velocity));
-  return velocity_ramp({from, std::copysign(start_velocity, velocity), 0}, velocity,
+  require_finite("velocity", velocity);
+  if (velocity == 0) throw InputError("velocity", velocity, "must not be 0: nothing would move");
+  const double v0 = end_velocity("start_velocity", start_velocity, std::abs(velocity));
+  return velocity_ramp({from, std::copysign(v0, velocity), 0}, velocity,
                        Dynamics{.acceleration = acceleration});
 }
 

@@ -45,16 +45,19 @@ struct Ramps {
 /// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
 Trajectory move_absolute(double from, double to, const Ramps& ramps);
 
+/// StartVel and EndSecondVel where nothing is given, u/s: this, or the velocity where that is lower.
+inline constexpr double default_end_velocity = 20;
+
 /// LS_MoveAbs and LS_MoveRel (5.2.4): a trapezoid that steps to a start velocity, and from an end
 /// velocity to rest.
 struct LsMove {
   double from = 0;
   double to = 0;
-  double velocity = 0;              ///< u/s, > 0
-  double acceleration = 0;          ///< u/s^2, > 0
-  double deceleration = 0;          ///< u/s^2; 0: as acceleration
-  double start_velocity = 20;       ///< StartVel, u/s, >= 0.001, not above velocity
-  double end_second_velocity = 20;  ///< EndSecondVel, u/s, likewise
+  double velocity = 0;                                ///< u/s, > 0
+  double acceleration = 0;                            ///< u/s^2, > 0
+  double deceleration = 0;                            ///< u/s^2; 0: as acceleration
+  double start_velocity = default_end_velocity;       ///< StartVel, u/s, >= 0.001, at most velocity
+  double end_second_velocity = default_end_velocity;  ///< EndSecondVel, u/s, likewise
 };
 
 /// Ends at `to` with end_second_velocity, after which the axis stands. Where the distance does not
@@ -64,7 +67,7 @@ Profile ls_move(const LsMove& move);
 /// LS_MoveVel: from standstill, stepping to start_velocity (not above |velocity|), to `velocity`
 /// (signed), and on.
 Profile ls_move_velocity(double from, double velocity, double acceleration,
-                         double start_velocity = 20);
+                         double start_velocity = default_end_velocity);
 
 /// LS_PositionToVelocity (5.2.4): two moves with no stop at the joint.
 struct PositionToVelocity {
@@ -109,7 +112,7 @@ struct JogInput {
   bool backward = false;
 };
 
-/// MC_Jog from standstill; times ascend. The velocity is clipped to `max_velocity`, if given. Begins
+/// MC_Jog from standstill; times ascend, none equal to the one before. The velocity is clipped to `max_velocity`, if given. Begins
 /// with the first input and ends where what the last one asks for is reached.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "jounce/profiles/controllers/pmc600.hpp"
+#include "jounce/profiles/detail/ascending.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/splice.hpp"
 
@@ -55,6 +56,7 @@ Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dy
   const double first = wanted(inputs[0], velocity);
   if (first == 0)
     throw InputError("inputs[1]", "", "must ask for a motion: nothing moves before it");
+  detail::require_ascending("inputs", inputs);
   Trajectory running =
       shifted(velocity_ramp({from, 0, 0}, first, dynamics).curve(), inputs[0].time);
   for (const JogInput& input : inputs.subspan(1))

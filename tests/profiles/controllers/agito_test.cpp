@@ -142,5 +142,16 @@ TEST(AgitoJog, GoesToItsSignedSpeed) {
   EXPECT_DOUBLE_EQ(f.end(), 1.01);
 }
 
+TEST(AgitoStop, NeedsNothingButDecel) {
+  const Trajectory running = begin(0, {.abs_trgt = 2000}, manual_4_1).curve();
+  const Trajectory f = stop(running, 1, {.decel = 50000});
+  EXPECT_DOUBLE_EQ(f.end(), 1.02);
+  EXPECT_EQ(f.outside(), Outside::hold);
+  const Trajectory soft = stop(running, 1, {.decel = 50000, .jerk = 5});
+  EXPECT_DOUBLE_EQ(soft.end(), 1.02 + 32.0 / 16384);
+  EXPECT_THROW(stop(running, 1, {.decel = 99}), InputError);
+  EXPECT_THROW(stop(running, 1, {.accel = 99, .decel = 50000}), InputError);
+}
+
 }  // namespace
 }  // namespace jounce::agito

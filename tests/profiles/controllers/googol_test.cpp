@@ -250,6 +250,37 @@ TEST(GoogolJog, Example72SlowsDownAfterTheCrossing) {
   EXPECT_DOUBLE_EQ(state_at(f, 2600).velocity, 50);
 }
 
+/// What an error says of which key; nothing if there is none.
+template <class Call>
+std::string refused_key(Call call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.key();
+  }
+  return "";
+}
+
+TEST(GoogolJog, RefusesTimesThatDoNotAscendAndAStandingStart) {
+  const Jog parameters{.acc = 0.0625};
+  const auto key = [&](std::initializer_list<JogVelocity> velocities) {
+    return refused_key([&] { jog(0, std::span(velocities), parameters); });
+  };
+  EXPECT_EQ(key({{0, 100}, {500, 50}, {400, 80}}), "velocities[3].time");
+  EXPECT_EQ(key({{0, 100}, {0, 50}}), "velocities[2].time");
+  EXPECT_EQ(key({{std::nan(""), 100}}), "velocities[1].time");
+  EXPECT_EQ(key({{0, 0}, {500, 50}}), "velocities[1].vel");
+  EXPECT_EQ(key({{0, 100}, {400, 0}}), "");
+}
+
+TEST(GoogolTrap, RefusesEveryPositionOutOfRange) {
+  constexpr auto least = std::numeric_limits<std::int64_t>::min();
+  for (const std::int64_t pos : {least, -max_position - 1, max_position + 1}) {
+    EXPECT_EQ(refused_key([&] { trap({.pos = pos, .vel = 50, .acc = 1}); }), "pos");
+    EXPECT_EQ(refused_key([&] { move_absolute({.pos = pos, .vel = 50, .acc = 1}); }), "pos");
+  }
+}
+
 TEST(GoogolJog, SmoothIsAShareOfEveryRamp) {
   const Jog parameters{.acc = 0.0625, .dec = 0.125, .smooth = 0.5};
   const Profile up = jog({}, 100, parameters);

@@ -173,6 +173,16 @@ TEST(LsMove, RefusesWhatTheManualRefuses) {
   refused([](LsMove& m) { m.to = 0; });
 }
 
+TEST(LsMove, ABlocksOwnEndVelocityIsNotAboveTheVelocity) {
+  const Profile slow = ls_move({.to = 100, .velocity = 10, .acceleration = 100});
+  EXPECT_EQ(slow.start().velocity, 10);
+  EXPECT_EQ(slow.end().velocity, 10);
+  EXPECT_DOUBLE_EQ(slow.duration(), 10);
+  EXPECT_EQ(ls_move_velocity(0, 30, 100).start().velocity, 20);
+  EXPECT_THROW(ls_move_velocity(0, 30, 100, 31), InputError);
+  EXPECT_THROW(ls_move_velocity(0, 0, 100), InputError);
+}
+
 TEST(LsMoveVelocity, StepsToItsStartVelocityInItsDirection) {
   const Profile p = ls_move_velocity(0, -10000, 100000, 1000);
   EXPECT_EQ(p.at(0).velocity, -1000);
@@ -328,6 +338,14 @@ TEST(Inch, IsOneStepUnlessReleased) {
   EXPECT_DOUBLE_EQ(released.end(), 1.5);
   EXPECT_DOUBLE_EQ(released.at(1.5).position, 10);
   EXPECT_DOUBLE_EQ(inch(0, 50, d, 100).at(100).position, 50);
+}
+
+TEST(Jog, RefusesTimesThatDoNotAscend) {
+  const Dynamics d{.velocity = 10, .acceleration = 20};
+  for (const double second : {1.0, 0.5, std::nan("")}) {
+    const std::array inputs{JogInput{1, true, false}, JogInput{second, false, false}};
+    EXPECT_THROW(jog(0, inputs, d), InputError) << second;
+  }
 }
 
 TEST(Jog, BothInputsTogetherMeanNoMotion) {
