@@ -1,7 +1,6 @@
 #include "jounce/profiles/override.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -39,6 +38,16 @@ void require_valid(const OverrideSpec& spec, double start) {
   }
 }
 
+/// Tells the worst of what the axis breaks.
+void require_kept(const std::string& key, const Trajectory& axis, const Limits& limits) {
+  const Report report = check(axis, limits);
+  if (report.ok()) return;
+  const Finding& worst = report.findings.front();
+  throw InputError(key + ".limits." + worst.quantity, worst.limit,
+                   "is broken before any override: the plan has " + number(worst.value) + " at " +
+                       number(worst.where));
+}
+
 /// The plan, which must keep its limits as it is and at the first factor.
 Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, double factor) {
   if (axes.empty()) throw InputError("axes", "none", "a motion needs at least one");
@@ -52,8 +61,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
                        "must have the interval of axis[1]");
     if (!limits[i].velocity || !limits[i].acceleration || !limits[i].jerk)
       throw InputError(key + ".limits", "", "need a velocity, an acceleration and a jerk");
-    if (!check(axes[i], limits[i]).ok())
-      throw InputError(key, "", "breaks its limits before any override");
+    require_kept(key, axes[i], limits[i]);
     path.axes.push_back(with(axes[i], Outside::hold));
     const double v = std::abs(extrema(axes[i], 1).peak().value);
     path.acceleration = std::min(path.acceleration, *limits[i].acceleration / v);
@@ -79,7 +87,9 @@ Trajectory finished(const Clock& clock, double path_end) {
 
 Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,
                       const OverrideSpec& spec) {
-  assert(axes.size() == limits.size());
+  if (limits.size() != axes.size())
+    throw InputError("limits", static_cast<double>(limits.size()),
+                     "must be as many as the axes, " + std::to_string(axes.size()));
   const Path path = planned(axes, limits, spec.factor);
   require_valid(spec, path.start());
   Clock clock{path.start(), path.start(), {}, path.start(), spec.factor};

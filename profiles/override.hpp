@@ -65,8 +65,9 @@ struct Overridden {
 /// A request replaces a ramp that has begun, from where that stands. The curves end where the path
 /// ends, or, if it is not reached, where the last ramp does; they hold there.
 ///
-/// Throws InputError if an axis lacks a velocity, acceleration or jerk limit, if the plan breaks
-/// one at the first factor, for a factor out of range, times that do not ascend or lie before the
+/// Throws InputError if there are not as many limits as axes, an axis lacks a velocity, acceleration
+/// or jerk limit, if the plan breaks one (it says which, where and by how much) or breaks it at the
+/// first factor, for a factor out of range, times that do not ascend or lie before the
 /// start, axes with different intervals or that all stand still, a first factor of 0 that nothing
 /// ends, and where `composed` does (a plan of degree 4 or more does not fit the ramp of a clock,
 /// degree 3).

@@ -176,7 +176,7 @@ class Search {
 
   /// The same among the ramps of one shape.
   void steepest_of(double t, const MotionState& now, double factor, const Shape& shape) {
-    double refused = 0;
+    double refused = 0;  // a limit breaks at it; at k it does not, or the ramp comes too late
     double k = 0;
     Outcome outcome = Outcome::breaks_a_limit;
     for (int n = steepest; outcome == Outcome::breaks_a_limit && n <= slowest; ++n) {
@@ -184,10 +184,11 @@ class Search {
       k = std::exp2(n / 4.0);
       outcome = attempt(t, now, factor, {k, shape});
     }
-    if (outcome != Outcome::holds) return;
+    if (outcome == Outcome::breaks_a_limit) return;
     for (int i = 0; i < refinements && refused > 0; ++i) {
       const double middle = (refused + k) / 2;
-      (attempt(t, now, factor, {middle, shape}) == Outcome::holds ? k : refused) = middle;
+      const bool breaks = attempt(t, now, factor, {middle, shape}) == Outcome::breaks_a_limit;
+      (breaks ? refused : k) = middle;
     }
   }
 

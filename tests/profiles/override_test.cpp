@@ -137,6 +137,25 @@ TEST(Override, BrakingAtTheLimitCannotBeHeld) {
   EXPECT_TRUE(held.arrived);
 }
 
+TEST(Override, AHoldThatJustFitsIsGranted) {
+  // Between two of the coarse steepnesses: the sharper one breaks a limit, the gentler one ends
+  // after the motion.
+  const std::array axes{s_curve({.to = 1, .velocity = 4, .acceleration = 10, .jerk = 5}).curve()};
+  const std::array all{Limits{.velocity = 4, .acceleration = 10, .jerk = 9}};
+  for (const double t : {0.70, 0.75, 0.80}) {
+    const Overridden held = overridden(axes, all, {.requests = {{t, 0}}});
+    expect_played(held, axes, all);
+    EXPECT_TRUE(held.ramps[0].granted) << "at " << t;
+    EXPECT_LT(held.ramps[0].end, axes[0].end()) << "at " << t;
+    EXPECT_FALSE(held.arrived);
+  }
+  const std::array longer{plan()};
+  const std::array roomy{Limits{.velocity = 12, .acceleration = 24, .jerk = 150}};
+  const Overridden held = overridden(longer, roomy, {.requests = {{4.85, 0}}});
+  expect_played(held, longer, roomy);
+  EXPECT_TRUE(held.ramps[0].granted);
+}
+
 TEST(Override, AboveOneIsReducedToTheRoomThereIs) {
   const std::array axes{plan()};
   const std::array roomy{Limits{.velocity = 11, .acceleration = 100, .jerk = 1000}};
@@ -202,6 +221,19 @@ TEST(Override, DoesNotDependOnTheUnit) {
   EXPECT_EQ(overridden(axes, all, spec).clock.end(), play(spec).clock.end());
 }
 
+TEST(Override, SaysWhatThePlanBreaks) {
+  const std::array axes{trapezoid({.to = 10, .velocity = 10, .acceleration = 20}).curve()};
+  const std::array tight{Limits{.velocity = 8, .acceleration = 20, .jerk = 100}};
+  try {
+    overridden(axes, tight, {});
+    FAIL() << "velocity 10 under a limit of 8";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "axis[1].limits.velocity = 8: is broken before any override: the plan has 10 at "
+                 "0.5");
+  }
+}
+
 TEST(Override, RefusesWhatItCannotPlay) {
   EXPECT_THROW(play({.factor = -0.1}), InputError);
   EXPECT_THROW(play({.factor = 0}), InputError) << "nothing sets it going";
@@ -210,6 +242,7 @@ TEST(Override, RefusesWhatItCannotPlay) {
   const std::array axes{plan()};
   const std::array tight{Limits{.velocity = 9, .acceleration = 20, .jerk = 100}};
   EXPECT_THROW(overridden(axes, tight, {}), InputError);
+  EXPECT_THROW(overridden(axes, {}, {}), InputError) << "an axis without limits";
   const std::array open{Limits{.velocity = 10, .acceleration = 20}};
   EXPECT_THROW(overridden(axes, open, {}), InputError);
   const std::array wide{Limits{.velocity = 1000, .acceleration = 1e5, .jerk = 1e6}};
