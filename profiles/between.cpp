@@ -5,11 +5,13 @@
 #include <string>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 
 namespace jounce {
 namespace {
 
 using Segments = std::vector<Segment>;
+constexpr double most_segments = 1e6;
 
 void append_rest(double value, double length, Segments& out) {
   if (length > 0) out.push_back(line(length, value, value));
@@ -37,6 +39,10 @@ void append_inside(const Curve<Over>& f, double from, double to, Segments& out) 
 template <class Over>
 void append_turns(const Curve<Over>& f, double from, double to, Segments& out) {
   const double turn = f.length();
+  const double turns = (to - from) / turn;
+  if (turns * static_cast<double>(f.segments().size()) > most_segments)
+    throw InputError("interval", number(from) + " to " + number(to),
+                     "is " + number(turns) + " turns, more than 1e6 segments");
   const double rounding = 4e-16 * std::max(std::abs(from), std::abs(to));
   for (double k = std::floor((from - f.start()) / turn); f.start() + k * turn < to; ++k) {
     const double offset = k * turn;
@@ -79,9 +85,22 @@ Curve<Over> delayed(const Curve<Over>& f, double delay, double late) {
   return shifted(between(held, f.start() - delay, f.end() + (late - delay)), delay);
 }
 
+template <class Over>
+void require_resting_ends(const Curve<Over>& f) {
+  if (f.outside() == Outside::wrap) return;
+  const double rounding = 1e-9 * std::abs(extrema(f, 1).peak().value);
+  const double begins = evaluate(f.segments().front(), 0)[1];
+  const double ends = evaluate(f.segments().back(), 1)[1];
+  if (std::abs(begins) > rounding)
+    throw InputError("start.velocity", begins, "must be 0: the filter needs a curve from rest");
+  if (std::abs(ends) > rounding)
+    throw InputError("end.velocity", ends, "must be 0: the filter needs a curve to rest");
+}
+
 #define JOUNCE_INSTANTIATE(Over)                                    \
   template Curve<Over> between(const Curve<Over>&, double, double); \
-  template Curve<Over> delayed(const Curve<Over>&, double, double);
+  template Curve<Over> delayed(const Curve<Over>&, double, double); \
+  template void require_resting_ends(const Curve<Over>&);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

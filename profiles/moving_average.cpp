@@ -30,6 +30,23 @@ Segment integrated(const Segment& f, double start_value) {
   return *g;
 }
 
+/// A piece as long as the window carries the rounding of f, about 1e-16 of its stroke, as a change
+/// of velocity over T: the acceleration is out by 1e-16 * stroke / T^2.
+constexpr double shortest = 1e-5;
+constexpr double longest = 1e4;
+
+void require_window(double window, double length) {
+  require_positive("window", window);
+  if (window < shortest * length)
+    throw InputError("window", window,
+                     "must be at least 1e-5 of the curve's length, " + number(shortest * length) +
+                         ": a shorter one drowns in rounding");
+  if (window > longest * length)
+    throw InputError(
+        "window", window,
+        "must not be more than 10000 times the curve's length, " + number(longest * length));
+}
+
 /// (1) at the right end of the window f.
 template <class Over>
 double mean(const Curve<Over>& f) {
@@ -76,7 +93,8 @@ Segment piece(const Curve<Over>& f, double window, double x, const Segment& slop
 
 template <class Over>
 Curve<Over> moving_average(const Curve<Over>& f, double window) {
-  require_positive("window", window);
+  require_window(window, f.length());
+  require_resting_ends(f);
   const double origin = value(f.segments().front(), 0);
   const bool wraps = f.outside() == Outside::wrap;
   const auto from_origin =

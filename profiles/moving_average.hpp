@@ -15,15 +15,18 @@ namespace jounce {
 /// What controllers call smoothing time (HIMC HMPL manual 5.1): a trapezoid becomes the S-curve of
 /// jerk a / T, each of its ramps longer by T. A polynomial gains one degree at most, a sine stays a
 /// sine of its frequency, every derivative becomes continuous that was a step, and no peak of
-/// velocity, acceleration or jerk grows.
+/// velocity, acceleration or jerk grows (where a step of the acceleration counts as infinite jerk:
+/// a trapezoid's becomes a / T).
 ///
-/// **Interval.** Before and after f the axis is taken to stand at f's end values (also where f
-/// refuses): the result runs over [start, end + T] and holds. A curve that wraps is averaged
+/// **Interval.** f must begin and end at rest; before and after it the axis stands at f's end
+/// values (also where f refuses): the result runs over [start, end + T] and holds. A curve that wraps is averaged
 /// through its seam, over its own interval, and wraps.
 ///
-/// Accurate to rounding (about 1e-14 of the stroke), however long the curve and short the window:
-/// each piece is integrated on its own. Throws InputError for a window that is not positive and
-/// finite, and where a degree would pass 11 or a piece need more than three sines.
+/// The value is accurate to rounding (about 1e-14 of the stroke): each piece is integrated on its
+/// own. What rounding leaves in the acceleration grows with 1 / T^2, to about 1e-6 of its peak at
+/// the shortest window. Throws InputError unless the window is 1e-5 to 10000 times the curve's
+/// length, for a curve that begins or ends moving (append the stop first), and where a degree would
+/// pass 11 or a piece need more than three sines.
 template <class Over>
 Curve<Over> moving_average(const Curve<Over>& f, double window);
 

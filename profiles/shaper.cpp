@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "jounce/profiles/between.hpp"
 #include "jounce/profiles/error.hpp"
@@ -23,6 +24,7 @@
 namespace jounce {
 namespace {
 
+constexpr double longest = 1e4;  // a shaper, in lengths of the motion: beyond, no digits are left
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> weights(const ShaperSpec& spec, double K) {
@@ -38,14 +40,12 @@ std::vector<double> weights(const ShaperSpec& spec, double K) {
 
 /// The copies must begin at once and add up to the whole motion.
 void require_shaper(std::span<const Impulse> impulses) {
-  if (impulses.empty()) throw InputError("impulses", "none", "a shaper needs at least one");
+  require_valid(impulses);
   double total = 0;
   for (std::size_t i = 0; i < impulses.size(); ++i) {
-    const std::string key = "impulse[" + std::to_string(i + 1) + "]";
-    require_finite((key + ".amplitude").c_str(), impulses[i].amplitude);
-    require_finite((key + ".time").c_str(), impulses[i].time);
     if (i == 0 ? impulses[i].time != 0 : impulses[i].time <= impulses[i - 1].time)
-      throw InputError(key + ".time", impulses[i].time, "times must ascend from 0");
+      throw InputError("impulse[" + std::to_string(i + 1) + "].time", impulses[i].time,
+                       "times must ascend from 0");
     total += impulses[i].amplitude;
   }
   if (std::abs(total - 1) > 1e-12)
@@ -73,6 +73,8 @@ std::vector<Impulse> shaper(const ShaperSpec& spec) {
 }
 
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b) {
+  require_valid(a);
+  require_valid(b);
   std::vector<Impulse> all;
   for (const Impulse& x : a)
     for (const Impulse& y : b) all.push_back({x.time + y.time, x.amplitude * y.amplitude});
@@ -89,9 +91,13 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
 
 Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
   require_shaper(impulses);
+  require_resting_ends(f);
+  const double last = impulses.back().time;
+  if (last > longest * f.length())
+    throw InputError("impulse[" + std::to_string(impulses.size()) + "].time", last,
+                     "must not be more than 10000 times the motion's length, " + number(f.length()));
   const double origin = value(f.segments().front(), 0);  // a far origin shall cost no digits
   const Trajectory from_origin = shifted(f, -f.start(), -origin);
-  const double last = impulses.back().time;
   Trajectory total = scaled(delayed(from_origin, 0, last), impulses.front().amplitude);
   for (const Impulse& impulse : impulses.subspan(1))
     total = sum(total, scaled(delayed(from_origin, impulse.time, last), impulse.amplitude));

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
+#include <string>
 #include <vector>
 
 #include "jounce/profiles/error.hpp"
@@ -99,9 +100,22 @@ void require_valid(const Mode& mode) {
     throw InputError("damping", mode.damping, "must be at least 0 and less than 1");
 }
 
+void require_valid(std::span<const Impulse> impulses) {
+  if (impulses.empty()) throw InputError("impulses", "none", "a shaper needs at least one");
+  double before = 0;
+  for (std::size_t i = 0; i < impulses.size(); ++i) {
+    const std::string key = "impulse[" + std::to_string(i + 1) + "]";
+    require_finite((key + ".amplitude").c_str(), impulses[i].amplitude);
+    require_not_negative((key + ".time").c_str(), impulses[i].time);
+    if (impulses[i].time < before)
+      throw InputError(key + ".time", impulses[i].time, "times must not descend");
+    before = impulses[i].time;
+  }
+}
+
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode) {
   require_valid(mode);
-  if (impulses.empty()) throw InputError("impulses", "none", "a shaper needs at least one");
+  require_valid(impulses);
   const Complex s = pole(mode);
   Complex total = 0;
   for (const Impulse& impulse : impulses)

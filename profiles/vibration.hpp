@@ -26,7 +26,7 @@ struct Impulse {
 /// How much of a mode a sequence of impulses leaves: the amplitude after its last impulse as a
 /// share of what one impulse at that instant leaves. 0: nothing; 1: as if unshaped. Closed form
 /// (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError for a mode out
-/// of range, or no impulses.
+/// of range, and where `require_valid` does.
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode);
 
 /// The worst of it over a band of frequencies, damping fixed, and where.
@@ -36,7 +36,8 @@ struct WorstResidual {
 };
 
 /// Not sampled: the residual's slope is bounded, so that no frequency of [low, high] exceeds the
-/// answer by more than 1e-6. Throws InputError unless 0 < low <= high.
+/// answer by more than 1e-6. Throws InputError unless 0 < low <= high, and where
+/// `require_valid` does.
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 
@@ -50,5 +51,9 @@ double residual_vibration(const Trajectory& motion, const Mode& mode);
 
 /// Throws InputError unless frequency > 0 and 0 <= damping < 1.
 void require_valid(const Mode& mode);
+
+/// Throws InputError unless there is an impulse, times and amplitudes are finite, and the times do
+/// not descend and are not negative.
+void require_valid(std::span<const Impulse> impulses);
 
 }  // namespace jounce

@@ -64,5 +64,9 @@ TEST(Between, RefusesWhatIsNoStretch) {
   EXPECT_THROW(between(with(move(), Outside::refuse), -1, 1), InputError);
 }
 
+TEST(Between, RefusesMoreTurnsThanItCanHold) {
+  EXPECT_THROW(between(with(move(), Outside::wrap), 0, 1e9 * move().length()), InputError);
+}
+
 }  // namespace
 }  // namespace jounce

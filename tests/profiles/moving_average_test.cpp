@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/between.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/s_curve.hpp"
 
@@ -163,6 +164,35 @@ TEST(MovingAverage, KeepsItsPromisesOverFiveDecadesOfWindows) {
       EXPECT_LE(std::abs(extrema(g, k).peak().value),
                 std::abs(extrema(f, k).peak().value) * (1 + 1e-9));
   }
+}
+
+TEST(MovingAverage, AtItsShortestWindowNoPeakGrows) {
+  for (const Trajectory& f :
+       {s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve(),
+        trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve()}) {
+    const double window = 1e-5 * f.length();
+    const Trajectory g = moving_average(f, window);
+    EXPECT_TRUE(check_continuity(g, 1).ok());
+    for (int k = 1; k < 3; ++k)
+      EXPECT_LE(std::abs(extrema(g, k).peak().value),
+                std::abs(extrema(f, k).peak().value) * (1 + 1e-6));
+  }
+}
+
+TEST(MovingAverage, RefusesAWindowWithoutDigits) {
+  const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  for (const double window : {1e-14, 1e-12, 1e-9, 5e-5, 1e5})
+    EXPECT_THROW(moving_average(f, window), InputError) << window;
+  EXPECT_THROW(moving_average(scaled(f, 1, 1e8), 1e-4), InputError);
+  EXPECT_THROW(moving_average(with(f, Outside::wrap), 1e9), InputError);
+}
+
+TEST(MovingAverage, RefusesAMovingEnd) {
+  const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  EXPECT_THROW(moving_average(between(f, 0, 3), 0.1), InputError);
+  EXPECT_THROW(moving_average(between(f, 3, f.end()), 0.1), InputError);
+  const Trajectory jog = with(between(f, 1, 3), Outside::wrap);
+  EXPECT_NO_THROW(moving_average(jog, 0.1)) << "it never ends";
 }
 
 TEST(MovingAverage, RefusesWhatItCannotHold) {

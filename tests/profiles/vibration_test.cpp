@@ -88,5 +88,15 @@ TEST(Vibration, WorstOfABandIsNotMissed) {
   EXPECT_THROW(residual_vibration(std::span<const Impulse>{}, {1, 0}), InputError);
 }
 
+TEST(Vibration, RefusesImpulsesThatAreNone) {
+  const auto left = [](Impulse a, Impulse b) {
+    return residual_vibration(std::array{a, b}, {5, 0});
+  };
+  EXPECT_THROW(left({0, NAN}, {1, 0.5}), InputError);
+  EXPECT_THROW(left({0, 0.5}, {INFINITY, 0.5}), InputError);
+  EXPECT_THROW(left({-1, 0.5}, {1, 0.5}), InputError);
+  EXPECT_THROW(left({1, 0.5}, {0, 0.5}), InputError);
+}
+
 }  // namespace
 }  // namespace jounce
