@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 namespace {
 
@@ -189,6 +191,7 @@ void zeros(const Segment& g, double flat, std::vector<double>& out) {
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
   assert(order >= 0 && order <= 3);
+  require_finite("level", level);
   std::vector<double> found;
   std::vector<double> s;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {

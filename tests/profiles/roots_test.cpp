@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "jounce/profiles/error.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -105,6 +106,12 @@ TEST(Crossings, FindsWhereALevelIsPassed) {
   EXPECT_NEAR(half[0], 1, 1e-14);
   EXPECT_NEAR(half[1], 2.5, 1e-14);
   EXPECT_TRUE(crossings(f, 0, 2).empty());
+}
+
+TEST(Crossings, RefusesALevelThatIsNoNumber) {
+  const Trajectory f({quintic(2, 0, 0, 0, 1, 0, 0)});
+  for (const double level : {NAN, INFINITY, -INFINITY})
+    for (const int order : {0, 1}) EXPECT_THROW(crossings(f, order, level), InputError) << level;
 }
 
 }  // namespace
