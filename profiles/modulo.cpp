@@ -36,10 +36,12 @@ struct Ways {
   double period, from, to, stop;
 
   [[nodiscard]] double at(double sign) const {
-    const double d = forward(from + stop, to, period);
+    const double d = forward(from, to, period);
     const double rounding = 1e-12 * period;  // so near counts as there: no turn for the last digit
-    if (d <= rounding || d >= period - rounding) return stop;
-    return stop + (sign > 0 ? d : d - period);
+    const double turns = (stop - d) / period;
+    const double nearest = d + std::nearbyint(turns) * period;
+    if (nearest != 0 && std::abs(nearest - stop) <= rounding) return stop;
+    return d + (sign > 0 ? std::ceil(turns) : std::floor(turns)) * period;
   }
 };
 
@@ -79,6 +81,8 @@ ModuloTarget fastest(const MotionState& from, const Ways& ways, const Bounds& bo
 Turned rolled(double x, double period) {
   require_positive("period", period);
   require_finite("position", x);
+  if (!std::isfinite(x / period))
+    throw InputError("position", x, "is more turns of " + number(period) + " than can be counted");
   double r = std::fmod(x, period);
   double turns = std::nearbyint((x - r) / period);
   if (r < 0) {

@@ -18,7 +18,7 @@ struct Turned {
 ///
 /// The remainder is exact (no rounding in a division). Below zero, position = remainder + period is
 /// rounded once; what would round to a whole period is position 0 of the next turn. Throws
-/// InputError unless the period is positive and x finite.
+/// InputError unless the period is positive and x finite, and for more turns than a double can hold.
 Turned rolled(double x, double period);
 
 /// turns * period + position, rounded once.

@@ -39,6 +39,16 @@ TEST(Modulo, DoesNotDriftOverHugeTurnCounts) {
   }
 }
 
+TEST(Modulo, RefusesMoreTurnsThanADoubleCounts) {
+  EXPECT_THROW(rolled(1e308, 1e-10), InputError);
+}
+
+TEST(Modulo, TurningBackToWhereItIsIsExact) {
+  EXPECT_EQ(target(190, 190, Direction::negative, 300).distance, 0);
+  EXPECT_EQ(target(190, 190, Direction::positive, -300).distance, 0);
+  EXPECT_EQ(target(190, 190, Direction::positive, 300).distance, 360);
+}
+
 TEST(Modulo, AnyPositionComesBack) {
   testing::Random random(3);
   for (int i = 0; i < 20000; ++i) {
