@@ -46,6 +46,8 @@ Curve<Over>::Curve(std::vector<Segment> segments, double start, Outside outside)
   for (std::size_t i = 0; i < segments_.size(); ++i) require_valid(segments_[i], i);
   breaks_ = running_sum(start, segments_);
   require_finite("end", breaks_.back());
+  if (!(breaks_.back() > breaks_.front()))
+    throw InputError("start", start, "is so far out that the curve's length is lost in rounding");
 }
 
 template <class Over>

@@ -28,7 +28,7 @@ namespace jounce {
 /// **Outside [start, end]** the policy named at construction rules: refuse, hold, or wrap.
 ///
 /// **Throws** InputError if there is no segment, a length is not finite and positive, a coefficient
-/// is not finite, or start is not finite. Nothing else throws; evaluation never allocates.
+/// is not finite, or start is not finite or so far out that no length is left. Nothing else throws; evaluation never allocates.
 template <class Over>
 class Curve {
  public:

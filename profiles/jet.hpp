@@ -52,7 +52,8 @@ struct OverMaster {
 /// x reduced into [start, start + length): what Outside::wrap does to a query.
 inline double wrapped(double x, double start, double length) {
   const double u = std::fmod(x - start, length);
-  return start + (u < 0 ? u + length : u);
+  const double at = start + (u < 0 ? u + length : u);
+  return at < start + length ? at : start;  // a hair below the end: no double is nearer
 }
 
 template <class Over>

@@ -113,5 +113,15 @@ TEST(InputErrorText, NamesPlaceKeyValueAndRule) {
   EXPECT_STREQ(error.what(), "a.toml:4:12: move.velocity = -3: must be greater than 0");
 }
 
+TEST(Curve, WrapsIntoItsTurnToTheLastDigit) {
+  EXPECT_EQ(wrapped(-1e-20, 0, 360), 0) << "360 itself is not in [0, 360)";
+  EXPECT_EQ(wrapped(-1e-20, -5, 5), -5);
+  EXPECT_EQ(wrapped(-90, 0, 360), 270);
+}
+
+TEST(Curve, RefusesAnOriginThatSwallowsItsLength) {
+  EXPECT_THROW(shifted(Trajectory({line(5.7, 0, 1)}), 1e17), InputError);
+}
+
 }  // namespace
 }  // namespace jounce
