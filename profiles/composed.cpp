@@ -30,6 +30,8 @@
 namespace jounce {
 namespace {
 
+constexpr double most_breaks = 1e6;
+
 bool is_linear(const Segment& f) {
   return f.degree <= 1 && f.sines == 0;
 }
@@ -132,6 +134,9 @@ class Places {
     const double rounding = 4e-16 * std::max(std::abs(lo), std::abs(hi));
     lo -= rounding;
     hi += rounding;
+    if ((hi - lo) / f_.length() * static_cast<double>(f_.segments().size()) > most_breaks &&
+        f_.outside() == Outside::wrap)
+      throw InputError("inner", hi - lo, "is a travel over more than 1e6 segments of the outer");
     const double last_turn = f_.outside() == Outside::wrap ? turn_of(hi) : 0;
     for (double turn = f_.outside() == Outside::wrap ? turn_of(lo) : 0; turn <= last_turn;
          turn += f_.length()) {
@@ -148,6 +153,29 @@ class Places {
   }
   const Curve<Outer>& f_;
 };
+
+/// The pieces add up to the inner's length but for rounding: one of the longest takes that up. A sum
+/// that lies half between two doubles needs half of it, or another piece.
+template <class Inner>
+Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
+  Curve<Inner> g(pieces, inner.start(), inner.outside());
+  const double missing = inner.end() - g.end();
+  if (missing == 0) return g;
+  std::vector<Segment*> longest;
+  for (Segment& piece : pieces) longest.push_back(&piece);
+  const auto last = longest.begin() + std::min<std::ptrdiff_t>(3, std::ssize(longest));
+  std::partial_sort(longest.begin(), last, longest.end(),
+                    [](const Segment* a, const Segment* b) { return a->length > b->length; });
+  for (auto piece = longest.begin(); piece != last; ++piece)
+    for (const double share : {1.0, 0.5, 0.75, 0.25, 1.5}) {
+      const double length = (*piece)->length;
+      if (std::abs(missing) > 1e-13 * length) return g;
+      (*piece)->length += share * missing;
+      if (Curve<Inner> h(pieces, inner.start(), inner.outside()); h.end() == inner.end()) return h;
+      (*piece)->length = length;
+    }
+  return g;
+}
 
 struct Cut {
   double s = 0;
@@ -239,7 +267,7 @@ Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner) {
       pieces.push_back(*f);
     }
   }
-  return Curve<Inner>(std::move(pieces), inner.start(), inner.outside());
+  return closed(std::move(pieces), inner);
 }
 
 template Trajectory composed(const Trajectory&, const Trajectory&);

@@ -25,7 +25,11 @@ namespace jounce {
 /// cam behind a trapezoidal master (2), but not a quintic along a cubic.
 ///
 /// Throws InputError("composed", ...) naming the place, where it does not fit, and "inner" where
-/// the inner leaves (by more than rounding) an outer that refuses.
+/// the inner leaves (by more than rounding) an outer that refuses, or one segment of it travels over
+/// more than 1e6 segments of an outer that wraps.
+///
+/// The result ends where the inner does, to the last digit (but for an inner that runs from far
+/// below 0 to about 0, where the lengths have fewer digits than the end).
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 

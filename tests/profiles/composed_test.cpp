@@ -136,5 +136,24 @@ TEST(Composed, RefusesWhatDoesNotFit) {
   EXPECT_NO_THROW(composed(with(quintic_move, Outside::hold), Trajectory({line(1, -1, 1.01)})));
 }
 
+TEST(Composed, EndsWhereTheInnerEnds) {
+  const Trajectory move =
+      s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  testing::Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const double length = i == 0 ? 1 : random.log_uniform(1e-3, 1e3);
+    const double start = i < 1000 ? 0 : random.uniform(0, 1) * length;
+    const double to = i == 0 ? move.end() : random.uniform(0.1, 1) * move.end();
+    const Trajectory clock({line(length, 0, to)}, start);
+    ASSERT_EQ(composed(move, clock).end(), clock.end())
+        << "start " << start << " length " << length << " to " << to;
+  }
+}
+
+TEST(Composed, RefusesMoreTurnsThanItCanHold) {
+  const Trajectory turn({line(1, 0, 1), line(1, 1, 0)}, 0, Outside::wrap);
+  EXPECT_THROW(composed(turn, Trajectory({line(1, 0, 1e9)})), InputError);
+}
+
 }  // namespace
 }  // namespace jounce
