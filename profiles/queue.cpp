@@ -69,6 +69,8 @@ class Planner {
   };
 
   void plan_run(std::size_t first, std::size_t last);
+  void travel(const std::vector<Leg>& run, std::size_t k, std::size_t first);
+  void halt(std::size_t command);
   std::vector<Leg> legs(std::size_t first, std::size_t last) const;
   double junction_velocity(std::size_t command, double direction) const;
   double highest_exit(const std::vector<Leg>& legs, std::size_t k, std::size_t first,
@@ -108,17 +110,24 @@ void Planner::plan(std::size_t first, std::size_t last) {
     else if (const auto* move = get<MoveVelocity>(c))
       change_velocity(i, move->direction, c.dynamics.velocity);
     else
-      change_velocity(i, heading(path_.state()), 0);
+      record(i, [&] { halt(i); });
     ++i;
   }
 }
 
+void Planner::halt(std::size_t command) {
+  path_.add(detail::halt(path_.state(), commands_[command].dynamics), 1);
+}
+
 void Planner::change_velocity(std::size_t command, double direction, double velocity) {
   const Dynamics& dynamics = commands_[command].dynamics;
-  const MotionState from = times(direction, path_.state());
-  const Bounds bounds = detail::runs_backwards(from, dynamics) ? detail::turning(dynamics)
-                                                               : detail::forward(dynamics);
-  record(command, [&] { path_.add(detail::ramp(from, velocity, bounds), direction); });
+  record(command, [&] {
+    if (detail::stops_to_turn(dynamics) &&
+        detail::runs_backwards(times(direction, path_.state()), dynamics))
+      halt(command);
+    path_.add(detail::ramp(times(direction, path_.state()), velocity, detail::forward(dynamics)),
+              direction);
+  });
 }
 
 double Planner::junction_velocity(std::size_t command, double direction) const {
@@ -177,20 +186,30 @@ double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::s
 void Planner::plan_run(std::size_t first, std::size_t last) {
   const std::vector<Leg> run = legs(first, last);
   for (std::size_t k = 0; k < run.size(); ++k) {  // (2)
-    const Dynamics& dynamics = commands_[first + k].dynamics;
     const double direction = run[k].length == 0 ? heading(path_.state()) : sign(run[k].length);
-    const MotionState from = times(direction, path_.state());
-    const double target = direction * run[k].target;
-    const double fastest = std::max(
-        {run[k].exit, from.velocity, detail::natural_velocity(from, detail::forward(dynamics))});
-    const double cap = k == 0 ? highest_exit(run, k, first, fastest) : run[k].exit;
-    const detail::Exit exit = detail::reachable_exit(from, target, run[k].exit, cap, dynamics);
-    record(first + k, [&] {
-      for (const Profile& p : detail::between(from, target, exit, dynamics))
-        path_.add(p, direction);
-    });
+    record(first + k, [&] { travel(run, k, first); });
     records_[first + k].planned = direction * run[k].planned;
   }
+}
+
+/// Leg k from wherever the axis is. After a stop to turn round, which may lie beyond the target, it
+/// goes the rest as from there.
+void Planner::travel(const std::vector<Leg>& run, std::size_t k, std::size_t first) {
+  const Dynamics& dynamics = commands_[first + k].dynamics;
+  const double way = run[k].target - path_.state().position;
+  const double direction = way == 0 ? heading(path_.state()) : sign(way);
+  const double wanted = direction * run[k].length < 0 ? 0 : run[k].exit;
+  const MotionState from = times(direction, path_.state());
+  const double target = direction * run[k].target;
+  const double fastest =
+      std::max({wanted, from.velocity, detail::natural_velocity(from, detail::forward(dynamics))});
+  const double cap = k == 0 ? highest_exit(run, k, first, fastest) : wanted;
+  const detail::Exit exit = detail::reachable_exit(from, target, wanted, cap, dynamics);
+  if (exit.turns && detail::stops_to_turn(dynamics)) {
+    halt(first + k);
+    return travel(run, k, first);
+  }
+  for (const Profile& p : detail::between(from, target, exit, dynamics)) path_.add(p, direction);
 }
 
 void Planner::abort(std::size_t first, std::size_t next, double time) {
@@ -200,6 +219,7 @@ void Planner::abort(std::size_t first, std::size_t next, double time) {
   const std::size_t whole = path_.end_at(time);
   for (std::size_t i = first; i < next; ++i) {
     if (places_[i].end <= whole) continue;
+    if (commands_[i].dynamics.jerk == 0) path_.let_go();
     places_[i].begin = std::min(places_[i].begin, path_.size());
     places_[i].end = path_.size();
     records_[i].reached = path_.state().velocity;

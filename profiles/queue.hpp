@@ -70,9 +70,9 @@ using MotionCommand = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Hal
 struct QueuedCommand {
   MotionCommand command;
   /// Not used by Dwell; Halt does not use the velocity. Whichever way the axis goes, `acceleration`
-  /// holds while it speeds up and `deceleration` while it slows down; a motion that has to turn
-  /// round on its way to the target (after an abort) does both under the lower of the two. There is
-  /// one jerk: deceleration_jerk must be 0.
+  /// holds while it speeds up and `deceleration` while it slows down. Where the two differ, a motion
+  /// that has to turn round (after an abort) stops first, then moves back, as with_target() does.
+  /// There is one jerk: deceleration_jerk must be 0 or equal to it.
   Dynamics dynamics = {};
   BufferMode mode = BufferMode::buffered;  ///< of the first command: not used
   /// s, >= 0, ascending; an aborting command's only, which must have it unless it is the first.
@@ -117,7 +117,9 @@ struct QueuedMotion {
 /// 3. No move overshoots its end, except a batch's first that is too fast for it when it begins. It
 ///    passes the end faster than planned if the moves after it can cope, otherwise it overshoots,
 ///    returns, and hands over at rest.
-/// 4. Each command keeps its dynamics, except that one which begins faster (or under a greater
+/// 4. An abort takes position, velocity and acceleration over; the acceleration counts as 0 where the
+///    motion that it ends has no jerk limit.
+/// 5. Each command keeps its dynamics, except that one which begins faster (or under a greater
 ///    acceleration) than it permits is brought inside as fast as it permits, and that one which hands
 ///    over at more than its own velocity (next, high) speeds up to it just before its end.
 QueuedMotion queue(const QueueSpec& spec);

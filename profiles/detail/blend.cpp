@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "jounce/profiles/detail/brake.hpp"
 #include "jounce/profiles/error.hpp"
@@ -29,6 +30,10 @@
 //   (4)  n = v + a |a| / (2 j)
 //
 // (natural_velocity() in detail/brake.hpp) and behaves like e = n from there, a constant way on.
+//
+// Turning round changes the sign of the direction, and with it which acceleration may act which way.
+// Where they are equal, the bounds serve both ways and the turn is one move. Where they differ, the
+// axis stops with its deceleration and moves back from rest, as with_target() (dynamics.hpp) does.
 
 namespace jounce::detail {
 namespace {
@@ -98,6 +103,16 @@ double jerk_limit(const Dynamics& d) {
   return d.jerk == 0 ? Bounds::none : d.jerk;
 }
 
+Bounds mirrored(Bounds b) {
+  b.acceleration_min = -std::exchange(b.acceleration_max, -b.acceleration_min);
+  return b;
+}
+
+/// What a way is not known better by, for the positions of its ends.
+double position_rounding(const MotionState& from, double target) {
+  return rounding * std::max(std::abs(from.position), std::abs(target));
+}
+
 }  // namespace
 
 Bounds forward(const Dynamics& d) {
@@ -106,13 +121,12 @@ Bounds forward(const Dynamics& d) {
   return bounds;
 }
 
-Bounds turning(const Dynamics& d) {
-  const double deceleration = d.deceleration == 0 ? d.acceleration : d.deceleration;
-  return within(d.velocity, std::min(d.acceleration, deceleration), jerk_limit(d));
-}
-
 bool runs_backwards(const MotionState& from, const Dynamics& dynamics) {
   return std::min(from.velocity, natural_velocity(from, forward(dynamics))) < 0;  // (4)
+}
+
+bool stops_to_turn(const Dynamics& d) {
+  return d.deceleration != 0 && d.deceleration != d.acceleration;
 }
 
 Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
@@ -120,6 +134,12 @@ Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
   free.velocity_min = -Bounds::none;
   free.velocity_max = Bounds::none;
   return solved(move_velocity(from, velocity, free));
+}
+
+Profile halt(const MotionState& from, const Dynamics& dynamics) {
+  const Bounds bounds = forward(dynamics);
+  const bool backwards = natural_velocity(from, bounds) < 0;
+  return ramp(from, 0, backwards ? mirrored(bounds) : bounds);
 }
 
 double highest_entry(double length, double exit, double cap, const Bounds& bounds) {
@@ -132,7 +152,8 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
                     const Dynamics& dynamics) {
   const double length = target - from.position;
   const bool backwards = runs_backwards(from, dynamics);
-  const Bounds bounds = backwards ? turning(dynamics) : forward(dynamics);
+  if (backwards && stops_to_turn(dynamics)) return {0, true};
+  const Bounds bounds = forward(dynamics);
   const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
   if (fits(wanted)) return {wanted, backwards};
   const double settled = std::max(natural_velocity(from, bounds), 0.0);
@@ -140,15 +161,15 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
   // cope, otherwise stops there if (3) permits, or comes back.
   const double nearest = settled < wanted ? settled : std::min(settled, cap);
   if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
-  return {0, !fits(0)};
+  return {0, ramp_length(from, 0, bounds) > length + position_rounding(from, target)};
 }
 
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
                              const Dynamics& dynamics) {
-  const Bounds bounds = exit.turns ? turning(dynamics) : forward(dynamics);
+  const Bounds bounds = forward(dynamics);
   const double length = target - from.position;
   const double spare = length - ramp_length(from, exit.velocity, bounds);
-  if (std::abs(spare) <= rounding * length)
+  if (spare <= rounding * length && spare >= -position_rounding(from, target))
     return {finished(ramp(from, exit.velocity, bounds), target, exit.velocity)};
   const double fastest = std::max({from.velocity, natural_velocity(from, bounds), exit.velocity});
   const bool fits = spare > 0 && fastest > 0;

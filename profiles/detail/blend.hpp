@@ -13,11 +13,14 @@ namespace jounce::detail {
 /// The dynamics as bounds for a move in the positive direction.
 Bounds forward(const Dynamics& dynamics);
 
-/// The same for a motion that turns round: the lower of the two accelerations, both ways.
-Bounds turning(const Dynamics& dynamics);
-
 /// Whether the axis runs, or is about to run, backwards.
 bool runs_backwards(const MotionState& from, const Dynamics& dynamics);
+
+/// Where acceleration and deceleration differ, an axis that has to turn round stops first.
+bool stops_to_turn(const Dynamics& dynamics);
+
+/// The fastest stop, wherever the axis is going.
+Profile halt(const MotionState& from, const Dynamics& dynamics);
 
 /// The fastest change to a velocity; neither end need keep the velocity bound.
 Profile ramp(const MotionState& from, double velocity, const Bounds& bounds);
@@ -33,11 +36,12 @@ struct Exit {
 };
 
 /// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as it can.
-/// `cap` >= `wanted` is the most that the moves after it can take over.
+/// `cap` >= `wanted` is the most that the moves after it can take over. A move that turns round and
+/// stops to do so is not looked at further: ask again from there.
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
                     const Dynamics& dynamics);
 
-/// The move itself: one profile, or three where it begins or leaves faster than it may run.
+/// The move itself, which does not stop to turn: one profile, or three where it begins or leaves faster than it may run.
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
                              const Dynamics& dynamics);
 

@@ -25,9 +25,9 @@ void require_valid(const std::string& key, const Dynamics& dynamics, bool halts)
   require_positive((key + "acceleration").c_str(), dynamics.acceleration);
   require_not_negative((key + "deceleration").c_str(), dynamics.deceleration);
   require_not_negative((key + "jerk").c_str(), dynamics.jerk);
-  if (dynamics.deceleration_jerk != 0)
+  if (dynamics.deceleration_jerk != 0 && dynamics.deceleration_jerk != dynamics.jerk)
     throw InputError(key + "deceleration_jerk", dynamics.deceleration_jerk,
-                     "must be left out: a queue is planned with one jerk");
+                     "must be left out or equal to the jerk: a queue is planned with one jerk");
 }
 
 /// Returns when the last abort up to this command was issued.

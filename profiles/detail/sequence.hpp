@@ -22,6 +22,9 @@ class Sequence {
   /// Goes on for a time with the velocity reached.
   void hold(double time);
 
+  /// What follows begins without acceleration: that of a motion of second order is no state.
+  void let_go() { state_.acceleration = 0; }
+
   /// Ends at `time`: drops what is later, or holds on until then. Returns how many of the segments
   /// are still whole.
   std::size_t end_at(double time);

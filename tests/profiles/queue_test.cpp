@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/dynamics.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
@@ -252,6 +253,66 @@ TEST(Queue, OverTheEndItComesBackAndHandsOverAtRest) {
   EXPECT_EQ(m.end, (MotionState{2, 0, 0}));
 }
 
+TEST(Queue, StopsWithItsDecelerationToTurnRound) {
+  const Dynamics fast = dynamics(10, 2, 20, 200);
+  const Trajectory running = point_to_point(0, 50, fast).curve();
+  const Trajectory halted = with_velocity(running, 4, 0, fast);
+  for (const double way : {1.0, -1.0}) {
+    const QueuedMotion m = queue(
+        {.commands = {{MoveAbsolute{50 * way}, fast}, aborting(MoveAbsolute{5 * way}, fast, 4)}});
+    EXPECT_NEAR(way * extrema(m.trajectory, 0).peak().value, halted.at(halted.end()).position,
+                1e-12 * 50);
+    EXPECT_NEAR(m.trajectory.end(), with_target(running, 4, 5, fast).end(), 1e-12 * 10);
+    EXPECT_EQ(m.end, (MotionState{5 * way, 0, 0}));
+    // MoveVelocity, too: the stop, and 10 to speed up to with 2, which takes 10/2 + 2/200.
+    const QueuedMotion back =
+        queue({.commands = {{MoveAbsolute{50 * way}, fast},
+                            aborting(MoveVelocity{way > 0 ? -1 : 1}, fast, 4)}});
+    EXPECT_NEAR(back.trajectory.end(), halted.end() + 5.01, 1e-12 * 10);
+  }
+}
+
+TEST(Queue, GoesOnFromWhereItStoppedToTurnRound) {
+  // From -3 it stops at -9/2; from there the junction is reached as from rest.
+  const QueuedMotion m =
+      queue({.start = {0, -3, 0},
+             .commands = {{MoveAbsolute{10}, dynamics(2, 10, 1)},
+                          {MoveAbsolute{20}, dynamics(2, 10, 1), BufferMode::blending_low}}});
+  EXPECT_NEAR(extrema(m.trajectory, 0).min.value, -4.5, 1e-14);
+  EXPECT_EQ(m.commands[0].reached, 2);
+  EXPECT_NEAR(m.commands[0].end, 3 + 2 / 10.0 + (14.5 - 0.2) / 2, 1e-13);
+}
+
+TEST(Queue, AStopThatEndsAtTheTargetIsTheMove) {
+  // At 1 s from 40, where stopping takes the other 10: by rounding it may end behind the target.
+  const Dynamics d = dynamics(10, 20, 5);
+  for (const double offset : {0.0, 0.1, 12345.6, -1e6}) {
+    const QueuedMotion m = queue({.start = {offset, 10, 0},
+                                  .commands = {{MoveAbsolute{offset + 10.1}, d},
+                                               aborting(MoveAbsolute{offset + 10.1}, d, 1)}});
+    EXPECT_NEAR(m.trajectory.end(), 2.01, 1e-9) << offset;
+    EXPECT_EQ(m.end.position, offset + 10.1);
+  }
+}
+
+TEST(Queue, TakesNoStepOfAccelerationOverFromATrapezoid) {
+  // At 1 s the trapezoid speeds up with 20; what takes over with jerk 1 could get rid of that only
+  // beyond 200. It finds 20 u/s at 10.
+  const Dynamics soft = dynamics(30, 20, 0, 1);
+  const QueuedMotion m = queue({.commands = {{MoveAbsolute{1000}, dynamics(100, 20)},
+                                             aborting(MoveAbsolute{2000}, soft, 1)}});
+  const Move oracle = move_to({10, 20, 0}, {2000, 0, 0}, within(30, 20, 1));
+  EXPECT_LE(extrema(m.trajectory, 1).max.value, 30 * (1 + 1e-12));
+  EXPECT_NEAR(m.trajectory.end(), 1 + oracle.profile.duration(), 1e-11);
+}
+
+TEST(Queue, TakesOneJerkGivenTwice) {
+  Dynamics d = dynamics(100, 500, 0, 10000);
+  const double once = queue({.commands = {{MoveAbsolute{100}, d}}}).trajectory.end();
+  d.deceleration_jerk = 10000;
+  EXPECT_EQ(queue({.commands = {{MoveAbsolute{100}, d}}}).trajectory.end(), once);
+}
+
 TEST(Queue, WhatNeverBeganIsAborted) {
   const Dynamics d = dynamics(10, 10, 10, 100);
   const QueuedMotion m = queue({.commands = {{MoveAbsolute{10}, d},
@@ -309,6 +370,7 @@ TEST(Queue, RefusesWhatIsNoQueue) {
   refused({.commands = {{Halt{}, dynamics(0, 0)}}}, "commands[1].acceleration");
   refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, -1)}}}, "commands[1].deceleration");
   refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, 1, -1)}}}, "commands[1].jerk");
+  refused({.commands = {{MoveAbsolute{1}, {1, 1, 1, 2, 3}}}}, "commands[1].deceleration_jerk");
   refused({.commands = {{MoveVelocity{2}, d}}}, "commands[1].direction");
   refused({.commands = {{Dwell{-1}}}}, "commands[1].time");
   refused({.commands = {{MoveAbsolute{1}, d}, {MoveAbsolute{2}, d, BufferMode::aborting}}},
