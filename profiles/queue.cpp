@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "jounce/profiles/detail/blend.hpp"
 #include "jounce/profiles/detail/brake.hpp"
@@ -89,7 +90,13 @@ class Planner {
 template <class Add>
 void Planner::record(std::size_t command, const Add& add) {
   places_[command].begin = path_.size();
-  add();
+  const double begin = path_.state().position;
+  try {
+    add();
+  } catch (const InputError& e) {
+    throw InputError("commands[" + std::to_string(command + 1) + "]", "",
+                     "cannot be planned from position " + number(begin) + ": " + e.rule());
+  }
   places_[command].end = path_.size();
   records_[command].target = path_.state().position;
   records_[command].reached = path_.state().velocity;

@@ -28,8 +28,9 @@ namespace jounce {
 ///
 /// **Units.** u for the axis' unit: u, u/s, u/s^2, u/s^3; times in s from the start of the queue.
 ///
-/// **Throws** InputError for bad input (the key counts commands from 1) and for a queue that does
-/// not last; every other queue has a motion.
+/// **Throws** InputError for bad input (the key counts commands from 1), which includes magnitudes
+/// greater than 1e30 and limits less than 1e-30, for a queue that does not last, and for a command
+/// that would begin where move_to() takes no state any more; every other queue has a motion.
 
 /// How a command takes over from the one before; the numbers are the controllers'.
 enum class BufferMode : std::uint8_t {

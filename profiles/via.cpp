@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
+#include "jounce/profiles/detail/magnitude.hpp"
 #include "jounce/profiles/detail/sequence.hpp"
 #include "jounce/profiles/detail/stretches.hpp"
 #include "jounce/profiles/error.hpp"
@@ -34,7 +36,7 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
         "must have a position for each axis, " + std::to_string(spec.axes.size()) + " in all");
   for (std::size_t i = 0; i < point.size(); ++i) {
     const std::string name = key(k) + "[" + std::to_string(i + 1) + "]";
-    require_finite(name.c_str(), point[i]);
+    detail::require_moderate(name, point[i]);
     if (point[i] < spec.axes[i].position_min || point[i] > spec.axes[i].position_max)
       throw InputError(name, point[i], "must lie within the position bounds of its axis");
   }
@@ -42,8 +44,25 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
     throw InputError(key(k), "", "must differ from the point before");
 }
 
+/// The sign of each bound, and whether they go together, move_to() looks after.
+void require_magnitudes(const Bounds& b, const std::string& axis) {
+  const std::pair<const char*, double> values[] = {{"velocity_min", b.velocity_min},
+                                                   {"velocity_max", b.velocity_max},
+                                                   {"acceleration_min", b.acceleration_min},
+                                                   {"acceleration_max", b.acceleration_max},
+                                                   {"jerk_min", b.jerk_min},
+                                                   {"jerk_max", b.jerk_max}};
+  for (const auto& [name, value] : values) {
+    if (std::isfinite(value) && value != 0 && !detail::is_magnitude(std::abs(value)))
+      throw InputError(axis + "." + name, value,
+                       "must be between 1e-30 and 1e30 in magnitude, or infinite");
+  }
+}
+
 void require_valid(const ViaSpec& spec) {
   if (spec.axes.empty()) throw InputError("axes", "none", "a motion needs an axis");
+  for (std::size_t i = 0; i < spec.axes.size(); ++i)
+    require_magnitudes(spec.axes[i], "axes[" + std::to_string(i + 1) + "]");
   if (spec.points.size() < 2) throw InputError("points", "", "must be at least two");
   for (std::size_t k = 0; k < spec.points.size(); ++k) require_valid_point(spec, k);
 }

@@ -49,8 +49,8 @@ struct ViaMotion {
 /// between two points.
 ///
 /// Throws InputError for fewer than two points, a point with another number of axes, one equal to the
-/// point before, one that is not finite or lies outside the position bounds, and for bounds that
-/// `move_to` refuses. Every other input has a motion.
+/// point before, one that is not finite, greater than 1e30 or outside the position bounds, and for
+/// bounds that `move_to` refuses. Every other input has a motion.
 ViaMotion via(const ViaSpec& spec);
 
 }  // namespace jounce

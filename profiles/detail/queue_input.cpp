@@ -3,28 +3,33 @@
 #include <cmath>
 #include <string>
 
+#include "jounce/profiles/detail/magnitude.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::detail {
 namespace {
 
+void require_time(const std::string& key, double value) {
+  require_not_negative(key.c_str(), value);
+  require_moderate(key, value);
+}
+
 void require_valid(const std::string& key, const MotionCommand& command) {
   if (const auto* absolute = std::get_if<MoveAbsolute>(&command))
-    require_finite((key + "position").c_str(), absolute->position);
+    require_moderate(key + "position", absolute->position);
   if (const auto* relative = std::get_if<MoveRelative>(&command))
-    require_finite((key + "distance").c_str(), relative->distance);
-  if (const auto* dwell = std::get_if<Dwell>(&command))
-    require_not_negative((key + "time").c_str(), dwell->time);
+    require_moderate(key + "distance", relative->distance);
+  if (const auto* dwell = std::get_if<Dwell>(&command)) require_time(key + "time", dwell->time);
   if (const auto* move = std::get_if<MoveVelocity>(&command))
     if (move->direction != 1 && move->direction != -1)
       throw InputError(key + "direction", move->direction, "must be 1 or -1");
 }
 
 void require_valid(const std::string& key, const Dynamics& dynamics, bool halts) {
-  if (!halts) require_positive((key + "velocity").c_str(), dynamics.velocity);
-  require_positive((key + "acceleration").c_str(), dynamics.acceleration);
-  require_not_negative((key + "deceleration").c_str(), dynamics.deceleration);
-  require_not_negative((key + "jerk").c_str(), dynamics.jerk);
+  if (!halts) require_limit(key + "velocity", dynamics.velocity);
+  require_limit(key + "acceleration", dynamics.acceleration);
+  if (dynamics.deceleration != 0) require_limit(key + "deceleration", dynamics.deceleration);
+  if (dynamics.jerk != 0) require_limit(key + "jerk", dynamics.jerk);
   if (dynamics.deceleration_jerk != 0 && dynamics.deceleration_jerk != dynamics.jerk)
     throw InputError(key + "deceleration_jerk", dynamics.deceleration_jerk,
                      "must be left out or equal to the jerk: a queue is planned with one jerk");
@@ -38,7 +43,7 @@ double require_valid_issue(const std::string& key, const QueuedCommand& c, bool 
     throw InputError(key + "issued", "",
                      "an aborting command needs the time at which it is issued");
   if (!c.issued) return before;
-  require_not_negative((key + "issued").c_str(), *c.issued);
+  require_time(key + "issued", *c.issued);
   if (!aborting)
     throw InputError(key + "issued", *c.issued,
                      "belongs to an aborting command: the others wait for the one before");
@@ -59,9 +64,9 @@ void require_valid_dwell(const std::string& key, const QueueSpec& spec, std::siz
 }  // namespace
 
 void require_valid(const QueueSpec& spec) {
-  require_finite("start.position", spec.start.position);
-  require_finite("start.velocity", spec.start.velocity);
-  require_finite("start.acceleration", spec.start.acceleration);
+  require_moderate("start.position", spec.start.position);
+  require_moderate("start.velocity", spec.start.velocity);
+  require_moderate("start.acceleration", spec.start.acceleration);
   if (spec.commands.empty()) throw InputError("commands", "none", "a queue needs a command");
   double issued = 0;
   for (std::size_t i = 0; i < spec.commands.size(); ++i) {

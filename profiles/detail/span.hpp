@@ -27,6 +27,28 @@
 // beyond it.
 namespace jounce::detail {
 
+/// Magnitudes for which no product or quotient in these formulas overflows or vanishes, whatever
+/// their ratios; move_to(), which takes more, keeps its accuracy for them.
+inline constexpr double least_magnitude = 1e-30;
+inline constexpr double greatest_magnitude = 1e30;
+
+template <class Real>
+JOUNCE_INLINE Mask<Real> is_moderate(Real x) {  // zero included
+  return magnitude(x) <= greatest_magnitude;
+}
+template <class Real>
+JOUNCE_INLINE Mask<Real> is_magnitude(Real x) {
+  return (x >= least_magnitude) & (x <= greatest_magnitude);
+}
+template <class Real>
+JOUNCE_INLINE Mask<Real> is_way(Real x) {  // of either sign, or none
+  return is_magnitude(magnitude(x)) | (x == 0);
+}
+template <class Real>
+JOUNCE_INLINE Mask<Real> is_limit(Real x) {  // which may be infinite
+  return (x >= least_magnitude) & ((x <= greatest_magnitude) | (x == __builtin_inf()));
+}
+
 /// Limits, with what every formula needs of them.
 template <class Real>
 struct Rates {

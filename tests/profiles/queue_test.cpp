@@ -352,6 +352,19 @@ TEST(Queue, TheLastOfSeveralInOneInstantWins) {
   EXPECT_EQ(m.end.position, -5000);
 }
 
+TEST(Queue, HasNoJumpAtTheEdgesOfTheMagnitudes) {
+  for (const double limit : {1e-30, 1.0, 1e30})
+    for (const double way : {1e-30, 1.0, 1e30})
+      for (const double jerk : {0.0, 1e-30, 1e30}) {
+        SCOPED_TRACE(number(limit) + " " + number(way) + " " + number(jerk));
+        const QueuedMotion m =
+            queue({.commands = {{MoveAbsolute{way}, dynamics(limit, limit, 0, jerk)}}});
+        EXPECT_TRUE(check_continuity(m.trajectory, 0).ok());
+        EXPECT_EQ(m.trajectory.at(0).position, 0);
+        EXPECT_DOUBLE_EQ(m.trajectory.at(m.trajectory.end()).position, way);
+      }
+}
+
 TEST(Queue, RefusesWhatIsNoQueue) {
   const Dynamics d = dynamics(1, 1);
   const auto refused = [](const QueueSpec& spec, const std::string& key) {
@@ -371,6 +384,16 @@ TEST(Queue, RefusesWhatIsNoQueue) {
   refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, -1)}}}, "commands[1].deceleration");
   refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, 1, -1)}}}, "commands[1].jerk");
   refused({.commands = {{MoveAbsolute{1}, {1, 1, 1, 2, 3}}}}, "commands[1].deceleration_jerk");
+  refused({.commands = {{MoveAbsolute{1}, dynamics(1e-300, 1e-300, 0, 1e-300)}}},
+          "commands[1].velocity");
+  refused({.commands = {{MoveAbsolute{1}, d}, {MoveAbsolute{2}, dynamics(1, 1, 1e31)}}},
+          "commands[2].deceleration");
+  refused({.commands = {{MoveAbsolute{1}, dynamics(1, 1, 1, 1e-31)}}}, "commands[1].jerk");
+  refused({.commands = {{MoveAbsolute{-1e31}, d}}}, "commands[1].position");
+  refused({.commands = {{Dwell{1e31}}}}, "commands[1].time");
+  refused({.start = {0, 1e200, 0}, .commands = {{Halt{}, d}}}, "start.velocity");
+  // Each value is permitted, but stopping from 1e30 with 1 leads to 5e59.
+  refused({.start = {0, 1e30, 0}, .commands = {{Halt{}, d}, {MoveAbsolute{1}, d}}}, "commands[2]");
   refused({.commands = {{MoveVelocity{2}, d}}}, "commands[1].direction");
   refused({.commands = {{Dwell{-1}}}}, "commands[1].time");
   refused({.commands = {{MoveAbsolute{1}, d}, {MoveAbsolute{2}, d, BufferMode::aborting}}},

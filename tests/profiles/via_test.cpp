@@ -262,6 +262,9 @@ TEST(Via, RefusesWhatIsNoMotion) {
   refused({{axis}, {{0}, {1}, {1}}}, "points[3]");
   refused({{axis, axis}, {{0, 0}, {1, std::nan("")}}}, "points[2][2]");
   refused({{axis, within(0, 1, 1)}, {{0, 0}, {1, 1}}}, "axes[2]");
+  refused({{axis, within(1, 1e-300, 1)}, {{0, 0}, {1, 1}}}, "axes[2].acceleration_min");
+  refused({{within(1e300, 1, 1)}, {{0}, {1}}}, "axes[1].velocity_min");
+  refused({{axis}, {{0}, {1e31}}}, "points[2][1]");
   Bounds narrow = axis;
   narrow.position_max = 0.5;
   refused({{narrow}, {{0}, {1}}}, "points[2][1]");
