@@ -39,9 +39,10 @@ void fill(std::span<const double> column, std::size_t first, std::size_t n, doub
 
 bool sound(const Block& b, std::size_t i) {
   const double ends = std::max(std::abs(b.entry[i]), std::abs(b.exit[i]));
-  return std::isfinite(b.distance[i] + b.entry[i] + b.exit[i]) && ends <= b.velocity[i] &&
-         b.velocity[i] > 0 && b.acceleration[i] > 0 && std::isfinite(b.acceleration[i]) &&
-         b.jerk[i] > 0;
+  return detail::is_way(b.distance[i]) && detail::is_moderate(b.entry[i]) &&
+         detail::is_moderate(b.exit[i]) && ends <= b.velocity[i] &&
+         detail::is_limit(b.velocity[i]) && detail::is_magnitude(b.acceleration[i]) &&
+         detail::is_limit(b.jerk[i]);
 }
 
 detail::Way<double> one_by_one(const Block& b, std::size_t i) {

@@ -19,12 +19,12 @@ struct MoveColumns {
   std::span<const double> entry = {};    ///< u/s, of either sign; empty: 0
   std::span<const double> exit = {};     ///< u/s
   std::span<const double> velocity;      ///< u/s, limit > 0, may be infinite
-  std::span<const double> acceleration;  ///< u/s^2, limit > 0
+  std::span<const double> acceleration;  ///< u/s^2, limit > 0, finite
   std::span<const double> jerk;          ///< u/s^3, limit > 0; infinite: acceleration may step
 };
 
 /// The least duration of every move, s; NaN where there is none (a limit not > 0, an end above the
-/// velocity limit, a value that is not finite). `peak`, if not empty, receives the velocity at which
+/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp). `peak`, if not empty, receives the velocity at which
 /// the move cruises or turns over, signed. Spans of equal size (asserted).
 ///
 /// Uses the widest vectors that the processor has (AVX-512, AVX2, or what every x86-64 or other

@@ -22,7 +22,7 @@ namespace jounce {
 namespace {
 
 bool valid(const Ramp& ramp) {
-  return ramp.acceleration > 0 && std::isfinite(ramp.acceleration) && ramp.jerk > 0;
+  return detail::is_magnitude(ramp.acceleration) && detail::is_limit(ramp.jerk);
 }
 
 /// A state that moves along under constant jerk.
@@ -54,10 +54,10 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
 /// as entry_velocity answers them, is that ramp.
 constexpr double rounding = 1e-15;
 std::optional<detail::Way<double>> way(double distance, const SpanEnds& ends, const Ramp& ramp) {
-  const bool possible = valid(ramp) && distance > 0 && std::isfinite(distance) && ends.entry >= 0 &&
+  const bool possible = valid(ramp) && detail::is_magnitude(distance) && ends.entry >= 0 &&
                         ends.exit >= 0 && ends.entry <= ends.velocity &&
-                        ends.exit <= ends.velocity && ends.velocity > 0 &&
-                        std::isfinite(ends.entry + ends.exit);
+                        ends.exit <= ends.velocity && detail::is_limit(ends.velocity) &&
+                        detail::is_moderate(std::max(ends.entry, ends.exit));
   if (!possible) return std::nullopt;
   const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
   const detail::Span<double> span(distance, ends.entry, ends.exit, rates);
@@ -72,7 +72,7 @@ std::optional<detail::Way<double>> way(double distance, const SpanEnds& ends, co
 }  // namespace
 
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept {
-  if (!valid(ramp) || !std::isfinite(v1 - v0)) return std::nullopt;
+  if (!valid(ramp) || !detail::is_moderate(v0) || !detail::is_moderate(v1)) return std::nullopt;
   const double duration =
       detail::Rates<double>(ramp.acceleration, ramp.jerk).ramp(std::abs(v1 - v0));
   return Extent{duration, 0.5 * (v0 + v1) * duration};
@@ -80,7 +80,7 @@ std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexc
 
 std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept {
   const auto [v, a] = now;
-  if (!valid(ramp) || !std::isfinite(v) || !std::isfinite(a)) return std::nullopt;
+  if (!valid(ramp) || !detail::is_moderate(v) || !detail::is_moderate(a)) return std::nullopt;
   if (std::isinf(ramp.jerk)) {
     const double duration = std::abs(v) / ramp.acceleration;
     return Extent{duration, v * duration / 2};
@@ -93,8 +93,8 @@ std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept {
 
 std::optional<double> entry_velocity(double distance, double exit_velocity,
                                      const Ramp& ramp) noexcept {
-  const bool possible = valid(ramp) && distance >= 0 && std::isfinite(distance) &&
-                        exit_velocity >= 0 && std::isfinite(exit_velocity);
+  const bool possible = valid(ramp) && distance >= 0 && detail::is_way(distance) &&
+                        exit_velocity >= 0 && detail::is_moderate(exit_velocity);
   if (!possible) return std::nullopt;
   if (distance == 0) return exit_velocity;
   const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);

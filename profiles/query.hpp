@@ -20,8 +20,9 @@ namespace jounce {
 ///
 /// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities run in the direction of travel.
 /// **Impossible questions** (no such motion, a value that is not finite, a limit that is not > 0)
-/// are answered with nothing. Nothing throws, nothing allocates. A jerk that is infinite gives the
-/// answers of second order (trapezoids).
+/// are answered with nothing; so is a limit or a distance (not 0) less than 1e-30, and whatever is
+/// finite and greater than 1e30. Nothing throws, nothing allocates. A jerk that is infinite gives
+/// the answers of second order (trapezoids).
 ///
 /// **Accuracy**: within 1e-14 of the exact answer to the given numbers, relative, wherever the
 /// answer is well-conditioned; results do not depend on the unit. Derivation: query.cpp.

@@ -37,8 +37,10 @@ JOUNCE_INLINE void store(double* to, Real x) {
 
 /// Whether the question was sound and the answer is one: no NaN passes a comparison.
 template <class Real>
-JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real velocity, Real ends, Real duration) {
-  return (r.a > 0) & (r.j > 0) & (velocity > 0) & (ends <= velocity) & (duration < __builtin_inf());
+JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velocity, Real ends,
+                                  Real duration) {
+  return is_magnitude(r.a) & is_limit(r.j) & is_limit(velocity) & (ends <= velocity) &
+         is_way(distance) & is_moderate(ends) & (duration < __builtin_inf());
 }
 
 /// Every case is computed for every move, and the right one picked.
@@ -48,7 +50,8 @@ JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   const Real velocity = load<Real>(b.velocity + i);
   const Real entry = load<Real>(b.entry + i);
   const Real exit = load<Real>(b.exit + i);
-  const Span<Real> s(load<Real>(b.distance + i), entry, exit, rates);
+  const Real distance = load<Real>(b.distance + i);
+  const Span<Real> s(distance, entry, exit, rates);
   const Cruise<Real> cruise = cruise_way(s, velocity);
   const Real z = s.both();
   const Mask<Real> none = s.none();
@@ -74,7 +77,7 @@ JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   store(b.peak + i, s.mirrored ? -top : top);
   const Mask<Real> arrived = s.is_direct | cruises | reach | settled(before, x);
   const Mask<Real> good =
-      answered(rates, velocity, greatest(magnitude(entry), magnitude(exit)), total);
+      answered(rates, distance, velocity, greatest(magnitude(entry), magnitude(exit)), total);
   store(b.settled + i, (arrived & good) ? every<Real>(1) : every<Real>(0));
 }
 
@@ -95,7 +98,7 @@ JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Real total = cruises ? D / velocity + r.ramp(velocity) : turning;
   store(b.duration + i, total);
   store(b.peak + i, distance < 0 ? -top : top);
-  const Mask<Real> good = (D > 0) & answered(r, velocity, every<Real>(0), total);
+  const Mask<Real> good = (D > 0) & answered(r, distance, velocity, every<Real>(0), total);
   store(b.settled + i, good ? every<Real>(1) : every<Real>(0));
 }
 

@@ -141,7 +141,7 @@ TEST(Batch, OneValueStandsForAll) {
 }
 
 TEST(Batch, SaysNaNWhereThereIsNoMove) {
-  Moves m = random_moves(8, 44, 1);
+  Moves m = random_moves(16, 44, 1);
   const double nan = std::nan("");
   m.distance[0] = nan;
   m.entry[1] = 2 * m.velocity[1];
@@ -150,9 +150,23 @@ TEST(Batch, SaysNaNWhereThereIsNoMove) {
   m.jerk[4] = nan;
   m.exit[5] = nan;
   m.distance[6] = std::numeric_limits<double>::infinity();
+  m.acceleration[7] = std::numeric_limits<double>::infinity();
+  m.acceleration[8] = 1e31;
+  m.velocity[9] = 1e31;
+  m.jerk[10] = 1e-31;
+  m.jerk[11] = 1e31;
+  m.distance[12] = -1e31;
+  m.distance[13] = 5e-324;
+  m.entry[14] = m.velocity[14] = 1e31;
   minimum_durations(m.columns(), m.duration);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_TRUE(std::isnan(m.duration[i])) << i;
-  EXPECT_GT(m.duration[7], 0);
+  for (std::size_t i = 0; i < 15; ++i) EXPECT_TRUE(std::isnan(m.duration[i])) << i;
+  EXPECT_GT(m.duration[15], 0);
+  auto rests = m.columns();
+  rests.entry = rests.exit = {};
+  minimum_durations(rests, m.duration);
+  for (const std::size_t i : {0, 2, 3, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14})
+    EXPECT_TRUE(std::isnan(m.duration[i])) << i;
+  EXPECT_GT(m.duration[15], 0);
 }
 
 TEST(Batch, StayingAtRestTakesNoTime) {

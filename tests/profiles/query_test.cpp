@@ -276,6 +276,54 @@ TEST(Queries, DoNotDependOnTheUnit) {
   EXPECT_EQ(stopping({1, -2}, metres)->duration, stopping({k, -2 * k}, other)->duration);
 }
 
+TEST(Queries, AnswerWithNumbersUpToTheEdgesOfTheMagnitudes) {
+  // 1e-30 to 1e30, each value on its own: whatever is answered is a number, and meets the others.
+  testing::Random random(46);
+  const auto any = [&] {
+    const int which = random.below(8);
+    return which == 0 ? 1e-30 : which == 1 ? 1e30 : random.log_uniform(1e-30, 1e30);
+  };
+  for (int i = 0; i < 100000 && !HasFailure(); ++i) {
+    const Ramp ramp{any(), random.below(8) == 0 ? infinite : any()};
+    const double distance = any();
+    const double exit = random.below(3) == 0 ? 0 : any();
+    const double a = (random.below(2) == 0 ? -1 : 1) * any();
+    SCOPED_TRACE(::testing::Message() << ramp.acceleration << ' ' << ramp.jerk << ' ' << distance
+                                      << ' ' << exit << ' ' << a);
+    const auto positive = [](const auto& answer) { return std::isfinite(answer) && answer > 0; };
+    const double entry = entry_velocity(distance, exit, ramp).value();
+    EXPECT_TRUE(std::isfinite(entry) && entry >= exit);
+    EXPECT_TRUE(positive(peak_velocity(distance, {}, ramp).value()));
+    EXPECT_TRUE(positive(minimum_duration(distance, {}, ramp).value()));
+    EXPECT_TRUE(positive(minimum_duration(distance, {.velocity = any()}, ramp).value()));
+    const Extent stop = stopping({exit, a}, ramp).value();
+    EXPECT_TRUE(std::isfinite(stop.duration) && std::isfinite(stop.distance));
+    if (const auto t = minimum_duration(distance, {exit, 0, infinite}, ramp)) {
+      EXPECT_TRUE(positive(*t));
+    }
+    // Without ends: 2 (z + tau) with A (z^2 + tau z) = D, or (32 D/J)^(1/3) where A is not reached.
+    const double tau = ramp.acceleration / ramp.jerk;
+    const double b = std::hypot(tau, 2 * std::sqrt(distance / ramp.acceleration));
+    const double z = 2 * distance / ramp.acceleration / (tau + b);
+    const double expected = z >= tau ? 2 * (z + tau) : std::cbrt(32 * (distance / ramp.jerk));
+    EXPECT_NEAR(minimum_duration(distance, {}, ramp).value(), expected, 1e-13 * expected);
+  }
+}
+
+TEST(Queries, AnswerNothingBeyondTheMagnitudes) {
+  EXPECT_FALSE(stopping({1e300, 1e300}, {1, 1}));
+  EXPECT_FALSE(stopping({1, -1e31}, {1, 1}));
+  EXPECT_FALSE(peak_velocity(5e-324, {}, {1, 1}));
+  EXPECT_FALSE(minimum_duration(1e-300, {}, {1e-300, 1e-300}));
+  EXPECT_FALSE(minimum_duration(1e31, {}, {1, 1}));
+  EXPECT_FALSE(minimum_duration(1, {.velocity = 1e31}, {1, 1}));
+  EXPECT_FALSE(minimum_duration(1, {}, {1, 1e-31}));
+  EXPECT_FALSE(minimum_duration(1, {}, {1, 1e300}));
+  EXPECT_FALSE(ramp_between(0, 1e31, {1, 1}));
+  EXPECT_FALSE(entry_velocity(1, 1e31, {1, 1}));
+  EXPECT_FALSE(entry_velocity(1e-31, 0, {1, 1}));
+}
+
 TEST(Queries, AnswerTheImpossibleWithNothing) {
   const Ramp ramp{2, 10};
   const double nan = std::nan("");
