@@ -135,8 +135,9 @@ Segment segment(const Jet& x, const Phase& phase) {
 }
 
 /// The half forth from the start, and the same backwards in time from the end: each is exact at its own
-/// end, and a cruise takes up what rounding leaves between them.
-Trajectory curve(const Plan& plan, double total, double from, double to) {
+/// end. A cruise covers what is between them at the velocity planned: rounding of the positions changes
+/// its duration, not its velocity.
+Trajectory curve(const Plan& plan, double velocity, double total, double from, double to) {
   const double sign = std::copysign(1, to - from);
   std::vector<Segment> segments, back;
   Jet x{from};
@@ -149,7 +150,8 @@ Trajectory curve(const Plan& plan, double total, double from, double to) {
     y = advanced(y, -jounce, -t);
     back.push_back(segment(y, {t, -jounce}));
   }
-  if (plan.cruise > dust * total) segments.push_back(line(plan.cruise, x[0], y[0]));
+  const double cruise = plan.cruise > 0 ? (y[0] - x[0]) / (sign * velocity) : 0;
+  if (cruise > dust * total) segments.push_back(line(cruise, x[0], y[0]));
   segments.insert(segments.end(), back.rbegin(), back.rend());
   return Trajectory(std::move(segments), 0, Outside::hold);
 }
@@ -179,7 +181,7 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
     throw InputError("jounce", spec.jounce,
                      "is so high that its phases vanish beside the move, which takes " +
                          number(total) + ": take an S-curve");
-  return curve(plan, total, spec.from, spec.to);
+  return curve(plan, spec.velocity, total, spec.from, spec.to);
 }
 
 }  // namespace jounce
