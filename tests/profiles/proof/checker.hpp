@@ -46,6 +46,7 @@ struct Verdict {
   double excess = 0;         ///< beyond a limit, relative to it; see check
   long double duration = 0;  ///< of the phases, summed in long double
   Scale scale;
+  Scale floor;  ///< the least that is resolved: the ulps named above, in u, u/s, u/s^2
 
   [[nodiscard]] bool ok() const { return fault.empty(); }
 };
@@ -58,7 +59,8 @@ constexpr double tolerance = 1e-12;
 ///
 /// - start() and end() are the states asked for, bit for bit (without the velocity in order 1 and
 ///   the acceleration in order 2 and 1, which step); no number is NaN or infinite; every
-///   phase is longer than 0; duration() is the sum; a duration asked for is kept;
+///   phase is longer than 0; duration() is the sum; a duration asked for is kept, to
+///   `tolerance` of it and of the time in which the acceleration (order 2: velocity) builds up;
 /// - the integrated end state is the target, to `tolerance` of the scale above;
 /// - jerk, acceleration, velocity and position keep their bounds, extrema inside the phases
 ///   included, to `tolerance` of the larger magnitude of that quantity's two bounds, of the start

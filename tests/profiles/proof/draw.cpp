@@ -93,6 +93,21 @@ Case ties(Random& random) {
   });
 }
 
+/// The same in units of length that are no power of two, and of time 1 to 1/10: still multiples of
+/// one half, but the formulas round differently where branches tie.
+Case integers(Random& r) {
+  Case c = ties(r);
+  const double length = 1 + r.below(2000);
+  const double rate = 1 + r.below(10);
+  const double v = length * rate;
+  const double a = v * rate;
+  for (MotionState* s : {&c.from, &c.to})
+    *s = {s->position * length, s->velocity * v, s->acceleration * a};
+  c.bounds = within(c.bounds.velocity_max * v, c.bounds.acceleration_max * a,
+                    c.bounds.jerk_max * a * rate);
+  return c;
+}
+
 /// Each direction on its own.
 Case directional(Random& random) {
   return reachable_case(random, [](Random& r) {
@@ -205,6 +220,7 @@ constexpr Draw all[] = {
     {"high", "Ruckig's test of high limits: 10 to 1e6", high},
     {"discrete", "Ruckig's discrete test: states -1, 0, 1, limits 1, 2", discrete},
     {"ties", "everything a multiple of one half", ties},
+    {"integers", "the same in units of length 1 to 2000, of time 1 to 1/10", integers},
     {"directional", "each direction with limits of its own", directional},
     {"units", "units of length and time times 1e-6 to 1e6", units},
     {"decades", "limits and distances over six decades", decades},

@@ -24,8 +24,8 @@ Profile expect_optimal(const MotionState& from, const MotionState& to, const Bou
   const Solved s = solve(c, tally);
   if (s)
     compare(
-        s.verdict.duration,
-        [&](Real share) { return minimum(reachable(c, s.verdict.scale, share)); }, c, tally);
+        s.verdict.duration, [&](Real share) { return minimum(reachable(c, s.verdict, share)); }, c,
+        tally);
   for (const std::string& example : tally.examples) ADD_FAILURE() << example;
   return s.move.profile;
 }

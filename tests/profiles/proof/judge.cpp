@@ -41,12 +41,18 @@ Solved solve(const Case& c, Tally& tally) {
   return s;
 }
 
-std::vector<Span> reachable(const Case& c, const Scale& scale, Real share) {
-  return reachable(c.from, c.to, c.bounds, slack_of(scale, share));
+std::vector<Span> reachable(const Case& c, const Verdict& move, Real share) {
+  return reachable(c.from, c.to, c.bounds, slack_of(move, share));
 }
 
-Slack slack_of(const Scale& scale, Real share) {
-  return {share * scale.position, share * scale.velocity, share * scale.acceleration};
+Slack slack_of(const Verdict& move, Real share) {
+  const auto of = [share](Real scale, Real floor) {
+    return std::copysign(std::max(std::abs(share) * scale, std::abs(share) / rounding * floor),
+                         share);
+  };
+  return {of(move.scale.position, move.floor.position),
+          of(move.scale.velocity, move.floor.velocity),
+          of(move.scale.acceleration, move.floor.acceleration)};
 }
 
 Real minimum(const std::vector<Span>& spans) {

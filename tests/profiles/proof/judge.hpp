@@ -16,9 +16,11 @@ struct Solved {
 };
 Solved solve(const Case& c, Tally& tally);
 
-/// A share of a problem's scale, forgiven; the durations and the least duration under it.
-Slack slack_of(const Scale& scale, Real share);
-std::vector<Span> reachable(const Case& c, const Scale& scale, Real share);
+/// A share of a checked move's scale, forgiven; at `rounding` not less than the checker's floor, as
+/// the witness cannot ask for what phases of doubles do not resolve. The durations and the least
+/// duration under it.
+Slack slack_of(const Verdict& move, Real share);
+std::vector<Span> reachable(const Case& c, const Verdict& move, Real share);
 Real minimum(const std::vector<Span>& spans);
 
 /// What the witness itself may round.

@@ -1,7 +1,8 @@
-// prove [--count N] [--seed S] [--workload NAME ...] [--examples N] [--list]
+// prove [--count N | --total N] [--seed S] [--workload NAME ...] [--examples N] [--list]
 //
 // Throws random problems at the solver and checks every answer: one line a workload, exit status 1
-// on any failure, 2 on bad usage. A failure prints the C++ line that asks it again.
+// on any failure, 2 on bad usage. --count is for each workload, --total for all, slow ones getting
+// less; a workload named gets what it would get of all. A failure prints the C++ line that asks it again.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +18,7 @@ using namespace jounce::proof;
 
 struct Options {
   std::int64_t count = 100000;
+  double total = 0;  ///< instead of count, if > 0
   std::uint64_t seed = 1;
   std::size_t examples = 5;
   std::set<std::string> names = {};
@@ -39,6 +41,8 @@ Options parsed(int argc, char** argv) {
     const char* value = argv[++i];
     if (key == "--count")
       o.count = static_cast<std::int64_t>(std::strtod(value, nullptr));
+    else if (key == "--total")
+      o.total = std::strtod(value, nullptr);
     else if (key == "--seed")
       o.seed = std::strtoull(value, nullptr, 10);
     else if (key == "--examples")
@@ -52,7 +56,7 @@ Options parsed(int argc, char** argv) {
 }
 
 bool report(const Workload& w, const Options& o) {
-  const Tally t = run(w, o.count, o.seed, o.examples);
+  const Tally t = run(w, o.total > 0 ? share(w, o.total) : o.count, o.seed, o.examples);
   std::printf("%-14s %10lld cases %6lld failures %7lld ties   end %.1e  excess %.1e  longer %.1e\n",
               w.name.c_str(), static_cast<long long>(t.cases), static_cast<long long>(t.failures),
               static_cast<long long>(t.ties), t.end_error, t.excess, t.longer);
@@ -75,7 +79,8 @@ int main(int argc, char** argv) try {
   }
   if (!o.ok || found < o.names.size()) {
     std::fputs(
-        "usage: prove [--count N] [--seed S] [--workload NAME ...] [--examples N] [--list]\n",
+        "usage: prove [--count N | --total N] [--seed S] [--workload NAME ...] [--examples N] "
+        "[--list]\n",
         stderr);
     return 2;
   }

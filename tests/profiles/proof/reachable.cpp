@@ -463,6 +463,9 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
     if (shortest.empty() || (!spans.empty() && spans.front().from < shortest.front().from))
       shortest = spans;
   }
+  // One that is its target may also stay, outside too; afterwards it has to come inside.
+  if (from == to && (shortest.empty() || shortest.front().from > 0))
+    shortest.insert(shortest.begin(), Span{});
   return shortest;
 }
 

@@ -32,7 +32,7 @@ struct Slack {
 ///
 /// The target must be safe (`safe_target`). A start that is not (`safe_start`) is brought inside
 /// first, passing the limit fastest or arriving at it level, whichever gives the shorter minimum;
-/// acceleration comes inside at once. Position limits are not considered. Derivation:
+/// acceleration comes inside at once. A start that is the target can stay: T = 0. Position limits are not considered. Derivation:
 /// reachable.cpp.
 std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
                             const Slack& slack = {});

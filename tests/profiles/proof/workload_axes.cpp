@@ -76,9 +76,9 @@ void sync_time(Random& r, Tally& tally) {
       [&](Real share) {
         std::vector<std::vector<Span>> spans;
         for (std::size_t i = 0; i < axes.size(); ++i) {
-          const Scale scale =
-              check(move_to(axes[i].from, axes[i].to, axes[i].bounds).profile, of(axes[i])).scale;
-          spans.push_back(reachable(of(axes[i]), scale, share));
+          const Verdict move =
+              check(move_to(axes[i].from, axes[i].to, axes[i].bounds).profile, of(axes[i]));
+          spans.push_back(reachable(of(axes[i]), move, share));
         }
         return common(spans, least);
       },
@@ -129,9 +129,9 @@ void sync_phase(Random& r, Tally& tally) {
                                     check(out[0], of(axes[0])).scale.position /
                                         std::abs(axes[0].to.position - axes[0].from.position)))
       tally.fail("leaves the line", line);
-  const Scale scale = check(move_to(from, to, least).profile, line).scale;
+  const Verdict move = check(move_to(from, to, least).profile, line);
   compare(
-      s.duration, [&](Real share) { return minimum(reachable(line, scale, share)); }, line, tally);
+      s.duration, [&](Real share) { return minimum(reachable(line, move, share)); }, line, tally);
 }
 
 }  // namespace jounce::proof

@@ -25,7 +25,7 @@ void replan(const Case& c, Random& r, Tally& tally) {
   }
   // The state was rounded; is it that alone which makes it longer?
   const auto excused = [&](Real share) {
-    return again.verdict.duration - minimum(reachable(rest, again.verdict.scale, share)) <=
+    return again.verdict.duration - minimum(reachable(rest, again.verdict, share)) <=
            same * planned;
   };
   if (excused(last_bit) || excused(-rounding))
@@ -101,13 +101,15 @@ void invariance(Random& r, Tally& tally) {
   const Real is = other.verdict.duration / time;
   const Real was = s.verdict.duration;
   if (std::abs(is - was) <= 1e-12L * was) return;
-  const auto reference = [&](Real share) { return minimum(reachable(c, s.verdict.scale, share)); };
-  const Real lo = reference(16 * 0x1p-53L) * (1 - 1e-12L);
-  const Real hi = reference(-16 * 0x1p-53L) * (1 + 1e-12L);
+  const auto reference = [&](Real share) { return minimum(reachable(c, s.verdict, share)); };
+  const Real lo = reference(rounding) * (1 - 1e-12L);
+  const Real hi = reference(-rounding) * (1 + 1e-12L);
   if (is >= lo && is <= hi && was >= lo && was <= hi)
     ++tally.ties;
   else
-    tally.fail("another duration in other units, " + text(is / was - 1), c);
+    tally.fail("another duration in other units, " + text(is / was - 1) + ": length x " +
+                   text(length) + ", time x " + text(time),
+               c);
 }
 
 }  // namespace jounce::proof

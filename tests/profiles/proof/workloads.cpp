@@ -7,18 +7,18 @@ namespace {
 
 std::vector<Workload> listed() {
   std::vector<Workload> list;
-  for (const Draw& d : draws()) list.push_back({d.name, d.what, nullptr});
+  for (const Draw& d : draws()) list.push_back({d.name, d.what, nullptr, 100});
   const Workload own[] = {
-      {"optimal", "the minimum duration, against the witness", optimality},
-      {"blocks", "durations(), against the witness", blocks},
-      {"exact", "durations asked for, inside and at the edges of blocked intervals", exact},
-      {"replan-rest", "replanned at a random instant, target at rest", replan_rest},
-      {"replan-moving", "replanned at a random instant, any target", replan_moving},
-      {"sync-time", "1 to 7 axes that arrive together, against the witness", sync_time},
-      {"sync-phase", "2 to 7 axes on one line, against the witness", sync_phase},
-      {"invariance", "other units of length and time", invariance},
-      {"velocity", "changes of velocity, against the witness", velocity},
-      {"walls", "position limits", walls},
+      {"optimal", "the minimum duration, against the witness", optimality, 10},
+      {"blocks", "durations(), against the witness", blocks, 10},
+      {"exact", "durations asked for, inside and at the edges of blocked intervals", exact, 10},
+      {"replan-rest", "replanned at a random instant, target at rest", replan_rest, 100},
+      {"replan-moving", "replanned at a random instant, any target", replan_moving, 100},
+      {"sync-time", "1 to 7 axes that arrive together, against the witness", sync_time, 5},
+      {"sync-phase", "2 to 7 axes on one line, against the witness", sync_phase, 10},
+      {"invariance", "other units of length and time", invariance, 100},
+      {"velocity", "changes of velocity, against the witness", velocity, 100},
+      {"walls", "position limits", walls, 30},
   };
   list.insert(list.end(), std::begin(own), std::end(own));
   return list;
@@ -29,6 +29,12 @@ std::vector<Workload> listed() {
 const std::vector<Workload>& workloads() {
   static const std::vector<Workload> list = listed();
   return list;
+}
+
+std::int64_t share(const Workload& workload, double total) {
+  double sum = 0;
+  for (const Workload& w : workloads()) sum += w.weight;
+  return static_cast<std::int64_t>(total * workload.weight / sum);
 }
 
 Tally run(const Workload& workload, std::int64_t count, std::uint64_t seed, std::size_t kept) {

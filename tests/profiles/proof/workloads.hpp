@@ -32,9 +32,13 @@ struct Workload {
   std::string name;
   std::string what;
   void (*once)(Random&, Tally&);  ///< null: check moves drawn by the draw of that name
+  int weight = 100;               ///< of a total, less where a case takes longer
 };
 
 const std::vector<Workload>& workloads();
+/// What falls on a workload of `total` cases over all.
+std::int64_t share(const Workload& workload, double total);
+
 Tally run(const Workload& workload, std::int64_t count, std::uint64_t seed, std::size_t kept = 5);
 
 /// What double precision leaves open in the data of a problem, as a share of their scale.
