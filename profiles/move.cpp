@@ -11,8 +11,8 @@ namespace {
 
 constexpr double forgiven = 1e-12;  // share of a limit that rounding may have added
 // What products of a few of them stay finite and do not vanish for.
-constexpr double greatest = 1e40;
-constexpr double least = 1e-40;
+constexpr double greatest = 1e50;
+constexpr double least = 1e-50;
 
 bool is_state(const MotionState& s) {
   return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < greatest;
@@ -71,10 +71,10 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::ok:
       return "the move exists";
     case MoveStatus::not_finite:
-      return "a state or the duration is not finite, or greater than 1e40";
+      return "a state or the duration is not finite, or greater than 1e50";
     case MoveStatus::invalid_bounds:
-      return "every max must be between 1e-40 and 1e40 (or infinite), every min between -1e40 and "
-             "-1e-40, and the highest derivative that is limited limited in both directions";
+      return "every max must be between 1e-50 and 1e50 (or infinite), every min between -1e50 and "
+             "-1e-50, and the highest derivative that is limited limited in both directions";
     case MoveStatus::target_outside:
       return "the target's velocity or acceleration lies outside the bounds";
     case MoveStatus::target_unreachable:
@@ -107,11 +107,18 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
       !std::isfinite(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
   if (!move) return move;
   const detail::Solver solver(from, to, bounds);
-  const bool is_long_enough = duration >= solver.minimum() * (1 - forgiven);
-  move.status = is_long_enough ? solver.lasting(duration, move.profile) : MoveStatus::too_short;
+  const double minimum = solver.minimum();
+  if (duration < minimum * (1 - forgiven))
+    move.status = MoveStatus::too_short;
+  else if (duration <= minimum * (1 + forgiven))
+    move.status = solver.shortest(move.profile);
+  else
+    move.status = solver.lasting(duration, move.profile);
   // The edge of a blocked interval may miss by rounding what the interval itself permits.
   if (move.status == MoveStatus::blocked && solver.durations().allows(duration))
-    move.status = solver.lasting(solver.durations().at_least(duration), move.profile);
+    for (double more = 0; move.status == MoveStatus::blocked && more < forgiven;
+         more = 4 * more + 0x1p-52)
+      move.status = solver.lasting(duration * (1 + more), move.profile);
   return move;
 }
 

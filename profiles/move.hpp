@@ -38,9 +38,9 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 /// Why there is no move; `ok` where there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,         ///< a state or the duration is not finite, or greater than 1e40
-  invalid_bounds,     ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-40 to
-                      ///< 1e40 that is not infinite, NaN, or the highest derivative that is limited
+  not_finite,         ///< a state or the duration is not finite, or greater than 1e50
+  invalid_bounds,     ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-50 to
+                      ///< 1e50 that is not infinite, NaN, or the highest derivative that is limited
                       ///< limited in one direction alone
   target_outside,  ///< the target's velocity or acceleration lies outside the bounds
   target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside

@@ -88,8 +88,8 @@ void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double rati
     const double lo = (ratio > 0 ? min : max) / ratio;
     const double hi = (ratio > 0 ? max : min) / ratio;
     // An axis that hardly moves limits nothing.
-    if (lo > -1e40) lead_min = std::max(lead_min, lo);
-    if (hi < 1e40) lead_max = std::min(lead_max, hi);
+    if (lo > -1e50) lead_min = std::max(lead_min, lo);
+    if (hi < 1e50) lead_max = std::min(lead_max, hi);
   };
   const Bounds& b = axis.bounds;
   both(b.velocity_min, b.velocity_max, lead.velocity_min, lead.velocity_max);

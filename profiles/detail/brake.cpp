@@ -83,8 +83,11 @@ MotionState brought_inside(const MotionState& from, const Bounds& b, Return way,
     const bool too_steep = above ? s.acceleration < a && s.velocity + ramp < limit
                                  : s.acceleration > a && s.velocity + ramp > limit;
     if (too_steep) {
-      const double left = s.acceleration * s.acceleration - 2 * out * (s.velocity - limit);
-      const double at_limit = std::copysign(std::sqrt(std::max(left, 0.0)), s.acceleration);
+      const double square = s.acceleration * s.acceleration;
+      const double left = square - 2 * out * (s.velocity - limit);
+      // What is left by rounding alone is nothing: its root would not be small.
+      const bool is_left = left > 0x1p-48 * (square + std::abs(out * limit));
+      const double at_limit = is_left ? std::copysign(std::sqrt(left), s.acceleration) : 0;
       s = after(profile, s, (at_limit - s.acceleration) / out, out);
       s.velocity = limit;
       s.acceleration = at_limit;

@@ -7,8 +7,8 @@
 
 namespace jounce::detail {
 
-Extremals::Extremals(const End& from, const End& to, const Limits& limits, const Jerks& jerks,
-                     int degenerate) noexcept
+Extremals::Extremals(const End& from, const End& to, double dv, const Limits& limits,
+                     const Jerks& jerks, int degenerate) noexcept
     : vmax_(limits.velocity),
       ijp_(jerks.per_rise),
       ijd_(jerks.per_fall),
@@ -27,7 +27,7 @@ Extremals::Extremals(const End& from, const End& to, const Limits& limits, const
   // c1 - c2 from differences, so that what is small does not drown in the velocities.
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
-  const double dc = (from.velocity - to.velocity) - (s0 - s1) * (s0 + s1) * ijp_ / 2;
+  const double dc = -dv - (s0 - s1) * (s0 + s1) * ijp_ / 2;
   high_ = dc >= 0 ? 0 : 1;
   q_ = 2 * ik_ * std::abs(dc);
   if (half_[static_cast<std::size_t>(first_)].s < 0 && high_ != first_) {  // by rounding alone

@@ -62,7 +62,8 @@ class Extremals {
 
   /// `degenerate` is the half (0 or 1) with the greater natural velocity, that at which the
   /// acceleration comes to zero if it begins to at once.
-  Extremals(const End& from, const End& to, const Limits& limits, const Jerks& jerks,
+  /// `dv` is how much greater the velocity `to` is: it may be known better than the two.
+  Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
   /// Whether there is an early branch, give or take what rounding makes of the velocities.

@@ -30,11 +30,9 @@ double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
 
-/// Halley's step from where f has this value and derivatives; none (NaN) where f does not go the way
-/// that it does at the zero.
-double halley(double f, double first, double second, bool rising) {
-  if ((first > 0) != rising) return std::numeric_limits<double>::quiet_NaN();
-  return 2 * f * first / (2 * first * first - f * second);
+/// Newton's step; none (NaN) where f does not go the way that it does at the zero.
+double newton(double f, double slope, bool rising) {
+  return (slope > 0) == rising ? f / slope : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
@@ -71,8 +69,7 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
     const double ss = s * s;
     sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
     const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
-    const double curvature = 6 * cubic_ * ss * ss - 2 * inverse_;    // s^3 f''
-    return s * halley(sign, slope, curvature, rising);
+    return s * newton(sign, slope, rising);
   };
   if (hi == inf) {
     hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),
@@ -103,8 +100,7 @@ double Extremals::solve(const Stretch& p, double d, bool rising, double guess) c
       const double c4 = k_ / (8 * l);
       const auto f = [&](double y, double& sign) {
         sign = y * (x.c + y * (c2 + y * (c3 + y * c4))) - g;
-        return halley(sign, x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)),
-                      2 * c2 + y * (6 * c3 + y * 12 * c4), rising);
+        return newton(sign, x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)), rising);
       };
       if (hi == inf) {
         hi = std::max(2 * std::abs(p.lo), l);
@@ -204,6 +200,13 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
     if (rises_first && of_sum(turns[0]) >= g)
       return member(p, solve_sum(g, from, turns[0], true, turns[0]));
     if (n > 0) from = turns[static_cast<std::size_t>(n - 1)];
+    if (std::min({half_[0].sat, half_[1].sat, vmax_}) <= natural_) {  // nothing above to go on in
+      const Extremal top = at_peak(natural_);
+      const double reach = distance(top);
+      if (reach >= d) return member(p, solve_sum(g, from, p.hi, true, p.hi));
+      lo = top;
+      covered = reach;
+    }
   }
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;
   const auto free = static_cast<std::size_t>(1 - lower);

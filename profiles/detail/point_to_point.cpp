@@ -19,16 +19,17 @@ Extremals::Jerks upward_jerks(const Bounds& b) {
   return {per_rise, per_fall, per_rise + per_fall, 1 / (per_rise + per_fall)};
 }
 
-/// The start's velocity, or that with which the bare ramp of acceleration meets the target, if only
-/// rounding keeps it from that: a motion that has reached its last phase must not begin another.
-double snapped(const MotionState& from, const MotionState& to, const Extremals::Jerks& j) {
+/// How much greater the target's velocity is, or what the bare ramp of acceleration adds, if only
+/// rounding keeps the two apart: a motion that has reached its last phase must not begin another.
+double velocity_difference(const MotionState& from, const MotionState& to,
+                           const Extremals::Jerks& j) {
   const double a0 = from.acceleration;
   const double af = to.acceleration;
+  const double dv = to.velocity - from.velocity;
   const double ramp = std::abs(af - a0) * (af + a0) * (af > a0 ? j.per_rise : j.per_fall) / 2;
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
                        (a0 * a0 + af * af) * (j.per_rise + j.per_fall);
-  const bool is_ramp = std::abs(to.velocity - from.velocity - ramp) <= ulps * scale;
-  return is_ramp ? to.velocity - ramp : from.velocity;
+  return std::abs(dv - ramp) <= ulps * scale ? ramp : dv;
 }
 
 /// How far the natural velocity of an end, where its acceleration a (seen forwards in time from the
@@ -50,7 +51,9 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
     : rise_(b.jerk_max),
       fall_(b.jerk_min),
       d_(to.position - from.position),
-      from_{snapped(from, to, jerks), from.acceleration},
+      dv_(velocity_difference(from, to, jerks)),
+      from_{dv_ == to.velocity - from.velocity ? from.velocity : to.velocity - dv_,
+            from.acceleration},
       to_{to.velocity, to.acceleration},
       jerks_(jerks),
       start_is_higher_((from_.velocity - to_.velocity) + (to_natural(from.acceleration, jerks) -
@@ -58,7 +61,7 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
                        0),
       natural_{from_.velocity + to_natural(from.acceleration, jerks),
                to_.velocity + to_natural(-to.acceleration, jerks)},
-      up_(from_, to_,
+      up_(from_, to_, dv_,
           {std::max({b.velocity_max, natural_[0], natural_[1]}), b.acceleration_max,
            -b.acceleration_min},
           jerks, start_is_higher_ ? 0 : 1),
@@ -80,6 +83,7 @@ double PointToPoint::rounding(double t) const noexcept {
 Extremals PointToPoint::down() const noexcept {
   return {{-from_.velocity, -from_.acceleration},
           {-to_.velocity, -to_.acceleration},
+          -dv_,
           down_limits_,
           jerks_.mirrored(),
           start_is_higher_ ? 1 : 0};

@@ -58,6 +58,7 @@ class PointToPoint {
 
   double rise_, fall_;  ///< the jerks, signed
   double d_;
+  double dv_;  ///< of the velocities: to_ less from_
   Extremals::End from_, to_;
   Extremals::Limits down_limits_;
   Extremals::Jerks jerks_;

@@ -40,8 +40,8 @@ class Solver {
   const Bounds& bounds_;
   MotionState start_, to_;  ///< without what is not part of the order's state
   MotionState asked_;       ///< the target as it was given
-  MotionState inside_;  ///< where the way inside ends
-  double before_ = 0;   ///< how long it takes
+  MotionState inside_;      ///< where the way inside ends
+  double before_ = 0;       ///< how long it takes
   Return way_ = Return::fastest;
 };
 
