@@ -40,7 +40,7 @@ double newton(double f, double slope, bool rising) {
 template <class F>
 double zero(F f, double lo, double hi, bool rising, double guess) {
   double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 250; ++i) {
     double sign = 0;
     const double step = f(x, sign);
     if (sign == 0) break;
@@ -49,7 +49,10 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
     const bool inside = next > lo && next < hi;
     // Convergence is quadratic at least: after such a step the next is lost in rounding.
     const bool done = std::abs(step) <= 1e-9 * std::abs(x);
-    if (!inside || i > 60) {
+    // Over many decades a step a factor at a time would take too long.
+    if (!done && i > 8 && i % 2 == 0 && lo >= 0 && hi > 4 * lo)
+      next = lo > 0 ? std::sqrt(lo * hi) : hi * 0x1p-20;
+    else if (!inside || i > 160) {
       if (done) return next > lo ? hi : lo;
       next = lo + (hi - lo) / 2;
       if (!(next > lo && next < hi)) break;

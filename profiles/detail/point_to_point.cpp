@@ -235,7 +235,8 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const double main = up_.duration(direct_);
   const bool is_early = both.early && t < main && t <= up_.duration(up_.last_early()) * (1 + ulps);
   if (!is_early && t < main * (1 - ulps)) return false;
-  const double slack = rounding(t) + ulps * std::abs(d_);
+  // At the edge of a blocked interval both sides have rounded.
+  const double slack = 3 * (rounding(t) + ulps * std::abs(d_));
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (std::size_t i = 0; i < 2; ++i) {
