@@ -30,7 +30,7 @@
 // moves lets the jerk go in the middle as well and takes up to 7.5 % longer than (2).
 //
 // (2) is optimal. At the velocity limit, a state constraint of third order, the optimum switches
-// infinitely often (chattering; Wang, Hu et al. 2024) to gain less than 0.1 % on (3) and (4), as
+// very often to gain less than 0.1 % on (3) and (4), as
 // linear programming shows (tests/oracle/fourth_order.py): nothing that a machine would want.
 
 namespace jounce {
