@@ -194,12 +194,13 @@ void Check::exact() {
       fail("phase " + std::to_string(i + 1) + " is not finite or not longer than 0");
   const Real T = verdict_.duration;
   if (!(std::abs(f_.duration() - T) <= 1e-15L * T)) fail("duration() is not the sum of the phases");
-  if (c_.duration && !(std::abs(T - Real{*c_.duration}) <= instant()))
+  verdict_.instant = instant();
+  if (c_.duration && !(std::abs(T - Real{*c_.duration}) <= verdict_.instant))
     fail("lasts " + text(*c_.duration) + " and " + text(T - Real{*c_.duration}) +
          ", not the duration asked for");
 }
 
-/// How exactly a duration can be kept: to `tolerance` of it and of the time in which the control's
+/// How exactly a duration can be told and kept: to `tolerance` of it and of the time in which the control's
 /// bound builds up that of what it drives (a_max/j_max; order 2: v_max/a_max), the axis' own measure
 /// of time.
 Real Check::instant() const {
@@ -208,7 +209,8 @@ Real Check::instant() const {
   const Real a = least(b.acceleration_min, b.acceleration_max);
   const Real rise = f_.order() == 3 ? a / least(b.jerk_min, b.jerk_max)
                                     : least(b.velocity_min, b.velocity_max) / a;
-  return tolerance * (*c_.duration + (f_.order() > 1 && std::isfinite(rise) ? rise : 0));
+  return tolerance * (c_.duration.value_or(static_cast<double>(verdict_.duration)) +
+                      (f_.order() > 1 && std::isfinite(rise) ? rise : 0));
 }
 
 void Check::end() {

@@ -45,6 +45,7 @@ struct Verdict {
   double end_error = 0;      ///< of the end state, worst of three, relative to `scale`
   double excess = 0;         ///< beyond a limit, relative to it; see check
   long double duration = 0;  ///< of the phases, summed in long double
+  long double instant = 0;   ///< how exactly it can be told: see `a duration asked for` below
   Scale scale;
   Scale floor;  ///< the least that is resolved: the ulps named above, in u, u/s, u/s^2
 

@@ -100,7 +100,7 @@ void invariance(Random& r, Tally& tally) {
   if (!other) return;
   const Real is = other.verdict.duration / time;
   const Real was = s.verdict.duration;
-  if (std::abs(is - was) <= 1e-12L * was) return;
+  if (std::abs(is - was) <= s.verdict.instant) return;
   const auto reference = [&](Real share) { return minimum(reachable(c, s.verdict, share)); };
   const Real lo = reference(rounding) * (1 - 1e-12L);
   const Real hi = reference(-rounding) * (1 + 1e-12L);
