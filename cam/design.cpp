@@ -1,111 +1,67 @@
 #include "jounce/cam/design.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 
+#include "jounce/cam/detail/resolve.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 
 namespace jounce {
 namespace {
 
-std::string key_of(std::size_t knot, const char* field) {
-  return knot == 0 ? std::string("start.") + field
-                   : "segment[" + std::to_string(knot) + "].end." + field;
+Outside outside(const CamSpec& spec) {
+  if (!spec.periodic) return Outside::hold;
+  return spec.slave_period ? Outside::advance : Outside::wrap;
 }
 
-const CamKnot& knot_of(const CamSpec& spec, std::size_t i) {
-  return i == 0 ? spec.start : spec.segments[i - 1].end;
-}
-
-double slope(const CamKnot& from, const CamKnot& to) {
-  return (to.slave - from.slave) / (to.master - from.master);
-}
-
-void require_knot(const CamSpec& spec, std::size_t i) {
-  const CamKnot& knot = knot_of(spec, i);
-  require_finite(key_of(i, "master").c_str(), knot.master);
-  require_finite(key_of(i, "slave").c_str(), knot.slave);
-  if (knot.geo_velocity) require_finite(key_of(i, "geo_velocity").c_str(), *knot.geo_velocity);
-  if (knot.geo_acceleration)
-    require_finite(key_of(i, "geo_acceleration").c_str(), *knot.geo_acceleration);
-  if (i > 0 && !(knot.master > knot_of(spec, i - 1).master))
-    throw InputError(
-        key_of(i, "master"), knot.master,
-        "must be greater than " + number(knot_of(spec, i - 1).master) + ", the knot before");
-}
-
-/// The law on one side of a knot demands a derivative there: take it, or check what was given.
-void demand(std::optional<double>& given, double demanded, const std::string& key, Law law,
-            double scale) {
-  if (!given) given = demanded;
-  if (std::abs(*given - demanded) > 1e-9 * scale)
-    throw InputError(
-        key, *given,
-        "must be " + number(demanded) + ", which the law `" + name(law) + "` beside it has there");
-}
-
-void demand_of_segment(const CamSpec& spec, std::size_t segment, std::vector<CamKnot>& knots) {
-  const Law law = spec.segments[segment].law;
-  if (law == Law::quintic) return;
-  const double chord = slope(knots[segment], knots[segment + 1]);
-  if (law == Law::dwell && chord != 0)
-    throw InputError(key_of(segment + 1, "slave"), knots[segment + 1].slave,
-                     "a dwell must stay at " + number(knots[segment].slave));
-  const double velocity = law == Law::line ? chord : 0;
-  for (std::size_t i = segment; i <= segment + 1; ++i) {
-    demand(knots[i].geo_velocity, velocity, key_of(i, "geo_velocity"), law, std::abs(chord));
-    demand(knots[i].geo_acceleration, 0, key_of(i, "geo_acceleration"), law, 0);
-  }
-}
-
-/// A normalised law moved to its place.
-Segment placed(Segment f, double length, double from, double to) {
-  f = scaled(f, to - from, from);
-  f.length *= length;
-  return f;
+char letter(double velocity, double acceleration, const Ranges& peaks) {
+  const bool moves = std::abs(velocity) > 1e-9 * std::abs(peaks[1].peak().value);
+  const bool bends = std::abs(acceleration) > 1e-9 * std::abs(peaks[2].peak().value);
+  return moves ? (bends ? 'B' : 'G') : (bends ? 'U' : 'R');
 }
 
 }  // namespace
 
 std::vector<CamKnot> resolved_knots(const CamSpec& spec) {
-  if (spec.segments.empty())
-    throw InputError("segment", "none", "a cam needs at least one segment");
   std::vector<CamKnot> knots;
-  for (std::size_t i = 0; i <= spec.segments.size(); ++i) {
-    require_knot(spec, i);
-    knots.push_back(knot_of(spec, i));
-  }
-  for (std::size_t i = 0; i < spec.segments.size(); ++i) demand_of_segment(spec, i, knots);
-  for (CamKnot& knot : knots) {
-    knot.geo_velocity = knot.geo_velocity.value_or(0);
-    knot.geo_acceleration = knot.geo_acceleration.value_or(0);
+  for (const camming::Placed& placed : camming::resolve(spec)) {
+    if (knots.empty()) knots.push_back(placed.from);
+    knots.push_back(placed.to);
   }
   return knots;
 }
 
 CamDesign design(const CamSpec& spec) {
-  const auto knots = resolved_knots(spec);
   std::vector<Segment> segments;
   std::vector<std::size_t> origin;
-  for (std::size_t i = 0; i < spec.segments.size(); ++i) {
-    const CamKnot& a = knots[i];
-    const CamKnot& b = knots[i + 1];
-    const double length = b.master - a.master;
-    const Law law = spec.segments[i].law;
-    if (law == Law::quintic) {
-      segments.push_back(quintic(length, a.slave, *a.geo_velocity, *a.geo_acceleration, b.slave,
-                                 *b.geo_velocity, *b.geo_acceleration));
-    } else if (law == Law::dwell || law == Law::line) {
-      segments.push_back(line(length, a.slave, b.slave));
-    } else {
-      for (const Segment& piece : normalised(law))
-        segments.push_back(placed(piece, length, a.slave, b.slave));
-    }
-    origin.resize(segments.size(), i);
+  for (const camming::Placed& placed : camming::resolve(spec)) {
+    const auto made = camming::built(placed);
+    segments.insert(segments.end(), made.begin(), made.end());
+    origin.resize(segments.size(), placed.index);
   }
-  return {
-      Cam(std::move(segments), spec.start.master, spec.periodic ? Outside::wrap : Outside::hold),
-      std::move(origin)};
+  return {Cam(std::move(segments), spec.start.master, outside(spec)), std::move(origin)};
+}
+
+std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec) {
+  std::vector<std::vector<LawPiece>> all;
+  for (const camming::Placed& placed : camming::resolve(spec)) {
+    if (!has_own_shape(placed.spec->law))
+      throw InputError("segment[" + std::to_string(placed.index + 1) + "].law",
+                       name(placed.spec->law), "goes through points: its shape is not its own");
+    all.push_back(camming::shapes(placed));
+  }
+  return all;
+}
+
+std::string transition(const CamDesign& made, std::size_t segment) {
+  const auto first = std::lower_bound(made.origin.begin(), made.origin.end(), segment);
+  const auto last = std::upper_bound(first, made.origin.end(), segment);
+  const auto index = [&](auto it) { return static_cast<std::size_t>(it - made.origin.begin()); };
+  const Ranges peaks = segment_extrema(made.cam, index(first), index(last) - 1);
+  const Jet from = evaluate(made.cam.segments()[index(first)], 0);
+  const Jet to = evaluate(made.cam.segments()[index(last) - 1], 1);
+  return {letter(from[1], from[2], peaks), '-', letter(to[1], to[2], peaks)};
 }
 
 }  // namespace jounce

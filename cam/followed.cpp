@@ -15,7 +15,7 @@ namespace {
 /// Every master position within [lo, hi] at which the cam, repeated if it wraps, has a break.
 std::vector<double> levels(const Cam& cam, double lo, double hi) {
   std::vector<double> found;
-  const bool wraps = cam.outside() == Outside::wrap;
+  const bool wraps = repeats(cam.outside());
   const double first = wraps ? std::floor((lo - cam.start()) / cam.length()) : 0;
   const double last = wraps ? std::floor((hi - cam.start()) / cam.length()) : 0;
   for (std::int64_t n = 0; n <= static_cast<std::int64_t>(last - first); ++n)
@@ -62,16 +62,16 @@ Jet Followed::jet(double t, Side side) const {
   // Time-backwards and master-backwards cancel: the cam's side is the right one if they agree. A
   // master within rounding of a break is on it, so that the side asked for is the side that counts.
   const Side cam_side = (side == Side::left) == backwards(x, side) ? Side::right : Side::left;
-  const double at =
-      cam_.outside() == Outside::wrap ? wrapped(x[0], cam_.start(), cam_.length()) : x[0];
+  const bool periodic = repeats(cam_.outside());
+  const double at = periodic ? wrapped(x[0], cam_.start(), cam_.length()) : x[0];
   const auto above = std::lower_bound(cam_.breaks().begin(), cam_.breaks().end(), at);
   double master = at;
   for (const auto near : {above, above == cam_.breaks().begin() ? above : above - 1})
     if (near != cam_.breaks().end() && std::abs(*near - at) <= 1e-12 * cam_.length())
       master = *near;
-  if (cam_.outside() == Outside::wrap && cam_side == Side::left && master == cam_.start())
-    master = cam_.end();
-  const Jet f = cam_.jet(master, cam_side);
+  if (periodic && cam_side == Side::left && master == cam_.start()) master = cam_.end();
+  Jet f = cam_.jet(master, cam_side);
+  f[0] += std::round((x[0] - master) / cam_.length()) * cam_.advance();
   return {f[0], f[1] * x[1],                                                  // (1)
           f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)

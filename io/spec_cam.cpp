@@ -37,7 +37,7 @@ CamKnot read_knot(TomlReader& knot, const Units& units) {
 
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
-  for (const Law law : all_laws()) names.emplace_back(name(law));
+  for (const LawInfo& law : all_laws()) names.emplace_back(law.name);
   return names;
 }
 
@@ -53,7 +53,7 @@ CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize) {
   for (TomlReader& segment : top.tables("segment")) {
     CamSegment s;
     s.name = segment.optional_text("name").value_or("");
-    s.law = all_laws()[segment.choice("law", law_names())];
+    s.law = all_laws()[segment.choice("law", law_names())].law;
     TomlReader end = segment.table("end");
     s.end = read_knot(end, units);
     end.finish();

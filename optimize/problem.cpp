@@ -20,13 +20,16 @@ constexpr std::array objectives{Objective::peak_acceleration, Objective::peak_je
 
 /// Whether `law`, which begins or ends at a knot, fixes the quantity there.
 bool fixes(Law law, Quantity quantity) {
+  const Ends ends = info(law).ends;
   switch (quantity) {
     case Quantity::master:
-      return law == Law::line;
+      return ends == Ends::straight || ends == Ends::rest_to_reversal;
     case Quantity::slave:
-      return law == Law::line || law == Law::dwell;
+      return ends == Ends::straight || ends == Ends::standing || ends == Ends::rest_to_reversal;
+    case Quantity::geo_velocity:
+      return ends != Ends::given && ends != Ends::moving && ends != Ends::moving_free;
     default:
-      return law != Law::quintic;
+      return ends != Ends::given;
   }
 }
 

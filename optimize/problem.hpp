@@ -55,8 +55,9 @@ double value_of(Objective objective, const Cam& cam);
 /// **Periodic cams.** Start and last knot are one: whichever of the two is named, both change by
 /// the same amount. The masters of the two ends are never free.
 ///
-/// **Laws.** A quintic takes any free quantity at its ends. Beside a rest-to-rest law geo_velocity
-/// and geo_acceleration are fixed, beside a dwell also slave, beside a line everything.
+/// **Laws.** A polynomial (quintic, septic, nonic) takes any free quantity at its ends. Beside a law
+/// that runs from rest to rest geo_acceleration is fixed, beside a dwell also geo_velocity and slave,
+/// beside a line or an R-U law everything. A cam with a law through points is not optimised.
 struct CamProblem {
   CamSpec cam;
   std::vector<FreeKnot> free;

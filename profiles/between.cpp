@@ -48,7 +48,10 @@ void append_turns(const Curve<Over>& f, double from, double to, Segments& out) {
     const double offset = k * turn;
     const double a = std::max(f.start(), from - offset);
     const double b = std::min(f.end(), to - offset);
+    const std::size_t before = out.size();
     if (b - a > rounding) append_inside(f, a, b, out);
+    if (k * f.advance() == 0) continue;
+    for (std::size_t i = before; i < out.size(); ++i) out[i] = scaled(out[i], 1, k * f.advance());
   }
 }
 
@@ -65,7 +68,7 @@ Curve<Over> between(const Curve<Over>& f, double from, double to) {
                      "leaves the curve, which runs from " + number(f.start()) + " to " +
                          number(f.end()) + " and refuses to be asked outside");
   Segments pieces;
-  if (f.outside() == Outside::wrap) {
+  if (repeats(f.outside())) {
     append_turns(f, from, to, pieces);
   } else {
     append_rest(value(f.segments().front(), 0), std::min(to, f.start()) - from, pieces);
@@ -73,21 +76,21 @@ Curve<Over> between(const Curve<Over>& f, double from, double to) {
     append_rest(value(f.segments().back(), 1), to - std::max(from, f.end()), pieces);
   }
   if (pieces.empty()) append_rest(f.jet(from)[0], to - from, pieces);  // shorter than rounding
-  const Outside outside = f.outside() == Outside::wrap ? Outside::hold : f.outside();
+  const Outside outside = repeats(f.outside()) ? Outside::hold : f.outside();
   return Curve<Over>(std::move(pieces), from, outside);
 }
 
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late) {
-  if (f.outside() == Outside::wrap)
-    return with(shifted(between(f, f.start() - delay, f.end() - delay), delay), Outside::wrap);
+  if (repeats(f.outside()))
+    return with(shifted(between(f, f.start() - delay, f.end() - delay), delay), f.outside());
   const auto held = with(f, Outside::hold);
   return shifted(between(held, f.start() - delay, f.end() + (late - delay)), delay);
 }
 
 template <class Over>
 void require_resting_ends(const Curve<Over>& f) {
-  if (f.outside() == Outside::wrap) return;
+  if (repeats(f.outside())) return;
   const double rounding = 1e-9 * std::abs(extrema(f, 1).peak().value);
   const double begins = evaluate(f.segments().front(), 0)[1];
   const double ends = evaluate(f.segments().back(), 1)[1];

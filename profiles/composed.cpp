@@ -115,7 +115,7 @@ class Places {
     double start = 0;
   };
   [[nodiscard]] Place at(double y) const {
-    const double turn = f_.outside() == Outside::wrap ? turn_of(y) : 0;
+    const double turn = repeats(f_.outside()) ? turn_of(y) : 0;
     const double u = y - turn;
     if (f_.outside() == Outside::hold && (u < f_.start() || u > f_.end())) {
       const bool before = u < f_.start();
@@ -125,7 +125,8 @@ class Places {
     const auto breaks = f_.breaks();
     const auto it = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, u);
     const auto i = static_cast<std::size_t>(it - breaks.begin()) - 1;
-    return {f_.segments()[i], breaks[i] + turn};
+    const double gone = turn / f_.length() * f_.advance();
+    return {gone == 0 ? f_.segments()[i] : scaled(f_.segments()[i], 1, gone), breaks[i] + turn};
   }
 
   /// Every break from lo to hi, rounding included, ascending.
@@ -135,10 +136,10 @@ class Places {
     lo -= rounding;
     hi += rounding;
     if ((hi - lo) / f_.length() * static_cast<double>(f_.segments().size()) > most_breaks &&
-        f_.outside() == Outside::wrap)
+        repeats(f_.outside()))
       throw InputError("inner", hi - lo, "is a travel over more than 1e6 segments of the outer");
-    const double last_turn = f_.outside() == Outside::wrap ? turn_of(hi) : 0;
-    for (double turn = f_.outside() == Outside::wrap ? turn_of(lo) : 0; turn <= last_turn;
+    const double last_turn = repeats(f_.outside()) ? turn_of(hi) : 0;
+    for (double turn = repeats(f_.outside()) ? turn_of(lo) : 0; turn <= last_turn;
          turn += f_.length()) {
       const auto breaks = f_.breaks();
       const auto first = std::lower_bound(breaks.begin(), breaks.end(), lo - turn);

@@ -68,15 +68,21 @@ Jet Curve<Over>::inside(std::size_t segment, double x) const {
 
 template <class Over>
 Jet Curve<Over>::jet(double x, Side side) const {
-  if (x < start() || x > end() ||
-      (x == end() && side == Side::right && outside_ == Outside::wrap)) {
+  if (x < start() || x > end() || (x == end() && side == Side::right && repeats(outside_))) {
     assert(outside_ != Outside::refuse && "query outside a curve that refuses it");
-    if (outside_ != Outside::wrap)
-      return {inside(x < start() ? 0 : segments_.size() - 1, x)[0], 0, 0, 0};
-    x = wrapped(x, start(), length());
-    if (side == Side::left && x == start()) x = end();
+    if (!repeats(outside_)) return {inside(x < start() ? 0 : segments_.size() - 1, x)[0], 0, 0, 0};
+    const auto [at, turns] = in_period(x, side, start(), end());
+    Jet f = inside(find(at, side), at);
+    f[0] += turns * advance();
+    return f;
   }
   return inside(find(x, side), x);
+}
+
+template <class Over>
+double Curve<Over>::advance() const {
+  return outside_ == Outside::advance ? value(segments_.back(), 1) - value(segments_.front(), 0)
+                                      : 0;
 }
 
 template <class Over>

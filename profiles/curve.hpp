@@ -25,7 +25,7 @@ namespace jounce {
 /// **Intervals.** Segments are half-open, the last one closed: at a break the curve takes the value
 /// of the segment that begins there (right-continuous). Side::left asks for the other limit.
 ///
-/// **Outside [start, end]** the policy named at construction rules: refuse, hold, or wrap.
+/// **Outside [start, end]** the policy named at construction rules: refuse, hold, wrap, or advance.
 ///
 /// **Throws** InputError if there is no segment, a length is not finite and positive, a coefficient
 /// is not finite, or start is not finite or so far out that no length is left. Nothing else throws; evaluation never allocates.
@@ -41,6 +41,8 @@ class Curve {
   [[nodiscard]] double end() const { return breaks_.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] Outside outside() const { return outside_; }
+  /// How far the value goes in one period: Outside::advance; otherwise 0.
+  [[nodiscard]] double advance() const;
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
 

@@ -94,7 +94,8 @@ Jump largest_jump(const Curve<Over>& f, int order) {
     if (std::abs(step) > std::abs(largest.step)) largest = {step, where};
   };
   for (std::size_t i = 1; i < pieces.size(); ++i) consider(pieces[i - 1], pieces[i], f.breaks()[i]);
-  if (f.outside() == Outside::wrap) consider(pieces.back(), pieces.front(), f.end());
+  if (f.outside() == Outside::wrap || (f.outside() == Outside::advance && order > 0))
+    consider(pieces.back(), pieces.front(), f.end());
   if (f.outside() == Outside::hold && order > 0) {  // at rest before and after
     const double first = evaluate(pieces.front(), 0)[k];
     const double last = -evaluate(pieces.back(), 1)[k];

@@ -14,10 +14,16 @@ enum class Side { right, left };
 
 /// What happens outside [start, end]; named when a signal is made.
 enum class Outside {
-  refuse,  ///< a query outside is the caller's mistake: asserts, and holds in a release build
-  hold,    ///< the end value, at rest
-  wrap,    ///< periodic: the query is reduced into [start, end)
+  refuse,   ///< a query outside is the caller's mistake: asserts, and holds in a release build
+  hold,     ///< the end value, at rest
+  wrap,     ///< periodic: the query is reduced into [start, end)
+  advance,  ///< as wrap, and every period goes on from where the one before ended: a rotary slave
 };
+
+/// Whether the derivatives are periodic: wrap or advance.
+constexpr bool repeats(Outside outside) {
+  return outside == Outside::wrap || outside == Outside::advance;
+}
 
 /// Position and its derivatives by time, in user units u: u, u/s, u/s^2, u/s^3.
 struct Motion {
@@ -49,11 +55,24 @@ struct OverMaster {
                                                     "geo_jerk"};
 };
 
-/// x reduced into [start, start + length): what Outside::wrap does to a query.
+/// x reduced into [start, start + length): what Outside::wrap and advance do to a query.
 inline double wrapped(double x, double start, double length) {
   const double u = std::fmod(x - start, length);
   const double at = start + (u < 0 ? u + length : u);
   return at < start + length ? at : start;  // a hair below the end: no double is nearer
+}
+
+/// A query of a periodic signal: its place in [start, end] (the end for a left limit there), and how
+/// many periods it is away.
+struct InPeriod {
+  double at = 0;
+  double turns = 0;
+};
+inline InPeriod in_period(double x, Side side, double start, double end) {
+  const double length = end - start;
+  double at = wrapped(x, start, length);
+  if (side == Side::left && at == start) at = end;
+  return {at, std::round((x - at) / length)};
 }
 
 template <class Over>

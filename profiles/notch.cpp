@@ -132,7 +132,7 @@ void require_valid(const NotchSpec& spec) {
 }
 
 double travel_of(const Trajectory& f, const Filter& filter) {
-  if (f.outside() == Outside::wrap)
+  if (repeats(f.outside()))
     throw InputError("motion", "wraps", "a notch needs a motion with an end");
   double steps = 0;
   for (const Segment& piece : f.segments()) steps += filter.steps(piece);

@@ -64,6 +64,7 @@ class Isolation {
  public:
   Isolation(const Segment& f, double flat, std::vector<double>& out)
       : f_(f), flat_(flat), out_(out) {
+    noise_ = 1e-15 * magnitude(f);
     double widest = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
       widest = std::max(widest, std::abs(f.sine[i].angle));
@@ -88,6 +89,10 @@ class Isolation {
     }
     if (is_monotone(piece)) {
       bracket(piece.a, piece.b);
+      return;
+    }
+    if (*lo >= -noise_ && *hi <= noise_) {  // a multiple root: rounding hides all that is in here
+      out_.push_back((piece.a + piece.b) / 2);
       return;
     }
     const auto [left, right] = halves(piece);
@@ -155,6 +160,7 @@ class Isolation {
   std::vector<double>& out_;
   std::size_t n_ = 0;     // degree of the Bernstein form
   double remainder_ = 0;  // what the polynomials may differ from f
+  double noise_ = 0;      // what rounding may make of f = 0
 };
 
 }  // namespace

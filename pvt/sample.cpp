@@ -30,8 +30,9 @@ Columns columns_at(const Curve<Over>& f, Rule rule, std::vector<double> knots) {
     if (rule == Rule::quintic_hermite) columns.a.push_back(jet[2]);
   }
   columns.x = std::move(knots);
-  if (f.outside() == Outside::wrap)
-    for (auto* column : {&columns.p, &columns.v, &columns.a}) close_period(*column);
+  if (f.outside() == Outside::wrap) close_period(columns.p);
+  if (repeats(f.outside()))
+    for (auto* column : {&columns.v, &columns.a}) close_period(*column);
   return columns;
 }
 

@@ -71,18 +71,27 @@ Segment Table::segment(std::size_t i) const {
 }
 
 Jet Table::jet(double x, Side side) const {
-  if (x < start() || x > end() ||
-      (x == end() && side == Side::right && outside_ == Outside::wrap)) {
+  if (x < start() || x > end() || (x == end() && side == Side::right && repeats(outside_))) {
     assert(outside_ != Outside::refuse && "query outside a table that refuses it");
-    if (outside_ != Outside::wrap) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
-    x = wrapped(x, start(), length());
-    if (side == Side::left && x == start()) x = end();
+    if (!repeats(outside_)) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
+    const auto [at, turns] = in_period(x, side, start(), end());
+    Jet f = inside(find(at, side), at);
+    f[0] += turns * advance();
+    return f;
   }
+  return inside(find(x, side), x);
+}
+
+double Table::advance() const {
+  return outside_ == Outside::advance ? columns_.p.back() - columns_.p.front() : 0;
+}
+
+std::size_t Table::find(double x, Side side) const {
   const auto first = columns_.x.begin() + 1;
   const auto last = columns_.x.end() - 1;
   const auto it =
       side == Side::right ? std::upper_bound(first, last, x) : std::lower_bound(first, last, x);
-  return inside(static_cast<std::size_t>(it - first), x);
+  return static_cast<std::size_t>(it - first);
 }
 
 Jet Table::inside(std::size_t interval, double x) const {
@@ -137,9 +146,11 @@ const char* name(Outside outside) {
     case Outside::hold:
       return "hold";
     case Outside::wrap:
+      return "wrap";
+    case Outside::advance:
       break;
   }
-  return "wrap";
+  return "advance";
 }
 
 }  // namespace jounce

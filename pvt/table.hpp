@@ -43,6 +43,8 @@ class Table {
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] Rule rule() const { return rule_; }
   [[nodiscard]] Outside outside() const { return outside_; }
+  /// How far the position goes in one period: Outside::advance; otherwise 0.
+  [[nodiscard]] double advance() const;
   [[nodiscard]] const Columns& columns() const { return columns_; }
   [[nodiscard]] std::size_t size() const { return columns_.x.size(); }
 
@@ -60,6 +62,7 @@ class Table {
   [[nodiscard]] Curve<Over> curve() const;
 
  private:
+  [[nodiscard]] std::size_t find(double x, Side side) const;
   [[nodiscard]] Jet inside(std::size_t interval, double x) const;
 
   Axis axis_;
@@ -72,7 +75,7 @@ class Table {
 /// accordingly. Milliseconds become seconds with 1e-3.
 Table stretched(const Table& table, double factor);
 
-/// "linear", "cubic_hermite", "quintic_hermite"; "time", "master"; "refuse", "hold", "wrap": the
+/// "linear", "cubic_hermite", "quintic_hermite"; "time", "master"; "refuse", "hold", "wrap", "advance": the
 /// words of every file.
 const char* name(Rule rule);
 const char* name(Axis axis);

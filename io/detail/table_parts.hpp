@@ -14,7 +14,8 @@ namespace jounce::detail {
 inline constexpr int schema_version = 1;
 inline constexpr std::array axes{Axis::time, Axis::master};
 inline constexpr std::array rules{Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite};
-inline constexpr std::array policies{Outside::refuse, Outside::hold, Outside::wrap};
+inline constexpr std::array policies{Outside::refuse, Outside::hold, Outside::wrap,
+                                     Outside::advance};
 
 /// A table file in pieces, before it is put together and its hash compared.
 struct TableParts {

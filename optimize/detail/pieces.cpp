@@ -25,30 +25,17 @@ struct Powers {
   std::array<double, 9> up{};
 };
 
-std::array<Segment, 6> quintic_shapes() {
-  return {quintic(1, 1, 0, 0, 0, 0, 0), quintic(1, 0, 1, 0, 0, 0, 0), quintic(1, 0, 0, 1, 0, 0, 0),
-          quintic(1, 0, 0, 0, 1, 0, 0), quintic(1, 0, 0, 0, 0, 1, 0), quintic(1, 0, 0, 0, 0, 0, 1)};
-}
-
-std::array<Segment, 6> law_shapes(const Segment& f) {
-  Segment none;
-  none.length = f.length;
-  return {scaled(f, -1, 1), none, none, f, none, none};
+std::array<Segment, 6> shapes(const LawPiece& f) {
+  return {scaled(f.rise, -1, 1), f.enter, f.bend_in, f.rise, f.leave, f.bend_out};
 }
 
 }  // namespace
 
 std::vector<Piece> pieces(const CamSpec& spec) {
   std::vector<Piece> all;
-  for (std::size_t i = 0; i < spec.segments.size(); ++i) {
-    const Law law = spec.segments[i].law;
-    if (law == Law::quintic) {
-      all.push_back({i, quintic_shapes()});
-      continue;
-    }
-    for (const Segment& f : normalised(law == Law::dwell ? Law::line : law))
-      all.push_back({i, law_shapes(f)});
-  }
+  const auto laws = jounce::shapes(spec);
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    for (const LawPiece& f : laws[i]) all.push_back({i, shapes(f)});
   return all;
 }
 

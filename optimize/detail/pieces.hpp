@@ -10,8 +10,7 @@
 /// A cam as a function of its knots, with exact gradients.
 ///
 /// Between two knots at distance L the laws at hand are linear in q = (p0, v0, a0, p1, v1, a1) with
-/// e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalised shapes B_i (Hermite for the quintic;
-/// 1 - F and F on p0 and p1 for a law F, zero otherwise):
+/// e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalised shapes B_i (LawPiece of cam/law.hpp):
 ///
 ///     (1)  f           = sum_i q_i L^e_i B_i(z)
 ///     (2)  f^(k)       = sum_i q_i L^(e_i - k) B_i^(k)(z)

@@ -15,7 +15,7 @@ static_assert(static_cast<int>(Axis::time) == 0 && static_cast<int>(Axis::master
 static_assert(static_cast<int>(Rule::linear) == 0 && static_cast<int>(Rule::cubic_hermite) == 1 &&
               static_cast<int>(Rule::quintic_hermite) == 2);
 static_assert(static_cast<int>(Outside::refuse) == 0 && static_cast<int>(Outside::hold) == 1 &&
-              static_cast<int>(Outside::wrap) == 2);
+              static_cast<int>(Outside::wrap) == 2 && static_cast<int>(Outside::advance) == 3);
 
 template <class Enum>
 constexpr int last_of = 0;
@@ -24,7 +24,7 @@ constexpr int last_of<Axis> = static_cast<int>(Axis::master);
 template <>
 constexpr int last_of<Rule> = static_cast<int>(Rule::quintic_hermite);
 template <>
-constexpr int last_of<Outside> = static_cast<int>(Outside::wrap);
+constexpr int last_of<Outside> = static_cast<int>(Outside::advance);
 template <>
 constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::follow_table);
 template <>

@@ -86,6 +86,94 @@ TEST(Design, TakesTheSlopeOfALineWhereNoneIsGiven) {
   EXPECT_TRUE(check_continuity(design(spec).cam, 2).ok());
 }
 
+TEST(Design, ALawThatMovesTakesUpTheLineBesideIt) {
+  for (const LawInfo& law : all_laws()) {
+    if (law.ends != Ends::moving) continue;
+    SCOPED_TRACE(law.name);
+    CamSpec spec;
+    spec.segments = {{law.law, {100, 50}}, {Law::line, {200, 150}}, {law.law, {360, 0}}};
+    const CamDesign made = design(spec);
+    EXPECT_TRUE(check_continuity(made.cam, 2).ok());
+    EXPECT_EQ(transition(made, 0), "R-G");
+    EXPECT_EQ(transition(made, 1), "G-G");
+    EXPECT_EQ(transition(made, 2), "G-R");
+  }
+}
+
+TEST(Design, TurnsARestToReversalLawToItsRest) {
+  for (const LawInfo& law : all_laws()) {
+    if (law.ends != Ends::rest_to_reversal) continue;
+    SCOPED_TRACE(law.name);
+    CamSpec spec;
+    spec.periodic = true;
+    spec.segments = {{law.law, {120, 30}}, {law.law, {240, 0}}, {Law::dwell, {360, 0}}};
+    const CamDesign made = design(spec);
+    EXPECT_EQ(transition(made, 0), "R-U");
+    EXPECT_EQ(transition(made, 1), "U-R");
+    EXPECT_TRUE(check_continuity(made.cam, 2).ok()) << "one acceleration at the reversal";
+    for (const double u : {10., 60., 110.})
+      EXPECT_NEAR(made.cam.at(120 - u).position, made.cam.at(120 + u).position, 1e-13);
+  }
+}
+
+TEST(Design, FindsTheInflectionThatAReversalsAccelerationAsksFor) {
+  CamSpec spec;
+  spec.segments = {{Law::harmonic_combination, {100, 30, {}, -0.02}},
+                   {Law::harmonic_combination, {180, 0}},
+                   {Law::dwell, {360, 0}}};
+  const CamDesign made = design(spec);
+  EXPECT_TRUE(check_continuity(made.cam, 2).ok()) << "both sides meet the acceleration asked for";
+  EXPECT_NEAR(made.cam.at(100).geo_acceleration, -0.02, 1e-15);
+  EXPECT_NEAR(made.cam.at(100).position, 30, 1e-13);
+}
+
+TEST(Design, BringsASinesReversalToTheNeighbourThatTakesIt) {
+  CamSpec spec;
+  spec.segments = {{Law::simple_sine, {100, 40}}, {Law::quintic, {220, 0}}};
+  const CamDesign made = design(spec);
+  EXPECT_NEAR(*resolved_knots(spec)[1].geo_acceleration, -std::pow(std::acos(-1), 2) / 2 * 40 / 1e4,
+              1e-17);
+  EXPECT_EQ(transition(made, 0), "U-U");
+  EXPECT_EQ(transition(made, 1), "U-R");
+}
+
+TEST(Design, GoesThroughThePointsOfAPolynomial) {
+  CamSpec spec;
+  spec.start = {10, 1};
+  CamSegment segment{Law::polynomial, {70, 5, 0.1, 0}};
+  segment.points = {{.master = 10, .geo_jerk = 0},
+                    {.master = 30, .slave = 1.8},
+                    {.master = 40, .geo_velocity = 0.08},
+                    {.master = 55, .slave = 3.5, .geo_acceleration = 0.002}};
+  spec.segments = {segment, {Law::quintic, {80, 5.5}}};
+  const Cam f = design(spec).cam;
+  EXPECT_EQ(f.segments()[0].degree, 10);
+  EXPECT_NEAR(f.at(10).geo_jerk, 0, 1e-14);
+  EXPECT_NEAR(f.at(30).position, 1.8, 1e-12);
+  EXPECT_NEAR(f.at(40).geo_velocity, 0.08, 1e-12);
+  EXPECT_NEAR(f.at(55).position, 3.5, 1e-12);
+  EXPECT_NEAR(f.at(55).geo_acceleration, 0.002, 1e-12);
+  EXPECT_TRUE(check_continuity(f, 2).ok());
+}
+
+TEST(Design, ARotarySlaveGoesOnFromTurnToTurn) {
+  CamSpec spec;
+  spec.periodic = true;
+  spec.slave_period = 360;
+  spec.start = {0, 10};
+  spec.segments = {
+      {Law::modified_sine, {90, 250}}, {Law::dwell, {180, 250}}, {Law::poly345, {360, 370}}};
+  const Cam f = design(spec).cam;
+  EXPECT_EQ(f.outside(), Outside::advance);
+  EXPECT_NEAR(f.at(360 + 90).position, 250 + 360, 1e-12);
+  EXPECT_NEAR(f.at(-360 * 1000 + 180).position, 250 - 360 * 1000, 1e-9);
+  EXPECT_NEAR(f.jet(360, Side::left)[0], 370, 1e-12);
+  EXPECT_NEAR(f.jet(360)[0], 370, 1e-12);
+  EXPECT_TRUE(check_continuity(f, 2).ok()) << "nothing jumps where the period ends";
+  spec.segments.back().end.slave = 371;
+  EXPECT_THROW(design(spec), InputError);
+}
+
 std::string complaint(const CamSpec& spec) {
   try {
     (void)design(spec);
@@ -108,13 +196,40 @@ TEST(Design, NamesWhatContradictsItself) {
       complaint(spec),
       "segment[1].end.geo_velocity = 0.6: must be 0.5, which the law `line` beside it has there");
 
-  spec.segments = {{Law::modified_sine, {100, 50, 1, {}}, ""}};
-  EXPECT_EQ(complaint(spec),
-            "segment[1].end.geo_velocity = 1: must be 0, which the law `modified_sine` beside it "
-            "has there");
+  spec.segments = {{Law::modified_sine, {100, 50, 1, 0.1}, ""}};
+  EXPECT_EQ(
+      complaint(spec),
+      "segment[1].end.geo_acceleration = 0.1: must be 0, which the law `modified_sine` beside "
+      "it has there");
 
   spec.segments = {{Law::dwell, {100, 50, {}, {}}, ""}};
   EXPECT_EQ(complaint(spec), "segment[1].end.slave = 50: a dwell must stay at 0");
+
+  spec.segments = {{Law::harmonic_combination, {100, 50}}, {Law::dwell, {200, 50}}};
+  EXPECT_EQ(
+      complaint(spec),
+      "segment[1].law = harmonic_combination: turns round at master 100, where the law `dwell` "
+      "beside it has no acceleration; a law from rest to rest would do");
+
+  spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
+  EXPECT_EQ(complaint(spec).substr(0, 67),
+            "segment[1].end.geo_acceleration = -0.001: must be beyond -0.0123370")
+      << "pi^2 / 4 of stroke / length^2";
+
+  spec.segments = {{Law::double_harmonic, {100, 50, {}, -0.001}}};
+  EXPECT_EQ(complaint(spec).substr(0, 62),
+            "segment[1].end.geo_acceleration = -0.001: must be -0.049348022");
+
+  spec.segments = {{Law::modified_sine, {100, 50}, "", {.inflection = 1.5}}};
+  EXPECT_EQ(complaint(spec),
+            "segment[1].inflection = 1.5: must lie inside the segment: above 0 and below 1");
+
+  spec.segments = {{Law::modified_sine, {100, 50}}};
+  spec.segments[0].points = {{.master = 50, .slave = 3}};
+  EXPECT_EQ(
+      complaint(spec),
+      "segment[1].points = 1: the law `modified_sine` does not go through points; polynomial, "
+      "cubic_spline and quintic_spline do");
 
   spec.segments = {{Law::quintic, {100, std::nan(""), {}, {}}, ""}};
   EXPECT_EQ(complaint(spec), "segment[1].end.slave = nan: must be a finite number");

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "jounce/profiles/error.hpp"
+
 #include "support/random.hpp"
 
 namespace jounce {
@@ -70,6 +71,22 @@ TEST(Roots, FindsTwoRootsCloserThanAnySamplingWouldSee) {
   const double apart = std::acos(1 - 1e-10) / (2 * pi);
   EXPECT_NEAR(found[0], 0.4 - apart, 1e-9);
   EXPECT_NEAR(found[1], 0.4 + apart, 1e-9);
+}
+
+TEST(Roots, FindsTripleRootsWithoutLosingItselfInThem) {
+  // The jerk of Freudenstein's 1-3 law: cos x + cos 3x / 3 - ... vanishes threefold at 1/4 and 3/4.
+  constexpr double pi = std::numbers::pi;
+  Segment f;
+  f.sines = 2;
+  f.sine[0] = {27, 2 * pi, pi / 2};
+  f.sine[1] = {9, 6 * pi, pi / 2};
+  const auto found = roots_of(f);
+  ASSERT_FALSE(found.empty());
+  for (const double s : found)
+    EXPECT_LT(std::min(std::abs(s - 0.25), std::abs(s - 0.75)), 1e-5) << s;
+  EXPECT_LT(found.size(), 100U);
+  EXPECT_NEAR(found.front(), 0.25, 1e-5);
+  EXPECT_NEAR(found.back(), 0.75, 1e-5);
 }
 
 TEST(Roots, FindsAllZerosOfASineWithTrend) {

@@ -1,0 +1,87 @@
+// A placed segment -> its finished segments.
+#include <string>
+
+#include "jounce/cam/detail/resolve.hpp"
+#include "jounce/cam/polynomial.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::camming {
+namespace {
+
+Segment added(const Segment& f, const Segment& g) {
+  return *sum(f, g);  // shapes of one piece have the same sines
+}
+
+/// h rise + ...: law.hpp. Terms that are zero are left out, so that they cost no digits.
+Segment combined(const LawPiece& piece, const Placed& at) {
+  const double length = at.length();
+  Segment f = scaled(piece.rise, at.to.slave - at.from.slave, at.from.slave);
+  const auto add = [&](const Segment& shape, double factor) {
+    if (factor != 0) f = added(f, scaled(shape, factor));
+  };
+  add(piece.enter, at.from.geo_velocity.value_or(0) * length);
+  add(piece.leave, at.to.geo_velocity.value_or(0) * length);
+  add(piece.bend_in, at.from.geo_acceleration.value_or(0) * length * length);
+  add(piece.bend_out, at.to.geo_acceleration.value_or(0) * length * length);
+  f.length *= length;
+  return f;
+}
+
+/// An R-U law run backwards, from the reversal to the rest. It has no shape but its rise.
+std::vector<LawPiece> reversed(const std::vector<LawPiece>& law) {
+  std::vector<LawPiece> back(law.rbegin(), law.rend());
+  for (LawPiece& piece : back) piece.rise = scaled(jounce::reversed(piece.rise), -1, 1);
+  return back;
+}
+
+std::vector<Segment> through_points(const Placed& at) {
+  std::vector<Condition> conditions;
+  const auto add = [&](double master, int order, const std::optional<double>& value) {
+    if (value) conditions.push_back({master - at.from.master, order, *value});
+  };
+  for (const CamKnot* knot : {&at.from, &at.to}) {
+    add(knot->master, 0, knot->slave);
+    add(knot->master, 1, knot->geo_velocity);
+    add(knot->master, 2, knot->geo_acceleration);
+  }
+  for (const CamPoint& point : at.spec->points) {
+    add(point.master, 0, point.slave);
+    add(point.master, 1, point.geo_velocity);
+    add(point.master, 2, point.geo_acceleration);
+    add(point.master, 3, point.geo_jerk);
+  }
+  return {polynomial(at.length(), conditions)};
+}
+
+std::vector<Segment> by_law(const Placed& at) {
+  const Law law = at.spec->law;
+  const CamKnot& a = at.from;
+  const CamKnot& b = at.to;
+  if (law == Law::quintic)
+    return {quintic(at.length(), a.slave, a.geo_velocity.value_or(0),
+                    a.geo_acceleration.value_or(0), b.slave, b.geo_velocity.value_or(0),
+                    b.geo_acceleration.value_or(0))};
+  if (law == Law::line || law == Law::dwell) return {line(at.length(), a.slave, b.slave)};
+  if (law == Law::polynomial) return through_points(at);
+  std::vector<Segment> segments;
+  for (const LawPiece& piece : shapes(at)) segments.push_back(combined(piece, at));
+  return segments;
+}
+
+}  // namespace
+
+std::vector<LawPiece> shapes(const Placed& at) {
+  const auto law = pieces(at.spec->law, at.form);
+  return at.reversed ? reversed(law) : law;
+}
+
+std::vector<Segment> built(const Placed& at) {
+  try {
+    return by_law(at);
+  } catch (const InputError& error) {
+    throw InputError("segment[" + std::to_string(at.index + 1) + "]." + error.key(), error.value(),
+                     error.rule());
+  }
+}
+
+}  // namespace jounce::camming
