@@ -22,7 +22,7 @@ struct SmoothingSpline {
   std::vector<Segment> segments;     ///< from the first point's master to the last one's
   std::vector<std::size_t> touched;  ///< points where the tolerance is used up or zero, from 0
   double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
-  double gap = 0;  ///< certificate: no curve within the tolerances is below square_jerk - gap
+  double gap = 0;     ///< certificate: no curve within the tolerances is below square_jerk - gap
   int solutions = 0;  ///< linear systems solved
 };
 
@@ -31,7 +31,7 @@ struct SmoothingSpline {
 /// constant) square_jerk is zero and the curve is one such parabola: the one through the first, the
 /// middle and the last point, or as near to it as the tolerances let it be found.
 ///
-/// Throws InputError as quintic_spline() does; for a tolerance that is negative or not finite; for
+/// Throws InputError as quintic_spline() does; for fewer than three points; for a tolerance that is negative or not finite; for
 /// SplineEnds::not_a_knot; and for periodic ends with different tolerances at the first and the last
 /// point, which are one.
 SmoothingSpline smoothing_spline(const SplineSpec& spec);

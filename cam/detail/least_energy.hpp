@@ -24,7 +24,8 @@ enum class Energy {
 /// Sets what is not fixed so that the energy is least. The given value of a free state[0] is where
 /// it is counted from: any value will do. Periodic: the first and the last knot are one, their values
 /// apart by as much as they are given. The free states must be determined: no polynomial below the
-/// order of the energy may vanish in all that is fixed.
+/// order of the energy may vanish in all that is fixed. (But two knots with nothing fixed except the
+/// values get the straight line.)
 void minimise(std::vector<EnergyKnot>& knots, Energy energy, bool periodic);
 
 /// The segments between the knots.
