@@ -1,21 +1,28 @@
 #pragma once
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/boundaries.hpp"
 
 namespace jounce {
 
 /// A cam whose left-out derivatives were chosen for the least max |geo_acceleration|.
 struct LeastPeak {
-  CamSpec cam;      ///< every derivative filled in
-  double peak = 0;  ///< its max |geo_acceleration|, u/m^2, exact
-  /// Certificate: no choice of what was left out is below, u/m^2.
-  double bound = 0;
+  CamSpec cam;        ///< every derivative filled in
+  double peak = 0;    ///< its max |geo_acceleration|, u/m^2, exact
+  double bound = 0;   ///< certificate: no choice of what was left out is below, u/m^2
+  int solutions = 0;  ///< linear systems solved
 };
 
-/// Fill "minimum_peak_acceleration": what the spec leaves out (see cam/boundaries.hpp for what
-/// counts) is chosen for the least max |geo_acceleration| over the whole cam. Where that leaves a
-/// choice, as it does in every stretch that is not the hardest, the least of the second hardest, and
-/// so on?
+/// The fill "minimum_peak_acceleration": what the spec leaves out (free_derivatives() in
+/// cam/boundaries.hpp says what counts) is chosen for the least max |geo_acceleration| over the whole
+/// cam, to 1e-6 of it. That leaves a choice wherever the cam is not at its hardest: of all cams within
+/// 1e-6 of the least peak it is the one with the least integral of geo_jerk^2.
+///
+///     LeastPeak least = filled_for_least_peak(spec);
+///     Cam cam = design(least.cam).cam;                 // extrema(cam, 2).peak() is +-least.peak
+///
+/// A convex problem, imposed at every master position and not at samples (an exchange method, see
+/// optimize/least_peak.cpp). The certificate follows from the multipliers by weak duality: it holds
+/// whether the method has converged or not. Throws InputError as resolved_knots() does.
 LeastPeak filled_for_least_peak(const CamSpec& spec);
 
 }  // namespace jounce
