@@ -20,8 +20,8 @@ enum class Fill {
   minimum_jerk,  ///< least integral of geo_jerk^2 over the whole cam
 };
 
-/// "rest", "minimum_jerk": the words of the spec. The third, "minimum_peak_acceleration", is
-/// optimize/least_peak.hpp.
+/// "rest", "minimum_jerk": the words of the spec. The third one, "minimum_peak_acceleration", is a
+/// convex program: filled_for_least_peak() in optimize/least_peak.hpp.
 const char* name(Fill fill);
 
 /// Which derivatives of one knot a Fill may choose.
