@@ -3,7 +3,8 @@
 linear programming on a grid of 2000 intervals a segment; none of the library's code is used.
 
 A grid can only allow too much between its points: the true least peak lies between the number written and
-1 + 4e-7 times it (a cubic f'' that stays within t at points h apart exceeds t by at most h^2 max |f''''| / 8).
+1 + 3e-6 times it (f'' exceeds t between points h apart by at most h^2 max |f''''| / 8, and a cubic that stays within t on
+[0, 1] has a second derivative of at most 96 t: Markov).
 
     /usr/bin/python3 least_peak.py      # needs python3-scipy (1.10), some seconds; values are rounded to 1e-9
 """
