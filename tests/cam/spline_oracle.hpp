@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <fstream>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "jounce/cam/spline.hpp"
+#include "jounce/profiles/curve.hpp"
 
 namespace jounce::testing {
 
@@ -22,6 +24,11 @@ inline std::vector<SplinePoint> points_of(const nlohmann::json& rows) {
   for (const auto& row : rows)
     points.push_back({row[0], row[1], row.size() > 2 ? row[2] : nlohmann::json(0)});
   return points;
+}
+
+/// x, but not outside the cam: its end is the sum of its lengths, with their rounding.
+inline double within(const Cam& cam, double x) {
+  return std::clamp(x, cam.start(), cam.end());
 }
 
 }  // namespace jounce::testing
