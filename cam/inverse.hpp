@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/signal.hpp"
+
+namespace jounce {
+
+/// A run of the slave: one stretch of the master over which it moves one way, or stands still.
+struct CamRun {
+  enum class Kind { rise, dwell, fall };
+  Kind kind = Kind::dwell;
+  double from = 0;  ///< master position, from < to
+  double to = 0;
+  double slave_from = 0;  ///< slave position at `from`, and at `to`
+  double slave_to = 0;
+};
+
+/// The runs of a cam, in the order of the master: they meet at the turning points (isolated, not
+/// sampled: roots.hpp) and at the ends of the dwells. What is smaller than 1e-15 of a segment's
+/// magnitude is no motion. A position that jumps ends a run too.
+std::vector<CamRun> runs(const Cam& cam);
+
+/// The inverse of a cam where the slave moves one way: the master position (unit m) over the slave
+/// position (unit u), a Signal.
+///
+///     const Inversion all = inverted(cam);              // rise, dwell, return
+///     if (!all.report.ok()) { ... }                     // where the slave stands still or turns back
+///     const Inverse& rise = all.branches[0];            // the branch is yours to choose
+///     double master = rise.at(25).position;             // where the slave passes 25
+///     double ratio = rise.at(25).geo_velocity;          // m/u: master per slave
+///     std::vector<MasterSpan> all_of_them = positions_for(cam, 25);
+///
+/// **Vocabulary.** A *branch* is the longest stretch of the master on which the slave does not turn
+/// back: a rise or a fall, or several with nothing but dwells between them. Its interval, start() to
+/// end(), is the slave's, ascending also for a fall; *breaks* are the slave positions at the cam's
+/// breaks, at its points of rest and at its dwells.
+///
+/// **Derivatives** by the slave, from the inverse function's rule: `Transfer` in m/u, m/u^2, m/u^3.
+/// Where the slave is at rest (the end of a dwell, a turning point, an inflection with velocity
+/// zero) the master has no finite derivative: it is answered as the infinity that is approached
+/// from the side asked for, all three of them with their signs; never as NaN.
+///
+/// **A dwell** inside a branch is a jump of the master: Side::left answers one end of it,
+/// Side::right (the rule) the other. **Outside** [start, end] a query is the caller's mistake: it
+/// asserts, and holds in a release build, as for a curve that refuses.
+///
+/// **Accuracy**: cam(inverse(u)) is u within 1e-12 of the stroke, where the master and the slave
+/// have the digits (offsets up to 100 strokes, 100 lengths). No evaluation allocates.
+class Inverse {
+ public:
+  using Point = Transfer;
+
+  /// The branch that `branch` consists of: runs of `cam`, one after another, the first and the
+  /// last of one kind, between them that kind and dwells.
+  Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch);
+
+  [[nodiscard]] double start() const { return breaks_.front(); }
+  [[nodiscard]] double end() const { return breaks_.back(); }
+  [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  [[nodiscard]] Jet jet(double slave, Side side = Side::right) const;
+  [[nodiscard]] Transfer at(double slave, Side side = Side::right) const {
+    return point<OverMaster>(jet(slave, side));
+  }
+
+  [[nodiscard]] bool rises() const { return rises_; }
+  [[nodiscard]] double master_from() const { return master_from_; }  ///< < master_to()
+  [[nodiscard]] double master_to() const { return master_to_; }
+  [[nodiscard]] const Cam& cam() const { return *cam_; }
+
+ private:
+  /// The part of one segment, s0 < s1, over which the slave moves without rest.
+  struct Piece {
+    std::size_t segment = 0;
+    double s0 = 0;
+    double s1 = 1;
+    bool rest0 = false;  ///< whether the slave is at rest there
+    bool rest1 = false;
+  };
+  void add(const CamRun& run);
+
+  std::shared_ptr<const Cam> cam_;
+  bool rises_ = true;
+  double master_from_ = 0;
+  double master_to_ = 0;
+  std::vector<Piece> pieces_;   // by ascending slave position: one between each two breaks
+  std::vector<double> breaks_;
+};
+
+/// Every branch of a cam's inverse, and what stands in the way of a single one.
+struct Inversion {
+  std::vector<CamRun> runs;
+  std::vector<Inverse> branches;  ///< in the order of the master; none if the slave never moves
+  /// ok() if the cam is strictly monotone: then there is one branch, and it is the inverse. Else a
+  /// finding for each `inverse/dwell` (where: its start, value: the slave position, limit: its
+  /// end), each `inverse/turn` (where: the turning point, value: the slave position there, limit:
+  /// that of the next one) and each `inverse/jump` (value and limit: the slave on both sides).
+  Report report;
+
+  /// The branch that holds this master position, its dwells included; null if there is none.
+  [[nodiscard]] const Inverse* branch_at(double master) const;
+};
+
+/// Inverts a cam over its interval [start, end]. Beyond it nothing is inverted: a periodic cam has
+/// the branches of one period, and a motion across the wrap is two of them (rotate it with
+/// `phased` first). Never throws for what the slave does.
+Inversion inverted(const Cam& cam);
+
+/// Master positions at which the slave is at one position: a single one (from == to), or a dwell.
+struct MasterSpan {
+  double from = 0;
+  double to = 0;
+};
+
+/// All of them within the cam's interval, ascending; of a cam that wraps, the end is left out where
+/// the start is one (a dwell across the wrap is two spans). Throws InputError for a position that
+/// is not finite.
+std::vector<MasterSpan> positions_for(const Cam& cam, double slave);
+
+static_assert(Signal<Inverse>);
+
+}  // namespace jounce
