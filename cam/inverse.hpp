@@ -45,7 +45,7 @@ std::vector<CamRun> runs(const Cam& cam);
 /// **Derivatives** by the slave, from the inverse function's rule: `Transfer` in m/u, m/u^2, m/u^3.
 /// Where the slave is at rest (the end of a dwell, a turning point, an inflection with velocity
 /// zero) the master has no finite derivative: it is answered as the infinity that is approached
-/// from the side asked for, all three of them with their signs; never as NaN.
+/// from the side asked for, all three with their signs; never as NaN.
 ///
 /// **A dwell** inside a branch is a jump of the master: Side::left answers one end of it,
 /// Side::right (the rule) the other. **Outside** [start, end] a query is the caller's mistake: it
@@ -89,7 +89,7 @@ class Inverse {
   bool rises_ = true;
   double master_from_ = 0;
   double master_to_ = 0;
-  std::vector<Piece> pieces_;   // by ascending slave position: one between each two breaks
+  std::vector<Piece> pieces_;  // by ascending slave position: one between each two breaks
   std::vector<double> breaks_;
 };
 
@@ -97,10 +97,11 @@ class Inverse {
 struct Inversion {
   std::vector<CamRun> runs;
   std::vector<Inverse> branches;  ///< in the order of the master; none if the slave never moves
-  /// ok() if the cam is strictly monotone: then there is one branch, and it is the inverse. Else a
-  /// finding for each `inverse/dwell` (where: its start, value: the slave position, limit: its
-  /// end), each `inverse/turn` (where: the turning point, value: the slave position there, limit:
-  /// that of the next one) and each `inverse/jump` (value and limit: the slave on both sides).
+  /// ok() if the cam is strictly monotone: then there is one branch, and it is the inverse. Else,
+  /// in the order of the master, a finding for each stretch on which the slave stands still
+  /// (`inverse/dwell`), runs against its first direction (`inverse/reversal`) or jumps
+  /// (`inverse/jump`). where: the master position at which it begins, value: the slave position it
+  /// leads to, limit: the one it comes from, advice: from where to where.
   Report report;
 
   /// The branch that holds this master position, its dwells included; null if there is none.

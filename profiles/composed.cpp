@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/roots.hpp"
@@ -26,6 +27,9 @@
 //   (4)  (r1 - r0) / d(1)
 //
 // which moves the place by rounding and leaves the slope as it is.
+//
+// Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp): its
+// coefficients at both ends, and the majorant of the twelfth, come of (2) with series for F and d.
 
 namespace jounce {
 namespace {
@@ -248,10 +252,35 @@ Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double
                        "; the product of the degrees may be 11, sines need the other to be linear");
 }
 
-}  // namespace
+/// A piece to be fitted.
+struct Fit {
+  Piece p;
 
-template <class Outer, class Inner>
-Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner) {
+  [[nodiscard]] double length() const { return p.inner.length; }
+  [[nodiscard]] detail::EndSeries end(int s) const {
+    detail::EndSeries d = detail::taylor(p.inner, s);
+    for (double& c : d) c /= p.outer.length;
+    return detail::substituted(detail::taylor(p.outer, s == 0 ? p.r0 : p.end()), d);
+  }
+  [[nodiscard]] double twelfth() const {
+    detail::Majorant d = detail::majorant(p.inner, 1);
+    for (double& c : d) c /= p.outer.length;
+    return detail::substituted(detail::majorant(about(p.outer, p.r0), d[1]), d).back();
+  }
+  [[nodiscard]] std::pair<Fit, Fit> halves() const {
+    Piece left = p;
+    left.inner = part(p.inner, 0, 0.5);
+    left.r1.reset();
+    Piece right = p;
+    right.inner = part(p.inner, 0.5, 1);
+    right.r0 = left.end();
+    return {{left}, {right}};
+  }
+};
+
+/// The composition, piece by piece; `otherwise` appends what stands for a piece that does not fit.
+template <class Outer, class Inner, class Otherwise>
+Curve<Inner> assembled(const Curve<Outer>& outer, const Curve<Inner>& inner, Otherwise otherwise) {
   require_inside(outer, inner);
   const Places places(outer);
   std::vector<Segment> pieces;
@@ -263,16 +292,43 @@ Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner) {
     for (std::size_t k = 0; k + 1 < cut.size(); ++k) {
       before = placed(places, cut.size() == 2 ? whole : part(whole, cut[k].s, cut[k + 1].s),
                       cut[k].level, cut[k + 1].level, before);
-      const auto f = substituted(*before);
-      if (!f) refuse(*before, inner.breaks()[i] + cut[k].s * whole.length);
-      pieces.push_back(*f);
+      if (const auto f = substituted(*before)) {
+        pieces.push_back(*f);
+      } else {
+        otherwise(*before, inner.breaks()[i] + cut[k].s * whole.length, pieces);
+      }
     }
   }
   return closed(std::move(pieces), inner);
 }
 
-template Trajectory composed(const Trajectory&, const Trajectory&);
-template Trajectory composed(const Cam&, const Trajectory&);
-template Cam composed(const Cam&, const Cam&);
+}  // namespace
+
+template <class Outer, class Inner>
+Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner) {
+  return assembled(outer, inner,
+                   [](const Piece& p, double where, std::vector<Segment>&) { refuse(p, where); });
+}
+
+template <class Outer, class Inner>
+Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
+                              double tolerance) {
+  double scale = 0;
+  for (const Segment& f : outer.segments()) scale = std::max(scale, magnitude(f));
+  detail::require_tolerance(tolerance, scale);
+  Jet error{};
+  auto curve = assembled(outer, inner, [&](const Piece& p, double, std::vector<Segment>& pieces) {
+    detail::fit(Fit{p}, tolerance, pieces, error);
+  });
+  return {std::move(curve), error};
+}
+
+#define JOUNCE_INSTANTIATE(Outer, Inner)                                    \
+  template Curve<Inner> composed(const Curve<Outer>&, const Curve<Inner>&); \
+  template Fitted<Inner> composed_within(const Curve<Outer>&, const Curve<Inner>&, double);
+JOUNCE_INSTANTIATE(OverTime, OverTime)
+JOUNCE_INSTANTIATE(OverMaster, OverTime)
+JOUNCE_INSTANTIATE(OverMaster, OverMaster)
+#undef JOUNCE_INSTANTIATE
 
 }  // namespace jounce

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/fitted.hpp"
 
 namespace jounce {
 
@@ -32,5 +33,13 @@ namespace jounce {
 /// below 0 to about 0, where the lengths have fewer digits than the end).
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
+
+/// The same for any degrees and sines: exact on every piece where that fits, elsewhere a fit within
+/// `tolerance` (unit of the value) with a certified error, see fitted.hpp. Throws InputError
+/// "tolerance" unless it is positive and above rounding (1e-14 of the outer's magnitude), and
+/// "inner" as `composed` does.
+template <class Outer, class Inner>
+Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
+                              double tolerance);
 
 }  // namespace jounce

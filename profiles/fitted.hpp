@@ -16,23 +16,17 @@ namespace jounce {
 /// are halved until the bound meets the tolerance; what fits exactly stays exact.
 ///
 /// **Certified**: `error` bounds |curve - function| and the same for the first three derivatives,
-/// from a bound of the twelfth derivative over the whole piece, not from samples. Rounding, about
-/// 1e-14 of the magnitude (1e-11 for the jerk), comes on top.
+/// from a bound of the twelfth derivative over the whole piece, not from samples. Rounding comes on
+/// top: some 1e-14 of the magnitude, times 10^order for the derivatives of a piece of length 1.
 template <class Over>
 struct Fitted {
   Curve<Over> curve;
   Jet error{};  ///< units of the value and its derivatives
 };
 
-/// f without sines. Throws InputError unless tolerance > 0 and above the rounding of f (1e-14 of its
-/// magnitude).
+/// f without sines. Throws InputError "tolerance" unless it is positive and above the rounding of f,
+/// 1e-14 of its magnitude.
 template <class Over>
 Fitted<Over> polynomial_within(const Curve<Over>& f, double tolerance);
-
-/// outer(inner(x)) for any degrees and sines: as `composed`, exact on every piece where that fits.
-/// Throws InputError as polynomial_within does, and "inner" as `composed` does.
-template <class Outer, class Inner>
-Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
-                              double tolerance);
 
 }  // namespace jounce

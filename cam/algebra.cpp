@@ -1,0 +1,222 @@
+#include "jounce/cam/algebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using Segments = std::vector<Segment>;
+
+constexpr int most_turns = 1000;
+constexpr double most_segments = 1e6;
+
+/// What counts as one place on the axes of these cams.
+template <class... Places>
+double axis_rounding(Places... x) {
+  return 1e-13 * std::max({std::abs(x)...});
+}
+
+std::string interval(const Cam& f) {
+  return number(f.start()) + " to " + number(f.end());
+}
+
+/// f up to u and from there on, 0 < u < length. The two lengths add up to f's exactly: the greater
+/// one leaves a difference without rounding (Sterbenz).
+std::pair<Segment, Segment> split(const Segment& f, double u) {
+  const double rest = f.length - u;
+  const double first = f.length - rest;
+  const double s = first / f.length;
+  std::pair halves{part(f, 0, s), part(f, s, 1)};
+  halves.first.length = first;
+  halves.second.length = rest;
+  return halves;
+}
+
+/// Appends as much of a segment, which lies over [a, b], as lies between from and to.
+void append(Segments& out, Segment f, double a, double b, double from, double to, double apart) {
+  const bool starts_within = a >= from - apart;
+  const bool ends_within = b <= to + apart;
+  const bool misses_start = a < from && b <= from + apart;
+  const bool misses_end = b > to && a >= to - apart;
+  if (misses_start || misses_end) return;
+  if (!ends_within) f = split(f, to - a).first;
+  if (!starts_within) f = split(f, from - a).second;
+  out.push_back(f);
+}
+
+/// The segments of f over its own interval that lie between from and to, all of it moved by `turn`.
+void append_turn(Segments& out, const Cam& f, double from, double to, double turn, double apart) {
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    const double a = f.breaks()[i] + turn;
+    const double b = f.breaks()[i + 1] + turn;
+    if (b > from && a < to) append(out, f.segments()[i], a, b, from, to, apart);
+  }
+}
+
+void append_rest(Segments& out, double from, double to, double apart, double slave) {
+  if (to - from > apart) out.push_back(line(to - from, slave, slave));
+}
+
+/// f between from <= to, whatever it does outside its interval; nothing where that is rounding.
+Segments cut(const Cam& f, double from, double to) {
+  const double apart = axis_rounding(f.start(), f.end(), from, to);
+  Segments out;
+  if (f.outside() != Outside::wrap) {
+    append_rest(out, from, std::min(to, f.start()), apart, value(f.segments().front(), 0));
+    append_turn(out, f, from, to, 0, apart);
+    append_rest(out, std::max(from, f.end()), to, apart, value(f.segments().back(), 1));
+    return out;
+  }
+  if ((to - from) / f.length() * static_cast<double>(f.segments().size()) > most_segments)
+    throw InputError("to", to, "is more than 1e6 segments away from " + number(from));
+  const double first = std::floor((from - f.start()) / f.length());
+  for (double n = first; f.start() + n * f.length() < to - apart; ++n)
+    append_turn(out, f, from, to, n * f.length(), apart);
+  return out;
+}
+
+void append(Segments& out, const Segments& more) {
+  out.insert(out.end(), more.begin(), more.end());
+}
+
+Segments all(const Cam& f) {
+  return {f.segments().begin(), f.segments().end()};
+}
+
+}  // namespace
+
+Cam part(const Cam& f, double from, double to) {
+  require_finite("from", from);
+  require_finite("to", to);
+  if (!(from < to)) throw InputError("to", to, "must be greater than " + number(from));
+  const double apart = axis_rounding(f.start(), f.end());
+  if (f.outside() == Outside::refuse && (from < f.start() - apart || to > f.end() + apart))
+    throw InputError(from < f.start() - apart ? "from" : "to", from < f.start() - apart ? from : to,
+                     "leaves the cam, which runs from " + interval(f));
+  Segments segments = cut(f, from, to);
+  if (segments.empty())
+    throw InputError("to", to,
+                     "is so near to " + number(from) + " that nothing is left of the cam");
+  return Cam(std::move(segments), from);
+}
+
+Cam phased(const Cam& f, double phase) {
+  require_finite("phase", phase);
+  if (f.outside() != Outside::wrap)
+    throw InputError("phase", phase, "needs a periodic cam; one that is not is moved by `shifted`");
+  const double from = f.end() - wrapped(phase, 0, f.length());
+  Segments segments = cut(f, from, f.end());
+  append(segments, cut(f, f.start(), from));
+  return Cam(std::move(segments), f.start(), f.outside());
+}
+
+Cam mirrored_about_master(const Cam& f, double master) {
+  require_finite("master", master);
+  return Cam(all(reversed(f)), 2 * master - f.end(), f.outside());
+}
+
+Cam mirrored_about_slave(const Cam& f, double slave) {
+  require_finite("slave", slave);
+  return shifted(scaled(f, -1), 0, 2 * slave);
+}
+
+Cam replaced(const Cam& f, const Cam& g) {
+  const double apart = axis_rounding(f.start(), f.end());
+  if (g.start() < f.start() - apart || g.end() > f.end() + apart)
+    throw InputError("interval", interval(g), "must lie within the cam, " + interval(f));
+  Segments segments = cut(f, f.start(), std::max(f.start(), g.start()));
+  append(segments, all(g));
+  append(segments, cut(f, std::min(g.end(), f.end()), f.end()));
+  return Cam(std::move(segments), f.start(), f.outside());
+}
+
+Cam inserted(const Cam& f, double at, const Cam& g) {
+  require_finite("at", at);
+  if (at < f.start() || at > f.end())
+    throw InputError("at", at, "must lie within the cam, " + interval(f));
+  Segments segments = cut(f, f.start(), at);
+  append(segments, all(g));
+  append(segments, cut(f, at, f.end()));
+  return Cam(std::move(segments), f.start(), f.outside());
+}
+
+// ---- superposed -------------------------------------------------------------------------------
+
+namespace {
+
+/// How many turns of each make the common period.
+struct Turns {
+  int f = 1;
+  int g = 1;
+};
+
+Turns common_turns(const Cam& f, const Cam& g) {
+  for (int n = 1; n <= most_turns; ++n) {
+    const double whole = n * f.length();
+    const double m = std::round(whole / g.length());
+    if (m >= 1 && m <= most_turns && std::abs(whole - m * g.length()) <= 1e-12 * whole)
+      return {n, static_cast<int>(m)};
+  }
+  throw InputError(
+      "period", number(f.length()) + " and " + number(g.length()),
+      "have no common period within 1000 turns: choose a ratio of whole numbers, or cut "
+      "out the stretch that is needed with `part`");
+}
+
+/// Two cams over one interval.
+struct Pair {
+  Cam f, g;
+};
+
+Pair over_common_period(const Cam& f, const Cam& g) {
+  const Turns turns = common_turns(f, g);
+  const Cam beside = shifted(phased(g, g.start() - f.start()), f.start() - g.start());
+  return {repeated(f, turns.f), repeated(beside, turns.g)};
+}
+
+Cam over(const Cam& f, double from, double to, Outside outside) {
+  return with(part(f, from, to), outside);
+}
+
+Pair over_one_interval(const Cam& f, const Cam& g) {
+  const Outside a = f.outside();
+  const Outside b = g.outside();
+  if (a == Outside::refuse && b == Outside::refuse) return {f, g};
+  if (a == Outside::refuse) return {f, over(g, f.start(), f.end(), a)};
+  if (b == Outside::refuse) return {over(f, g.start(), g.end(), b), g};
+  if (a == Outside::wrap && b == Outside::wrap) return over_common_period(f, g);
+  if (a != b)
+    throw InputError("period", number(a == Outside::wrap ? f.length() : g.length()),
+                     "is that of one of the cams only: the sum with a cam that holds is not "
+                     "periodic; cut out the stretch that is needed with `part`");
+  const double from = std::min(f.start(), g.start());
+  const double to = std::max(f.end(), g.end());
+  return {over(f, from, to, a), over(g, from, to, a)};
+}
+
+}  // namespace
+
+Cam superimposed(const Cam& f, const Cam& g) {
+  const auto [a, b] = over_one_interval(f, g);
+  return sum(a, b);
+}
+
+Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance) {
+  require_positive("tolerance", tolerance);
+  const auto [a, b] = over_one_interval(f, g);
+  try {
+    return {sum(a, b), {}};
+  } catch (const InputError& error) {
+    if (error.key() != "sum") throw;
+  }
+  const auto polynomial = polynomial_within(b, tolerance);
+  return {sum(a, polynomial.curve), polynomial.error};
+}
+
+}  // namespace jounce

@@ -1,0 +1,4 @@
+#include "jounce/cam/algebra.hpp"
+
+#include <gtest/gtest.h>
+TEST(Algebra, Compiles) {}
