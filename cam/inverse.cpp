@@ -71,8 +71,8 @@ std::vector<Part> parts(const Segment& f) {
 }
 
 double master_at(const Cam& cam, std::size_t segment, double s) {
-  return s == 1 ? cam.breaks()[segment + 1]
-                : cam.breaks()[segment] + s * cam.segments()[segment].length;
+  const double end = cam.breaks()[segment + 1];
+  return s == 1 ? end : std::min(end, cam.breaks()[segment] + s * cam.segments()[segment].length);
 }
 
 double greatest_magnitude(const Cam& cam) {
@@ -104,8 +104,8 @@ double improved(double s, double f, double slope, double y, const Anchor& anchor
   return anchor.s + from * std::pow((y - anchor.value) / reached, reached / (slope * from));
 }
 
-/// s between low and high with f(s) = y, f monotone there. A step that leaves the bracket, or does
-/// not halve the one before, is replaced by the middle.
+/// s between low and high with f(s) = y, f monotone there. A step that leaves the bracket, or is
+/// longer than the one before, is replaced by the middle.
 double solved(const Segment& f, const Anchor& low, const Anchor& high, double y) {
   const bool rises = high.value > low.value;
   const double share = (y - low.value) / (high.value - low.value);
@@ -115,13 +115,15 @@ double solved(const Segment& f, const Anchor& low, const Anchor& high, double y)
   double lo = low.s;
   double hi = high.s;
   double s = lo + (hi - lo) * share;
+  if (anchor.rests)  // as beside a jump of the jerk, n = 3
+    s = share < 0.5 ? lo + (hi - lo) * std::cbrt(share) : hi - (hi - lo) * std::cbrt(1 - share);
   double step = hi - lo;
   for (int i = 0; i < 200; ++i) {
     const Jet here = evaluate(f, s);
     if (here[0] == y) return s;
     ((here[0] > y) == rises ? hi : lo) = s;
     double next = improved(s, here[0], here[1] * f.length, y, anchor);
-    if (!(next > lo && next < hi) || !(std::abs(next - s) <= step / 2)) next = lo + (hi - lo) / 2;
+    if (!(next > lo && next < hi) || !(std::abs(next - s) <= step)) next = lo + (hi - lo) / 2;
     step = std::abs(next - s);
     if (step <= std::numeric_limits<double>::epsilon() * s) return next;
     s = next;
@@ -134,6 +136,17 @@ Jet at_rest(double master, bool rises, bool leaving) {
   const double infinite = std::numeric_limits<double>::infinity();
   const double d = rises ? infinite : -infinite;
   return {master, d, leaving ? -infinite : infinite, d};
+}
+
+/// (1) to (3), each where it is finite and its direction is the branch's.
+Jet by_slave(const Jet& f, const Jet& infinite) {
+  const double g1 = 1 / f[1];
+  if (f[1] == 0 || (f[1] > 0) != (infinite[1] > 0)) return infinite;
+  const double r2 = f[2] * g1;
+  Jet g{infinite[0], g1, -r2 * g1 * g1, (3 * r2 * r2 - f[3] * g1) * g1 * g1 * g1};
+  for (std::size_t k = 1; k < g.size(); ++k)
+    if (!std::isfinite(g[k])) g[k] = infinite[k];
+  return g;
 }
 
 }  // namespace
@@ -205,16 +218,9 @@ Jet Inverse::jet(double slave, Side side) const {
   const double s = at_low || at_high ? (at_low == rises_ ? p.s0 : p.s1)
                                      : solved(f, {p.s0, value(f, p.s0), p.rest0},
                                               {p.s1, value(f, p.s1), p.rest1}, slave);
-  const double master = master_at(*cam_, p.segment, s);
-  const Jet x = evaluate(f, s);
-  const double g1 = 1 / x[1];
-  const double r2 = x[2] * g1;
-  const Jet g{master, g1, -r2 * g1 * g1, (3 * r2 * r2 - x[3] * g1) * g1 * g1 * g1};  // (1) to (3)
   const bool rest = (s == p.s0 && p.rest0) || (s == p.s1 && p.rest1);
-  const bool runs_on = rises_ ? x[1] > 0 : x[1] < 0;
-  if (rest || !runs_on || !std::isfinite(g[1]) || !std::isfinite(g[2]) || !std::isfinite(g[3]))
-    return at_rest(master, rises_, s - p.s0 < p.s1 - s);
-  return g;
+  const Jet infinite = at_rest(master_at(*cam_, p.segment, s), rises_, s - p.s0 < p.s1 - s);
+  return rest ? infinite : by_slave(evaluate(f, s), infinite);
 }
 
 namespace {
