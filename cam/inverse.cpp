@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "jounce/cam/detail/parts.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/roots.hpp"
 
 // With x = g(y) for y = f(x), differentiating f(g(y)) = y three times gives the inverse function's
 // rule; with r2 = f''/f' and r3 = f'''/f' nothing overflows before g does:
@@ -31,59 +31,11 @@
 namespace jounce {
 namespace {
 
+using detail::greatest_magnitude;
+using detail::joint_rounding;
+using detail::jumps;
+using detail::master_at;
 using Kind = CamRun::Kind;
-
-/// A motion that is smaller than this share of a segment's magnitude is rounding.
-constexpr double rounding = 1e-15;
-/// So is a jump that is smaller than this share of the greatest magnitude, or a velocity.
-constexpr double joint_rounding = 1e-14;
-
-/// Part of a segment over which the slave moves one way.
-struct Part {
-  double s0 = 0;
-  double s1 = 1;
-  Kind kind = Kind::dwell;
-};
-
-Kind kind_of(double travel, double noise) {
-  if (std::abs(travel) <= noise) return Kind::dwell;
-  return travel > 0 ? Kind::rise : Kind::fall;
-}
-
-/// The segment cut where its velocity vanishes; parts that do not move join the one before.
-std::vector<Part> parts(const Segment& f) {
-  const double noise = rounding * magnitude(f);
-  std::vector<double> cuts;
-  if (noise > 0) roots(derivative(f), 2e-16 * magnitude(f) / f.length, cuts);
-  std::vector<double> kept{0};
-  const auto moves = [&](double a, double b) {
-    return std::abs(value(f, b) - value(f, a)) > noise;
-  };
-  for (const double s : cuts)
-    if (moves(kept.back(), s)) kept.push_back(s);
-  if (kept.size() > 1 && !moves(kept.back(), 1)) kept.pop_back();
-  kept.push_back(1);
-  std::vector<Part> result;
-  for (std::size_t i = 0; i + 1 < kept.size(); ++i)
-    result.push_back(
-        {kept[i], kept[i + 1], kind_of(value(f, kept[i + 1]) - value(f, kept[i]), noise)});
-  return result;
-}
-
-double master_at(const Cam& cam, std::size_t segment, double s) {
-  const double end = cam.breaks()[segment + 1];
-  return s == 1 ? end : std::min(end, cam.breaks()[segment] + s * cam.segments()[segment].length);
-}
-
-double greatest_magnitude(const Cam& cam) {
-  double greatest = 0;
-  for (const Segment& f : cam.segments()) greatest = std::max(greatest, magnitude(f));
-  return greatest;
-}
-
-bool jumps(const CamRun& before, const CamRun& after, double magnitude) {
-  return std::abs(after.slave_from - before.slave_to) > joint_rounding * magnitude;
-}
 
 bool rests(const Segment& f, double s) {
   return std::abs(evaluate(f, s)[1]) <= joint_rounding * magnitude(derivative(f));
@@ -104,9 +56,18 @@ double improved(double s, double f, double slope, double y, const Anchor& anchor
   return anchor.s + from * std::pow((y - anchor.value) / reached, reached / (slope * from));
 }
 
+/// Where a straight line, or beside a rest the cube of a jump in the jerk, would take its `share`.
+double guess(const Anchor& low, const Anchor& high, double share) {
+  const double width = high.s - low.s;
+  if (share < 0.5) return low.s + width * (low.rests ? std::cbrt(share) : share);
+  return high.s - width * (high.rests ? std::cbrt(1 - share) : 1 - share);
+}
+
 /// s between low and high with f(s) = y, f monotone there. A step that leaves the bracket, or is
-/// longer than the one before, is replaced by the middle.
+/// longer than the one before, is replaced by the middle. The error after a step is about its square
+/// by the distance from the anchor, so that a short one is the last.
 double solved(const Segment& f, const Anchor& low, const Anchor& high, double y) {
+  constexpr double short_step = 1e-9;
   const bool rises = high.value > low.value;
   const double share = (y - low.value) / (high.value - low.value);
   if (!(share > 0)) return low.s;
@@ -114,19 +75,17 @@ double solved(const Segment& f, const Anchor& low, const Anchor& high, double y)
   const Anchor& anchor = share < 0.5 ? low : high;
   double lo = low.s;
   double hi = high.s;
-  double s = lo + (hi - lo) * share;
-  if (anchor.rests)  // as beside a jump of the jerk, n = 3
-    s = share < 0.5 ? lo + (hi - lo) * std::cbrt(share) : hi - (hi - lo) * std::cbrt(1 - share);
-  double step = hi - lo;
-  for (int i = 0; i < 200; ++i) {
+  double s = guess(low, high, share);
+  for (double step = hi - lo; hi - lo > std::numeric_limits<double>::epsilon() * lo;) {
     const Jet here = evaluate(f, s);
-    if (here[0] == y) return s;
+    if (here[0] == y) break;
     ((here[0] > y) == rises ? hi : lo) = s;
-    double next = improved(s, here[0], here[1] * f.length, y, anchor);
-    if (!(next > lo && next < hi) || !(std::abs(next - s) <= step)) next = lo + (hi - lo) / 2;
-    step = std::abs(next - s);
-    if (step <= std::numeric_limits<double>::epsilon() * s) return next;
-    s = next;
+    const double next = improved(s, here[0], here[1] * f.length, y, anchor);
+    const bool sound = next > lo && next < hi && std::abs(next - s) <= step;
+    const double before = s;
+    s = sound ? next : lo + (hi - lo) / 2;
+    step = std::abs(s - before);
+    if (sound && step <= short_step * std::abs(s - anchor.s)) break;
   }
   return s;
 }
@@ -151,25 +110,6 @@ Jet by_slave(const Jet& f, const Jet& infinite) {
 
 }  // namespace
 
-std::vector<CamRun> runs(const Cam& cam) {
-  std::vector<CamRun> found;
-  const double scale = greatest_magnitude(cam);
-  for (std::size_t i = 0; i < cam.segments().size(); ++i) {
-    const Segment& f = cam.segments()[i];
-    for (const Part& part : parts(f)) {
-      const CamRun run{part.kind, master_at(cam, i, part.s0), master_at(cam, i, part.s1),
-                       value(f, part.s0), value(f, part.s1)};
-      if (found.empty() || found.back().kind != run.kind || jumps(found.back(), run, scale)) {
-        found.push_back(run);
-      } else {
-        found.back().to = run.to;
-        found.back().slave_to = run.slave_to;
-      }
-    }
-  }
-  return found;
-}
-
 Inverse::Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch)
     : cam_(std::move(cam)),
       rises_(branch.front().kind == Kind::rise),
@@ -179,12 +119,9 @@ Inverse::Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch)
   for (const CamRun& run : branch)
     if (run.kind != Kind::dwell) add(run);
   if (!rises_) std::reverse(pieces_.begin(), pieces_.end());
-  const auto slave = [&](const Piece& p, bool low) {
-    return value(cam_->segments()[p.segment], low == rises_ ? p.s0 : p.s1);
-  };
-  breaks_.push_back(slave(pieces_.front(), true));
+  breaks_.push_back(rises_ ? pieces_.front().slave0 : pieces_.front().slave1);
   std::erase_if(pieces_, [&](const Piece& piece) {  // rounding at a joint can hide a piece
-    const double high = slave(piece, false);
+    const double high = rises_ ? piece.slave1 : piece.slave0;
     if (!(high > breaks_.back())) return true;
     breaks_.push_back(high);
     return false;
@@ -195,17 +132,20 @@ void Inverse::add(const CamRun& run) {
   for (std::size_t i = 0; i < cam_->segments().size(); ++i) {
     if (cam_->breaks()[i + 1] <= run.from || cam_->breaks()[i] >= run.to) continue;
     const Segment& f = cam_->segments()[i];
-    for (const Part& part : parts(f)) {
+    for (const detail::Part& part : detail::parts(f)) {
       const double middle = master_at(*cam_, i, (part.s0 + part.s1) / 2);
       if (part.kind != run.kind || middle < run.from || middle > run.to) continue;
-      pieces_.push_back({i, part.s0, part.s1, part.s0 > 0 || rests(f, part.s0),
-                         part.s1 < 1 || rests(f, part.s1)});
+      pieces_.push_back({i, part.s0, part.s1, value(f, part.s0), value(f, part.s1),
+                         part.s0 > 0 || rests(f, part.s0), part.s1 < 1 || rests(f, part.s1)});
     }
   }
 }
 
 Jet Inverse::jet(double slave, Side side) const {
-  assert(slave >= start() && slave <= end() && "query outside the branch");
+  if (!(slave >= start() && slave <= end())) {
+    assert(false && "query outside the branch");
+    return {jet(slave < start() ? start() : end())[0], 0, 0, 0};
+  }
   const auto first = breaks_.begin() + 1;
   const auto last = breaks_.end() - 1;
   const auto it = side == Side::right ? std::upper_bound(first, last, slave)
@@ -215,9 +155,9 @@ Jet Inverse::jet(double slave, Side side) const {
   const Segment& f = cam_->segments()[p.segment];
   const bool at_low = slave <= breaks_[k];
   const bool at_high = slave >= breaks_[k + 1];
-  const double s = at_low || at_high ? (at_low == rises_ ? p.s0 : p.s1)
-                                     : solved(f, {p.s0, value(f, p.s0), p.rest0},
-                                              {p.s1, value(f, p.s1), p.rest1}, slave);
+  const double s = at_low || at_high
+                       ? (at_low == rises_ ? p.s0 : p.s1)
+                       : solved(f, {p.s0, p.slave0, p.rest0}, {p.s1, p.slave1, p.rest1}, slave);
   const bool rest = (s == p.s0 && p.rest0) || (s == p.s1 && p.rest1);
   const Jet infinite = at_rest(master_at(*cam_, p.segment, s), rises_, s - p.s0 < p.s1 - s);
   return rest ? infinite : by_slave(evaluate(f, s), infinite);
@@ -297,24 +237,6 @@ const Inverse* Inversion::branch_at(double master) const {
   for (const Inverse& branch : branches)
     if (master >= branch.master_from() && master <= branch.master_to()) return &branch;
   return nullptr;
-}
-
-std::vector<MasterSpan> positions_for(const Cam& cam, double slave) {
-  std::vector<MasterSpan> spans;
-  for (const double x : crossings(cam, 0, slave)) spans.push_back({x, x});
-  const double noise = joint_rounding * greatest_magnitude(cam);
-  for (const CamRun& run : runs(cam)) {
-    if (run.kind != Kind::dwell || std::abs(run.slave_from - slave) > noise) continue;
-    std::erase_if(spans,
-                  [&](const MasterSpan& at) { return at.from >= run.from && at.to <= run.to; });
-    spans.push_back({run.from, run.to});
-  }
-  std::sort(spans.begin(), spans.end(),
-            [](const MasterSpan& a, const MasterSpan& b) { return a.from < b.from; });
-  if (cam.outside() == Outside::wrap && spans.size() > 1 && spans.front().from == cam.start() &&
-      spans.back().from == cam.end())
-    spans.pop_back();
-  return spans;
 }
 
 }  // namespace jounce

@@ -2,30 +2,15 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "jounce/cam/runs.hpp"
 #include "jounce/profiles/curve.hpp"
 #include "jounce/profiles/limits.hpp"
 #include "jounce/profiles/signal.hpp"
 
 namespace jounce {
-
-/// A run of the slave: one stretch of the master over which it moves one way, or stands still.
-struct CamRun {
-  enum class Kind { rise, dwell, fall };
-  Kind kind = Kind::dwell;
-  double from = 0;  ///< master position, from < to
-  double to = 0;
-  double slave_from = 0;  ///< slave position at `from`, and at `to`
-  double slave_to = 0;
-};
-
-/// The runs of a cam, in the order of the master: they meet at the turning points (isolated, not
-/// sampled: roots.hpp) and at the ends of the dwells. What is smaller than 1e-15 of a segment's
-/// magnitude is no motion. A position that jumps ends a run too.
-std::vector<CamRun> runs(const Cam& cam);
 
 /// The inverse of a cam where the slave moves one way: the master position (unit m) over the slave
 /// position (unit u), a Signal.
@@ -35,7 +20,6 @@ std::vector<CamRun> runs(const Cam& cam);
 ///     const Inverse& rise = all.branches[0];            // the branch is yours to choose
 ///     double master = rise.at(25).position;             // where the slave passes 25
 ///     double ratio = rise.at(25).geo_velocity;          // m/u: master per slave
-///     std::vector<MasterSpan> all_of_them = positions_for(cam, 25);
 ///
 /// **Vocabulary.** A *branch* is the longest stretch of the master on which the slave does not turn
 /// back: a rise or a fall, or several with nothing but dwells between them. Its interval, start() to
@@ -80,6 +64,8 @@ class Inverse {
     std::size_t segment = 0;
     double s0 = 0;
     double s1 = 1;
+    double slave0 = 0;  ///< slave position there
+    double slave1 = 0;
     bool rest0 = false;  ///< whether the slave is at rest there
     bool rest1 = false;
   };
@@ -112,17 +98,6 @@ struct Inversion {
 /// the branches of one period, and a motion across the wrap is two of them (rotate it with
 /// `phased` first). Never throws for what the slave does.
 Inversion inverted(const Cam& cam);
-
-/// Master positions at which the slave is at one position: a single one (from == to), or a dwell.
-struct MasterSpan {
-  double from = 0;
-  double to = 0;
-};
-
-/// All of them within the cam's interval, ascending; of a cam that wraps, the end is left out where
-/// the start is one (a dwell across the wrap is two spans). Throws InputError for a position that
-/// is not finite.
-std::vector<MasterSpan> positions_for(const Cam& cam, double slave);
 
 static_assert(Signal<Inverse>);
 

@@ -158,6 +158,14 @@ TEST(Inverse, SplitsWhereTheSlaveJumps) {
   EXPECT_EQ(all.report.findings[0].limit, 1);
 }
 
+#ifdef NDEBUG
+TEST(Inverse, HoldsOutsideInAReleaseBuild) {
+  const Inverse g = only_branch(Cam({line(2, 0, 4)}));
+  EXPECT_EQ(g.jet(-1), (Jet{0, 0, 0, 0}));
+  EXPECT_EQ(g.jet(5), (Jet{2, 0, 0, 0}));
+}
+#endif
+
 TEST(Inverse, OfACamThatNeverMovesHasNoBranch) {
   const Inversion all = inverted(Cam({line(3, 7, 7)}, 1));
   EXPECT_TRUE(all.branches.empty());
@@ -262,6 +270,23 @@ TEST(Inverse, IsTheSameInEveryUnit) {
           EXPECT_NEAR(b[k] / unit / a[k], 1, 1e-9) << y << " " << u << " " << m << " " << k;
       }
     }
+}
+
+TEST(Runs, MeetAtTurningPointsInsideASegment) {
+  // x^3 - x over [-1.5, 1.5] turns at +-1/sqrt(3).
+  Segment f;
+  f.length = 3;
+  f.degree = 3;
+  f.c = {-1.875, 17.25, -40.5, 27};
+  const Cam cam({f}, -1.5);
+  const auto found = runs(cam);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[1].kind, CamRun::Kind::fall);
+  EXPECT_NEAR(found[1].from, -1 / std::sqrt(3), 1e-14);
+  EXPECT_NEAR(found[1].to, 1 / std::sqrt(3), 1e-14);
+  EXPECT_NEAR(found[1].slave_from, 2 / std::sqrt(27), 1e-14);
+  EXPECT_EQ(positions_for(cam, 0).size(), 3U);
+  EXPECT_EQ(positions_for(cam, 0.5).size(), 1U);
 }
 
 TEST(Positions, AreAllThereAre) {
