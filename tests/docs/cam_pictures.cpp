@@ -1,5 +1,4 @@
 // cam_pictures FOLDER: draws the pictures of docs/cam that no verb draws; the tests compare.
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -20,7 +19,8 @@ Series series(const std::string& label, const S& f, std::size_t order, double cl
   Series line{.label = label};
   const auto add = [&](double x, Side side) {
     line.x.push_back(x);
-    line.y.push_back(std::clamp(f.jet(x, side)[order], -clip, clip));
+    const double y = f.jet(x, side)[order];
+    line.y.push_back(std::abs(y) <= clip ? y : std::nan(""));  // a gap
   };
   for (std::size_t i = 0; i + 1 < f.breaks().size(); ++i) {
     const double a = f.breaks()[i];
