@@ -81,11 +81,11 @@ double solved(const Segment& f, const Anchor& low, const Anchor& high, double y)
     if (here[0] == y) break;
     ((here[0] > y) == rises ? hi : lo) = s;
     const double next = improved(s, here[0], here[1] * f.length, y, anchor);
+    if (std::abs(next - s) <= short_step * std::abs(s - anchor.s)) return std::clamp(next, lo, hi);
     const bool sound = next > lo && next < hi && std::abs(next - s) <= step;
     const double before = s;
     s = sound ? next : lo + (hi - lo) / 2;
     step = std::abs(s - before);
-    if (sound && step <= short_step * std::abs(s - anchor.s)) break;
   }
   return s;
 }

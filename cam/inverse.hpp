@@ -7,6 +7,7 @@
 
 #include "jounce/cam/runs.hpp"
 #include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/fitted.hpp"
 #include "jounce/profiles/limits.hpp"
 #include "jounce/profiles/signal.hpp"
 
@@ -98,6 +99,12 @@ struct Inversion {
 /// the branches of one period, and a motion across the wrap is two of them (rotate it with
 /// `phased` first). Never throws for what the slave does.
 Inversion inverted(const Cam& cam);
+
+/// The inverse between two slave positions as a curve (a Cam over the slave), for tables, checks and
+/// whatever takes one: within `tolerance` (unit of the master), with a certified error, see
+/// profiles/fitted.hpp. Throws InputError "slave" unless from < to lie within the branch, and where
+/// the slave is at rest from there to there, ends included; "tolerance" as polynomial_within does.
+Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);
 
 static_assert(Signal<Inverse>);
 

@@ -272,6 +272,51 @@ TEST(Inverse, IsTheSameInEveryUnit) {
     }
 }
 
+TEST(InverseWithin, IsACurveWithACertifiedError) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Random random(seed);
+    const Cam cam = testing::random_cam(random, false);
+    for (const Inverse& g : inverted(cam).branches) {
+      const std::size_t k =
+          static_cast<std::size_t>(random.below(static_cast<int>(g.breaks().size()) - 1));
+      const double low = g.breaks()[k];
+      const double travel = g.breaks()[k + 1] - low;
+      const double from = low + random.uniform(0.01, 0.5) * travel;
+      const double to = low + random.uniform(0.51, 0.99) * travel;
+      const double unit = cam.length() + std::abs(cam.start());
+      const double tolerance = random.log_uniform(1e-11, 1e-3) * unit;
+      const auto fitted = inverse_within(g, from, to, tolerance);
+      EXPECT_LE(fitted.error[0], tolerance);
+      EXPECT_EQ(fitted.curve.start(), from);
+      EXPECT_NEAR(fitted.curve.end(), to, 1e-14 * std::max(std::abs(from), std::abs(to)));
+      for (int n = 0; n < 20; ++n) {
+        const double y = random.uniform(from, fitted.curve.end());
+        const Jet wanted = g.jet(y);
+        const Jet got = fitted.curve.jet(y);
+        const double rounding =  // the slave's digits, where its offset is many strokes
+            1e-13 * unit + 1e-14 * magnitude(cam.segments()[0]) * std::abs(wanted[1]);
+        EXPECT_NEAR(got[0], wanted[0], fitted.error[0] + rounding) << y;
+        EXPECT_NEAR(got[1], wanted[1],
+                    fitted.error[1] + 1e4 * rounding / travel + 1e-6 * std::abs(wanted[1]))
+            << y;
+      }
+    }
+    if (HasFailure()) break;
+  }
+}
+
+TEST(InverseWithin, RefusesARest) {
+  const Inverse g = only_branch(Cam({quintic(1, 0, 0, 0, 1, 0, 0)}));
+  EXPECT_THROW(inverse_within(g, 0, 0.5, 1e-6), InputError);
+  EXPECT_THROW(inverse_within(g, 0.5, 1, 1e-6), InputError);
+  EXPECT_THROW(inverse_within(g, 0.5, 2, 1e-6), InputError);
+  EXPECT_NO_THROW(inverse_within(g, 1e-6, 1 - 1e-6, 1e-6));
+  const auto line_only = inverse_within(only_branch(Cam({line(8, 1, 5)}, 3)), 1, 5, 1e-6);
+  EXPECT_EQ(line_only.curve.segments().size(), 1U);
+  EXPECT_EQ(line_only.error, Jet{});
+}
+
 TEST(Runs, MeetAtTurningPointsInsideASegment) {
   // x^3 - x over [-1.5, 1.5] turns at +-1/sqrt(3).
   Segment f;
