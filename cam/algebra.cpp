@@ -174,14 +174,16 @@ struct Pair {
   Cam f, g;
 };
 
-Pair over_common_period(const Cam& f, const Cam& g) {
-  const Turns turns = common_turns(f, g);
-  const Cam beside = shifted(phased(g, g.start() - f.start()), f.start() - g.start());
-  return {repeated(f, turns.f), repeated(beside, turns.g)};
-}
-
 Cam over(const Cam& f, double from, double to, Outside outside) {
   return with(part(f, from, to), outside);
+}
+
+Pair over_common_period(const Cam& f, const Cam& g) {
+  const Turns turns = common_turns(f, g);
+  const double from = f.start();
+  const Cam beside = shifted(phased(g, g.start() - from), from - g.start());
+  return {over(f, from, from + turns.f * f.length(), f.outside()),
+          over(beside, from, from + turns.g * g.length(), f.outside())};
 }
 
 Pair over_one_interval(const Cam& f, const Cam& g) {
