@@ -25,7 +25,7 @@ enum class Pieces { lines, arcs };
 /// -roller_radius the profile, cutter_radius - roller_radius the centre of a cutter.
 ///
 /// No point of the true curve is further than `tolerance` (u, > 0) from the contour: each piece is
-/// accepted by a bound (equations (6) and (7) in disc_contour.cpp) on its whole length, none by samples.
+/// accepted by a bound (equations (1) and (2) in disc_contour.cpp) on its whole length, none by samples.
 /// Its vertices lie on the curve, at every break of the cam among others, and it closes exactly.
 /// Where the cam is undercut, the loops of the parallel curve are part of it.
 ///

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "jounce/cam/detail/pitch.hpp"
+#include "jounce/cam/disc.hpp"
+#include "jounce/profiles/error.hpp"
+
+// A circle of radius R touches the profile p at t2 from outside; its centre is q(t2). It cuts into
+// the profile at t1 if
+//
+//   (1)  |q(t2) - p(t1)| < R
+//
+// Between t1 and t2 where the tangent turns by at most pi/2 this cannot be, if the profile is regular
+// and nowhere more hollow than the circle: with the tangent at t2 as the x axis, the profile is a
+// graph whose slope angle f obeys d(sin f)/dx = curvature <= 1/R towards the circle, so that it stays
+// on the far side of the circle, for which there is equality. All other pairs are enclosed:
+//
+//   (2)  |q(t2) - p(t1)| >= |q(m2) - p(m1)| - r2 max|q'| - r1 max|p'|     m middles, r half-widths
+
+namespace jounce {
+namespace {
+
+using detail::Interval;
+using detail::Stretch;
+
+/// A stretch of the turn with a circle around all its contacts, and one around all centres of the
+/// rolled circle.
+struct Arc {
+  Stretch over;
+  Place contact, centre;
+  double contact_radius = 0;
+  double centre_radius = 0;
+  double turning = 0;  ///< rad, by how much the tangent turns at most
+};
+
+class Search {
+ public:
+  Search(const Disc& disc, double radius) : disc_(disc), radius_(radius) {
+    const double lift = extrema(disc.lift(), 0).max.value;
+    const double prime = disc.spec().base_radius + disc.spec().roller_radius;
+    clearance_ = 1e-9 * (prime + lift);
+    for (std::size_t i = 0; i < disc.lift().segments().size(); ++i) divide({i, 0, 1});
+  }
+
+  std::optional<Interference> run() {
+    for (std::size_t i = 0; i < arcs_.size(); ++i)
+      for (std::size_t k = 0; k < arcs_.size(); ++k)
+        if (!near(i, k) && covers(arcs_[i], arcs_[k])) return found_;
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Arc arc(const Stretch& over) const {
+    const detail::Pitch whole = detail::pitch(disc_, over);
+    const Stretch middle = over.at(over.middle());
+    const detail::Pitch there = detail::pitch(disc_, middle);
+    const auto place = [&](double distance) {
+      const auto p = detail::seen_from_cam(there.parallel(distance).to<0>(),
+                                           detail::turned<0>(disc_, middle), there.sigma);
+      return Place{p.x.c[0].middle(), p.y.c[0].middle()};
+    };
+    const double half = (over.s1 - over.s0) / 2 * length(over) * disc_.spec().angle;
+    const auto speed = [&](double distance) {  // of the parallel curve: |T| (1 + distance kappa)
+      const Interval v =
+          whole.speed().c[0] * (Interval(1) + Interval(distance) * whole.curvature().c[0]);
+      return v.magnitude();
+    };
+    const double roller = disc_.spec().roller_radius;
+    const Interval turning = whole.speed().c[0] * whole.curvature().c[0];
+    return {over,
+            place(-roller),
+            place(radius_ - roller),
+            half * speed(-roller),
+            half * speed(radius_ - roller),
+            2 * half * turning.magnitude()};
+  }
+
+  [[nodiscard]] double length(const Stretch& over) const {
+    return disc_.lift().segments()[over.segment].length;
+  }
+
+  /// Into arcs that turn by a twentieth of a turn at the most.
+  void divide(const Stretch& over) {
+    const Arc whole = arc(over);
+    if (whole.turning <= std::numbers::pi / 10 || over.s1 - over.s0 < 1e-9) {
+      arcs_.push_back(whole);
+      return;
+    }
+    divide(over.left());
+    divide(over.right());
+  }
+
+  /// Whether the tangent turns by at most a quarter turn from arc i to arc k, either way round.
+  [[nodiscard]] bool near(std::size_t i, std::size_t k) const {
+    return turning(i, k) <= std::numbers::pi / 2 || turning(k, i) <= std::numbers::pi / 2;
+  }
+  [[nodiscard]] double turning(std::size_t from, std::size_t to) const {
+    double sum = arcs_[to].turning;
+    for (std::size_t i = from; i != to && sum <= 2; i = (i + 1) % arcs_.size())
+      sum += arcs_[i].turning;
+    return sum;
+  }
+
+  /// (1) somewhere, or too close to exclude it.
+  bool covers(const Arc& circle, const Arc& covered) {
+    const double apart =
+        std::hypot(circle.centre.x - covered.contact.x, circle.centre.y - covered.contact.y);
+    if (apart - circle.centre_radius - covered.contact_radius >= radius_ + clearance_)  // (2)
+      return false;
+    const double reach = circle.centre_radius + covered.contact_radius;
+    if (apart < radius_ + clearance_ || !(reach > clearance_ / 2)) {
+      found_ = {place(circle), place(covered), std::max(0.0, radius_ - apart)};
+      return true;
+    }
+    if (circle.centre_radius > covered.contact_radius)
+      return covers(arc(circle.over.left()), covered) || covers(arc(circle.over.right()), covered);
+    return covers(circle, arc(covered.over.left())) || covers(circle, arc(covered.over.right()));
+  }
+  [[nodiscard]] double place(const Arc& a) const {
+    return detail::position(disc_.lift(), a.over.segment, a.over.middle());
+  }
+
+  const Disc& disc_;
+  double radius_;
+  double clearance_ = 0;
+  std::vector<Arc> arcs_;
+  Interference found_;
+};
+
+}  // namespace
+
+std::optional<Interference> interference(const Disc& disc, double radius) {
+  require_not_negative("radius", radius);
+  return Search(disc, radius).run();
+}
+
+}  // namespace jounce
