@@ -119,8 +119,8 @@ struct Interference {
 /// Whether a circle rolled around the outside of the profile (radius roller_radius: the roller; a
 /// larger one: a cutter) somewhere cuts into a distant stretch of it. Proven by enclosures over all
 /// pairs of stretches; within a quarter turn of the tangent the curvature alone decides, so an
-/// undercut or too narrow a hollow is not looked for here. Nothing: it does not; the first found
-/// otherwise. A clearance below 1e-9 of the cam's size counts as none.
+/// undercut or too narrow a hollow is not looked for here. Nothing: it does not; the deepest overlap
+/// otherwise, its depth to 1e-3 of the radius. A clearance below 1e-5 of the radius counts as none.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
 /// What the disc must keep; left out, it is not limited. A profile must always have a radius > 0.
@@ -139,7 +139,7 @@ Report check(const Disc& disc, const DiscLimits& limits);
 /// The least base radius with which the cam keeps the limits on pressure angle and profile radius,
 /// everything else as in `spec` (its base_radius does not count); nothing if none does. The one
 /// returned keeps them by the exact extrema, and one smaller by 1e-9 of it breaks one. It is the first
-/// found going up a ladder of 1 % (translating) or 1/400 of what the arm can reach (oscillating):
+/// found going up a ladder of 2 % (translating) or 1/400 of what the arm can reach (oscillating):
 /// a narrower window further down would be missed.
 std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
                                         const DiscLimits& limits);

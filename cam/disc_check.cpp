@@ -86,11 +86,13 @@ std::optional<double> climb(const Cam& cam, const DiscSpec& spec, const DiscLimi
 
 Finding finding(std::string rule, std::string quantity, const Extremum& at, double value,
                 double limit, bool least) {
-  Finding f{.rule = std::move(rule), .quantity = std::move(quantity)};
+  Finding f;
+  f.rule = std::move(rule);
+  f.quantity = std::move(quantity);
   f.where = at.where;
   f.value = value;
   f.limit = limit;
-  const double room = least ? value - limit : limit - std::abs(value);
+  const double room = least ? value - limit : std::abs(limit) - std::abs(value);
   const double scale = std::abs(limit) > 0 ? std::abs(limit) : 1;
   f.margin = room / scale;
   f.broken = room < -1e-9 * scale;
@@ -153,7 +155,9 @@ void add_cutter(Report& report, const Disc& disc, const DiscExtremes& worst,
 void add_interference(Report& report, const Disc& disc, const char* what, double radius) {
   const auto found = interference(disc, radius);
   if (!found) return;
-  Finding f{.rule = "disc/interference", .quantity = what};
+  Finding f;
+  f.rule = "disc/interference";
+  f.quantity = what;
   f.where = found->circle;
   f.value = found->depth;
   f.margin = -found->depth / radius;
@@ -187,9 +191,9 @@ std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
   const Range travel = extrema(cam, 0);
   const double size =
       spec.roller_radius + std::abs(spec.offset) + travel.max.value - travel.min.value;
-  const double from = std::max({least_by_pressure(cam, spec, limits) * (1 + 1e-12), 1e-6 * size,
+  const double from = std::max({least_by_pressure(cam, spec, limits) * (1 + 1e-12), 1e-3 * size,
                                 (std::abs(spec.offset) - spec.roller_radius) * (1 + 1e-9)});
-  return climb(cam, spec, limits, from, 1e9 * size, 1.01, 0);
+  return climb(cam, spec, limits, from, 1e9 * size, 1.02, 0);
 }
 
 Report check(const Disc& disc, const DiscLimits& limits) {

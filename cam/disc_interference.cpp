@@ -25,6 +25,9 @@ namespace {
 using detail::Interval;
 using detail::Stretch;
 
+constexpr double touching = 1e-5;   // of the radius: a clearance that counts as none
+constexpr double precision = 1e-3;  // of the radius: to which the depth is found
+
 /// A stretch of the turn with a circle around all its contacts, and one around all centres of the
 /// rolled circle.
 struct Arc {
@@ -37,18 +40,16 @@ struct Arc {
 
 class Search {
  public:
-  Search(const Disc& disc, double radius) : disc_(disc), radius_(radius) {
-    const double lift = extrema(disc.lift(), 0).max.value;
-    const double prime = disc.spec().base_radius + disc.spec().roller_radius;
-    clearance_ = 1e-9 * (prime + lift);
+  Search(const Disc& disc, double radius)
+      : disc_(disc), radius_(radius), least_((1 + touching / 2) * radius) {
     for (std::size_t i = 0; i < disc.lift().segments().size(); ++i) divide({i, 0, 1});
   }
 
   std::optional<Interference> run() {
     for (std::size_t i = 0; i < arcs_.size(); ++i)
       for (std::size_t k = 0; k < arcs_.size(); ++k)
-        if (!near(i, k) && covers(arcs_[i], arcs_[k])) return found_;
-    return std::nullopt;
+        if (!near(i, k)) search(arcs_[i], arcs_[k]);
+    return found_;
   }
 
  private:
@@ -103,20 +104,25 @@ class Search {
     return sum;
   }
 
-  /// (1) somewhere, or too close to exclude it.
-  bool covers(const Arc& circle, const Arc& covered) {
+  /// The least distance (1) of the two, if it is less than what was found before.
+  void search(const Arc& circle, const Arc& covered) {
     const double apart =
         std::hypot(circle.centre.x - covered.contact.x, circle.centre.y - covered.contact.y);
-    if (apart - circle.centre_radius - covered.contact_radius >= radius_ + clearance_)  // (2)
-      return false;
     const double reach = circle.centre_radius + covered.contact_radius;
-    if (apart < radius_ + clearance_ || !(reach > clearance_ / 2)) {
-      found_ = {place(circle), place(covered), std::max(0.0, radius_ - apart)};
-      return true;
+    const bool is_small = reach <= touching / 2 * radius_;
+    if (apart < least_ || (is_small && apart - reach < least_ && !found_)) {
+      least_ = apart;
+      found_ = Interference{place(circle), place(covered), std::max(0.0, radius_ - apart)};
     }
-    if (circle.centre_radius > covered.contact_radius)
-      return covers(arc(circle.over.left()), covered) || covers(arc(circle.over.right()), covered);
-    return covers(circle, arc(covered.over.left())) || covers(circle, arc(covered.over.right()));
+    const double slack = found_ ? precision * radius_ : 0;
+    if (apart - reach >= least_ - slack || is_small) return;  // (2)
+    if (circle.centre_radius > covered.contact_radius) {
+      search(arc(circle.over.left()), covered);
+      search(arc(circle.over.right()), covered);
+    } else {
+      search(circle, arc(covered.over.left()));
+      search(circle, arc(covered.over.right()));
+    }
   }
   [[nodiscard]] double place(const Arc& a) const {
     return detail::position(disc_.lift(), a.over.segment, a.over.middle());
@@ -124,9 +130,9 @@ class Search {
 
   const Disc& disc_;
   double radius_;
-  double clearance_ = 0;
+  double least_;  ///< distance found, or that is looked for
   std::vector<Arc> arcs_;
-  Interference found_;
+  std::optional<Interference> found_;
 };
 
 }  // namespace
