@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "jounce/io/disc.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
 
@@ -125,6 +126,10 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
 Report check_all(const Input& input, int continuity) {
   Report report = std::visit(
       [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
+  if (input.spec && input.spec->disc) {
+    const Report disc = check_disc(*input.spec, std::get<Cam>(input.curve));
+    report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());
+  }
   sort(report);
   return report;
 }

@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
       "jounce VERB --help shows an example of each verb.");
   Work work;
   for (const auto add : {add_new, add_design, add_check, add_optimize, add_validate, add_plot,
-                         add_report, add_stream, add_run, add_monitor, add_stop})
+                         add_contour, add_report, add_stream, add_run, add_monitor, add_stop})
     add(app, work);
   try {
     app.parse(argc, argv);

@@ -24,6 +24,7 @@ void add_design(CLI::App& app, Work& work);
 void add_check(CLI::App& app, Work& work);
 void add_optimize(CLI::App& app, Work& work);
 void add_validate(CLI::App& app, Work& work);
+void add_contour(CLI::App& app, Work& work);
 void add_plot(CLI::App& app, Work& work);
 void add_report(CLI::App& app, Work& work);
 void add_stream(CLI::App& app, Work& work);

@@ -28,12 +28,20 @@ std::string percent(double share) {
   return fmt::format("{:.3g} %", 100 * std::abs(share));
 }
 
+/// Whether the limit is a lower one: a radius that a disc cam must have.
+bool is_least(const Finding& finding) {
+  return finding.rule == "disc/profile_radius" || finding.rule == "disc/cutter_radius";
+}
+
 /// What a curve does against a limit, with its margin.
 std::string verdict(const Finding& finding) {
   const std::string limit = rounded(finding.limit);
   if (finding.broken && finding.rule.starts_with("limit/position"))
     return fmt::format("is outside the limit {} by {}", limit,
                        rounded(std::abs(finding.value - finding.limit)));
+  if (is_least(finding))
+    return fmt::format("is {} {} the least, {}", percent(finding.margin),
+                       finding.broken ? "below" : "above", limit);
   if (finding.margin < -10)
     return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
   if (finding.broken)
@@ -104,13 +112,19 @@ std::string sentence(const Finding& finding, const Labels& labels) {
     return fmt::format("the table is {} from the exact curve at {}; {} is allowed",
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
                        rounded(finding.limit));
-  if (finding.rule.starts_with("continuity/")) {
+  if (finding.rule.starts_with("continuity/") || finding.rule == "disc/corner") {
     const std::string step = with_unit(finding.value, labels.unit_of(finding));
     const std::string where = place(finding, labels);
     return finding.broken ? fmt::format("{} is {} at {}", finding.quantity, step, where)
                           : fmt::format("{} is continuous (largest step {})",
                                         finding.quantity.substr(8), step);
   }
+  if (finding.rule == "disc/interference")
+    return fmt::format("{} is {} at {}", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
+  if (finding.rule == "disc/profile_radius" && finding.limit == 0)
+    return fmt::format("{} is {} at {}; it must be greater than 0", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
   const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;
   return fmt::format("{} {} at {} {}", finding.quantity,
                      with_unit(met ? finding.limit : finding.value, labels.unit_of(finding)),

@@ -69,6 +69,7 @@ void read_cam_parts(TomlReader& top, Spec& spec) {
   spec.subject = detail::read_cam(top, spec.units, spec.optimize);
   detail::read_optimize(top, spec.optimize);
   spec.master = read_master(top, spec);
+  spec.disc = detail::read_disc(top, spec.units);
 }
 
 void read_body(TomlReader& top, Spec& spec) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/cam/design.hpp"
+#include "jounce/cam/disc.hpp"
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/io/motion_spec.hpp"
@@ -49,6 +50,15 @@ struct DriveSpec {
   double settle = 0.2;  ///< s of standstill after the motion's end
 };
 
+/// The plate that a cam is cut into: [disc] and [disc.limits].
+struct DiscPart {
+  DiscSpec geometry;
+  DiscLimits limits;
+  double tolerance = 0;              ///< of the contour
+  std::optional<double> hub_radius;  ///< a circle of the drawing
+  std::string length;                ///< the unit of all lengths: the slave's, or mm beside an angle
+};
+
 /// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
 struct AxisSpec {
   double cycle = 1e-3;  ///< s
@@ -81,6 +91,7 @@ struct Spec {
   std::optional<MasterSpec> master;
   OptimizeSpec optimize;
   std::optional<DriveSpec> drive;
+  std::optional<DiscPart> disc;  ///< of a cam
 
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;

@@ -15,6 +15,9 @@ CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize);
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 
+/// [disc] with [disc.limits], where there is one.
+std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);
+
 /// A `profile` of [move] and what reads its keys.
 struct ProfileReader {
   const char* name;

@@ -1,0 +1,74 @@
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "jounce/io/disc.hpp"
+#include "jounce/io/file.hpp"
+
+#include "input.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string spec;
+  std::string output;
+};
+
+std::string drawn(const Options& options, const Spec& spec, const Disc& disc) {
+  if (options.output.ends_with(".dxf")) return contour_dxf(drawing_of(spec, disc));
+  if (options.output.ends_with(".svg")) return contour_svg(drawing_of(spec, disc));
+  if (options.output.ends_with(".csv")) return contour_csv(spec, disc);
+  throw InputError("--output", options.output, "must end in .dxf, .svg or .csv");
+}
+
+void print_extremes(const Disc& disc, const Spec& spec) {
+  const DiscExtremes e = extremes(disc);
+  const std::string& length = spec.disc->length;
+  const auto at = [&](const Extremum& x) { return rounded(x.where) + " " + spec.units.x; };
+  const auto deg = [](const Extremum& x) { return rounded(x.value * 180 / std::numbers::pi); };
+  const double roller = spec.disc->geometry.roller_radius;
+  fmt::print("pressure angle: {} deg at {} .. {} deg at {}\n", deg(e.pressure_angle.min),
+             at(e.pressure_angle.min), deg(e.pressure_angle.max), at(e.pressure_angle.max));
+  fmt::print("profile, most convex: radius {} {} at {}\n",
+             rounded(1 / e.pitch_curvature.max.value - roller), length, at(e.pitch_curvature.max));
+  if (e.pitch_curvature.min.value < 0)
+    fmt::print("profile, most hollow: radius {} {} at {}\n",
+               rounded(roller - 1 / e.pitch_curvature.min.value), length,
+               at(e.pitch_curvature.min));
+  else
+    fmt::print("profile: nowhere hollow\n");
+}
+
+int run(const Options& options) {
+  const Input input = load(options.spec);
+  if (!input.spec || !input.spec->is_cam())
+    throw InputError("SPEC", input.name, "must be a spec of kind \"cam\" with [disc]");
+  const Spec& spec = *input.spec;
+  const Disc disc = make_disc(spec, std::get<Cam>(input.curve));
+  const Report report = check_disc(spec, std::get<Cam>(input.curve));
+  write_file(options.output, drawn(options, spec, disc));
+  fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name, options.output,
+             rounded(spec.disc->tolerance), spec.disc->length);
+  print_extremes(disc, spec);
+  fmt::print("\n{}", full_text(report, input.labels));
+  return report.ok() ? fine : finding;
+}
+
+}  // namespace
+
+void add_contour(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = add_verb(app, "contour", "Draw the plate that a cam with [disc] is cut into",
+                            "jounce contour valve.toml -o valve.dxf");
+  verb->add_option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input")
+      ->required();
+  verb->add_option("-o,--output", options->output,
+                   "Drawing to write, in mm: .dxf (R12), .svg (prints 1:1) or .csv (points)")
+      ->required();
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli
