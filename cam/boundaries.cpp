@@ -27,6 +27,15 @@ bool among_quintics(const CamSpec& spec, std::size_t knot) {
   return before && after;
 }
 
+/// Whether a law beside the knot brings an acceleration of its own, which may step there.
+bool bends_itself(const CamSpec& spec, std::size_t knot) {
+  const auto own = [&](std::size_t segment) {
+    const Ends ends = info(spec.segments[segment].law).ends;
+    return ends == Ends::moving_free || ends == Ends::rest_to_reversal;
+  };
+  return (knot > 0 && own(knot - 1)) || (knot < spec.segments.size() && own(knot));
+}
+
 /// Start and last knot of a periodic cam: what one gives, or a law at one demands, is true of both.
 void close(CamSpec& spec, const std::vector<CamKnot>& resolved) {
   if (!spec.periodic) return;
@@ -88,7 +97,11 @@ CamSpec filled(CamSpec spec, Fill how) {
       resolved[i].geo_acceleration = knots[i].state[2];
     }
   }
-  for (std::size_t i = 0; i < resolved.size(); ++i) knot_of(spec, i) = resolved[i];
+  for (std::size_t i = 0; i < resolved.size(); ++i) {
+    CamKnot& knot = knot_of(spec, i);
+    knot.geo_velocity = resolved[i].geo_velocity;
+    if (!bends_itself(spec, i)) knot.geo_acceleration = resolved[i].geo_acceleration;
+  }
   return spec;
 }
 

@@ -34,7 +34,8 @@ struct FreeDerivatives {
 /// resolved_knots() does.
 std::vector<FreeDerivatives> free_derivatives(const CamSpec& spec);
 
-/// The spec with every derivative filled in, exact to rounding (a positive definite linear system).
+/// The spec with every derivative filled in (but an acceleration that a law beside it has of its
+/// own), exact to rounding (a positive definite linear system).
 /// design() of it is that cam. Where a whole cam is one quintic from which all four are left out, it
 /// is the straight line. Throws as resolved_knots() does.
 CamSpec filled(CamSpec spec, Fill how);

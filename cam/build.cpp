@@ -1,8 +1,10 @@
 // A placed segment -> its finished segments.
+#include <algorithm>
 #include <string>
 
 #include "jounce/cam/detail/resolve.hpp"
 #include "jounce/cam/polynomial.hpp"
+#include "jounce/cam/smoothing_spline.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::camming {
@@ -53,6 +55,38 @@ std::vector<Segment> through_points(const Placed& at) {
   return {polynomial(at.length(), conditions)};
 }
 
+SplineSpec spline_spec(const Placed& at) {
+  SplineSpec spline{.points = {{at.from.master, at.from.slave}}};
+  for (std::size_t i = 0; i < at.spec->points.size(); ++i) {
+    const CamPoint& point = at.spec->points[i];
+    if (!point.slave || point.geo_velocity || point.geo_acceleration || point.geo_jerk)
+      throw InputError("points[" + std::to_string(i + 1) + "]", point.master,
+                       "a spline takes `slave`, and `tolerance`, of its points and nothing else");
+    spline.points.push_back({point.master, *point.slave, point.tolerance});
+  }
+  spline.points.push_back({at.to.master, at.to.slave});
+  const bool open = !at.from.geo_velocity && !at.to.geo_velocity && !at.from.geo_acceleration &&
+                    !at.to.geo_acceleration;
+  if (at.closed && open) {
+    spline.ends = SplineEnds::periodic;
+    return spline;
+  }
+  spline.start.geo_velocity = at.from.geo_velocity;
+  spline.end.geo_velocity = at.to.geo_velocity;
+  if (at.spec->law == Law::cubic_spline) return spline;
+  spline.start.geo_acceleration = at.from.geo_acceleration;
+  spline.end.geo_acceleration = at.to.geo_acceleration;
+  return spline;
+}
+
+std::vector<Segment> splined(const Placed& at) {
+  const SplineSpec spline = spline_spec(at);
+  const bool exact = std::all_of(spline.points.begin(), spline.points.end(),
+                                 [](const SplinePoint& p) { return p.tolerance == 0; });
+  if (at.spec->law == Law::cubic_spline) return cubic_spline(spline);
+  return exact ? quintic_spline(spline) : smoothing_spline(spline).segments;
+}
+
 std::vector<Segment> by_law(const Placed& at) {
   const Law law = at.spec->law;
   const CamKnot& a = at.from;
@@ -63,6 +97,7 @@ std::vector<Segment> by_law(const Placed& at) {
                     b.geo_acceleration.value_or(0))};
   if (law == Law::line || law == Law::dwell) return {line(at.length(), a.slave, b.slave)};
   if (law == Law::polynomial) return through_points(at);
+  if (is_spline(law)) return splined(at);
   std::vector<Segment> segments;
   for (const LawPiece& piece : shapes(at)) segments.push_back(combined(piece, at));
   return segments;

@@ -105,8 +105,9 @@ std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 /// The rise alone, from 0 to 1: segments whose lengths sum to 1.
 std::vector<Segment> normalised(Law law, const LawForm& form = {});
 
-/// Whether pieces() knows the law.
+/// Whether pieces() knows the law. The others are polynomial and the splines.
 bool has_own_shape(Law law);
+bool is_spline(Law law);
 
 /// The sine-constant-cosine acceleration family: a quarter sine over the share b of each half, a
 /// constant over c, a quarter cosine over d; b + c + d = 1, each >= 0; around a stretch of constant

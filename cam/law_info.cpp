@@ -28,7 +28,7 @@ constexpr std::array laws{
             "one polynomial through `points` and their derivatives inside the segment",
             "infinitely smooth inside; whatever is given is met exactly, up to degree 11",
             "oscillates if points crowd or contradict each other"},
-    LawInfo{Law::cubic_spline, "cubic_spline", "Cubic spline", Ends::given, false,
+    LawInfo{Law::cubic_spline, "cubic_spline", "Cubic spline", Ends::moving_free, false,
             "measured or taught `points`, for controllers that hold cubic (PVT) tables",
             "acceleration continuous through all points", "the jerk steps at every point"},
     LawInfo{Law::quintic_spline, "quintic_spline", "Quintic spline", Ends::given, false,
@@ -128,8 +128,12 @@ std::optional<Law> law_named(std::string_view wanted) {
   return it == laws.end() ? std::nullopt : std::optional(it->law);
 }
 
+bool is_spline(Law law) {
+  return law == Law::cubic_spline || law == Law::quintic_spline;
+}
+
 bool has_own_shape(Law law) {
-  return law != Law::polynomial && law != Law::cubic_spline && law != Law::quintic_spline;
+  return law != Law::polynomial && !is_spline(law);
 }
 
 }  // namespace jounce

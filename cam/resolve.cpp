@@ -1,8 +1,9 @@
 // A spec -> its segments with every derivative filled in.
 //
 // Velocities first, as accelerations follow from them: what is given, what a line, a dwell or a
-// reversal demands, zero. Then accelerations: given, demanded; then the segments are built from left
-// to right, and one that has an acceleration of its own brings it to its knots.
+// reversal demands, what a spline has at an end that is left open, zero. Then accelerations: given,
+// demanded; then the segments are built from left to right, and one that has an acceleration of its
+// own brings it to its knots.
 #include "jounce/cam/detail/resolve.hpp"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ class Resolver {
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) demand(i);
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_points(i);
     share_seam(&CamKnot::geo_velocity);
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i)
+      if (is_spline(law(i))) take_open_ends(i);
     for (CamKnot& knot : knots_) knot.geo_velocity = knot.geo_velocity.value_or(0);
     std::vector<Placed> placed;
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) {
@@ -68,6 +71,7 @@ class Resolver {
   void require_no_rest(std::size_t segment, bool reversal_first) const;
   void find_inflection(Placed& placed, std::size_t segment) const;
   void take_own_accelerations(const Placed& placed, std::size_t segment);
+  void take_open_ends(std::size_t segment);
   void take_own(std::size_t knot, double own, std::size_t segment, double scale);
 
   const CamSpec& spec_;
@@ -215,6 +219,21 @@ void Resolver::take_own(std::size_t knot, double own, std::size_t segment, doubl
     demand_at(knot, &CamKnot::geo_acceleration, "geo_acceleration", own, segment, scale);
   else if (!knots_[knot].geo_acceleration)
     knots_[knot].geo_acceleration = own;
+}
+
+/// A spline is natural where nothing is given: what it has there is then true of its neighbour.
+void Resolver::take_open_ends(std::size_t i) {
+  const bool alone = spec_.periodic && spec_.segments.size() == 1;
+  const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});
+  const Jet from = evaluate(segments.front(), 0);
+  const Jet to = evaluate(segments.back(), 1);
+  const auto take = [](CamKnot& knot, const Jet& own, bool bends) {
+    if (!knot.geo_velocity) knot.geo_velocity = own[1];
+    if (bends && !knot.geo_acceleration) knot.geo_acceleration = own[2];
+  };
+  const bool bends = info(law(i)).ends == Ends::given;
+  take(knots_[i], from, bends);
+  take(knots_[i + 1], to, bends);
 }
 
 void Resolver::take_own_accelerations(const Placed& placed, std::size_t i) {

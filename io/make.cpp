@@ -1,11 +1,11 @@
 #include "jounce/io/make.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "jounce/io/detail/motion.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/optimize/least_peak.hpp"
 
 namespace jounce {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 template <class Over>
 Rule rule_for(const Curve<Over>& curve, const TableOptions& options) {
   if (options.rule) return *options.rule;
-  const bool steps = std::is_same_v<Over, OverTime> && !check_continuity(curve, 2).ok();
-  return steps ? Rule::cubic_hermite : Rule::quintic_hermite;
+  return !check_continuity(curve, 2).ok() ? Rule::cubic_hermite : Rule::quintic_hermite;
 }
 
 template <class Over>
@@ -33,8 +32,22 @@ std::string numbered(std::size_t i, const std::string& name) {
   return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
 }
 
-Made make_cam(const Spec& spec) {
+/// The cam with what its knots leave out chosen as the spec says.
+CamSpec cam_of(const Spec& spec) {
   const auto& cam = std::get<CamSpec>(spec.subject);
+  switch (spec.boundaries) {
+    case Boundaries::minimum_jerk:
+      return filled(cam, Fill::minimum_jerk);
+    case Boundaries::minimum_peak_acceleration:
+      return filled_for_least_peak(cam).cam;
+    case Boundaries::rest:
+      break;
+  }
+  return cam;
+}
+
+Made make_cam(const Spec& spec) {
+  const CamSpec cam = cam_of(spec);
   auto [curve, origin] = design(cam);
   std::vector<std::string> names;
   names.reserve(origin.size());
@@ -195,6 +208,7 @@ CamProblem make_problem(const Spec& spec) {
   if (spec.optimize.starts) problem.starts = static_cast<int>(*spec.optimize.starts);
   if (spec.optimize.tolerance) problem.tolerance = *spec.optimize.tolerance;
   try {
+    problem.cam = cam_of(spec);
     require_valid(problem);
   } catch (const InputError& error) {
     // The problem names its own fields; in the document all but the knots stand under [optimize].

@@ -66,7 +66,7 @@ void read_one_axis(TomlReader& top, Spec& spec, const std::string& kind) {
 }
 
 void read_cam_parts(TomlReader& top, Spec& spec) {
-  spec.subject = detail::read_cam(top, spec.units, spec.optimize);
+  spec.subject = detail::read_cam(top, spec.units, spec);
   detail::read_optimize(top, spec.optimize);
   spec.master = read_master(top, spec);
   spec.disc = detail::read_disc(top, spec.units);

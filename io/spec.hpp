@@ -34,6 +34,13 @@ struct MasterSpec {
   std::optional<double> acceleration;  ///< left out: the (virtual) master starts at full speed
 };
 
+/// How the derivatives are chosen that a cam's knots leave out.
+enum class Boundaries {
+  rest,                       ///< zero, where nothing beside them demands otherwise
+  minimum_jerk,               ///< least rms geo_jerk: cam/boundaries.hpp
+  minimum_peak_acceleration,  ///< least peak geo_acceleration: optimize/least_peak.hpp
+};
+
 /// What `jounce optimize` may change, and to what end: the `free` of the knots and [optimize].
 struct OptimizeSpec {
   std::vector<FreeKnot> free;
@@ -56,7 +63,7 @@ struct DiscPart {
   DiscLimits limits;
   double tolerance = 0;              ///< of the contour
   std::optional<double> hub_radius;  ///< a circle of the drawing
-  std::string length;                ///< the unit of all lengths: the slave's, or mm beside an angle
+  std::string length;  ///< the unit of all lengths: the slave's, or mm beside an angle
 };
 
 /// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
@@ -84,8 +91,9 @@ struct Spec {
   std::string time_unit;    ///< "s" unless the spec says otherwise
   std::string master_unit;  ///< of an axis that follows a master; otherwise ""
   std::variant<CamSpec, MoveSpec, QueueSpec, AxesSpec, Table, AxisSpec> subject;
-  std::vector<Operator> then;  ///< done to the motion, one after another
-  std::vector<AxisPart> axes;  ///< of kind "axes"; empty for the others
+  std::vector<Operator> then;                ///< done to the motion, one after another
+  std::vector<AxisPart> axes;                ///< of kind "axes"; empty for the others
+  Boundaries boundaries = Boundaries::rest;  ///< of a cam
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit
   std::optional<MasterSpec> master;

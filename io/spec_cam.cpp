@@ -1,3 +1,4 @@
+#include <array>
 #include <utility>
 
 #include "jounce/io/detail/spec_parts.hpp"
@@ -41,11 +42,40 @@ std::vector<std::string> law_names() {
   return names;
 }
 
+LawForm read_form(TomlReader& segment) {
+  LawForm form;
+  form.inflection = segment.optional_number("inflection", "1");
+  form.straight = segment.optional_number("straight", "1");
+  const std::array<std::string, 3> shares{"1", "1", "1"};
+  if (const auto given = segment.numbers("shares", shares); !given.empty())
+    form.shares = {given[0], given[1], given[2]};
+  return form;
+}
+
+CamPoint read_point(TomlReader& point, const Units& units) {
+  CamPoint p;
+  p.master = point.number("master", units.x);
+  p.slave = point.optional_number("slave", units.position);
+  p.geo_velocity = point.optional_number("geo_velocity", rate_unit(units.position, units.x, 1));
+  p.geo_acceleration =
+      point.optional_number("geo_acceleration", rate_unit(units.position, units.x, 2));
+  p.geo_jerk = point.optional_number("geo_jerk", rate_unit(units.position, units.x, 3));
+  p.tolerance = point.optional_number("tolerance", units.position).value_or(0);
+  point.finish();
+  return p;
+}
+
+const std::array<std::string, 3> boundaries{"rest", "minimum_jerk", "minimum_peak_acceleration"};
+
 }  // namespace
 
-CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize) {
+CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
+  OptimizeSpec& optimize = spec.optimize;
   CamSpec cam;
   cam.periodic = top.optional_flag("periodic").value_or(false);
+  cam.slave_period = top.optional_number("slave_period", units.position);
+  if (const auto chosen = top.optional_choice("boundaries", boundaries))
+    spec.boundaries = static_cast<Boundaries>(*chosen);
   TomlReader start = top.table("start");
   cam.start = read_knot(start, units);
   read_free(start, 0, units, optimize);
@@ -53,6 +83,8 @@ CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize) {
   for (TomlReader& segment : top.tables("segment")) {
     CamSegment s;
     s.name = segment.optional_text("name").value_or("");
+    s.form = read_form(segment);
+    for (TomlReader& point : segment.tables("points")) s.points.push_back(read_point(point, units));
     s.law = all_laws()[segment.choice("law", law_names())].law;
     TomlReader end = segment.table("end");
     s.end = read_knot(end, units);

@@ -14,6 +14,7 @@ struct Placed {
   LawForm form;           ///< with the inflection that follows from an acceleration
   bool reversed = false;  ///< an R-U law run backwards: U-R
   CamKnot from, to;
+  bool closed = false;  ///< a spline that is the whole of a periodic cam, with nothing given
 
   [[nodiscard]] double length() const { return to.master - from.master; }
 };

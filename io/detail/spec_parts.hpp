@@ -9,8 +9,8 @@
 /// The parts of a spec, each read from its own tables of the document.
 namespace jounce::detail {
 
-/// start, [[segment]] with what is free, and periodic.
-CamSpec read_cam(TomlReader& top, const Units& units, OptimizeSpec& optimize);
+/// start, [[segment]] with what is free into spec.optimize, periodic, slave_period, boundaries.
+CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);
