@@ -72,9 +72,7 @@ Jet Followed::jet(double t, Side side) const {
   if (periodic && cam_side == Side::left && master == cam_.start()) master = cam_.end();
   Jet f = cam_.jet(master, cam_side);
   f[0] += std::round((x[0] - master) / cam_.length()) * cam_.advance();
-  return {f[0], f[1] * x[1],                                                  // (1)
-          f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
-          f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
+  return chained(f, x);
 }
 
 }  // namespace jounce

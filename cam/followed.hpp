@@ -8,6 +8,14 @@
 
 namespace jounce {
 
+/// The chain rule: the derivatives by time of f(x(t)), where f holds the derivatives by x at x(t) and
+/// x those by time; equations (1) to (3) of Followed.
+inline Jet chained(const Jet& f, const Jet& x) {
+  return {f[0], f[1] * x[1],                                                  // (1)
+          f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
+          f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
+}
+
 /// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
 ///
 ///     TrapezoidSpec travel{.to = 1080, .velocity = 200, .acceleration = 1000};

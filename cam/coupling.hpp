@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "jounce/cam/correction.hpp"
+#include "jounce/cam/placement.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// How a slave gets onto its cam (PMC600 manual 6.2, MC_CamIn StartMode and its codes; the last one
+/// is CODESYS').
+enum class StartMode : std::uint8_t {
+  absolute = 0,          ///< at once: it jumps to where the cam says
+  relative = 1,          ///< at once, with a cam that is moved to where the slave is
+  ramp_in = 2,           ///< without a jump, by a correction over time within limits
+  ramp_in_pos = 3,       ///< the same, the correction in the positive direction only
+  ramp_in_neg = 4,       ///< the same, in the negative direction only
+  ramp_in_distance = 5,  ///< without a jump, by a correction over a distance of the master
+};
+inline constexpr std::size_t start_mode_count = 6;
+
+/// "absolute", "ramp_in_pos", ...: the words of a spec.
+const char* name(StartMode mode);
+
+/// How a slave is coupled to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the
+/// unit of the slave, m that of the master; times are in s. Whether it is periodic is the cam's own
+/// affair: `with(cam, Outside::wrap)` is, `with(cam, Outside::hold)` runs once.
+struct CouplingSpec {
+  double master_scaling = 1;    ///< > 0
+  double master_offset = 0;     ///< m, added after scaling
+  double slave_scaling = 1;     ///< > 0; a negative one: mirror the cam
+  double slave_offset = 0;      ///< u, added after scaling
+  bool master_absolute = true;  ///< false: the master's position at the start counts as 0
+  bool slave_absolute = true;   ///< false: the cam is moved to where the slave is at the start
+  StartMode start = StartMode::absolute;
+  std::optional<double> velocity_diff = {};  ///< u/s, > 0: most that a correction adds; ramp_in...
+  std::optional<double> acceleration = {};   ///< u/s^2, > 0: with which it begins; ramp_in...
+  std::optional<double> deceleration = {};   ///< u/s^2, > 0: with which it ends; as acceleration
+  std::optional<double> jerk = {};           ///< u/s^3, > 0; left out, its acceleration steps
+  std::optional<double> distance = {};       ///< m of master travel, > 0; ramp_in_distance
+  std::optional<double> slave_period = {};   ///< u, > 0, of a rotary slave; left out: linear
+  /// m, > 0: a master that is further than this from where its velocity puts it has jumped, and a
+  /// slave with a ramp takes that up by another correction. Left out: it follows the jump.
+  std::optional<double> master_jump = {};
+};
+
+/// Throws InputError for a number that is not finite or positive, and for a ramp without what it
+/// needs: velocity_diff and acceleration, or distance.
+void require_valid(const CouplingSpec& spec);
+
+/// What an engagement cannot do; `ok` where it can.
+enum class CouplingStatus : std::uint8_t {
+  ok,
+  not_finite,          ///< a state, the master or the time is not finite
+  master_outside_cam,  ///< the master is where a cam that runs once has no value
+  would_reverse,       ///< ramp_in_pos, ramp_in_neg: a linear slave would have to go the other way
+  master_stands,  ///< ramp_in_distance: the slave moves, the master that should end that does not
+  no_ramp,        ///< no correction within the limits: numbers beyond 1e50
+  window_missed,  ///< the master passed an engage position between two cycles, none in its window
+};
+const char* name(CouplingStatus status);
+
+/// One sentence for a status, for people.
+const char* explain(CouplingStatus status);
+
+/// A cam with its coupling, checked: immutable.
+///
+///     CouplingSpec spec{.start = StartMode::ramp_in, .velocity_diff = 100, .acceleration = 1000};
+///     const Coupling coupling(design(cam_spec).cam, spec);
+///     const Jet master{90, 200, 0, 0};                              // at 90 m with 200 m/s
+///     if (!check(coupling, {.position = 5}, master).ok()) ...       // would it jump?
+///     const Engagement in = engage(coupling, {.position = 5}, master, 0);
+///     const Jet slave = point(coupling, in.engaged, {92, 200, 0, 0}, 0.01);
+///
+/// The slave's set-point is the cam behind its master, and what is left of a correction:
+///
+///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t),   X = master_scaling x + ...
+///
+/// c runs from the difference between slave and cam at the start (position, velocity, acceleration)
+/// to rest at zero. So nothing jumps, whatever the master does, and the slave deviates from the cam
+/// by no more than velocity_diff, acceleration, deceleration and jerk. Origins, the table of modes
+/// and what happens at a period's end: docs/cam/coupling.md. Throws InputError as require_valid
+/// does.
+class Coupling {
+ public:
+  explicit Coupling(Cam cam, const CouplingSpec& spec = {});
+
+  [[nodiscard]] const Cam& cam() const { return cam_; }
+  [[nodiscard]] const CouplingSpec& spec() const { return spec_; }
+  [[nodiscard]] bool periodic() const { return placement_.periodic; }
+  /// The cam is moved to the slave: start = relative, or slave_absolute = false.
+  [[nodiscard]] bool slave_relative() const;
+  /// Where it lies while nothing is engaged: relative to 0 where it is relative.
+  [[nodiscard]] const Placement& placement() const { return placement_; }
+  /// u by which slave set-points jump at each period's end: the scaled stroke of a period, less
+  /// whole slave periods, for an absolute slave; a relative one never jumps there.
+  [[nodiscard]] double period_jump() const { return period_jump_; }
+
+ private:
+  Cam cam_;
+  CouplingSpec spec_;
+  Placement placement_;
+  double period_jump_ = 0;
+};
+
+/// The state of a coupling: small, a value. Made by engage(), carried on by step()
+/// (coupling_cycle.hpp).
+struct Engaged {
+  Placement placement;
+  Correction correction;
+  double time = 0;  ///< s, of the last cycle
+  Jet master{};     ///< then
+};
+
+struct Engagement {
+  CouplingStatus status = CouplingStatus::ok;
+  Engaged engaged{};
+  MotionState jump{};  ///< what the set-points step by, u, u/s, u/s^2: zero with a ramp
+
+  explicit operator bool() const { return status == CouplingStatus::ok; }
+};
+
+/// Couples a slave in the given state to a master that moves as [x, x', x'', x'''] at time t, s.
+/// Nothing has moved yet. Does not allocate.
+Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t);
+
+/// The slave's set-point, [y, y', y'', y'''] by time. Pure: the same master and time, the same
+/// point. `cam` may be the cam itself, or a Table of it. Does not allocate.
+template <class C>
+Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t) {
+  Jet y = placed(cam, engaged.placement, master);
+  const Jet c = engaged.correction.jet(t, master);
+  for (std::size_t k = 0; k < y.size(); ++k) y[k] += c[k];
+  return y;
+}
+inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& master, double t) {
+  return point(coupling.cam(), engaged, master, t);
+}
+
+/// Says beforehand what engage() would do: jumps of position, velocity and acceleration
+/// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
+/// period's end ("coupling/period"), and a cam that runs once and ends moving ("coupling/end", not
+/// broken: the slave is released at that speed). A jump counts beyond 1e-9 of the slave's range.
+Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
+
+}  // namespace jounce
