@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "jounce/profiles/curve.hpp"
 #include "jounce/profiles/profile.hpp"
 
 namespace jounce {
@@ -30,17 +31,19 @@ class Correction {
   [[nodiscard]] double duration() const { return kind_ == Kind::time ? profile_.duration() : 0; }
   [[nodiscard]] bool follows_master() const { return kind_ == Kind::master; }
   [[nodiscard]] const Profile& profile() const { return profile_; }
+  /// Of one over master: the correction as a curve over the master's position, zero outside.
+  [[nodiscard]] Cam curve() const;
 
  private:
   enum class Kind : std::uint8_t { none, time, master };
 
-  [[nodiscard]] Jet over_master(double u) const;
+  [[nodiscard]] Jet by_master(double u) const;
 
   Kind kind_ = Kind::none;
   Profile profile_;
-  double start_ = 0;     // s, or m where it follows the master
-  double distance_ = 0;  // m
-  Jet difference_{};
+  double start_ = 0;        // s, or m where it follows the master
+  double distance_ = 0;     // m
+  Segment ahead_, behind_;  // over the way since the start, forwards and backwards
 };
 
 }  // namespace jounce

@@ -197,7 +197,8 @@ Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet&
       std::all_of(master.begin(), master.end(), [](double v) { return std::isfinite(v); });
   if (!sound) return {.status = CouplingStatus::not_finite, .engaged = {p, {}, 0, {}}};
   if (!spec.master_absolute) p.master_offset -= p.master_scaling * master[0];
-  if (!spot(p.at(master[0]), cam.start(), cam.length(), p.periodic).inside)
+  if (cam.outside() == Outside::refuse &&
+      !spot(p.at(master[0]), cam.start(), cam.length(), false).inside)
     return {.status = CouplingStatus::master_outside_cam, .engaged = {p, {}, t, master}};
   if (coupling.slave_relative()) {
     p.slave_offset = 0;
@@ -221,7 +222,7 @@ struct Words {
 constexpr std::array<Words, 7> statuses{{
     {"ok", "The slave can be coupled."},
     {"not_finite", "A position, velocity or acceleration, or the time, is not a finite number."},
-    {"master_outside_cam", "The master is outside the range of a cam that runs once."},
+    {"master_outside_cam", "The master is outside the range of a cam that refuses that."},
     {"would_reverse",
      "The slave could reach its cam only against the direction that its start mode allows."},
     {"master_stands",

@@ -27,7 +27,8 @@ const char* name(StartMode mode);
 
 /// How a slave is coupled to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the
 /// unit of the slave, m that of the master; times are in s. Whether it is periodic is the cam's own
-/// affair: `with(cam, Outside::wrap)` is, `with(cam, Outside::hold)` runs once.
+/// affair: `with(cam, Outside::wrap)` is; one that holds or refuses runs once, and only a holding
+/// one may be engaged while the master is outside: the slave waits at the cam's end value.
 struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling
@@ -55,7 +56,7 @@ void require_valid(const CouplingSpec& spec);
 enum class CouplingStatus : std::uint8_t {
   ok,
   not_finite,          ///< a state, the master or the time is not finite
-  master_outside_cam,  ///< the master is where a cam that runs once has no value
+  master_outside_cam,  ///< the master is where a refusing cam has no value
   would_reverse,       ///< ramp_in_pos, ramp_in_neg: a linear slave would have to go the other way
   master_stands,  ///< ramp_in_distance: the slave moves, the master that should end that does not
   no_ramp,        ///< no correction within the limits: numbers beyond 1e50

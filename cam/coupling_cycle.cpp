@@ -40,10 +40,11 @@ int as_int(double count) {
   return static_cast<int>(std::clamp(count, -most, most));
 }
 
-/// Where a cam that runs once ends for a master on its way from X0 to X1: 1 at its end, -1 at its
-/// start, 0 nowhere yet. The end is where the master arrives, but for rounding; it may begin there.
+/// Where a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1 at its
+/// start, 0 nowhere. It leaves where it arrives at an end, but for rounding; it may begin there.
 int left_at(const Cam& cam, double X0, double X1) {
   const double eps = near * cam.length();
+  if (X0 < cam.start() - eps || X0 > cam.end() + eps) return 0;
   if (X1 > cam.end() + eps || (X1 >= cam.end() - eps && X0 < cam.end() - eps)) return 1;
   if (X1 < cam.start() - eps || (X1 <= cam.start() + eps && X0 > cam.start() + eps)) return -1;
   return 0;

@@ -49,9 +49,8 @@ struct Stepped {
 /// **Master.** Whatever it does, the slave is on its cam, but for the correction: it accelerates by
 /// the chain rule, runs backwards along the same cam, and follows the noise of a measured master
 /// times the cam's slope. Give a measured master filtered, with the velocity and acceleration of the
-/// filter. A master that jumps is announced (`jumped`) where master_jump is set; a slave with a
-/// ramp over time then stays where it is and ramps in again, any other jumps with it. A
-/// ramp over a distance of the master cannot be begun again by a jump: it would jump too.
+/// filter. A master that jumps is announced (`jumped`) where master_jump is set; a slave with a ramp
+/// then stays on its way and ramps in again, any other jumps with its master.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
 /// When a coupling begins, or is exchanged for another.

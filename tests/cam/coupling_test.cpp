@@ -194,16 +194,19 @@ TEST(Coupling, TheCorrectionOverMasterHasItsOwnDerivatives) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR((at(x + h)[k] - at(x - h)[k]) / (2 * h), at(x)[k + 1], 1e-7) << x << " " << k;
   }
-  const Jet middle = c.jet(0, {14, 1, 0, 0});  // (1 - s)^3 (3 + 5 s + 6.64 s^2) at s = 1/2
+  // (1 - s)^3 (p0 + (p1 + 3 p0) s + (p2 + 3 p1 + 6 p0) s^2) at s = 1/2, p = 3, -4, 0.64.
+  const Jet middle = c.jet(0, {14, 1, 0, 0});
   EXPECT_DOUBLE_EQ(middle[0], 0.125 * (3 + 0.5 * 5 + 0.25 * (0.64 + 3 * -4.0 + 18)));
 }
 
 TEST(Coupling, RefusesWhatItCannotDo) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Coupling once(ramp(), {.master_offset = 1});
+  const Coupling once(with(ramp(), Outside::refuse), {.master_offset = 1});
   EXPECT_EQ(engage(once, {}, {9.1, 0, 0, 0}, 0).status, CouplingStatus::master_outside_cam);
   EXPECT_EQ(engage(once, {}, {-1.1, 0, 0, 0}, 0).status, CouplingStatus::master_outside_cam);
   EXPECT_EQ(engage(once, {}, {9, 0, 0, 0}, 0).status, CouplingStatus::ok);
+  EXPECT_EQ(engage(Coupling(ramp()), {}, {11, 0, 0, 0}, 0).jump.position, 20)
+      << "a cam that holds has a value everywhere";
   EXPECT_EQ(engage(once, {}, {nan, 0, 0, 0}, 0).status, CouplingStatus::not_finite);
   EXPECT_EQ(engage(once, {nan, 0, 0}, {}, 0).status, CouplingStatus::not_finite);
   EXPECT_EQ(engage(once, {}, {}, nan).status, CouplingStatus::not_finite);
@@ -291,7 +294,8 @@ TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
     for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule + " ";
     return all;
   };
-  EXPECT_EQ(rules(check(Coupling(ramp()), {}, {20, 0, 0, 0})), "!coupling/master_outside_cam ");
+  EXPECT_EQ(rules(check(Coupling(with(ramp(), Outside::refuse)), {}, {20, 0, 0, 0})),
+            "!coupling/master_outside_cam ");
   EXPECT_NE(rules(check(Coupling(indexing()), {}, {})).find("!coupling/period"), std::string::npos);
   EXPECT_EQ(rules(check(Coupling(with(indexing(), Outside::hold)), {}, {})).find("coupling/end"),
             std::string::npos);
