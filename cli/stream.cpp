@@ -31,6 +31,7 @@ volatile std::sig_atomic_t interrupted = 0;
 
 StreamPlan plan_of(const Options& options) {
   Input input = load(options.file, options.axis);
+  const auto coupling = input.spec ? input.spec->coupling : std::nullopt;
   Tables tables = [&] {
     if (options.master.empty()) return executor_tables(input);
     return Tables{input.table, read_table(options.master)};
@@ -41,6 +42,7 @@ StreamPlan plan_of(const Options& options) {
   if (tables.master) {
     plan.tables.push_back({std::move(tables.master->table), tables.master->units});
     plan.mode = wire::ArmMode::follow_table;
+    plan.coupling = coupling.value_or(CouplingSpec{});
   }
   plan.goal = options.until == "download" ? StreamGoal::download
               : options.until == "arm"    ? StreamGoal::arm

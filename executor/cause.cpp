@@ -55,6 +55,12 @@ constexpr std::array entries{
     Entry{Cause::wrong_unit, "wrong_unit", "The table counts in another unit than the axis."},
     Entry{Cause::no_master_input, "no_master_input",
           "This executor has no master input; send the master as a table over time."},
+    Entry{Cause::would_reverse, "would_reverse",
+          "The axis could reach its cam only against the direction that its start mode allows."},
+    Entry{Cause::master_stands, "master_stands",
+          "A ramp over a distance of the master begins while the cam moves without it."},
+    Entry{Cause::no_ramp, "no_ramp", "No ramp within its limits brings the axis onto its cam."},
+    Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis is on its cam."},
 };
 
 const Entry& entry(Cause cause) {

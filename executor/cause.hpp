@@ -42,6 +42,10 @@ enum class Cause : std::uint8_t {
   acceleration_step = 52,
   wrong_unit = 53,
   no_master_input = 54,
+  would_reverse = 55,
+  master_stands = 56,
+  no_ramp = 57,
+  not_in_sync = 58,
 };
 
 /// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.

@@ -88,6 +88,12 @@ std::optional<Refusal> Dispatcher::unfit(const ArmRequested& arm) const {
   return std::nullopt;
 }
 
+/// Where the axis will stand when what it plays now is over.
+double Dispatcher::next_rest() const {
+  const auto playing = jobs_.find(last_.job);
+  return playing == jobs_.end() ? last_.position : playing->second.job->last().slave[0];
+}
+
 void Dispatcher::handle(const ArmRequested& arm) {
   const Request request{arm.session, arm.command, Kind::arm};
   if (const auto refusal = unfit(arm)) return answer(request, refusal);
@@ -95,7 +101,8 @@ void Dispatcher::handle(const ArmRequested& arm) {
   std::unique_ptr<Job> job;
   try {
     const double tick = static_cast<double>(options_.axis.period) * 1e-9;
-    job = arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table, tick)
+    job = arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table, tick,
+                                             arm.coupling, next_rest())
                      : std::make_unique<Job>(id, arm.slave.table, nullptr, tick);
   } catch (const InputError&) {
     return answer(request, Refusal{.cause = Cause::bad_table});

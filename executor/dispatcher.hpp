@@ -73,6 +73,7 @@ class Dispatcher {
   void handle(const StopRequested& stop);
   void handle(const SessionEnded& ended);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
+  [[nodiscard]] double next_rest() const;
 
   void order(Command command);
   void order(const Command& command, const Request& request);

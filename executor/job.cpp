@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -39,7 +38,7 @@ void include(Ranges& ranges, std::size_t order, double value, double where, Side
 }
 
 /// Where the derivative of the given order is zero in (a, b), at whose ends its signs differ.
-double turning_point(const Followed& f, std::size_t order, double a, double b) {
+double turning_point(const Coupled& f, std::size_t order, double a, double b) {
   const bool rising = f.jet(a)[order] < 0;
   double middle = a + (b - a) / 2;
   while (middle > a && middle < b) {
@@ -49,7 +48,7 @@ double turning_point(const Followed& f, std::size_t order, double a, double b) {
   return middle;
 }
 
-void survey(const Followed& f, double a, double b, Ranges& ranges) {
+void survey(const Coupled& f, double a, double b, Ranges& ranges) {
   constexpr int points = 16;
   double t = a;
   Jet here = f.jet(a);
@@ -68,7 +67,7 @@ void survey(const Followed& f, double a, double b, Ranges& ranges) {
   }
 }
 
-Ranges survey(const Followed& f) {
+Ranges survey(const Coupled& f) {
   const Jet first = f.jet(f.start());
   Ranges ranges;
   for (std::size_t k = 0; k < 4; ++k)
@@ -114,14 +113,25 @@ Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
   return largest;
 }
 
-/// By how much the master leaves a cam that refuses it; rounding is forgiven.
-Extremum excess(const Table& cam, const Range& master) {
+/// By how much the master, scaled, leaves a cam that refuses it; rounding is forgiven.
+Extremum excess(const Table& cam, const Placement& placement, const Range& master) {
   if (cam.outside() != Outside::refuse) return {};
-  const double below = cam.start() - master.min.value;
-  const double above = master.max.value - cam.end();
+  const double below = cam.start() - placement.at(master.min.value);
+  const double above = placement.at(master.max.value) - cam.end();
   const Extremum worst = below > above ? Extremum{below, master.min.where, Side::right}
                                        : Extremum{above, master.max.where, Side::right};
   return worst.value > same * cam.length() ? worst : Extremum{};
+}
+
+Cause cause_of(CouplingStatus status) {
+  switch (status) {
+    case CouplingStatus::would_reverse:
+      return Cause::would_reverse;
+    case CouplingStatus::master_stands:
+      return Cause::master_stands;
+    default:
+      return Cause::no_ramp;
+  }
 }
 
 }  // namespace
@@ -146,41 +156,59 @@ AxisConfig resolved(AxisConfig config) {
 }
 
 Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
-         double tick)
-    : id_(id), time_(std::move(time)), cam_(std::move(cam)) {
-  const Trajectory trajectory = time_->curve<OverTime>();
+         double tick, const CouplingSpec& coupling, double position)
+    : id_(id), time_(std::move(time)), cam_(std::move(cam)), in_sync_(time_->start()) {
   if (cam_) {
-    // Held instead of refused, so that a master that leaves the cam is a finding of admit().
-    const Cam curve = cam_->outside() == Outside::refuse
-                          ? with(cam_->curve<OverMaster>(), Outside::hold)
-                          : cam_->curve<OverMaster>();
-    const Followed slave(curve, trajectory);
-    ranges_ = survey(slave);
-    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats(), tick);
-    master_excess_ = excess(*cam_, extrema(trajectory, 0));
+    couple(coupling, position, tick);
   } else {
+    const Trajectory trajectory = time_->curve<OverTime>();
     ranges_ = extrema(trajectory);
-    for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(trajectory, k, repeats(), tick);
+    survey_steps(trajectory, tick);
   }
-  first_ = follow(time_->jet(time_->start()));
-  last_ = follow(time_->jet(time_->end(), Side::left));
+  first_ = follow(master(0), 0);
+  last_ = follow(master(duration(), Side::left), duration());
 }
 
-Setpoint Job::follow(const Jet& x) const {
+void Job::couple(const CouplingSpec& spec, double position, double tick) {
+  // Held instead of refused, so that a master that leaves the cam is a finding of admit().
+  const Cam curve = cam_->outside() == Outside::refuse
+                        ? with(cam_->curve<OverMaster>(), Outside::hold)
+                        : cam_->curve<OverMaster>();
+  const Coupling coupling(curve, spec);
+  const Engagement in = engage(coupling, {.position = position}, master(0), start());
+  engaged_ = in.engaged;
+  coupled_ = in.status;
+  const Trajectory trajectory = time_->curve<OverTime>();
+  const Coupled slave(coupling, engaged_, trajectory);
+  least_ = slave.end() - start();
+  in_sync_ = slave.in_sync();
+  ranges_ = survey(slave);
+  survey_steps(slave, tick);
+  master_excess_ = excess(*cam_, engaged_.placement, extrema(trajectory, 0));
+}
+
+template <Signal S>
+void Job::survey_steps(const S& slave, double tick) {
+  for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats(), tick);
+}
+
+/// What the time table says at local time t; after its end it rests there.
+Jet Job::master(double t, Side side) const {
+  if (side == Side::left && t == time_->length()) return time_->jet(time_->end(), side);
+  if (repeats() || t < time_->length()) return time_->jet(start() + t);
+  return {time_->jet(time_->end(), Side::left)[0], 0, 0, 0};
+}
+
+Setpoint Job::follow(const Jet& x, double t) const {
   if (!cam_) return {0, 0, x};
-  // Rounding may carry an admitted master past the end of its cam by an ulp.
-  const double master =
-      cam_->outside() == Outside::refuse ? std::clamp(x[0], cam_->start(), cam_->end()) : x[0];
-  const Jet f = cam_->jet(master);
-  // The chain rule; see cam/followed.hpp (1) to (3).
-  return {x[0],
-          x[1],
-          {f[0], f[1] * x[1], f[2] * x[1] * x[1] + f[1] * x[2],
-           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]}};
+  const double now = start() + t;
+  const bool in_sync = in_sync_ && now >= *in_sync_;
+  return {x[0], x[1],
+          in_sync ? placed(*cam_, engaged_.placement, x) : point(*cam_, engaged_, x, now)};
 }
 
 Setpoint Job::at(double t) const {
-  if (repeats() || t < duration()) return follow(time_->jet(time_->start() + t));
+  if (repeats() || t < duration()) return follow(master(t), t);
   return {last_.master, 0, {last_.slave[0], 0, 0, 0}};
 }
 
@@ -217,10 +245,13 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
     if (limit) within(cause, range.peak().value, *limit, range.peak().where);
   };
 
+  rule(job.coupled() == CouplingStatus::ok, cause_of(job.coupled()), position, p0, job.start());
+  rule(job.gets_in_sync(), Cause::not_in_sync, p1, position, end);
   within(Cause::master_outside_cam, job.master_excess().value, 0, job.master_excess().where);
   rule(std::abs(p0 - position) <= near, Cause::start_position, p0, position, job.start());
   within(Cause::start_velocity, job.first().slave[1], v_most, job.start());
-  if (job.repeats()) rule(std::abs(p1 - p0) <= near, Cause::not_closed, p1, p0, end);
+  if (job.repeats())
+    rule(std::abs(p1 - p0) <= near && !job.ramps(), Cause::not_closed, p1, p0, end);
   if (!job.repeats()) within(Cause::end_velocity, job.last().slave[1], v_most, end);
   within(Cause::position_step, p_step.step, near, p_step.where);
   const double lowest = limits.position_min.value_or(p.min.value);

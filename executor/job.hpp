@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "jounce/cam/coupled.hpp"
 #include "jounce/executor/cause.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
@@ -42,19 +44,27 @@ struct Setpoint {
 /// Local time runs from 0 at the start. A time table that wraps repeats until it is stopped; any
 /// other ends after one run. A cam table that wraps is periodic in the master.
 ///
-/// Throws InputError where the tables are not over time and over master position in this order.
+/// A cam is coupled as `coupling` says (cam/coupling.hpp), at local time 0, to a slave at rest at
+/// `position`: an axis that does not stand where the cam begins can be engaged by a ramp. The job
+/// then lasts until the ramp is over. admit() refuses a ramp onto a master that repeats: the axis would
+/// not come back to where it stood.
+///
+/// Throws InputError where the tables are not over time and over master position in this order, and
+/// for a bad coupling.
 class Job {
  public:
-  ///
   /// `tick` is the length of a tick, s: steps closer together than that count as one.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
-      std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3);
+      std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
+      const CouplingSpec& coupling = {}, double position = 0);
 
   [[nodiscard]] std::uint64_t id() const { return id_; }
   [[nodiscard]] bool synchronized() const { return cam_ != nullptr; }
   [[nodiscard]] bool repeats() const { return time_->outside() == Outside::wrap; }
-  [[nodiscard]] double start() const { return time_->start(); }      ///< of the time table, s
-  [[nodiscard]] double duration() const { return time_->length(); }  ///< s, of one run
+  [[nodiscard]] double start() const { return time_->start(); }  ///< of the time table, s
+  [[nodiscard]] double duration() const {
+    return std::max(time_->length(), least_);
+  }  ///< s, of one run
 
   /// The point at local time t >= 0, s: bit for bit what the tables give. After the end of a job
   /// that does not repeat, its last point at rest. Never allocates.
@@ -76,15 +86,30 @@ class Job {
   /// How far, in master units, and when the master leaves a cam that refuses it; 0 if it does not.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
+  /// Why the cam cannot be coupled there; `ok` where it can, and without a cam.
+  [[nodiscard]] CouplingStatus coupled() const { return coupled_; }
+  /// It gets onto its cam by a ramp.
+  [[nodiscard]] bool ramps() const { return !in_sync_ || *in_sync_ > start(); }
+  /// The ramp is over before the job is.
+  [[nodiscard]] bool gets_in_sync() const { return in_sync_.has_value(); }
+
   /// What counts as the same position: 1e-9 of the stroke, and rounding.
   [[nodiscard]] double tolerance() const;
 
  private:
-  [[nodiscard]] Setpoint follow(const Jet& time) const;
+  void couple(const CouplingSpec& spec, double position, double tick);
+  template <Signal S>
+  void survey_steps(const S& slave, double tick);
+  [[nodiscard]] Jet master(double t, Side side = Side::right) const;
+  [[nodiscard]] Setpoint follow(const Jet& x, double t) const;
 
   std::uint64_t id_;
   std::shared_ptr<const Table> time_;
   std::shared_ptr<const Table> cam_;
+  double least_ = 0;  // s of duration, for a ramp
+  Engaged engaged_;
+  CouplingStatus coupled_ = CouplingStatus::ok;
+  std::optional<double> in_sync_;  // of the time table; without a cam its start
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};

@@ -70,6 +70,7 @@ void read_cam_parts(TomlReader& top, Spec& spec) {
   detail::read_optimize(top, spec.optimize);
   spec.master = read_master(top, spec);
   spec.disc = detail::read_disc(top, spec.units);
+  spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
 }
 
 void read_body(TomlReader& top, Spec& spec) {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/cam/coupling.hpp"
 #include "jounce/cam/design.hpp"
 #include "jounce/cam/disc.hpp"
 #include "jounce/io/document.hpp"
@@ -97,6 +98,7 @@ struct Spec {
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit
   std::optional<MasterSpec> master;
+  std::optional<CouplingSpec> coupling;  ///< of a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam

@@ -8,14 +8,15 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/cam/coupling.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/pvt/table.hpp"
 
-/// The messages of stream protocol version 0, as values. docs/stream-protocol.md tells who sends
+/// The messages of stream protocol version 1, as values. docs/stream-protocol.md tells who sends
 /// which when; stream/lcm/*.lcm is their layout on the wire; wire.hpp turns one into the other.
 namespace jounce::wire {
 
-inline constexpr std::int32_t protocol_version = 0;
+inline constexpr std::int32_t protocol_version = 1;
 inline constexpr std::size_t chunk_values = 1600;  ///< doubles a chunk can carry: 12.8 KB
 inline constexpr std::size_t executor_bytes = 24;  ///< of an executor's name, final zero included
 inline constexpr std::size_t unit_bytes = 16;      ///< of a unit, final zero included
@@ -103,8 +104,9 @@ struct Chunk {
 struct Arm {
   std::int32_t command = 0;
   ArmMode mode = ArmMode::play;
-  Sha256 slave{};   ///< hash of the slave table
-  Sha256 master{};  ///< hash of the master table; zero unless mode is follow_table
+  Sha256 slave{};           ///< hash of the slave table
+  Sha256 master{};          ///< hash of the master table; zero unless mode is follow_table
+  CouplingSpec coupling{};  ///< of a slave table over master; without master_jump
 };
 
 struct Start {

@@ -252,7 +252,7 @@ void Receiver::take(const wire::Arm& arm, std::int64_t session) {
   if (Refused refused =
           misfit(arm.mode, {*slave->table, slave->units}, driver ? &*driver : nullptr))
     return settle(command_, std::move(refused));
-  events_.emplace_back(ArmRequested{session, arm.command, arm.mode, *slave, master});
+  events_.emplace_back(ArmRequested{session, arm.command, arm.mode, *slave, master, arm.coupling});
 }
 
 void Receiver::take(const wire::Start& start, std::int64_t session) {

@@ -37,6 +37,7 @@ struct ArmRequested {
   wire::ArmMode mode = wire::ArmMode::play;
   StoredTable slave;
   std::optional<StoredTable> master;  ///< with follow_table
+  CouplingSpec coupling{};            ///< of a slave over master
 };
 
 /// Follows an accepted arm of the same session. Owes an answer.

@@ -216,10 +216,11 @@ void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int3
 void Sender::pursue() {
   if (!given_up_ && plan_.goal >= StreamGoal::arm && !outcome_.armed) {
     enter(StreamStage::arming);
-    issue(wire::Arm{
-        .mode = plan_.mode,
-        .slave = headers_[0].hash,
-        .master = plan_.mode == wire::ArmMode::follow_table ? headers_[1].hash : Sha256{}});
+    issue(
+        wire::Arm{.mode = plan_.mode,
+                  .slave = headers_[0].hash,
+                  .master = plan_.mode == wire::ArmMode::follow_table ? headers_[1].hash : Sha256{},
+                  .coupling = plan_.coupling});
   } else if (!given_up_ && plan_.goal >= StreamGoal::start && !outcome_.started) {
     enter(StreamStage::starting);
     issue(wire::Start{.tick = plan_.start_tick});

@@ -11,6 +11,7 @@ namespace {
 
 void require_armable(const StreamPlan& plan) {
   if (plan.goal == StreamGoal::download) return;
+  require_valid(plan.coupling);
   const auto in_units = [](const StreamPlan::Item& item) {
     return TableInUnits{item.table, item.units};
   };

@@ -22,11 +22,12 @@ struct StreamPlan {
   std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
   StreamGoal goal = StreamGoal::start;
   wire::ArmMode mode = wire::ArmMode::play;
+  CouplingSpec coupling{};       ///< of a slave that follows a master, in s; without master_jump
   std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
 };
 
 /// Throws InputError for no or too many tables, a bad tick, or, unless the goal is to download
-/// only, tables whose axes or units do not fit the mode.
+/// only, tables whose axes or units do not fit the mode, or a bad coupling.
 void require_valid(const StreamPlan& plan);
 
 /// What announces this table as number `index` of a session. Throws InputError for too many knots.

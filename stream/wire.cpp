@@ -142,7 +142,7 @@ Lane lane(const Body& body) {
 
 std::string channel(const std::string& executor, Lane lane) {
   constexpr const char* ends[] = {".table", ".command", ".reply", ".status"};
-  return "JOUNCE0." + executor + ends[static_cast<std::size_t>(lane)];
+  return "JOUNCE1." + executor + ends[static_cast<std::size_t>(lane)];
 }
 
 }  // namespace jounce::wire

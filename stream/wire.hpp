@@ -42,7 +42,7 @@ enum class Lane {
 };
 Lane lane(const Body& body);
 
-/// "JOUNCE0.<executor>.table", ...
+/// "JOUNCE1.<executor>.table", ...
 std::string channel(const std::string& executor, Lane lane);
 
 }  // namespace jounce::wire

@@ -18,6 +18,10 @@ void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 /// [disc] with [disc.limits], where there is one.
 std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);
 
+/// [coupling], in s.
+std::optional<CouplingSpec> read_coupling(TomlReader& top, const Units& units,
+                                          const std::string& time_unit);
+
 /// A `profile` of [move] and what reads its keys.
 struct ProfileReader {
   const char* name;

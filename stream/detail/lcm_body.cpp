@@ -4,6 +4,7 @@
 #include <bit>
 #include <concepts>
 #include <limits>
+#include <optional>
 
 #include "jounce/profiles/error.hpp"
 
@@ -25,6 +26,8 @@ template <>
 constexpr int last_of<Rule> = static_cast<int>(Rule::quintic_hermite);
 template <>
 constexpr int last_of<Outside> = static_cast<int>(Outside::advance);
+template <>
+constexpr int last_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance);
 template <>
 constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::follow_table);
 template <>
@@ -95,6 +98,53 @@ void put_bytes(const std::array<std::uint8_t, N>& from, std::uint8_t (&to)[N]) {
 template <std::size_t N>
 bool get_bytes(const std::uint8_t (&from)[N], std::array<std::uint8_t, N>& to) {
   std::copy(from, from + N, to.begin());
+  return true;
+}
+
+double put_magnitude(const std::optional<double>& value) {
+  return value.value_or(0);
+}
+
+bool get_magnitude(double number, std::optional<double>& value) {
+  if (number != 0) value = number;
+  return number >= 0;
+}
+
+void put(const CouplingSpec& from, jounce_lcm::coupling_t& to) {
+  to.start = number_of(from.start);
+  to.master_absolute = from.master_absolute ? 1 : 0;
+  to.slave_absolute = from.slave_absolute ? 1 : 0;
+  to.master_scaling = from.master_scaling;
+  to.master_offset = from.master_offset;
+  to.slave_scaling = from.slave_scaling;
+  to.slave_offset = from.slave_offset;
+  to.velocity_diff = put_magnitude(from.velocity_diff);
+  to.acceleration = put_magnitude(from.acceleration);
+  to.deceleration = put_magnitude(from.deceleration);
+  to.jerk = put_magnitude(from.jerk);
+  to.distance = put_magnitude(from.distance);
+  to.slave_period = put_magnitude(from.slave_period);
+}
+
+/// Whole, and such that a coupling can be made of it.
+bool get(const jounce_lcm::coupling_t& from, CouplingSpec& to) {
+  to.master_scaling = from.master_scaling;
+  to.master_offset = from.master_offset;
+  to.slave_scaling = from.slave_scaling;
+  to.slave_offset = from.slave_offset;
+  if (!get_enum(from.start, to.start) || !get_flag(from.master_absolute, to.master_absolute) ||
+      !get_flag(from.slave_absolute, to.slave_absolute) ||
+      !get_magnitude(from.velocity_diff, to.velocity_diff) ||
+      !get_magnitude(from.acceleration, to.acceleration) ||
+      !get_magnitude(from.deceleration, to.deceleration) || !get_magnitude(from.jerk, to.jerk) ||
+      !get_magnitude(from.distance, to.distance) ||
+      !get_magnitude(from.slave_period, to.slave_period))
+    return false;
+  try {
+    require_valid(to);
+  } catch (const InputError&) {
+    return false;
+  }
   return true;
 }
 
@@ -172,11 +222,14 @@ void put(const Arm& from, jounce_lcm::arm_t& to) {
   to.mode = number_of(from.mode);
   put_bytes(from.slave, to.slave_hash);
   put_bytes(from.master, to.master_hash);
+  require_valid(from.coupling);
+  put(from.coupling, to.coupling);
 }
 
 bool get(const jounce_lcm::arm_t& from, Arm& to) {
   return get_command(from.command, to.command) && get_enum(from.mode, to.mode) &&
-         get_bytes(from.slave_hash, to.slave) && get_bytes(from.master_hash, to.master);
+         get_bytes(from.slave_hash, to.slave) && get_bytes(from.master_hash, to.master) &&
+         get(from.coupling, to.coupling);
 }
 
 void put(const Start& from, jounce_lcm::start_t& to) {

@@ -7,6 +7,7 @@
 #include "jounce_lcm/ack_t.hpp"
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/coupling_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/reply_t.hpp"

@@ -110,6 +110,36 @@ std::vector<Line> moving_lines(const std::filesystem::path& path) {
   return lines;
 }
 
+// An axis that does not stand at the cam's first point, by a coupling that came over the wire.
+TEST(Dispatcher, CouplesACamToAnAxisThatStandsElsewhere) {
+  ExecutorOptions options = Site::defaults();
+  options.axis.position = -12;
+  options.axis.limits = limits(800, 20000);
+  Site site(options);
+  StreamPlan plan{
+      .executor = {},
+      .tables = {{*pmc600_cam(), over_master}, {*constant_master(1080, 200), of_master}},
+      .mode = wire::ArmMode::follow_table};
+  const StreamOutcome absolute = site.stream(plan, 1);
+  EXPECT_EQ(absolute.cause, static_cast<int>(Cause::start_position)) << "it would jump";
+  plan.coupling = {
+      .slave_offset = 7, .start = StartMode::ramp_in, .velocity_diff = 50, .acceleration = 1000};
+  const StreamOutcome ramped = site.stream(plan, 2);
+  ASSERT_TRUE(ramped.ok()) << ramped.reason;
+  double last = -12;
+  for (int ms = 0; ms < 6000; ++ms) {
+    site.advance(1ms);
+    EXPECT_LE(std::abs(site.dispatcher.last().position - last), 0.8 + 1e-9) << ms;
+    last = site.dispatcher.last().position;
+  }
+  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+  EXPECT_NEAR(last, 7, 1e-9);
+
+  plan.coupling.start = StartMode::ramp_in_neg;
+  plan.coupling.slave_offset = 20;
+  EXPECT_EQ(site.stream(plan, 3).cause, static_cast<int>(Cause::would_reverse));
+}
+
 // PMC600 manual 6.2, example 4.3, from the streamer's tables to the file that the executor leaves.
 TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
   ExecutorOptions options = Site::defaults();

@@ -33,7 +33,7 @@ TEST(Driver, CountsAndDropsWhatIsNoMessage) {
 TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
   World world;
   const std::vector<std::byte> noise(100);
-  for (int i = 0; i < 20; ++i) world.link.send("JOUNCE0.feeder.table", noise);
+  for (int i = 0; i < 20; ++i) world.link.send("JOUNCE1.feeder.table", noise);
   for (const auto& message : test::messages_of(test::sine_table(5), 1))
     send_message(world.link, message);
   world.executor->turn();
@@ -43,7 +43,7 @@ TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
 
 TEST(Driver, PublishesTheStatus) {
   World world;
-  world.link.subscribe("JOUNCE0.feeder.status", 1);
+  world.link.subscribe("JOUNCE1.feeder.status", 1);
   world.executor->pump.publish({.state = wire::AxisState::standstill, .tick = 7});
   Rejects rejects;
   const auto message = next_message(world.link, Nanos{}, rejects);
@@ -54,7 +54,7 @@ TEST(Driver, PublishesTheStatus) {
 
 TEST(Driver, ReadsTheNewestStatus) {
   World world;
-  world.link.subscribe("JOUNCE0.feeder.status", 1);
+  world.link.subscribe("JOUNCE1.feeder.status", 1);
   EXPECT_FALSE(next_status(world.link, "feeder", 50ms, world.clock).has_value());
   EXPECT_EQ(world.now, 50ms);
   std::int64_t tick = 0;

@@ -32,14 +32,14 @@ TEST(LcmTransport, CarriesEveryMessage) {
 
 TEST(LcmTransport, TakesAChannelForItsNameNotForAPattern) {
   LcmTransport link("memq://");
-  link.subscribe("JOUNCE0.a_-b.table", 10);
+  link.subscribe("JOUNCE1.a_-b.table", 10);
   const std::byte byte{1};
-  link.send("JOUNCE0xa_-bxtable", {&byte, 1});
-  link.send("JOUNCE0.a_-b.tables", {&byte, 1});
-  link.send("JOUNCE0.a_-b.table", {&byte, 1});
+  link.send("JOUNCE1xa_-bxtable", {&byte, 1});
+  link.send("JOUNCE1.a_-b.tables", {&byte, 1});
+  link.send("JOUNCE1.a_-b.table", {&byte, 1});
   const auto packet = link.receive(1s);
   ASSERT_TRUE(packet.has_value());
-  EXPECT_EQ(packet->channel, "JOUNCE0.a_-b.table");
+  EXPECT_EQ(packet->channel, "JOUNCE1.a_-b.table");
   EXPECT_FALSE(link.receive(Nanos{}).has_value());
 }
 

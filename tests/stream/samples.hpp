@@ -17,13 +17,15 @@ inline std::vector<wire::Message> samples() {
   }
   std::vector<double> values;
   for (int i = 0; i < 1599; ++i) values.push_back(0.1 * i - 30);
+  const CouplingSpec coupling{2.5, -3.5, 0.5, 7,   false, true, StartMode::ramp_in_neg,
+                              100, 200,  300, 400, 500,   360};
   const std::string name = "feeder_2-B";
   return {
       {name, 11,
        wire::Header{
            3, one, Axis::master, Rule::quintic_hermite, Outside::wrap, {"deg", "µm"}, 1000, 4, 5}},
       {name, 12, wire::Chunk{4, 1, 533, 533, 3, values}},
-      {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two}},
+      {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two, coupling}},
       {name, 14, wire::Start{3, 1'234'567'890'123}},
       {name, 15, wire::Stop{4, wire::StopMode::abort}},
       {name, 16, wire::Heartbeat{5, true}},
@@ -65,7 +67,13 @@ struct Text {
     for (const double value : m.values) fields(value);
   }
   void operator()(const wire::Arm& m) {
-    fields("arm", m.command, name(m.mode), hex(m.slave), hex(m.master));
+    const CouplingSpec& c = m.coupling;
+    fields("arm", m.command, name(m.mode), hex(m.slave), hex(m.master), name(c.start),
+           c.master_absolute, c.slave_absolute, c.master_scaling, c.master_offset, c.slave_scaling,
+           c.slave_offset);
+    for (const auto& magnitude :
+         {c.velocity_diff, c.acceleration, c.deceleration, c.jerk, c.distance, c.slave_period})
+      fields(magnitude.value_or(-1));
   }
   void operator()(const wire::Start& m) { fields("start", m.command, m.tick); }
   void operator()(const wire::Stop& m) { fields("stop", m.command, static_cast<int>(m.mode)); }

@@ -69,10 +69,10 @@ void expect_type(std::uint64_t hash, int length) {
   EXPECT_EQ(Lcm{}.getEncodedSize(), length) << Lcm::getTypeName();
 }
 
-TEST(Wire, TypesAreThoseOfVersionZero) {
+TEST(Wire, TypesAreThoseOfVersionOne) {
   expect_type<jounce_lcm::header_t>(0x9f422dfa36afebcc, 135);
   expect_type<jounce_lcm::chunk_t>(0x8b0974683d9a3061, 12872);
-  expect_type<jounce_lcm::arm_t>(0x330c125629667b71, 121);
+  expect_type<jounce_lcm::arm_t>(0x3d44a370433db707, 204);
   expect_type<jounce_lcm::start_t>(0xa5857b0f3a74f7b6, 64);
   expect_type<jounce_lcm::stop_t>(0x3c64ff05ba0f4862, 57);
   expect_type<jounce_lcm::heartbeat_t>(0x718cee7cced11d18, 57);
@@ -116,12 +116,12 @@ TEST(Wire, BytesAreBigEndianWithTheChecksumLast) {
   EXPECT_EQ(hex(wire::encode(message)),
             "718cee7cced11d18"                                  // type
             "4a4e4345"                                          // magic
-            "00000000"                                          // version
+            "00000001"                                          // version
             "666565646572000000000000000000000000000000000000"  // executor
             "0102030405060708"                                  // session
             "00000007"                                          // command
             "01"                                                // release
-            "6082631a");                                        // checksum
+            "ed0a9ef8");                                        // checksum
 }
 
 TEST(Wire, EveryMessageComesBackAsItWas) {
@@ -203,6 +203,14 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 3, 0)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 11, 0xFE)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 6)), Reject::bad_field) << "start";
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 2)), Reject::bad_field)
+      << "ramp_in without its limits";
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 70, 2)), Reject::bad_field) << "flag";
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 72, 0xBF)), Reject::bad_field)
+      << "master_scaling -1";
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 104, 0xBF)), Reject::bad_field)
+      << "velocity_diff < 0";
   EXPECT_EQ(reject(forged(wire::Stop{.command = 1}, fields + 4, 2)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Heartbeat{.command = 1}, fields + 4, 2)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Ack{.boot = 1}, fields + 7, 0)), Reject::bad_field) << "boot 0";
@@ -294,14 +302,14 @@ TEST(Wire, SurvivesNoise) {
 }
 
 TEST(Wire, EachMessageHasItsChannel) {
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Chunk{})), "JOUNCE0.feeder.table");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Header{})), "JOUNCE0.feeder.table");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Chunk{})), "JOUNCE1.feeder.table");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Header{})), "JOUNCE1.feeder.table");
   for (const wire::Body& body : {wire::Body{wire::Arm{}}, wire::Body{wire::Start{}},
                                  wire::Body{wire::Stop{}}, wire::Body{wire::Heartbeat{}}})
-    EXPECT_EQ(wire::channel("feeder", wire::lane(body)), "JOUNCE0.feeder.command");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Ack{})), "JOUNCE0.feeder.reply");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Reply{})), "JOUNCE0.feeder.reply");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Status{})), "JOUNCE0.feeder.status");
+    EXPECT_EQ(wire::channel("feeder", wire::lane(body)), "JOUNCE1.feeder.command");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Ack{})), "JOUNCE1.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Reply{})), "JOUNCE1.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Status{})), "JOUNCE1.feeder.status");
   EXPECT_LE(wire::channel(std::string(23, 'a'), wire::Lane::command).size(), 63U) << "LCM's limit";
 }
 
