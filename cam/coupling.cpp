@@ -182,7 +182,7 @@ Engagement settle(const Coupling& coupling, const Placement& placement, const Mo
   else if (spec.start == StartMode::ramp_in_distance)
     e.status = ramp_over_master(d, spec, master, e.engaged.correction);
   else
-    e.jump = {-d.position, -d.velocity, -d.acceleration};
+    e.jump = {0 - d.position, 0 - d.velocity, 0 - d.acceleration};  // not -0
   return e;
 }
 
