@@ -158,7 +158,7 @@ TEST(Wire, NamesEachWayInWhichBytesAreNoMessage) {
   bytes[8] ^= std::byte{1};
   EXPECT_EQ(reject(bytes), Reject::wrong_magic);
   bytes = good;
-  bytes[15] = std::byte{1};
+  bytes[15] = std::byte{0};  // the one before
   seal(bytes);
   EXPECT_EQ(reject(bytes), Reject::wrong_version) << "even where the rest is sound";
   bytes = good;
