@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -116,10 +117,6 @@ Curve<Over> mapped(const Curve<Over>& f, Map map) {
   return Curve<Over>(std::move(segments), f.start(), f.outside());
 }
 
-bool close(double a, double b, double scale) {
-  return std::abs(a - b) <= 1e-12 * scale;
-}
-
 }  // namespace
 
 template <class Over>
@@ -185,44 +182,19 @@ Curve<Over> repeated(const Curve<Over>& f, int times) {
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
   const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
-  if (!close(f.start(), g.start(), scale) || !close(f.end(), g.end(), scale))
+  if (!detail::same_place(f.start(), g.start(), scale) ||
+      !detail::same_place(f.end(), g.end(), scale))
     throw InputError("interval", number(g.start()) + " to " + number(g.end()),
                      "a sum needs one interval; the other curve has " + number(f.start()) + " to " +
                          number(f.end()));
   std::vector<Segment> segments;
-  double x = f.start();
-  for (std::size_t i = 0, k = 0; i < f.segments().size() && k < g.segments().size();) {
-    const double f_end = f.breaks()[i + 1];
-    const double g_end = g.breaks()[k + 1];
-    const bool both = close(f_end, g_end, scale);
-    const double next = both ? f_end : std::min(f_end, g_end);
-    const bool f_ends = both || next == f_end;
-    const bool g_ends = both || next == g_end;
-    // A whole segment keeps its own length: the difference of two places has fewer digits.
-    const bool f_whole = f_ends && close(x, f.breaks()[i], scale);
-    const bool g_whole = g_ends && close(x, g.breaks()[k], scale);
-    const double length = f_whole   ? f.segments()[i].length
-                          : g_whole ? g.segments()[k].length
-                                    : next - x;
-    const auto piece = [&](const Curve<Over>& c, std::size_t n, bool ends_here) {
-      const Segment& whole = c.segments()[n];
-      const double width = std::min(1.0, length / whole.length);
-      const double s0 =
-          ends_here ? 1 - width : std::clamp((x - c.breaks()[n]) / whole.length, 0.0, 1 - width);
-      const double s1 = std::min(1.0, s0 + width);
-      // Beside a piece that is shorter than the rounding of this one, this one does not change.
-      Segment cut =
-          s0 < s1 ? part(whole, s0, s1) : line(length, value(whole, s0), value(whole, s0));
-      cut.length = length;
-      return cut;
-    };
-    const auto added = sum(piece(f, i, f_ends), piece(g, k, g_ends));
-    if (!added) throw InputError("sum", number(x), "needs more than three sines in one segment");
-    segments.push_back(*added);
-    i += f_ends ? 1 : 0;
-    k += g_ends ? 1 : 0;
-    x = next;
-  }
+  detail::for_common_pieces(
+      f, g, [&](double x, const Segment& a, std::size_t, const Segment& b, std::size_t) {
+        const auto added = sum(a, b);
+        if (!added)
+          throw InputError("sum", number(x), "needs more than three sines in one segment");
+        segments.push_back(*added);
+      });
   return Curve<Over>(std::move(segments), f.start(), f.outside());
 }
 
