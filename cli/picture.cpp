@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "jounce/io/comparison.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/plot/curve_figure.hpp"
 
@@ -59,6 +60,13 @@ CurveLook look_of(const Input& input) {
   look.knots = std::visit([&](const auto& curve) { return knots(curve.breaks(), input.labels); },
                           input.curve);
   return look;
+}
+
+/// The curve of another input in the units of this one.
+template <class Over>
+Curve<Over> in_units_of(const Input& input, const Input& other, const Curve<Over>& curve) {
+  const Version version = in_units({other.name, curve, other.labels}, input.labels.units);
+  return std::get<Curve<Over>>(version.curve);
 }
 
 /// Adds what another axis does to a panel.
@@ -108,10 +116,12 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
         const auto* other = std::get_if<Curve<Over>>(&before->curve);
         if (other == nullptr)
           throw InputError("--before", before->name, "runs over another axis than " + input.name);
-        return curve_figure(curve, *other, look);
+        return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       input.curve);
 }
+
+namespace {
 
 void write_png(const std::string& path, const std::string& svg) {
   std::string folder = std::filesystem::temp_directory_path() / "jounce.XXXXXX";
@@ -136,6 +146,20 @@ void write_png(const std::string& path, const std::string& svg) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::runtime_error("rsvg-convert failed");
   write_file(path, read_file(target));
+}
+
+}  // namespace
+
+void write_picture(const std::string& path, const Figure& figure) {
+  const bool png = path.ends_with(".png");
+  if (!png && !path.ends_with(".svg") && path != "-")
+    throw InputError("--output", path,
+                     "must end in .svg or .png, or be - for SVG on standard output");
+  const std::string picture = svg(figure);
+  if (png)
+    write_png(path, picture);
+  else
+    write_file(path, picture);
 }
 
 }  // namespace jounce::cli

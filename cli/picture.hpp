@@ -18,7 +18,8 @@ Figure figure_of(const Input& input, const std::optional<Input>& before = std::n
 /// InputError if they differ in their units.
 Figure figure_of(const std::vector<Input>& axes);
 
-/// SVG as PNG, by rsvg-convert. Throws std::runtime_error where that is not installed or fails.
-void write_png(const std::string& path, const std::string& svg);
+/// Writes SVG, or PNG where the path ends in ".png" (by rsvg-convert); "-" is SVG on standard output.
+/// Throws InputError for any other name, std::runtime_error where rsvg-convert is missing or fails.
+void write_picture(const std::string& path, const Figure& figure);
 
 }  // namespace jounce::cli

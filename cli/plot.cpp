@@ -1,7 +1,5 @@
 #include <memory>
 
-#include "jounce/io/file.hpp"
-
 #include "picture.hpp"
 #include "verb.hpp"
 
@@ -24,15 +22,7 @@ Figure figure(const Options& options) {
 }
 
 int run(const Options& options) {
-  const bool png = options.output.ends_with(".png");
-  if (!png && !options.output.ends_with(".svg") && options.output != "-")
-    throw InputError("--output", options.output,
-                     "must end in .svg or .png, or be - for SVG on standard output");
-  const std::string picture = svg(figure(options));
-  if (png)
-    write_png(options.output, picture);
-  else
-    write_file(options.output, picture);
+  write_picture(options.output, figure(options));
   return fine;
 }
 

@@ -22,6 +22,8 @@ using Work = std::function<int()>;
 void add_new(CLI::App& app, Work& work);
 void add_design(CLI::App& app, Work& work);
 void add_check(CLI::App& app, Work& work);
+void add_convert(CLI::App& app, Work& work);
+void add_diff(CLI::App& app, Work& work);
 void add_optimize(CLI::App& app, Work& work);
 void add_validate(CLI::App& app, Work& work);
 void add_contour(CLI::App& app, Work& work);

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/comparison.hpp"
+#include "jounce/io/csv.hpp"
+#include "jounce/io/file.hpp"
+#include "jounce/io/units.hpp"
+
+#include "input.hpp"
+#include "json.hpp"
+#include "picture.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string before;
+  std::string after;
+  std::string axis;
+  std::vector<std::string> tolerances;
+  std::string output;
+  bool json = false;
+};
+
+Version version_of(const Input& input) {
+  Version version{input.name, input.curve, input.labels};
+  const auto breaks = std::visit(
+      [](const auto& curve) {
+        return std::vector<double>(curve.breaks().begin(), curve.breaks().end());
+      },
+      input.curve);
+  version.knots.push_back(breaks.front());
+  version.knot_names.emplace_back(input.labels.segments.empty() ? "" : "start");
+  for (const auto& [label, first, last] : groups(breaks.size() - 1, input.labels)) {
+    version.knots.push_back(breaks[last + 1]);
+    version.knot_names.push_back(input.labels.segments.empty() ? "" : "end of " + label);
+  }
+  if (input.spec) version.limits = input.limits;
+  return version;
+}
+
+/// `1e-6`, a share of every range, or `position=0.01` or `position="10 um"`.
+void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& labels) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
+  const auto name = std::find(names.begin(), names.end(), key);
+  if (equals == std::string::npos) tolerance.share = csv_number(text);
+  if (equals == std::string::npos ? !tolerance.share : name == names.end())
+    throw InputError("--tolerance", text,
+                     std::string("must be a share, or KEY=VALUE with one of ") + names[0] + ", " +
+                         names[1] + ", " + names[2] + ", " + names[3]);
+  try {
+    double value = tolerance.share.value_or(0);
+    if (name != names.end()) {
+      value = quantity(text.substr(equals + 1), labels.unit_of(key));
+      tolerance.of[static_cast<std::size_t>(name - names.begin())] = value;
+    }
+    require_not_negative("", value);
+  } catch (const InputError& error) {
+    throw InputError("--tolerance", text, error.rule());
+  }
+}
+
+/// The axes of both files that belong together: the only ones, or those of one name.
+std::vector<std::pair<Input, Input>> pairs(const Options& options) {
+  std::vector<Input> before = load_axes(options.before, options.axis);
+  std::vector<Input> after = load_axes(options.after, options.axis);
+  std::vector<std::pair<Input, Input>> all;
+  if (before.size() == 1 && after.size() == 1) {
+    all.emplace_back(std::move(before.front()), std::move(after.front()));
+    return all;
+  }
+  for (const auto& [some, others, file] :
+       {std::tuple{&before, &after, &options.after}, {&after, &before, &options.before}})
+    for (const Input& one : *some)
+      if (std::none_of(others->begin(), others->end(),
+                       [&](const Input& other) { return other.axis == one.axis; }))
+        throw InputError("--axis", "",
+                         "is missing: " + *file + " has no axis " +
+                             (one.axis.empty() ? "without a name" : one.axis));
+  for (Input& one : before) {
+    const auto other = std::find_if(after.begin(), after.end(),
+                                    [&](const Input& each) { return each.axis == one.axis; });
+    all.emplace_back(std::move(one), std::move(*other));
+  }
+  return all;
+}
+
+void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
+  if (all.size() > 1) throw InputError("--output", path, "shows one axis: say which with --axis");
+  write_picture(path, figure_of(all.front().second, all.front().first));
+}
+
+int run(const Options& options) {
+  const auto all = pairs(options);
+  bool equal = true;
+  AxisDocuments documents;
+  std::string text;
+  for (const auto& [before, after] : all) {
+    Tolerance tolerance;
+    for (const auto& one : options.tolerances) set_tolerance(tolerance, one, after.labels);
+    const Comparison comparison = compare(version_of(before), version_of(after), tolerance);
+    equal = equal && comparison.equal();
+    if (options.json)
+      documents.emplace_back(after.axis, nlohmann::ordered_json::parse(to_json(comparison)));
+    else
+      text += (text.empty() ? "" : "\n") + to_text(comparison);
+  }
+  if (options.json) {
+    auto document = document_of(std::move(documents));
+    document["equal"] = equal;
+    text = document.dump(1) + "\n";
+  }
+  if (!options.output.empty()) draw(options.output, all);
+  fmt::print(options.output == "-" ? stderr : stdout, "{}", text);
+  return equal ? fine : finding;
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      add_verb(app, "diff", "What changed between two specs or tables, exactly; exit 1 if anything",
+               "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
+  verb->add_option("A", options->before, "Spec or table; - is standard input")->required();
+  verb->add_option("B", options->after, "Another; numbers are in its units")->required();
+  add_axis_option(verb, options->axis);
+  verb->add_option(
+          "--tolerance", options->tolerances,
+          "What counts as equal: a share of each range (1e-6), or KEY=VALUE for a quantity "
+          "(position=0.01), repeatable; by default rounding alone")
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", options->output,
+                   "Also draw B over a paler A: .svg or .png; - is SVG on standard output");
+  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/io/report_text.hpp"
+#include "jounce/profiles/difference.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// One of two versions of a curve, with what is said about it: a spec, a table, or anything made in
+/// a program.
+struct Version {
+  std::string name;
+  std::variant<Cam, Trajectory> curve;
+  Labels labels;
+  std::vector<double> knots = {};            ///< places on the axis; empty: the breaks of the curve
+  std::vector<std::string> knot_names = {};  ///< one each, "end of 2 in step"; may be empty
+  std::optional<Limits> limits = {};         ///< none: it is of a kind without limits, as a table
+};
+
+/// How far two versions may differ and still be called equal.
+///
+/// Left as it is: by rounding alone. A share is of the range of each quantity. A quantity with a
+/// number of its own, in its unit, may differ by that; once there is one, quantities without a
+/// number and without a share are shown but not judged.
+struct Tolerance {
+  std::optional<double> share = {};
+  std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
+};
+
+/// Something said about a version that the other says differently: "periodic", "unit of position",
+/// "limit geo_velocity". An empty text: it is not said.
+struct Remark {
+  std::string what;
+  std::string before;
+  std::string after;
+};
+
+/// What changed from one version to another. Numbers are in the units of `after`.
+struct Comparison {
+  std::string before;  ///< names
+  std::string after;
+  Labels labels;  ///< of `after`
+  Changes changes;
+  std::array<bool, 4> beyond{};   ///< which of them exceed the tolerance
+  std::vector<KnotChange> knots;  ///< told, but not judged: the curve is
+  std::vector<std::string> knot_names_before;
+  std::vector<std::string> knot_names_after;
+  std::vector<Remark> remarks;  ///< interval, units, policy outside, limits: each a difference
+
+  /// Whether nothing exceeds the tolerance and nothing else was changed.
+  [[nodiscard]] bool equal() const;
+};
+
+/// Compares the curves exactly (see difference.hpp), and what is said about them: the interval, the
+/// policy outside, units, and limits where both have some. `before` is converted into the units of
+/// `after`, unless one has none. Throws InputError where one runs over time and the other over a
+/// master, where units do not measure the same thing, or where there is no stretch in common.
+Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
+
+/// The version with its axis and its position counted in other units: curve, knots and limits. Units
+/// that are not known on either side stay. Throws InputError (key "unit") where two do not measure
+/// the same thing.
+Version in_units(Version version, const Units& units);
+
+/// For people: one line a quantity with its peaks and the largest difference, then knots and
+/// remarks, more than `most` knots counted only.
+std::string to_text(const Comparison& comparison, std::size_t most = 10);
+
+/// {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, every number in full.
+std::string to_json(const Comparison& comparison);
+
+}  // namespace jounce
