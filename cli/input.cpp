@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/io/disc.hpp"
+#include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
 
@@ -134,12 +135,14 @@ Report check_all(const Input& input, int continuity) {
   return report;
 }
 
-std::vector<Input> load_axes(const std::string& path, const std::string& axis) {
+std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
   std::string text = read_file(path);
   const std::string name = path == "-" ? "standard input" : path;
   std::vector<Input> all;
   if (is_table(text))
     all.push_back(from_table(parse_table(text, name), name));
+  else if (format_of_text(text))
+    all.push_back(from_table(parse_exchange(text, name, decimal_comma), name));
   else
     all = from_spec(parse_spec(std::move(text), name), path);
   if (axis.empty()) return all;
@@ -155,8 +158,8 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis) {
   return all;
 }
 
-Input load(const std::string& path, const std::string& axis) {
-  std::vector<Input> all = load_axes(path, axis);
+Input load(const std::string& path, const std::string& axis, bool decimal_comma) {
+  std::vector<Input> all = load_axes(path, axis, decimal_comma);
   if (all.size() > 1)
     throw InputError("--axis", "",
                      "is missing: this verb takes one axis at a time, " +

@@ -31,13 +31,14 @@ struct Input {
 /// error, and limits that the table alone breaks.
 Report check_all(const Input& input, int continuity = 1);
 
-/// Reads a spec or a table file, told apart by the content; "-" is standard input. One input for
-/// each axis; only the one named if `axis` is not empty.
-std::vector<Input> load_axes(const std::string& path, const std::string& axis = "");
+/// Reads a spec, a table file or another maker's (see exchange.hpp), told apart by the content; "-"
+/// is standard input. One input for each axis; only the one named if `axis` is not empty.
+std::vector<Input> load_axes(const std::string& path, const std::string& axis = "",
+                             bool decimal_comma = false);
 
 /// The same for verbs that take one axis. Throws InputError where there are several and none is
 /// named.
-Input load(const std::string& path, const std::string& axis = "");
+Input load(const std::string& path, const std::string& axis = "", bool decimal_comma = false);
 
 /// What is compared with an input: the only axis of the file, or that of the same name.
 Input load_beside(const std::string& path, const Input& input);

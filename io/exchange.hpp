@@ -27,10 +27,10 @@ namespace jounce {
 /// back the same, so that what a format holds it holds to the last bit.
 ///
 /// **What a format does not hold** (units, the policy outside, the number of knots, the hash) stands
-/// in comments that other tools skip, and is read again: a file of ours comes back as it was, and one
-/// that was cut short or changed is refused. Formats without comments (`sew`, `kollmorgen`) lose it.
-/// A foreign file without such comments has empty units, and holds outside, or wraps where Y, V and A
-/// end as they began.
+/// in comments, and is read again: a file of ours comes back as it was, and one
+/// that was cut short or changed is refused. Formats without comments (`pairs`, `sew`, `kollmorgen`) lose it.
+/// A foreign file without such comments has empty units and holds outside: whether a cam is periodic
+/// is said there where it is selected (MC_CamTableSelect), not in its table.
 enum class Format { xyva, codesys, pairs, sew, kollmorgen };
 
 /// "xyva", "codesys", ...: the words of the command line; and back, or nothing.

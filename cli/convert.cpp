@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/exchange.hpp"
+#include "jounce/io/file.hpp"
+#include "jounce/io/units.hpp"
+
+#include "input.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output = "-";
+  std::string axis;
+  std::string to;
+  std::string rule;
+  std::string tolerance;
+  std::size_t intervals = 0;
+  std::string master_unit;
+  std::string position_unit;
+  bool periodic = false;
+  bool decimal_comma = false;
+  bool json = false;
+};
+
+/// The table as it will be written, and how far it is from what was given.
+struct Converted {
+  TableFile file;
+  std::optional<SampleError> error;  ///< none: bit for bit the table that was given
+};
+
+std::optional<Format> format_of(const Options& options) {
+  if (!options.to.empty()) return format_named(options.to);
+  return format_of_path(options.output);
+}
+
+Rule rule_for(const Options& options, const Table& table) {
+  if (const auto format = format_of(options)) return rule_of(*format);
+  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})
+    if (options.rule == name(rule)) return rule;
+  return table.rule();
+}
+
+/// What the file does not say, or what is wanted instead of what it says.
+TableFile in_units(TableFile file, const Options& options) {
+  const auto change = [](std::string& unit, const std::string& wanted) {
+    const double factor = unit.empty() || wanted.empty() ? 1 : conversion(unit, wanted);
+    if (!wanted.empty()) unit = wanted;
+    return factor;
+  };
+  for (const auto& unit : {options.master_unit, options.position_unit})
+    if (!unit.empty() && !is_unit(unit))
+      throw InputError("unit", unit, "is not a unit that Jounce knows");
+  if (const double factor = change(file.units.x, options.master_unit); factor != 1)
+    file.table = stretched(file.table, factor);
+  const double factor = change(file.units.position, options.position_unit);
+  Columns columns = file.table.columns();
+  if (factor != 1)
+    for (auto* column : {&columns.p, &columns.v, &columns.a})
+      for (double& value : *column) value *= factor;
+  file.table = Table(file.table.axis(), file.table.rule(),
+                     options.periodic ? Outside::wrap : file.table.outside(), std::move(columns));
+  return file;
+}
+
+Sampled sampled(const Input& input, Rule rule, const Options& options) {
+  return std::visit(
+      [&](const auto& curve) {
+        if (!options.tolerance.empty())
+          return sample_within(curve, rule,
+                               quantity(options.tolerance, input.labels.units.position));
+        return options.intervals > 0 ? sample(curve, rule, options.intervals)
+                                     : sample(curve, rule, input.table.table.columns().x);
+      },
+      input.curve);
+}
+
+Converted convert(const Input& input, const Options& options) {
+  const Rule rule = rule_for(options, input.table.table);
+  Converted result{input.table, input.error};
+  if (rule != input.table.table.rule() || !options.tolerance.empty() || options.intervals > 0) {
+    auto [table, error] = sampled(input, rule, options);
+    result = {{std::move(table), input.table.units, input.table.provenance}, error};
+  }
+  result.file = in_units(std::move(result.file), options);
+  return result;
+}
+
+std::string text_of(const TableFile& file, const Options& options) {
+  if (const auto format = format_of(options)) return exchange_text(*format, file);
+  for (const auto& [unit, option] :
+       {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
+    if (unit->empty())
+      throw InputError(option, "", "is missing: the file does not say what it counts in");
+  return options.to == "json"  ? to_json(file)
+         : options.to == "csv" ? to_csv(file)
+                               : table_text(options.output, file);
+}
+
+/// What the format cannot say of this table.
+std::vector<std::string> losses(const Options& options, const Input& input) {
+  std::vector<std::string> all;
+  if (input.spec) all.emplace_back("laws and limits stay in the spec");
+  const auto format = format_of(options);
+  if (!format) return all;
+  if (rule_of(*format) == Rule::linear)
+    all.emplace_back("positions only: the error is that of straight lines between them");
+  if (*format != Format::xyva && *format != Format::codesys)
+    all.emplace_back("units and hash are not in the file");
+  return all;
+}
+
+std::string word_for(const Options& options) {
+  if (const auto format = format_of(options)) return name(*format);
+  return options.to == "json" || (options.to.empty() && options.output.ends_with(".json")) ? "json"
+                                                                                           : "csv";
+}
+
+nlohmann::ordered_json json_of(const Converted& made, const Options& options, const Input& input) {
+  nlohmann::ordered_json document{{"table", options.output},
+                                  {"format", word_for(options)},
+                                  {"knots", made.file.table.size()},
+                                  {"rule", name(made.file.table.rule())},
+                                  {"lossless", !made.error.has_value()}};
+  if (made.error) {
+    document["error"] = made.error->position;
+    document["error_where"] = made.error->where;
+    document["error_velocity"] = made.error->velocity;
+  }
+  document["losses"] = losses(options, input);
+  return document;
+}
+
+void print_text(std::FILE* out, const Converted& made, const Options& options, const Input& input) {
+  fmt::print(out, "{} -> {}: {} knots, {}\n", input.name, word_for(options), made.file.table.size(),
+             name(made.file.table.rule()));
+  const Labels& labels = input.labels;
+  if (!made.error)
+    fmt::print(out, "the numbers are those of the table that was given\n");
+  else
+    fmt::print(
+        out, "error: {} {} at the most (certified), at {} {}; {} {} in the {}\n",
+        rounded(made.error->position), labels.units.position, rounded(made.error->where),
+        labels.units.x, rounded(made.error->velocity),
+        labels.unit_of(std::string(labels.over_master ? OverMaster::names[1] : OverTime::names[1])),
+        labels.over_master ? OverMaster::names[1] : OverTime::names[1]);
+  for (const auto& loss : losses(options, input)) fmt::print(out, "{}\n", loss);
+}
+
+int run(const Options& options) {
+  const Input input = load(options.input, options.axis, options.decimal_comma);
+  const Converted made = convert(input, options);
+  write_file(options.output, text_of(made.file, options));
+  std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+  if (options.json)
+    fmt::print(out, "{}\n", json_of(made, options, input).dump());
+  else
+    print_text(out, made, options, input);
+  return fine;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      add_verb(app, "convert", "Between table formats and controllers, with the stated loss",
+               "jounce convert cam.csv cam.st\n  jounce convert old.xyva cam.csv --master-unit deg "
+               "--position-unit mm");
+  verb->add_option("IN", options->input,
+                   "Table or spec, in any format that is read; - is standard input")
+      ->required();
+  verb->add_option("OUT", options->output,
+                   "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
+                   "is standard output");
+  std::vector<std::string> formats = format_names();
+  formats.insert(formats.begin(), {"csv", "json"});
+  verb->add_option("--to", options->to,
+                   "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
+                   "pairs, sew, kollmorgen")
+      ->check(CLI::IsMember(formats));
+  add_axis_option(verb, options->axis);
+  verb->add_option("--rule", options->rule,
+                   "For csv and json: linear, cubic_hermite, quintic_hermite; by default as it is")
+      ->check(CLI::IsMember({"linear", "cubic_hermite", "quintic_hermite"}));
+  verb->add_option("--tolerance", options->tolerance,
+                   "New knots, as few as keep the position within this; by default the knots stay");
+  verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals");
+  verb->add_option(
+      "--master-unit", options->master_unit,
+      "Unit of the first column: what a file without units counts in, or what to convert to");
+  verb->add_option("--position-unit", options->position_unit, "The same for the position");
+  verb->add_flag("--periodic", options->periodic, "The cam repeats: where a file does not say so");
+  verb->add_flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
+  verb->add_flag("--json", options->json, "Summary for machines");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,228 @@
+#include "jounce/io/exchange.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "jounce/io/csv.hpp"
+#include "jounce/io/detail/exchange_parts.hpp"
+#include "jounce/io/detail/table_parts.hpp"
+#include "jounce/io/printable.hpp"
+#include "jounce/io/units.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::array formats{Format::xyva, Format::codesys, Format::pairs, Format::sew,
+                             Format::kollmorgen};
+constexpr std::array note_keys{"master", "position", "outside", "knots", "sha256"};
+
+bool begins_with_number(std::string_view cell) {
+  cell = cell.substr(0, cell.find(','));  // of a decimal comma
+  return csv_number(cell).has_value();
+}
+
+/// Units and policy outside, as the comments say.
+void take_notes(const detail::Exchanged& read, const detail::Place& place, TableFile& file,
+                Outside& outside) {
+  for (const auto& [key, target] :
+       {std::pair{"master", &file.units.x}, {"position", &file.units.position}})
+    if (const auto note = read.notes.find(key); note != read.notes.end()) {
+      *target = note->second.value;
+      if (!is_unit(*target))
+        place.fail(note->second.line, key, *target, "is not a unit that Jounce knows");
+    }
+  if (const auto note = read.notes.find("outside"); note != read.notes.end())
+    outside = detail::choice(note->second.value, std::span(detail::policies),
+                             [&](const std::string& value, const std::string& rule) {
+                               place.fail(note->second.line, "outside", value, rule);
+                             });
+}
+
+void require_whole(const detail::Exchanged& read, const detail::Place& place,
+                   const TableFile& file) {
+  const std::size_t knots = file.table.size();
+  if (const auto note = read.notes.find("knots");
+      note != read.notes.end() && note->second.value != std::to_string(knots))
+    place.fail(note->second.line, "knots", note->second.value,
+               "the file holds " + std::to_string(knots) + ": is it complete?");
+  const auto note = read.notes.find("sha256");
+  if (note == read.notes.end()) return;
+  const std::string actual = hex(content_hash(file.table, file.units));
+  if (note->second.value != actual)
+    place.fail(
+        note->second.line, "sha256", note->second.value,
+        "does not match the content, which has " + actual +
+            ": the file was changed after it was made; without this line it is taken as it is");
+}
+
+Table table_of(detail::Exchanged& read, Outside outside, const detail::Place& place) {
+  try {
+    return Table(Axis::master, read.rule, outside, std::move(read.columns));
+  } catch (const InputError& error) {
+    const bool of_a_knot = error.key().starts_with("knot[");
+    const std::size_t knot = of_a_knot ? std::stoul(error.key().substr(5)) : 0;
+    throw error.at(place.name(), knot == 0 ? 0 : read.lines[knot - 1]);
+  }
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr const char* white = " \t\r";
+  const auto first = text.find_first_not_of(white);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(white) - first + 1);
+}
+
+std::vector<Line> lines_of(std::string_view text) {
+  std::vector<Line> all;
+  for (int number = 1; !text.empty(); ++number) {
+    const auto end = text.find('\n');
+    const std::string_view line = trimmed(text.substr(0, end));
+    if (!line.empty()) all.push_back({number, line});
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return all;
+}
+
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//");
+}
+
+Notes notes_of(const std::vector<Line>& lines) {
+  Notes notes;
+  for (const auto& [number, text] : lines) {
+    if (!is_comment(text)) continue;
+    const std::string_view words = trimmed(text.substr(
+        text.find_first_not_of("#/") == text.npos ? text.size() : text.find_first_not_of("#/")));
+    const auto colon = words.find(": ");
+    const std::string key(words.substr(0, colon));
+    if (colon != words.npos &&
+        std::find(note_keys.begin(), note_keys.end(), key) != note_keys.end())
+      notes[key] = {std::string(trimmed(words.substr(colon + 2))), number};
+  }
+  return notes;
+}
+
+std::string notes_text(const TableFile& file, const std::string& mark) {
+  std::string text;
+  const auto line = [&](const char* key, const std::string& value) {
+    if (!value.empty()) text += mark + " " + key + ": " + value + "\n";
+  };
+  line("master", file.units.x);
+  line("position", file.units.position);
+  line("outside", jounce::name(file.table.outside()));
+  line("knots", std::to_string(file.table.size()));
+  line("sha256", hex(content_hash(file.table, file.units)));
+  return text;
+}
+
+void Place::fail(int line, const std::string& key, std::string_view value,
+                 const std::string& rule) const {
+  throw InputError(key, printable(value), rule).at(name_, line);
+}
+
+double Place::number(int line, const std::string& key, std::string_view text) const {
+  if (const auto value = csv_number(text)) return *value;
+  std::string point(text);
+  std::replace(point.begin(), point.end(), ',', '.');
+  const auto value = csv_number(point);
+  if (value && decimal_comma_) return *value;
+  fail(line, key, '"' + std::string(text) + '"',
+       value ? "has a decimal comma; write " + point + ", or say that decimal commas are meant"
+             : "must be a finite number");
+}
+
+}  // namespace detail
+
+const char* name(Format format) {
+  switch (format) {
+    case Format::xyva:
+      return "xyva";
+    case Format::codesys:
+      return "codesys";
+    case Format::pairs:
+      return "pairs";
+    case Format::sew:
+      return "sew";
+    case Format::kollmorgen:
+      break;
+  }
+  return "kollmorgen";
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> all;
+  for (const Format format : formats) all.emplace_back(name(format));
+  return all;
+}
+
+std::optional<Format> format_named(const std::string& word) {
+  const auto it = std::find_if(formats.begin(), formats.end(),
+                               [&](Format format) { return word == name(format); });
+  return it == formats.end() ? std::nullopt : std::optional(*it);
+}
+
+std::optional<Format> format_of_path(const std::string& path) {
+  if (path.ends_with(".xyva")) return Format::xyva;
+  if (path.ends_with(".st")) return Format::codesys;
+  if (path.ends_with(".txt")) return Format::pairs;
+  return std::nullopt;
+}
+
+Rule rule_of(Format format) {
+  return format == Format::xyva || format == Format::codesys ? Rule::quintic_hermite : Rule::linear;
+}
+
+std::optional<Format> format_of_text(const std::string& text) {
+  if (is_table(text)) return std::nullopt;
+  if (text.find("SMC_CAMXYVA") != std::string::npos) return Format::codesys;
+  if (text.find("TABLE_BEGIN") != std::string::npos) return Format::kollmorgen;
+  const auto lines = detail::lines_of(text);
+  const auto first = std::find_if(lines.begin(), lines.end(), [](const detail::Line& line) {
+    return !detail::is_comment(line.text);
+  });
+  if (first == lines.end()) return std::nullopt;
+  const auto cells = detail::column_cells(first->text);
+  const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
+  if (!header && (!begins_with_number(cells[0]) || first->text.find('=') != std::string::npos))
+    return std::nullopt;
+  if (cells.size() == 1) return Format::sew;
+  return cells.size() < 4 ? Format::pairs : Format::xyva;
+}
+
+std::string exchange_text(Format format, const TableFile& file) {
+  if (file.table.axis() != Axis::master)
+    throw InputError("axis", name(file.table.axis()),
+                     std::string("the format ") + name(format) + " is one of cams, over a master");
+  if (file.table.rule() != rule_of(format))
+    throw InputError(
+        "rule", name(file.table.rule()),
+        std::string("the format ") + name(format) + " holds a " + name(rule_of(format)) + " table");
+  return format == Format::codesys ? detail::st_text(file) : detail::columns_text(format, file);
+}
+
+TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
+  const detail::Place place(name, decimal_comma);
+  const auto format = format_of_text(text);
+  if (!format) place.fail(1, "", "", "is no cam table in a format that Jounce reads");
+  if (*format == Format::kollmorgen)
+    place.fail(1, "", "", "is a table of KAS, whose splines are not documented: it cannot be read");
+  const auto lines = detail::lines_of(text);
+  detail::Exchanged read = *format == Format::codesys
+                               ? detail::parse_st(text, place)
+                               : detail::parse_columns(*format, lines, place);
+  read.notes = detail::notes_of(lines);
+  Outside outside = Outside::hold;
+  TableFile file{Table(Axis::master, Rule::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
+  take_notes(read, place, file, outside);
+  file.table = table_of(read, outside, place);
+  require_whole(read, place, file);
+  return file;
+}
+
+}  // namespace jounce
