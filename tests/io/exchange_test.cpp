@@ -1,0 +1,221 @@
+#include "jounce/io/exchange.hpp"
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
+
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+/// A table whose numbers do not print in few digits.
+TableFile ragged(Rule rule, Outside outside = Outside::wrap, std::size_t knots = 40) {
+  testing::Random random(7);
+  Columns c;
+  double x = -3.3;
+  for (std::size_t i = 0; i < knots; ++i) {
+    x += random.log_uniform(1e-6, 1e3);
+    c.x.push_back(x);
+    c.p.push_back(random.uniform(-1, 1) * random.log_uniform(1e-300, 1e300));
+    if (rule != Rule::quintic_hermite) continue;
+    c.v.push_back(random.uniform(-1, 1) / 3);
+    c.a.push_back(i == 3 ? -0.0
+                         : random.uniform(-1, 1) * std::numeric_limits<double>::denorm_min() * 1e3);
+  }
+  return {Table(Axis::master, rule, outside, std::move(c)), {"deg", "mm"}, {}};
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+void expect_same_columns(const TableFile& a, const TableFile& b) {
+  EXPECT_EQ(a.table.rule(), b.table.rule());
+  EXPECT_TRUE(same_bits(a.table.columns().x, b.table.columns().x));
+  EXPECT_TRUE(same_bits(a.table.columns().p, b.table.columns().p));
+  EXPECT_TRUE(same_bits(a.table.columns().v, b.table.columns().v));
+  EXPECT_TRUE(same_bits(a.table.columns().a, b.table.columns().a));
+}
+
+TEST(Exchange, ReadsBackBitExact) {
+  for (const Format format : {Format::xyva, Format::codesys, Format::pairs, Format::sew})
+    for (const Outside outside : {Outside::wrap, Outside::hold}) {
+      SCOPED_TRACE(name(format));
+      const TableFile file = ragged(rule_of(format), outside);
+      const std::string text = exchange_text(format, file);
+      EXPECT_EQ(format_of_text(text), format);
+      expect_same_columns(file, parse_exchange(text, "t"));
+    }
+}
+
+TEST(Exchange, KeepsUnitsPolicyAndHashWhereThereAreComments) {
+  for (const Format format : {Format::xyva, Format::codesys}) {
+    SCOPED_TRACE(name(format));
+    const TableFile file = ragged(rule_of(format));
+    const TableFile back = parse_exchange(exchange_text(format, file), "t");
+    EXPECT_EQ(content_hash(back.table, back.units), content_hash(file.table, file.units));
+  }
+}
+
+std::string complaint(const std::string& text, bool decimal_comma = false) {
+  try {
+    (void)parse_exchange(text, "t", decimal_comma);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+TEST(Exchange, RefusesEveryTruncationThatDropsAKnotOrADigit) {
+  const TableFile file = ragged(Rule::quintic_hermite, Outside::hold, 4);
+  for (const Format format : {Format::xyva, Format::codesys}) {
+    const std::string text = exchange_text(format, file);
+    const std::size_t end = format == Format::xyva ? text.size() - 1 : text.find("];") + 1;
+    for (std::size_t length = 0; length < end; ++length)
+      EXPECT_NE(complaint(text.substr(0, length)), "") << text.substr(0, length);
+  }
+}
+
+TEST(Exchange, RefusesOrKeepsEveryChangedByte) {
+  const TableFile file = ragged(Rule::quintic_hermite, Outside::hold, 4);
+  for (const Format format : {Format::xyva, Format::codesys}) {
+    const std::string text = exchange_text(format, file);
+    const std::size_t first = text.find("sha256");
+    for (std::size_t i = text.find('\n', first); i < text.size(); ++i)
+      for (const char c : {'0', '9', '-', ' ', '\n', 'x', ',', '\0', '\xff'}) {
+        std::string changed = text;
+        changed[i] = c;
+        try {
+          const TableFile back = parse_exchange(changed, "t");
+          EXPECT_EQ(content_hash(back.table, back.units), content_hash(file.table, file.units));
+        } catch (const InputError&) {
+        }
+      }
+  }
+}
+
+TEST(Exchange, ReadsTheDefaultCamOfCodesys) {
+  const std::string path = JOUNCE_SOURCE_DIR "/examples/codesys-default/cam.xyva";
+  const TableFile file = parse_exchange(read_file(path), path);
+  EXPECT_EQ(file.table.outside(), Outside::hold);
+  EXPECT_EQ(file.units.x, "");
+  const Cam cam = file.table.curve<OverMaster>();
+  // The quintic of slope 1 over its chord of slope 1: y = 120 (6 s^3 - 8 s^4 + 3 s^5).
+  EXPECT_NEAR(cam.at(60).position, 120 * (6.0 / 8 - 8.0 / 16 + 3.0 / 32), 1e-12);
+  // y' = 18 s^2 - 32 s^3 + 15 s^4, whose maximum is at s = 3/5: it overshoots the slope of the stretch.
+  EXPECT_NEAR(extrema(cam, 1).max.value, 18 * 0.36 - 32 * 0.216 + 15 * 0.1296, 1e-14);
+  EXPECT_NEAR(cam.at(180).geo_velocity, 1, 1e-14);
+}
+
+TEST(Exchange, ReadsADeclarationAsPeopleWriteIt) {
+  const TableFile file = parse_exchange(
+      "(* a cam,\n   SMC_CAMXYVA *)\nVAR\n"
+      "cam : ARRAY[1..3] OF SMC_CAMXYVA := [(dX:=0), // dX := 7\n"
+      "  (dY:=5,dX:=100,dV:=0.5),(dX := 2.0E2, dY := 10, dV := -1, dA := 0.25)];\n"
+      "ref : MC_CAM_REF := (nElements := 3);\nEND_VAR\n",
+      "t");
+  EXPECT_EQ(file.table.columns().x, (std::vector<double>{0, 100, 200}));
+  EXPECT_EQ(file.table.columns().p, (std::vector<double>{0, 5, 10}));
+  EXPECT_EQ(file.table.columns().v, (std::vector<double>{0, 0.5, -1}));
+  EXPECT_EQ(file.table.columns().a, (std::vector<double>{0, 0, 0.25}));
+}
+
+TEST(Exchange, WritesADeclarationThatCodesysUnderstands) {
+  const TableFile file{Table(Axis::master, Rule::quintic_hermite, Outside::hold,
+                             {{0, 360}, {0, 1e-9}, {0, 0}, {0, 0}}),
+                       {},
+                       {}};
+  const std::string text = exchange_text(Format::codesys, file);
+  EXPECT_NE(text.find("ARRAY[0..1] OF SMC_CAMXYVA"), std::string::npos);
+  EXPECT_NE(text.find("(dX := 360.0, dY := 1.0e-09, dV := 0.0, dA := 0.0)"), std::string::npos)
+      << "a REAL literal has a decimal point\n"
+      << text;
+  EXPECT_NE(text.find("byType := 3, nElements := 2, xStart := 0.0, xEnd := 360.0"),
+            std::string::npos);
+}
+
+TEST(Exchange, ReadsColumnsHoweverTheyAreSeparated) {
+  for (const char* text : {"0 0 0 0\n1 2 0 0\n", "0,0,0,0\n1,2,0,0\n", "0, 0, 0, 0\n1, 2, 0, 0\n",
+                           "0;0;0;0\r\n1;2;0;0\r\n", "x y v a\n\n0 0 0 0 // start\n1 2 0 0",
+                           "X\tY\tV\tA\tJ\tType\n0\t0\t0\t0\t0\t\n1\t2\t0\t0\t0\tPoly5\n"}) {
+    const TableFile file = parse_exchange(text, "t");
+    EXPECT_EQ(file.table.columns().x, (std::vector<double>{0, 1})) << text;
+    EXPECT_EQ(file.table.columns().p, (std::vector<double>{0, 2})) << text;
+    EXPECT_EQ(file.table.rule(), Rule::quintic_hermite);
+  }
+}
+
+TEST(Exchange, ReadsDecimalCommasOnlyWhereTheyAreMeant) {
+  EXPECT_EQ(
+      complaint("0 0\n1 0,5\n"),
+      "t:2: Y = \"0,5\": has a decimal comma; write 0.5, or say that decimal commas are meant");
+  EXPECT_EQ(parse_exchange("2\n0;0\n1,5;0,5\n", "t", true).table.columns().x[1], 1.5);
+  EXPECT_EQ(complaint("0,0 0,0 0,0 0,0\n", false).substr(0, 11), "t:1: X = \"0");
+  EXPECT_EQ(complaint("x,y,v,a\n0,0,0,0\n1,0,2,5,0,0,0,0\n"),
+            "t:3: row = 8 values: must have 4; are these decimal commas?");
+}
+
+TEST(Exchange, NamesFileLineKeyValueAndRule) {
+  const std::string good = "X\tY\tV\tA\n0\t0\t0\t0\n1\t2\t0\t0\n2\t3\t0\t0\n";
+  EXPECT_EQ(complaint(good), "");
+  EXPECT_EQ(complaint(replaced(good, "1\t2", "1\tnan")),
+            "t:3: Y = \"nan\": must be a finite number");
+  EXPECT_EQ(complaint(replaced(good, "1\t2", "0\t2")),
+            "t:3: knot[2].master = 0: must be greater than 0, the knot before");
+  EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")), "t:4: row = 3 values: must have 4");
+  EXPECT_EQ(complaint(replaced(good, "X\tY\tV\tA", "X\tY\tA\tV")).substr(0, 13), "t:1: columns ");
+  EXPECT_EQ(complaint("5\n0;0\n1;1\n"),
+            "t:1: number of points = 5: the file holds 2: is it complete?");
+  EXPECT_EQ(complaint("1 2 3 4\n"), "t: knots = 1: a table needs at least two");
+  EXPECT_EQ(complaint("# knots: 9\n" + good), "t:1: knots = 9: the file holds 3: is it complete?");
+  EXPECT_EQ(complaint("# master: degrie\n" + good),
+            "t:1: master = degrie: is not a unit that Jounce knows");
+  EXPECT_NE(complaint("CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n").find("KAS"), std::string::npos);
+  EXPECT_NE(complaint("a : ARRAY[0..2] OF SMC_CAMXYVA := [(dX := 0), (dX := 1)];"), "");
+  EXPECT_NE(complaint("a : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0), (dZ := 1)];"), "");
+}
+
+TEST(Exchange, KnowsASpecFromATable) {
+  EXPECT_FALSE(format_of_text("jounce = 1\nkind = \"cam\"\n"));
+  EXPECT_FALSE(format_of_text("# 1 2 3 4\n[limits]\n"));
+  EXPECT_FALSE(format_of_text(""));
+  EXPECT_FALSE(format_of_text(to_csv(ragged(Rule::linear))));
+  EXPECT_EQ(format_of_text("0 0 0 nan\n"), Format::xyva) << "so that it is refused as one";
+}
+
+TEST(Exchange, RefusesWhatAFormatCannotHold) {
+  EXPECT_THROW((void)exchange_text(Format::xyva, ragged(Rule::linear)), InputError);
+  EXPECT_THROW((void)exchange_text(Format::pairs, ragged(Rule::quintic_hermite)), InputError);
+  EXPECT_THROW((void)exchange_text(Format::kollmorgen, ragged(Rule::linear, Outside::hold, 4)),
+               InputError);
+  const TableFile timed{
+      Table(Axis::time, Rule::linear, Outside::hold, {{0, 1}, {0, 1}, {}, {}}), {"s", "mm"}, {}};
+  EXPECT_THROW((void)exchange_text(Format::pairs, timed), InputError);
+}
+
+TEST(Exchange, WritesWhatKasImports) {
+  const TableFile file{Table(Axis::master, Rule::linear, Outside::wrap,
+                             {{0, 1, 2, 3, 4}, {0, 0.5, 2, 0.5, 0}, {}, {}}),
+                       {},
+                       {}};
+  EXPECT_EQ(exchange_text(Format::kollmorgen, file),
+            "CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n1;0.5;SPLINE\n2;2;SPLINE\n3;0.5;SPLINE\n4;0;"
+            "SPLINE\nTABLE_END;;\n");
+}
+
+}  // namespace
+}  // namespace jounce
