@@ -6,7 +6,7 @@
 
 #include "jounce/io/comparison.hpp"
 #include "jounce/io/csv.hpp"
-#include "jounce/io/file.hpp"
+#include "jounce/io/printable.hpp"
 #include "jounce/io/units.hpp"
 
 #include "input.hpp"
@@ -26,8 +26,10 @@ struct Options {
   bool json = false;
 };
 
-Version version_of(const Input& input) {
-  Version version{input.name, input.curve, input.labels};
+/// Under the name of its file: two versions of one cam have one name.
+Version version_of(const Input& input, const std::string& path) {
+  Version version{printable(path) + (input.axis.empty() ? "" : " " + input.axis), input.curve,
+                  input.labels};
   const auto breaks = std::visit(
       [](const auto& curve) {
         return std::vector<double>(curve.breaks().begin(), curve.breaks().end());
@@ -104,7 +106,8 @@ int run(const Options& options) {
   for (const auto& [before, after] : all) {
     Tolerance tolerance;
     for (const auto& one : options.tolerances) set_tolerance(tolerance, one, after.labels);
-    const Comparison comparison = compare(version_of(before), version_of(after), tolerance);
+    const Comparison comparison =
+        compare(version_of(before, options.before), version_of(after, options.after), tolerance);
     equal = equal && comparison.equal();
     if (options.json)
       documents.emplace_back(after.axis, nlohmann::ordered_json::parse(to_json(comparison)));

@@ -43,6 +43,21 @@ std::vector<double> knots(std::span<const double> breaks, const Labels& labels) 
   return all;
 }
 
+/// The segments of a cam's spec and their laws, above the plots.
+std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Input& input) {
+  if (!input.spec || !input.spec->is_cam()) return {};
+  const auto& segments = std::get<CamSpec>(input.spec->subject).segments;
+  std::vector<Shade> names;
+  std::vector<Shade> laws;
+  for (const auto& group : groups(breaks.size() - 1, input.labels)) {
+    if (names.size() == segments.size()) break;
+    const CamSegment& segment = segments[names.size()];
+    names.push_back({breaks[group.first], breaks[group.last + 1], segment.name});
+    laws.push_back({breaks[group.first], breaks[group.last + 1], name(segment.law)});
+  }
+  return {std::move(names), std::move(laws)};
+}
+
 struct Removed {
   std::string folder;
   ~Removed() {
@@ -57,8 +72,9 @@ CurveLook look_of(const Input& input) {
                  .unit = input.labels.units.position,
                  .limits = input.limits};
   if (const auto* cam = std::get_if<Cam>(&input.curve)) look.shades = in_step(*cam, input.labels);
-  look.knots = std::visit([&](const auto& curve) { return knots(curve.breaks(), input.labels); },
-                          input.curve);
+  const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, input.curve);
+  look.knots = knots(breaks, input.labels);
+  look.strips = strips(breaks, input);
   return look;
 }
 

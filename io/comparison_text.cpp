@@ -31,9 +31,13 @@ std::pair<std::string, std::string> apart(double a, double b) {
   return {first, second};
 }
 
-/// "a", or "a -> b" where they differ by more than rounding.
-std::string arrow(double a, double b, double rounding) {
-  if (std::abs(b - a) <= rounding) return rounded(b);
+/// "a", or "a -> b" where they differ by more than rounding; what is rounding beside the peak is 0.
+std::string arrow(double a, double b, const Change& change) {
+  const double peak =
+      std::max(std::abs(change.before.peak().value), std::abs(change.after.peak().value));
+  for (double* value : {&a, &b})
+    if (std::abs(*value) < 1e-12 * peak) *value = 0;
+  if (std::abs(b - a) <= change.rounding) return rounded(b);
   const auto [before, after] = apart(a, b);
   return before + " -> " + after;
 }
@@ -42,17 +46,15 @@ std::string quantity_line(const Comparison& c, std::size_t k) {
   const Change& change = c.changes[k];
   const char* name = names_of(c)[k];
   const std::string unit = c.labels.unit_of(std::string(name));
-  const auto range = [&](const Extremum& a, const Extremum& b) {
-    return arrow(a.value, b.value, change.rounding);
-  };
   std::string text = fmt::format("  {} {:<18}", c.beyond[k] ? '!' : ' ', name);
   if (change.none())
     text += "the same";
   else
     text += fmt::format("differs by {} at {}", with_unit(rounded(change.largest.value), unit),
                         with_unit(rounded(change.largest.where), c.labels.units.x));
-  return text + fmt::format("; min {}, max {}\n", range(change.before.min, change.after.min),
-                            range(change.before.max, change.after.max));
+  return text + fmt::format("; min {}, max {}\n",
+                            arrow(change.before.min.value, change.after.min.value, change),
+                            arrow(change.before.max.value, change.after.max.value, change));
 }
 
 std::string name_of(const Knot& knot, const std::vector<std::string>& names) {

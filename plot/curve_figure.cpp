@@ -164,6 +164,7 @@ Figure curve_figure(const Curve<Over>& f, const CurveLook& look) {
   figure.title = look.title;
   figure.x_label = look.axis_unit.empty() ? axis : fmt::format("{} [{}]", axis, look.axis_unit);
   figure.shades = look.shades;
+  figure.strips = look.strips;
   figure.knots = look.knots.value_or(std::vector<double>(f.breaks().begin(), f.breaks().end()));
   figure.degrees = look.axis_unit == "deg" || look.axis_unit == "°";
   for (int order = 0; order < 4; ++order) figure.panels.push_back(panel_of(f, order, look));

@@ -20,6 +20,7 @@ struct CurveLook {
   std::string before = "before";
   Limits limits{};
   std::vector<Shade> shades{};
+  std::vector<std::vector<Shade>> strips{};    ///< rows of names above, as in a Figure
   std::optional<std::vector<double>> knots{};  ///< thin vertical lines; by default all breaks
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -84,6 +85,25 @@ std::vector<Entry> legend(const Figure& figure, double left, double right) {
   return entries;
 }
 
+/// A name over its stretch; nothing where it does not fit.
+std::optional<Box> name_box(const Shade& name, const Scale& x, double row) {
+  const double from = x(std::max(name.from, x.of.lo));
+  const double to = x(std::min(name.to, x.of.hi));
+  const double width = text_width(name.label, small_font);
+  if (name.label.empty() || width + 4 > to - from) return std::nullopt;
+  return Box{(from + to - width) / 2, row, (from + to + width) / 2, row + strip_height};
+}
+
+/// The rows of names of which something fits.
+std::vector<const std::vector<Shade>*> drawn_strips(const Figure& figure, const Scale& x) {
+  std::vector<const std::vector<Shade>*> rows;
+  for (const auto& row : figure.strips)
+    if (std::any_of(row.begin(), row.end(),
+                    [&](const Shade& name) { return name_box(name, x, 0).has_value(); }))
+      rows.push_back(&row);
+  return rows;
+}
+
 /// Where everything stands.
 struct Layout {
   double left = 0;
@@ -95,6 +115,8 @@ struct Layout {
   Scale x;
   Ticks x_ticks;
   std::vector<Entry> legend;
+  std::vector<const std::vector<Shade>*> strips;
+  bool shade_names = false;  ///< whether shades have a row of their own
 };
 
 Layout lay_out(const Figure& figure, const SvgOptions& options) {
@@ -115,8 +137,11 @@ Layout lay_out(const Figure& figure, const SvgOptions& options) {
   double y = margin + (figure.title.empty() ? 0 : title_height);
   if (!at.legend.empty()) y = y + at.legend.back().y + legend_height;
   at.strip_top = y + header_height;
-  const double strips = (figure.shades.empty() ? 0 : strip_height) +
-                        (drawn_knots(figure, at.x).empty() ? 0 : strip_height);
+  at.strips = drawn_strips(figure, at.x);
+  at.shade_names = !figure.shades.empty() && at.strips.empty();
+  const std::size_t rows =
+      at.strips.size() + (at.shade_names ? 1 : 0) + (drawn_knots(figure, at.x).empty() ? 0 : 1);
+  const double strips = strip_height * static_cast<double>(rows);
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const double top = y + header_height + (i == 0 ? strips : 0);
     at.plots.push_back({at.left, top, at.right, top + options.panel_height});
@@ -141,9 +166,16 @@ void draw_legend(std::string& out, const Layout& at, double top) {
   }
 }
 
-/// The positions of knots and the names of shades, above the first panel.
+/// The names of stretches or shades and the positions of knots, above the first panel.
 void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
   double row = at.strip_top;
+  for (const auto* names : at.strips) {
+    const char* kind = names == at.strips.front() ? "mid" : "soft mid";
+    for (const Shade& name : *names)
+      if (const auto box = name_box(name, at.x, row))
+        text(out, kind, (box->left + box->right) / 2, box->bottom - 4, name.label);
+    row += strip_height;
+  }
   const auto write = [&](double x, const std::string& label, const char* kind,
                          Surroundings& around) {
     const double width = text_width(label, small_font);
@@ -154,7 +186,7 @@ void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
     text(out, kind, left + width / 2, row + strip_height - 4, label);
   };
   const Box row_frame{-4, 0, at.right + 4, at.height};
-  if (!figure.shades.empty()) {
+  if (at.shade_names) {
     Surroundings around{row_frame, {}, {}};
     for (const Shade& shade : figure.shades) {
       const double middle = at.x(std::clamp((shade.from + shade.to) / 2, at.x.of.lo, at.x.of.hi));

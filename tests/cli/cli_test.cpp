@@ -74,8 +74,8 @@ class Cli : public ::testing::Test {
 
 TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
   EXPECT_EQ(run("--help").status, 0);
-  for (const char* verb : {"new", "design", "check", "optimize", "validate", "plot", "report",
-                           "stream", "run", "monitor", "stop"}) {
+  for (const char* verb : {"new", "design", "check", "optimize", "validate", "diff", "convert",
+                           "plot", "report", "stream", "run", "monitor", "stop"}) {
     const Result help = run(std::string(verb) + " --help");
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  jounce ") + verb)) << verb;
@@ -383,6 +383,82 @@ TEST_F(Cli, WithoutANetworkTheStreamSaysWhatItNeeds) {
   EXPECT_THAT(result.err, HasSubstr("no_answer"));
   EXPECT_EQ(run("stream " + cam + " --to feeder --url ''").status, 2);
   EXPECT_EQ(run("run " + cam + " --url memq:// --seconds 0.1").status, 2) << "a cam is no axis";
+}
+
+TEST_F(Cli, DiffSaysWhatChangedAndAnswersLikeDiff) {
+  EXPECT_EQ(run("diff " + cam + " " + cam).status, 0);
+  std::string text = slurp(cam);
+  text.replace(text.find("slave = 100, geo_velocity = 0.01739"), 11, "slave = 95 ");
+  write("b.toml", text);
+  const Result changed = run("diff " + cam + " b.toml -o both.svg");
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.out, HasSubstr("! position          differs by -5 pulse at 280 pulse"));
+  EXPECT_THAT(changed.out,
+              HasSubstr("~ knot 4 (end of 3 return) at 280 pulse, position 100 -> 95"));
+  EXPECT_THAT(slurp(folder / "both.svg"), StartsWith("<svg"));
+  EXPECT_EQ(run("diff " + cam + " b.toml --tolerance position=\"5 pulse\"").status, 0);
+  EXPECT_EQ(run("diff " + cam + " b.toml --tolerance position=4.9").status, 1);
+  EXPECT_EQ(run("diff " + cam + " b.toml --tolerance 1").status, 0);
+  const Result documents = run("diff --json " + cam + " b.toml");
+  EXPECT_EQ(documents.status, 1);
+  const json report = json::parse(documents.out);
+  EXPECT_FALSE(report["equal"].get<bool>());
+  EXPECT_NEAR(report["changes"]["position"]["largest"]["value"].get<double>(), -5, 1e-12);
+  EXPECT_EQ(report["knots"][0]["what"], "changed");
+  EXPECT_EQ(run("diff " + cam + " nothing.toml").status, 2);
+  EXPECT_EQ(run("diff " + cam + " b.toml --tolerance speed=1").status, 2);
+  EXPECT_EQ(run("diff " + cam + " b.toml -o both.gif").status, 2);
+}
+
+TEST_F(Cli, DiffOfSeveralAxesPairsThemByName) {
+  EXPECT_EQ(run("new axes -o a.toml").status, 0);
+  EXPECT_EQ(run("diff a.toml a.toml").status, 0);
+  const json report = json::parse(run("diff --json a.toml a.toml").out);
+  EXPECT_TRUE(report["equal"].get<bool>());
+  EXPECT_GE(report["axes"].size(), 2U);
+  EXPECT_EQ(run("diff a.toml " + cam).status, 2);
+}
+
+TEST_F(Cli, ConvertsThereAndBackWithoutLoss) {
+  EXPECT_EQ(run("design " + cam + " -o a.csv").status, 0);
+  EXPECT_EQ(run("convert a.csv a.xyva").status, 0);
+  EXPECT_EQ(run("convert a.xyva a.st").status, 0);
+  EXPECT_EQ(run("convert a.st b.csv").status, 0);
+  const auto hash = [&](const char* file) {
+    const std::string text = slurp(folder / file);
+    return text.substr(text.find("# sha256: "), 74);
+  };
+  EXPECT_EQ(hash("a.csv"), hash("b.csv"));
+  EXPECT_EQ(run("diff a.csv a.st").status, 0);
+  EXPECT_EQ(run("plot a.xyva -o a.svg").status, 0);
+}
+
+TEST_F(Cli, ConvertStatesItsLoss) {
+  EXPECT_EQ(run("new cam -o a.toml").status, 0);
+  const Result pairs = run("convert a.toml a.txt --intervals 360 --json");
+  EXPECT_EQ(pairs.status, 0) << pairs.err;
+  const json summary = json::parse(pairs.out);
+  EXPECT_FALSE(summary["lossless"].get<bool>());
+  EXPECT_NEAR(summary["error"].get<double>(), 0.0024, 1e-4);  // h^2 max|f''| / 8 = 0.0191943 / 8
+  EXPECT_EQ(run("convert a.toml b.xyva --tolerance 0.1um").status, 0);
+  const Result close = run("diff a.toml b.xyva --tolerance position=0.1um");
+  EXPECT_EQ(close.status, 0) << close.out;
+}
+
+TEST_F(Cli, ConvertAsksForTheUnitsThatAFileDoesNotHave) {
+  write("a.xyva", "0 0 0 0\n180 90 0 0\n360 0 0 0\n");
+  const Result refused = run("convert a.xyva a.csv");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--master-unit"));
+  EXPECT_EQ(run("convert a.xyva a.csv --master-unit deg --position-unit mm --periodic").status, 0);
+  EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("# outside: wrap"));
+  EXPECT_EQ(run("convert a.csv b.csv --position-unit m").status, 0);
+  EXPECT_THAT(slurp(folder / "b.csv"), HasSubstr("180,0.09,0,0"));
+  write("comma.txt", "0;0\n1;0,5\n");
+  EXPECT_EQ(run("check comma.txt").status, 2);
+  EXPECT_EQ(
+      run("convert comma.txt c.csv --decimal-comma --master-unit deg --position-unit mm").status,
+      0);
 }
 
 }  // namespace
