@@ -43,7 +43,7 @@ std::vector<double> knots(std::span<const double> breaks, const Labels& labels) 
   return all;
 }
 
-/// The segments of a cam's spec and their laws, above the plots.
+/// The segments of a cam's spec, as reports call them, and their laws.
 std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Input& input) {
   if (!input.spec || !input.spec->is_cam()) return {};
   const auto& segments = std::get<CamSpec>(input.spec->subject).segments;
@@ -52,7 +52,7 @@ std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Inp
   for (const auto& group : groups(breaks.size() - 1, input.labels)) {
     if (names.size() == segments.size()) break;
     const CamSegment& segment = segments[names.size()];
-    names.push_back({breaks[group.first], breaks[group.last + 1], segment.name});
+    names.push_back({breaks[group.first], breaks[group.last + 1], group.label});
     laws.push_back({breaks[group.first], breaks[group.last + 1], name(segment.law)});
   }
   return {std::move(names), std::move(laws)};

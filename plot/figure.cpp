@@ -20,6 +20,7 @@ constexpr double title_height = 24;  // px, of the rows that a figure may have
 constexpr double legend_height = 20;
 constexpr double header_height = 22;  // the y label above its panel
 constexpr double strip_height = 14;   // names of shades, positions of knots
+constexpr double least_name = 30;     // of a stretch that is named
 constexpr double axis_height = 20;
 constexpr double panel_gap = 6;
 
@@ -85,21 +86,27 @@ std::vector<Entry> legend(const Figure& figure, double left, double right) {
   return entries;
 }
 
-/// A name over its stretch; nothing where it does not fit.
-std::optional<Box> name_box(const Shade& name, const Scale& x, double row) {
+/// A name over its stretch, cut to its room if need be and allowed; nothing where that is too narrow.
+struct Name {
+  std::string label;
+  double middle = 0;
+};
+std::optional<Name> fitted_name(const Shade& name, const Scale& x, bool may_be_cut) {
   const double from = x(std::max(name.from, x.of.lo));
   const double to = x(std::min(name.to, x.of.hi));
-  const double width = text_width(name.label, small_font);
-  if (name.label.empty() || width + 4 > to - from) return std::nullopt;
-  return Box{(from + to - width) / 2, row, (from + to + width) / 2, row + strip_height};
+  const std::string label = fitted(name.label, small_font, to - from - 6);
+  if (label.empty() || to - from < least_name || (label != name.label && !may_be_cut))
+    return std::nullopt;
+  return Name{label, (from + to) / 2};
 }
 
-/// The rows of names of which something fits.
+/// The rows of names of which something is shown.
 std::vector<const std::vector<Shade>*> drawn_strips(const Figure& figure, const Scale& x) {
   std::vector<const std::vector<Shade>*> rows;
   for (const auto& row : figure.strips)
-    if (std::any_of(row.begin(), row.end(),
-                    [&](const Shade& name) { return name_box(name, x, 0).has_value(); }))
+    if (std::any_of(row.begin(), row.end(), [&](const Shade& name) {
+          return fitted_name(name, x, rows.empty()).has_value();
+        }))
       rows.push_back(&row);
   return rows;
 }
@@ -170,10 +177,10 @@ void draw_legend(std::string& out, const Layout& at, double top) {
 void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
   double row = at.strip_top;
   for (const auto* names : at.strips) {
-    const char* kind = names == at.strips.front() ? "mid" : "soft mid";
+    const bool first = names == at.strips.front();
     for (const Shade& name : *names)
-      if (const auto box = name_box(name, at.x, row))
-        text(out, kind, (box->left + box->right) / 2, box->bottom - 4, name.label);
+      if (const auto shown = fitted_name(name, at.x, first))
+        text(out, first ? "mid" : "soft mid", shown->middle, row + strip_height - 4, shown->label);
     row += strip_height;
   }
   const auto write = [&](double x, const std::string& label, const char* kind,

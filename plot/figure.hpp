@@ -61,8 +61,9 @@ struct Figure {
   std::string x_label{};
   std::vector<Panel> panels{};
   std::vector<Shade> shades{};
-  /// Rows of names above the plots, each over its stretch where it fits: segments, their laws. A row
-  /// of which nothing fits is left out; where there is one, shades are not named a second time.
+  /// Rows of names above the plots: segments, their laws. Those of the first row are cut to their
+  /// stretch, the others stand where they fit. A row of which nothing fits is left out; where there
+  /// is a row, shades are not named a second time.
   std::vector<std::vector<Shade>> strips{};
   std::vector<double> knots{};  ///< thin vertical lines; left out, and so noted, where too dense
   bool degrees = false;         ///< x is an angle: ticks at 30, 45, 60, 90 deg, ...

@@ -209,6 +209,23 @@ TEST(Svg, DrawsKnotsAndShades) {
   EXPECT_THAT(texts(markup, "zonetext"), Contains("synchronous"));
 }
 
+TEST(Svg, NamesStretchesAsFarAsTheyFit) {
+  CurveLook look = pmc600_look();
+  look.strips = {{{0, 75, "catch up"}, {75, 200, "in step"}, {200, 220, "too long for this"}},
+                 {{200, 202, "no word fits here"}}};
+  const Figure figure = curve_figure(pmc600_cam(), look);
+  const Markup markup(svg(figure));
+  EXPECT_THAT(texts(markup), Contains("catch up"));
+  EXPECT_THAT(texts(markup), Contains("in step"));
+  EXPECT_THAT(texts(markup),
+              Contains(testing::AllOf(testing::StartsWith("too"), Not("too long for this"))));
+  EXPECT_TRUE(markup.with("text", "zonetext").empty()) << "its stretch has a name already";
+  Figure one_row = figure;
+  one_row.strips.pop_back();
+  EXPECT_EQ(svg(figure), svg(one_row)) << "a row of which nothing fits takes none";
+  expect_tidy(figure);
+}
+
 TEST(Svg, SaysThatKnotsAreTooDense) {
   Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
   for (int i = 0; i <= 1000; ++i) figure.knots.push_back(i / 1000.0);
