@@ -28,3 +28,6 @@ int main() {
                 knot.after->where);
 }
 
+// > position: at most -3.13918 mm, at 261.106 deg
+// > peak geo_velocity: 0.733168, now 0.833333 mm/deg
+// > knot 3 moved from 200 to 190 deg
