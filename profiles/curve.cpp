@@ -6,20 +6,27 @@
 #include <string>
 
 #include "jounce/profiles/detail/common_pieces.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-void require_valid(const Segment& f, std::size_t index) {
-  const std::string key = "segment[" + std::to_string(index + 1) + "]";
-  require_positive((key + ".length").c_str(), f.length);
+bool is_finite(const Segment& f) {
   Segment g = f;
   for (int order = 0; order <= 4; ++order, g = derivative(g))
-    if (!std::isfinite(magnitude(g)))
-      throw InputError(
-          key, "",
-          "value and derivatives must be finite: too short, too far or too steep for a double");
+    if (!std::isfinite(magnitude(g))) return false;
+  return true;
+}
+
+void require_valid(const Segment& f, std::size_t index) {
+  const auto key = [&] { return "segment[" + std::to_string(index + 1) + "]"; };
+  if (!std::isfinite(f.length) || !(f.length > 0))
+    require_positive((key() + ".length").c_str(), f.length);
+  if (!is_finite(f))
+    throw InputError(
+        key(), "",
+        "value and derivatives must be finite: too short, too far or too steep for a double");
 }
 
 /// Running sum of the lengths, compensated (Neumaier), so that 1e6 segments end where they should.
@@ -37,6 +44,11 @@ std::vector<double> running_sum(double start, const std::vector<Segment>& segmen
   return breaks;
 }
 
+/// The segment that begins at `start`, at x on the axis.
+[[gnu::always_inline]] inline Jet inside(const Segment& f, double start, double x) {
+  return detail::evaluate(f, std::clamp((x - start) / f.length, 0.0, 1.0));
+}
+
 }  // namespace
 
 template <class Over>
@@ -49,35 +61,33 @@ Curve<Over>::Curve(std::vector<Segment> segments, double start, Outside outside)
   require_finite("end", breaks_.back());
   if (!(breaks_.back() > breaks_.front()))
     throw InputError("start", start, "is so far out that the curve's length is lost in rounding");
-}
-
-template <class Over>
-std::size_t Curve<Over>::find(double x, Side side) const {
-  // Interior breaks only, so that the result is always a segment.
-  const auto first = breaks_.begin() + 1;
-  const auto last = breaks_.end() - 1;
-  const auto it =
-      side == Side::right ? std::upper_bound(first, last, x) : std::lower_bound(first, last, x);
-  return static_cast<std::size_t>(it - first);
-}
-
-template <class Over>
-Jet Curve<Over>::inside(std::size_t segment, double x) const {
-  const double s = (x - breaks_[segment]) / segments_[segment].length;
-  return evaluate(segments_[segment], std::clamp(s, 0.0, 1.0));
+  index_ = BreakIndex(breaks_);
 }
 
 template <class Over>
 Jet Curve<Over>::jet(double x, Side side) const {
-  if (x < start() || x > end() || (x == end() && side == Side::right && repeats(outside_))) {
-    assert(outside_ != Outside::refuse && "query outside a curve that refuses it");
-    if (!repeats(outside_)) return {inside(x < start() ? 0 : segments_.size() - 1, x)[0], 0, 0, 0};
-    const auto [at, turns] = in_period(x, side, start(), end());
-    Jet f = inside(find(at, side), at);
-    f[0] += turns * advance();
-    return f;
+  if (!(x >= start() && x < end())) [[unlikely]]
+    return at_end_or_outside(x, side);
+  const std::size_t i = index_.find(breaks_, x, side);
+  return inside(segments_[i], breaks_[i], x);
+}
+
+template <class Over>
+Jet Curve<Over>::at_end_or_outside(double x, Side side) const {
+  const auto within = [&](double at) {
+    const std::size_t i = index_.find(breaks_, at, side);
+    return inside(segments_[i], breaks_[i], at);
+  };
+  if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
+  assert(outside_ != Outside::refuse && "query outside a curve that refuses it");
+  if (!repeats(outside_)) {
+    const std::size_t i = x < start() ? 0 : segments_.size() - 1;
+    return {inside(segments_[i], breaks_[i], x)[0], 0, 0, 0};
   }
-  return inside(find(x, side), x);
+  const auto [at, turns] = in_period(x, side, start(), end());
+  Jet f = within(at);
+  f[0] += turns * advance();
+  return f;
 }
 
 template <class Over>
@@ -99,8 +109,8 @@ void Curve<Over>::sample(std::span<const double> x, std::span<Point> out) const 
     if (!near)
       k = x[i] >= breaks_[k + 1] && k + 2 < breaks_.size() && x[i] < breaks_[k + 2]
               ? k + 1
-              : find(x[i], Side::right);
-    out[i] = point<Over>(inside(k, x[i]));
+              : index_.find(breaks_, x[i], Side::right);
+    out[i] = point<Over>(inside(segments_[k], breaks_[k], x[i]));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "jounce/profiles/break_index.hpp"
 #include "jounce/profiles/jet.hpp"
 #include "jounce/profiles/segment.hpp"
 
@@ -56,11 +57,11 @@ class Curve {
   void sample(std::span<const double> x, std::span<Point> out) const;
 
  private:
-  [[nodiscard]] std::size_t find(double x, Side side) const;
-  [[nodiscard]] Jet inside(std::size_t segment, double x) const;
+  [[nodiscard]] Jet at_end_or_outside(double x, Side side) const;
 
   std::vector<Segment> segments_;
   std::vector<double> breaks_;
+  BreakIndex index_;
   Outside outside_;
 };
 

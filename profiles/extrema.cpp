@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "jounce/profiles/detail/bernstein.hpp"
 #include "jounce/profiles/roots.hpp"
 
 namespace jounce {
@@ -15,14 +16,26 @@ void widen(Range& range, const Extremum& candidate, double noise = 0) {
   if (candidate.value > range.max.value + noise) range.max = candidate;
 }
 
+/// Whether f keeps its sign but for `flat`, as the hull of its Bernstein form shows.
+bool keeps_sign(const Segment& f, double flat) {
+  if (f.sines > 0) return false;
+  bool keeps = false;
+  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+    const auto [lo, hi] = detail::hull<n>(detail::to_bernstein<n>(f));
+    keeps = lo >= -flat || hi <= flat;
+  });
+  return keeps;
+}
+
 /// Range of g, whose derivative by u is dg, on the segment that begins at `start` on the axis.
-Range segment_range(const Segment& g, const Segment& dg, double start, double end) {
+Range range_on(const Segment& g, const Segment& dg, double start, double end) {
   const Extremum first{value(g, 0), start, Side::right};
   Range range{first, first};
   const double noise = 2e-16 * magnitude(g);
-  // Where |g'| stays below this, g moves by less than its own rounding over the whole segment.
+  // Where |g'| stays below this, g moves by less than its own rounding over the whole segment; and
+  // where g' never passes it on one side of zero, nothing within lies beyond both ends.
   const double flat = noise / g.length;
-  if (flat > 0) {
+  if (flat > 0 && !keeps_sign(dg, flat)) {
     thread_local std::vector<double> critical;
     roots(dg, flat, critical);
     for (const double s : critical)
@@ -39,12 +52,20 @@ const Extremum& Range::peak() const {
 }
 
 template <class Over>
+Range segment_range(const Curve<Over>& f, std::size_t segment, int order) {
+  assert(order >= 0 && order <= 3);
+  Segment g = f.segments()[segment];
+  for (int k = 0; k < order; ++k) g = derivative(g);
+  return range_on(g, derivative(g), f.breaks()[segment], f.breaks()[segment + 1]);
+}
+
+template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
   Ranges ranges;
   Segment g = f.segments()[segment];
   for (auto& range : ranges) {
     const Segment dg = derivative(g);
-    range = segment_range(g, dg, f.breaks()[segment], f.breaks()[segment + 1]);
+    range = range_on(g, dg, f.breaks()[segment], f.breaks()[segment + 1]);
     g = dg;
   }
   return ranges;
@@ -70,13 +91,9 @@ Ranges extrema(const Curve<Over>& f) {
 
 template <class Over>
 Range extrema(const Curve<Over>& f, int order) {
-  assert(order >= 0 && order <= 3);
-  Range all;
-  for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    Segment g = f.segments()[i];
-    for (int k = 0; k < order; ++k) g = derivative(g);
-    const Range here = segment_range(g, derivative(g), f.breaks()[i], f.breaks()[i + 1]);
-    if (i == 0) all = here;
+  Range all = segment_range(f, 0, order);
+  for (std::size_t i = 1; i < f.segments().size(); ++i) {
+    const Range here = segment_range(f, i, order);
     widen(all, here.min);
     widen(all, here.max);
   }
@@ -106,6 +123,7 @@ Jump largest_jump(const Curve<Over>& f, int order) {
 }
 
 #define JOUNCE_INSTANTIATE(Over)                                                 \
+  template Range segment_range(const Curve<Over>&, std::size_t, int);            \
   template Ranges segment_extrema(const Curve<Over>&, std::size_t);              \
   template Ranges segment_extrema(const Curve<Over>&, std::size_t, std::size_t); \
   template Ranges extrema(const Curve<Over>&);                                   \

@@ -36,7 +36,11 @@ Range extrema(const Curve<Over>& f, int order);
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// The same for one segment of the curve, by index, and for several from `first` up to `last`.
+/// The range of one derivative on one segment of the curve, by index.
+template <class Over>
+Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
+
+/// All four orders for one segment of the curve, by index, and for several from `first` up to `last`.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace jounce {
 
@@ -55,10 +56,21 @@ struct OverMaster {
                                                     "geo_jerk"};
 };
 
+/// std::fmod(u, length) for u >= 0 and length > 0, to the bit: where the quotient of a division is
+/// the right one, what a fused multiply-add leaves has no rounding. Several times as fast.
+inline double remainder_of(double u, double length) {
+  const double quotient = u / length;
+  if (!(quotient < 0x1p53)) return std::fmod(u, length);
+  const double whole = static_cast<double>(static_cast<std::int64_t>(quotient));
+  const double left = std::fma(-whole, length, u);
+  return left >= 0 && left < length ? left : std::fmod(u, length);
+}
+
 /// x reduced into [start, start + length): what Outside::wrap and advance do to a query.
 inline double wrapped(double x, double start, double length) {
-  const double u = std::fmod(x - start, length);
-  const double at = start + (u < 0 ? u + length : u);
+  const double u = x - start;
+  const double turned = remainder_of(std::abs(u), length);
+  const double at = start + (u < 0 && turned > 0 ? length - turned : turned);
   return at < start + length ? at : start;  // a hair below the end: no double is nearer
 }
 

@@ -46,16 +46,33 @@ const char* advice(std::size_t order) {
   return texts[order];
 }
 
-Finding compare(const Bound& bound, const Range& range, const char* quantity, std::size_t segment) {
-  const Extremum& worst = bound.upper ? range.max : range.min;
-  const double room = bound.upper ? bound.limit - worst.value : worst.value - bound.limit;
-  Finding finding{bound.rule,         "",    quantity, worst.where, worst.value, bound.limit,
-                  room / bound.scale, false, segment,  ""};
-  // A limit that is met exactly is met: what is left is the rounding of the evaluation.
-  finding.broken =
-      room < -1e-12 * std::max({std::abs(bound.limit), std::abs(worst.value), bound.scale});
-  if (finding.broken) finding.advice = advice(bound.order);
-  return finding;
+const Extremum& worst_of(const Bound& bound, const Range& range) {
+  return bound.upper ? range.max : range.min;
+}
+
+double margin_of(const Bound& bound, double value) {
+  return (bound.upper ? bound.limit - value : value - bound.limit) / bound.scale;
+}
+
+/// A limit that is met exactly is met: what is left is the rounding of the evaluation.
+bool is_broken(const Bound& bound, double value) {
+  const double room = bound.upper ? bound.limit - value : value - bound.limit;
+  return room < -1e-12 * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
+}
+
+Finding finding_of(const Bound& bound, const Extremum& worst, const char* quantity,
+                   std::size_t segment) {
+  const bool broken = is_broken(bound, worst.value);
+  return {bound.rule,
+          "",
+          quantity,
+          worst.where,
+          worst.value,
+          bound.limit,
+          margin_of(bound, worst.value),
+          broken,
+          segment,
+          broken ? advice(bound.order) : ""};
 }
 
 }  // namespace
@@ -90,19 +107,22 @@ void sort(Report& report) {
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits) {
   require_valid(limits);
-  const Range travel = extrema(f, 0);
+  const bool one_end = limits.position_min.has_value() != limits.position_max.has_value();
+  const Range travel = one_end ? extrema(f, 0) : Range{};
   const auto bounds = bounds_of(limits, Over::names, travel.max.value - travel.min.value);
   std::vector<std::optional<Finding>> closest(bounds.size());
   Report report;
-  for (std::size_t i = 0; i < f.segments().size() && !bounds.empty(); ++i) {
-    const Ranges ranges = segment_extrema(f, i);
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    Range range;
     for (std::size_t b = 0; b < bounds.size(); ++b) {
       const auto order = bounds[b].order;
-      Finding finding = compare(bounds[b], ranges[order], Over::names[order], i);
-      if (finding.broken)
-        report.findings.push_back(std::move(finding));
-      else if (!closest[b] || finding.margin < closest[b]->margin)
-        closest[b] = std::move(finding);
+      if (b == 0 || order != bounds[b - 1].order)
+        range = segment_range(f, i, static_cast<int>(order));
+      const Extremum& worst = worst_of(bounds[b], range);
+      if (is_broken(bounds[b], worst.value))
+        report.findings.push_back(finding_of(bounds[b], worst, Over::names[order], i));
+      else if (!closest[b] || margin_of(bounds[b], worst.value) < closest[b]->margin)
+        closest[b] = finding_of(bounds[b], worst, Over::names[order], i);
     }
   }
   // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.

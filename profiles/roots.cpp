@@ -6,34 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
-
-using Bernstein = std::array<double, Segment::max_degree + 1>;
-
-/// A piece [a, b] of the segment with the Bernstein coefficients of f over it: f lies within their
-/// hull, and f' within the hull of their differences.
-struct Piece {
-  double a = 0;
-  double b = 1;
-  Bernstein beta{};
-};
-
-Bernstein to_bernstein(const Segment& f) {
-  // beta_i = sum over k <= i of C(i, k) / C(n, k) c_k: by differences of the scaled coefficients.
-  const auto n = static_cast<std::size_t>(f.degree);
-  Bernstein beta{};
-  double binomial = 1;
-  for (std::size_t k = 0; k <= n; ++k) {
-    beta[k] = f.c[k] / binomial;
-    binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
-  }
-  for (std::size_t k = 1; k <= n; ++k)
-    for (std::size_t i = n; i >= k; --i) beta[i] += beta[i - 1];
-  return beta;
-}
 
 /// The widest angle over which a sine is its Taylor polynomial of degree 11 to within rounding:
 /// the remainder is at most angle^12 / 12! = 1.3e-16.
@@ -59,115 +37,112 @@ Segment as_polynomial(const Segment& f) {
   return g;
 }
 
-/// Isolates the roots of f piece by piece.
-class Isolation {
- public:
-  Isolation(const Segment& f, double flat, std::vector<double>& out)
-      : f_(f), flat_(flat), out_(out) {
-    noise_ = 1e-15 * magnitude(f);
-    double widest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
-      widest = std::max(widest, std::abs(f.sine[i].angle));
-      remainder_ += 2e-16 * std::abs(f.sine[i].amplitude);
+/// f is monotone over [a, b]: one sign change at the most, found by Newton kept inside a bracket.
+void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
+  const double fa = value(f, a);
+  const double fb = value(f, b);
+  if (fa == 0 || fb == 0) {
+    out.push_back(fa == 0 ? a : b);
+    return;
+  }
+  if ((fa > 0) == (fb > 0)) {
+    // The Bernstein form saw a change of sign at an end of the piece, where rounding gives f the
+    // other sign: the root is that end.
+    const double nearest = std::min(std::abs(fa), std::abs(fb));
+    if (nearest <= 2e-15 * magnitude(f)) out.push_back(nearest == std::abs(fa) ? a : b);
+    return;
+  }
+  double s = a + (b - a) * fa / (fa - fb);
+  for (int i = 0; i < 100; ++i) {
+    const Jet g = detail::evaluate(f, s);
+    if (g[0] == 0) break;
+    ((g[0] > 0) == (fa > 0) ? a : b) = s;
+    const double newton = s - g[0] / (g[1] * f.length);
+    const double next = newton > a && newton < b ? newton : (a + b) / 2;
+    if (next == s || b - a <= 2e-16) break;
+    s = next;
+  }
+  out.push_back(s);
+}
+
+/// Isolates the roots of f piece by piece; n is the degree of the Bernstein form.
+template <std::size_t n>
+struct Isolation {
+  const Segment& f;
+  double flat;
+  double remainder;  // what the polynomials may differ from f
+  double noise;      // what rounding may make of f = 0
+  std::vector<double>& out;
+
+  /// f over [a, b], where beta is its Bernstein form.
+  void run(double a, double b, const detail::Bernstein<n>& beta) const {
+    const auto [lo, hi] = detail::hull<n>(beta);
+    if (lo > remainder || hi < -remainder) return;
+    if ((lo >= -flat && hi <= flat) || b - a < 1e-13) {
+      out.push_back((a + b) / 2);
+      return;
     }
-    n_ = static_cast<std::size_t>(f.sines == 0 ? f.degree : Segment::max_degree);
-    const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
-    for (int i = 0; i < static_cast<int>(pieces); ++i) {
-      const double a = i / pieces;
-      const double b = (i + 1) / pieces;
-      run({a, b, to_bernstein(f.sines == 0 ? f : as_polynomial(part(f, a, b)))});
+    if (is_monotone(beta)) {
+      bracket(f, a, b, out);
+      return;
     }
+    if (lo >= -noise && hi <= noise) {  // a multiple root: rounding hides all that is in here
+      out.push_back((a + b) / 2);
+      return;
+    }
+    detail::Bernstein<n> left;
+    detail::Bernstein<n> right;
+    detail::halve<n>(beta, left, right);
+    const double middle = (a + b) / 2;
+    run(a, middle, left);
+    run(middle, b, right);
   }
 
- private:
-  void run(const Piece& piece) {
-    const auto [lo, hi] = std::minmax_element(piece.beta.begin(), piece.beta.begin() + count());
-    if (*lo > remainder_ || *hi < -remainder_) return;
-    if ((*lo >= -flat_ && *hi <= flat_) || piece.b - piece.a < 1e-13) {
-      out_.push_back((piece.a + piece.b) / 2);
-      return;
-    }
-    if (is_monotone(piece)) {
-      bracket(piece.a, piece.b);
-      return;
-    }
-    if (*lo >= -noise_ && *hi <= noise_) {  // a multiple root: rounding hides all that is in here
-      out_.push_back((piece.a + piece.b) / 2);
-      return;
-    }
-    const auto [left, right] = halves(piece);
-    run(left);
-    run(right);
-  }
-
-  [[nodiscard]] std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(n_) + 1; }
-
-  [[nodiscard]] bool is_monotone(const Piece& piece) const {
+  [[nodiscard]] bool is_monotone(const detail::Bernstein<n>& beta) const {
     bool rises = true;
     bool falls = true;
-    for (std::size_t i = 0; i < n_; ++i) {
-      const double difference = piece.beta[i + 1] - piece.beta[i];
-      rises = rises && difference > remainder_;
-      falls = falls && difference < -remainder_;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double difference = beta[i + 1] - beta[i];
+      rises = rises & (difference > remainder);
+      falls = falls & (difference < -remainder);
     }
     return rises || falls;
   }
-
-  /// De Casteljau at the middle: the coefficients of both halves.
-  [[nodiscard]] std::pair<Piece, Piece> halves(const Piece& piece) const {
-    const double middle = (piece.a + piece.b) / 2;
-    Piece left{piece.a, middle, {}};
-    Piece right{middle, piece.b, {}};
-    Bernstein row = piece.beta;
-    for (std::size_t k = 0; k <= n_; ++k) {
-      left.beta[k] = row[0];
-      right.beta[n_ - k] = row[n_ - k];
-      for (std::size_t i = 0; i + k + 1 <= n_; ++i) row[i] = (row[i] + row[i + 1]) / 2;
-    }
-    return {left, right};
-  }
-
-  /// f is monotone over [a, b]: one sign change at the most, found by Newton kept inside a bracket.
-  void bracket(double a, double b) {
-    const double fa = value(f_, a);
-    const double fb = value(f_, b);
-    if (fa == 0 || fb == 0) {
-      out_.push_back(fa == 0 ? a : b);
-      return;
-    }
-    if ((fa > 0) == (fb > 0)) {
-      // The Bernstein form saw a change of sign at an end of the piece, where rounding gives f the
-      // other sign: the root is that end.
-      const double nearest = std::min(std::abs(fa), std::abs(fb));
-      if (nearest <= 2e-15 * magnitude(f_)) out_.push_back(nearest == std::abs(fa) ? a : b);
-      return;
-    }
-    double s = a + (b - a) * fa / (fa - fb);
-    for (int i = 0; i < 100; ++i) {
-      const Jet f = evaluate(f_, s);
-      if (f[0] == 0) break;
-      ((f[0] > 0) == (fa > 0) ? a : b) = s;
-      const double newton = s - f[0] / (f[1] * f_.length);
-      const double next = newton > a && newton < b ? newton : (a + b) / 2;
-      if (next == s || b - a <= 2e-16) break;
-      s = next;
-    }
-    out_.push_back(s);
-  }
-
-  const Segment& f_;
-  double flat_;
-  std::vector<double>& out_;
-  std::size_t n_ = 0;     // degree of the Bernstein form
-  double remainder_ = 0;  // what the polynomials may differ from f
-  double noise_ = 0;      // what rounding may make of f = 0
 };
+
+double noise_of(const Segment& f) {
+  return 1e-15 * magnitude(f);
+}
+
+void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
+  double widest = 0;
+  double remainder = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    widest = std::max(widest, std::abs(f.sine[i].angle));
+    remainder += 2e-16 * std::abs(f.sine[i].amplitude);
+  }
+  constexpr std::size_t n = Segment::max_degree;
+  const Isolation<n> isolation{f, flat, remainder, noise_of(f), out};
+  const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
+  for (int i = 0; i < static_cast<int>(pieces); ++i) {
+    const double a = i / pieces;
+    const double b = (i + 1) / pieces;
+    isolation.run(a, b, detail::to_bernstein<n>(as_polynomial(part(f, a, b))));
+  }
+}
+
+void isolate(const Segment& f, double flat, std::vector<double>& out) {
+  if (f.sines > 0) return isolate_sines(f, flat, out);
+  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+    Isolation<n>{f, flat, 0, noise_of(f), out}.run(0, 1, detail::to_bernstein<n>(f));
+  });
+}
 
 }  // namespace
 
 void roots(const Segment& f, double flat, std::vector<double>& out) {
   out.clear();
-  const Isolation isolation(f, flat, out);
+  isolate(f, flat, out);
   std::erase_if(out, [](double s) { return s <= 0 || s >= 1; });
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end(), [](double a, double b) { return b - a < 1e-13; }),

@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/detail/coefficients.hpp"
+
 namespace jounce {
 namespace {
 
@@ -31,30 +34,20 @@ SineTerm merged(const SineTerm& a, const SineTerm& b) {
 
 }  // namespace
 
-Jet evaluate(const Segment& f, double s) {
-  double p = f.c[static_cast<std::size_t>(f.degree)];
-  double d1 = 0;
-  double d2 = 0;
-  double d3 = 0;
-  for (int k = f.degree - 1; k >= 0; --k) {  // Horner, for the value and the derivatives / k!
-    d3 = d3 * s + d2;
-    d2 = d2 * s + d1;
-    d1 = d1 * s + p;
-    p = p * s + f.c[static_cast<std::size_t>(k)];
-  }
-  d2 *= 2;
-  d3 *= 6;
+void detail::add_sines(const Segment& f, double s, Jet& by_s) {
   for (int i = 0; i < f.sines; ++i) {
     const auto& [amplitude, w, phase] = f.sine[static_cast<std::size_t>(i)];
     const double sn = amplitude * std::sin(w * s + phase);
     const double cs = amplitude * w * std::cos(w * s + phase);
-    p += sn;
-    d1 += cs;
-    d2 -= w * w * sn;
-    d3 -= w * w * cs;
+    by_s[0] += sn;
+    by_s[1] += cs;
+    by_s[2] -= w * w * sn;
+    by_s[3] -= w * w * cs;
   }
-  const double r = 1 / f.length;
-  return {p, d1 * r, d2 * r * r, d3 * r * r * r};
+}
+
+Jet evaluate(const Segment& f, double s) {
+  return detail::evaluate(f, s);
 }
 
 double value(const Segment& f, double s) {
@@ -173,49 +166,30 @@ double magnitude(const Segment& f) {
   return m;
 }
 
-Segment line(double length, double p0, double p1) {
+namespace {
+
+template <std::size_t n>
+Segment polynomial(double length, const std::array<double, n>& c) {
   Segment f;
   f.length = length;
-  f.degree = 1;
-  f.c[0] = p0;
-  f.c[1] = p1 - p0;
+  f.degree = static_cast<int>(n) - 1;
+  std::copy(c.begin(), c.end(), f.c.begin());
   trim(f);
   return f;
+}
+
+}  // namespace
+
+Segment line(double length, double p0, double p1) {
+  return polynomial(length, detail::line_coefficients(p0, p1));
 }
 
 Segment cubic(double length, double p0, double v0, double p1, double v1) {
-  const double h = p1 - p0;
-  const double m0 = v0 * length;
-  const double m1 = v1 * length;
-  Segment f;
-  f.length = length;
-  f.degree = 3;
-  f.c[0] = p0;
-  f.c[1] = m0;
-  f.c[2] = 3 * h - 2 * m0 - m1;
-  f.c[3] = -2 * h + m0 + m1;
-  trim(f);
-  return f;
+  return polynomial(length, detail::cubic_coefficients(length, p0, v0, p1, v1));
 }
 
-// The general 5th degree (VDI 2143), written in the end values of the segment.
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1) {
-  const double h = p1 - p0;
-  const double m0 = v0 * length;
-  const double m1 = v1 * length;
-  const double k0 = a0 * length * length;
-  const double k1 = a1 * length * length;
-  Segment f;
-  f.length = length;
-  f.degree = 5;
-  f.c[0] = p0;
-  f.c[1] = m0;
-  f.c[2] = k0 / 2;
-  f.c[3] = 10 * h - 6 * m0 - 4 * m1 - (3 * k0 - k1) / 2;
-  f.c[4] = -15 * h + 8 * m0 + 7 * m1 + (3 * k0 - 2 * k1) / 2;
-  f.c[5] = 6 * h - 3 * (m0 + m1) - (k0 - k1) / 2;
-  trim(f);
-  return f;
+  return polynomial(length, detail::quintic_coefficients(length, p0, v0, a0, p1, v1, a1));
 }
 
 }  // namespace jounce

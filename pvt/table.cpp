@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/profiles/detail/coefficients.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -53,6 +55,7 @@ Table::Table(Axis axis, Rule rule, Outside outside, Columns columns)
     if (!(columns_.x[i] > columns_.x[i - 1]))
       throw InputError(entry(axis, 0, i), columns_.x[i],
                        "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");
+  index_ = BreakIndex(columns_.x);
 }
 
 Segment Table::segment(std::size_t i) const {
@@ -71,32 +74,44 @@ Segment Table::segment(std::size_t i) const {
 }
 
 Jet Table::jet(double x, Side side) const {
-  if (x < start() || x > end() || (x == end() && side == Side::right && repeats(outside_))) {
-    assert(outside_ != Outside::refuse && "query outside a table that refuses it");
-    if (!repeats(outside_)) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
-    const auto [at, turns] = in_period(x, side, start(), end());
-    Jet f = inside(find(at, side), at);
-    f[0] += turns * advance();
-    return f;
-  }
-  return inside(find(x, side), x);
+  if (x >= start() && x < end()) [[likely]]
+    return inside(index_.find(columns_.x, x, side), x);
+  return at_end_or_outside(x, side);
+}
+
+Jet Table::at_end_or_outside(double x, Side side) const {
+  const auto within = [&](double at) { return inside(index_.find(columns_.x, at, side), at); };
+  if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
+  assert(outside_ != Outside::refuse && "query outside a table that refuses it");
+  if (!repeats(outside_)) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
+  const auto [at, turns] = in_period(x, side, start(), end());
+  Jet f = within(at);
+  f[0] += turns * advance();
+  return f;
 }
 
 double Table::advance() const {
   return outside_ == Outside::advance ? columns_.p.back() - columns_.p.front() : 0;
 }
 
-std::size_t Table::find(double x, Side side) const {
-  const auto first = columns_.x.begin() + 1;
-  const auto last = columns_.x.end() - 1;
-  const auto it =
-      side == Side::right ? std::upper_bound(first, last, x) : std::lower_bound(first, last, x);
-  return static_cast<std::size_t>(it - first);
-}
-
-Jet Table::inside(std::size_t interval, double x) const {
-  const Segment f = segment(interval);
-  return evaluate(f, std::clamp((x - columns_.x[interval]) / f.length, 0.0, 1.0));
+/// evaluate(segment(i), ...), without the segment.
+[[gnu::always_inline]] inline Jet Table::inside(std::size_t i, double at) const {
+  const auto& [x, p, v, a] = columns_;
+  const std::size_t k = i + 1;
+  const double length = x[k] - x[i];
+  const double s = std::clamp((at - x[i]) / length, 0.0, 1.0);
+  const auto evaluated = [&]<std::size_t n>(const std::array<double, n>& c) {
+    return detail::over_length(detail::horner<n - 1>(c, s), length);
+  };
+  switch (rule_) {
+    case Rule::linear:
+      return evaluated(detail::line_coefficients(p[i], p[k]));
+    case Rule::cubic_hermite:
+      return evaluated(detail::cubic_coefficients(length, p[i], v[i], p[k], v[k]));
+    case Rule::quintic_hermite:
+      break;
+  }
+  return evaluated(detail::quintic_coefficients(length, p[i], v[i], a[i], p[k], v[k], a[k]));
 }
 
 template <class Over>

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "jounce/profiles/break_index.hpp"
 #include "jounce/profiles/curve.hpp"
 
 namespace jounce {
@@ -62,13 +63,14 @@ class Table {
   [[nodiscard]] Curve<Over> curve() const;
 
  private:
-  [[nodiscard]] std::size_t find(double x, Side side) const;
-  [[nodiscard]] Jet inside(std::size_t interval, double x) const;
+  [[nodiscard]] Jet at_end_or_outside(double x, Side side) const;
+  [[nodiscard]] Jet inside(std::size_t interval, double at) const;
 
   Axis axis_;
   Rule rule_;
   Outside outside_;
   Columns columns_;
+  BreakIndex index_;
 };
 
 /// The same table with its first column in another unit: x times `factor` > 0, the derivatives

@@ -11,6 +11,7 @@
 #include "jounce/profiles/s_curve.hpp"
 
 #include "support/invariants.hpp"
+#include "support/random.hpp"
 
 namespace jounce {
 namespace {
@@ -117,6 +118,20 @@ TEST(Curve, WrapsIntoItsTurnToTheLastDigit) {
   EXPECT_EQ(wrapped(-1e-20, 0, 360), 0) << "360 itself is not in [0, 360)";
   EXPECT_EQ(wrapped(-1e-20, -5, 5), -5);
   EXPECT_EQ(wrapped(-90, 0, 360), 270);
+}
+
+TEST(Curve, WrapsAsTheLibraryDividesToTheBit) {
+  testing::Random random(53);
+  for (int i = 0; i < 200'000; ++i) {
+    const double length = random.log_uniform(1e-12, 1e12);
+    const double u = random.below(2) == 0 ? length * random.below(1'000'000)
+                                          : length * random.log_uniform(1e-3, 1e20);
+    for (const double x : {u, std::nextafter(u, 0), std::nextafter(u, 2 * u)})
+      ASSERT_EQ(remainder_of(x, length), std::fmod(x, length)) << x << " by " << length;
+  }
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(remainder_of(7 * least, 3 * least), least);
+  EXPECT_EQ(remainder_of(1e308, 3 * least), std::fmod(1e308, 3 * least));
 }
 
 TEST(Curve, RefusesAnOriginThatSwallowsItsLength) {

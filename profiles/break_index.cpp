@@ -1,0 +1,42 @@
+#include "jounce/profiles/break_index.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace jounce {
+
+BreakIndex::BreakIndex(std::span<const double> breaks) {
+  assert(breaks.size() >= 2);
+  const std::size_t intervals = breaks.size() - 1;
+  const std::size_t cells = per_interval * intervals;
+  const double scale = static_cast<double>(cells) / (breaks.back() - breaks.front());
+  // Few are searched at once; so are lengths whose reciprocal over- or underflows.
+  if (intervals <= few || !std::isnormal(scale)) return;
+  start_ = breaks.front();
+  cells_per_unit_ = scale;
+  last_cell_ = static_cast<double>(cells - 1);
+  before_.assign(cells + 1, 0);
+  for (const double at : breaks.subspan(1, intervals - 1)) ++before_[cell(at) + 1];
+  for (std::size_t k = 0; k < cells; ++k) before_[k + 1] += before_[k];
+}
+
+/// The interval among first .. last, where x has passed the break that begins `first`.
+template <Side side>
+std::size_t BreakIndex::halved(std::span<const double> breaks, double x, std::size_t first,
+                               std::size_t last) {
+  while (first < last) {
+    const std::size_t middle = first + (last - first + 1) / 2;
+    if (passed<side>(x, breaks[middle]))
+      first = middle;
+    else
+      last = middle - 1;
+  }
+  return first;
+}
+
+template std::size_t BreakIndex::halved<Side::right>(std::span<const double>, double, std::size_t,
+                                                     std::size_t);
+template std::size_t BreakIndex::halved<Side::left>(std::span<const double>, double, std::size_t,
+                                                    std::size_t);
+
+}  // namespace jounce
