@@ -97,10 +97,21 @@ std::size_t Report::broken() const {
       std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.broken; }));
 }
 
+std::size_t Report::warnings() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [](const Finding& f) { return !f.broken && f.severity == Severity::warning; }));
+}
+
 void sort(Report& report) {
+  const auto rank = [](const Finding& f) {
+    if (f.broken) return 0;
+    if (f.severity == Severity::warning) return 1;
+    return f.severity == Severity::required ? 2 : 3;
+  };
   std::stable_sort(report.findings.begin(), report.findings.end(),
-                   [](const Finding& a, const Finding& b) {
-                     return a.broken != b.broken ? a.broken : a.margin < b.margin;
+                   [&](const Finding& a, const Finding& b) {
+                     return rank(a) != rank(b) ? rank(a) < rank(b) : a.margin < b.margin;
                    });
 }
 

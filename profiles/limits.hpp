@@ -22,6 +22,13 @@ struct Limits {
 /// Throws InputError for a limit that is not finite, a rate that is not positive, or min > max.
 void require_valid(const Limits& limits);
 
+/// What a finding that is not broken means.
+enum class Severity {
+  required,  ///< it must hold, and does: the margin is the room left
+  warning,   ///< allowed, but perhaps not meant: an overshoot, a step of the acceleration
+  note,      ///< a fact: how far above a known bound a quantity is
+};
+
 /// One statement of a check: a quantity at its worst place against its limit.
 struct Finding {
   std::string rule;      ///< "limit/velocity", "continuity/position", ...: stable, for machines
@@ -38,17 +45,20 @@ struct Finding {
   std::string advice;                  ///< what to change, in a few words; may be empty
   std::string unit = {};               ///< of value and limit, where the quantity does not tell it
   std::string where_unit = {};         ///< of where, if it is not the curve's axis
+  Severity severity = Severity::required;
 };
 
 /// What a check returns: it never prints and never throws for what it finds.
 struct Report {
-  std::vector<Finding> findings;  ///< the broken ones first, worst first; then the smallest margins
+  std::vector<Finding> findings;  ///< as sort() leaves them
 
   [[nodiscard]] bool ok() const;
   [[nodiscard]] std::size_t broken() const;
+  [[nodiscard]] std::size_t warnings() const;  ///< that are not broken
 };
 
-/// Puts the broken findings first, worst first, then the others by margin.
+/// Puts the broken findings first, worst first; then the warnings, what must hold, and the notes,
+/// each by margin.
 void sort(Report& report);
 
 /// Exact extrema against limits. One finding for each segment and quantity that breaks a limit; for
