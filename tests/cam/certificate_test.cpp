@@ -1,0 +1,151 @@
+#include "jounce/cam/certificate.hpp"
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/cam/design.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "laws.hpp"
+#include "support/oracle.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::laws;
+using testing::oracle;
+
+const Finding* find(const Report& report, const std::string& rule) {
+  for (const Finding& f : report.findings)
+    if (f.rule == rule) return &f;
+  return nullptr;
+}
+
+TEST(Certificates, SayThat345Is21PercentAboveTheLeastForItsJerk) {
+  const Report best = certificates(laws().at("poly_345"));
+  const Finding* front = find(best, "bound/acceleration_for_jerk");
+  ASSERT_TRUE(front);
+  EXPECT_NEAR(front->limit, 15 * (1 - std::sqrt(1 - 32.0 / 60)), 1e-12);
+  EXPECT_NEAR(front->margin, 0.2147, 1e-4);
+  EXPECT_NEAR(find(best, "bound/square_jerk")->margin, 0, 1e-12) << "3-4-5 attains it";
+  EXPECT_NEAR(find(best, "bound/acceleration")->margin, 10 / std::sqrt(3) / 4 - 1, 1e-12);
+  EXPECT_EQ(find(best, "bound/jounce"), nullptr) << "its jerk is not zero at the ends";
+  for (const Finding& f : best.findings) EXPECT_EQ(f.severity, Severity::note);
+}
+
+TEST(Certificates, AreAttainedByTheBest) {
+  const auto margin = [](const Cam& law, const char* rule) {
+    const Report report = certificates(as_rise(law));
+    const Finding* f = find(report, rule);
+    return f ? f->margin : -1;
+  };
+  const auto all = laws();
+  EXPECT_NEAR(margin(all.at("quadratic_parabola"), "bound/acceleration"), 0, 1e-12);
+  EXPECT_NEAR(margin(all.at("quadratic_parabola"), "bound/duration"), 0, 1e-12);
+  EXPECT_NEAR(margin(all.at("minimum_peak_jerk"), "bound/jerk"), 0, 1e-12);
+  EXPECT_NEAR(margin(all.at("minimum_peak_jerk"), "bound/acceleration_for_jerk"), 0, 1e-6);
+  EXPECT_NEAR(margin(all.at("cubic_23"), "bound/square_acceleration"), 0, 1e-12);
+  EXPECT_NEAR(margin(all.at("poly_4567"), "bound/square_jounce"), 0, 1e-12);
+  EXPECT_NEAR(margin(Cam({line(1, 0, 1)}), "bound/velocity"), 0, 1e-12);
+  EXPECT_NEAR(margin(Cam({line(1, 0, 1)}), "bound/square_velocity"), 0, 1e-12);
+}
+
+TEST(Certificates, HaveTheSumsOfTheSevenSegmentBound) {
+  for (const auto& [name, sum] : oracle("laws")["sum_seven_segment"].items()) {
+    const Report report = certificates(laws().at(name));
+    EXPECT_NEAR(find(report, "bound/duration")->value, sum.get<double>(), 1e-12) << name;
+  }
+}
+
+TEST(Certificates, NeedTheEndsThatTheirProofNeeds) {
+  const Report sine = certificates(laws().at("simple_sine"));  // f'' is not zero at its ends
+  EXPECT_TRUE(find(sine, "bound/acceleration"));
+  EXPECT_FALSE(find(sine, "bound/jerk"));
+  EXPECT_EQ(find(sine, "bound/duration")->quantity, "1/Cv + Cv/Ca");
+}
+
+TEST(Certificates, FindPiecesThatDoNotJoin) {
+  // A fall of 5 and a rise of 10 that begins 2 too high; position steps, the derivatives do not.
+  const Cam law(normalised(Law::modified_sine));
+  const Cam torn = concatenated(scaled(law, 3), shifted(scaled(law, 3), 1, 3.5));
+  const Report whole = certificates(as_rise(torn));
+  EXPECT_FALSE(whole.ok());
+  EXPECT_TRUE(find(whole, "identity/moment")->broken);
+  // A law that claims a stroke it does not travel: every bound it breaks is named.
+  Cam half = scaled(law, 0.5);
+  const Cam claimed = concatenated(half, Cam({line(0.001, 1, 1)}, 1));
+  const Report report = certificates(as_rise(claimed));
+  EXPECT_TRUE(find(report, "bound/velocity")->broken);
+  EXPECT_TRUE(find(report, "bound/acceleration")->broken);
+  EXPECT_TRUE(find(report, "bound/power")->broken);
+  EXPECT_FALSE(find(report, "bound/power")->advice.empty());
+}
+
+/// A random cam of one to three segments: any law where its ends allow, any scale.
+CamSpec random_spec(testing::Random& random) {
+  std::vector<Law> rest;
+  for (const Law law : all_laws())
+    if (is_rest_to_rest(law) && law != Law::dwell) rest.push_back(law);
+  CamSpec spec;
+  const double stroke = random.log_uniform(1e-6, 1e6);
+  const double length = random.log_uniform(1e-6, 1e6);
+  const int n = 1 + random.below(3);
+  double master = random.uniform(-1, 1) * length;
+  double slave = random.uniform(-1, 1) * stroke;
+  spec.start = {master, slave, 0.0, 0.0};
+  spec.periodic = random.below(2) == 0;
+  for (int i = 0; i < n; ++i) {
+    const bool free = random.below(2) == 0;
+    CamSegment segment;
+    segment.law = free
+                      ? Law::quintic
+                      : rest[static_cast<std::size_t>(random.below(static_cast<int>(rest.size())))];
+    const double step = length * random.log_uniform(0.01, 1);
+    master += step;
+    slave += stroke * random.uniform(-1, 1);
+    segment.end = {master, slave, 0.0, 0.0};
+    // Between two quintics the knot may move.
+    if (free && i > 0 && spec.segments.back().law == Law::quintic && random.below(2) == 0) {
+      spec.segments.back().end.geo_velocity = random.uniform(-3, 3) * stroke / step;
+      spec.segments.back().end.geo_acceleration = random.uniform(-9, 9) * stroke / step / step;
+    }
+    spec.segments.push_back(segment);
+  }
+  return spec;
+}
+
+std::string text(const CamSpec& spec) {
+  std::string all = number(spec.start.master) + " " + number(spec.start.slave);
+  for (const CamSegment& s : spec.segments)
+    all += std::string("; ") + name(s.law) + " " + number(s.end.master) + " " +
+           number(s.end.slave) + " " + number(*s.end.geo_velocity) + " " +
+           number(*s.end.geo_acceleration);
+  return all + (spec.periodic ? "; periodic" : "");
+}
+
+TEST(Certificates, HoldForAHundredThousandRandomCams) {
+  testing::Random random(20);
+  std::map<std::string, std::size_t> held;
+  for (int i = 0; i < 100'000; ++i) {
+    const CamSpec spec = random_spec(random);
+    const Report report = certificates(design(spec).cam);
+    for (const Finding& f : report.findings) {
+      ++held[f.rule];
+      EXPECT_FALSE(f.broken) << f.rule << " " << f.quantity << " = " << number(f.value)
+                             << ", bound " << number(f.limit) << ": " << text(spec);
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+  for (const char* rule :
+       {"bound/velocity", "bound/acceleration", "bound/jerk", "bound/power", "bound/duration",
+        "bound/acceleration_for_jerk", "bound/square_velocity", "bound/square_acceleration",
+        "bound/square_jerk", "identity/acceleration", "identity/moment"})
+    EXPECT_GT(held[rule], 50'000U) << rule;
+}
+
+}  // namespace
+}  // namespace jounce
