@@ -58,6 +58,7 @@ class PowerSearch {
     const double r = (b - a) / 2 * slope.length;
     const Jet v = evaluate(slope, m);
     const double g = v[0] * v[1];
+    take(v, start + m * slope.length);
     const double dg = v[1] * v[1] + v[0] * v[2];
     const double ddg = 3 * v[1] * v[2] + v[0] * v[3];
     if (const double step = -dg / ddg; std::abs(step) < r) {

@@ -108,7 +108,7 @@ TEST(Warnings, NameEachStepOnceByItsLowestOrder) {
 TEST(Warnings, RippleIsAnAccelerationThatTurnsBetweenEqualEnds) {
   EXPECT_EQ(count(warnings(Cam({quintic(1, 0, 0, 2, 1, 2, 2)})), "warning/ripple"), 0U)
       << "a parabola";
-  EXPECT_EQ(count(warnings(Cam({quintic(1, 0, 0, 2, 1.2, 2, 2)})), "warning/ripple"), 1U);
+  EXPECT_EQ(count(warnings(Cam({quintic(1, 0, 0, 2, 1.5, 2, 2)})), "warning/ripple"), 1U);
 }
 
 }  // namespace
