@@ -5,6 +5,7 @@
 
 #include "jounce/io/units.hpp"
 
+#include "cam_check.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "verb.hpp"
@@ -57,6 +58,7 @@ void set_limits(Input& input, const Options& options) {
 
 nlohmann::ordered_json json_of(const Report& report, const Input& input) {
   auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
+  if (auto cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
   document["segments"] = nlohmann::ordered_json::parse(std::visit(
       [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
   return document;
@@ -68,6 +70,7 @@ void print_text(const Report& report, const Input& input) {
              std::visit([&](const auto& curve) { return extrema_text(curve, input.labels); },
                         input.curve));
   fmt::print("{}", full_text(report, input.labels));
+  fmt::print("{}", cam_text(input));
 }
 
 int run(const Options& options) {
@@ -76,7 +79,8 @@ int run(const Options& options) {
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    const Report report = check_all(input, options.continuity);
+    Report report = check_all(input, options.continuity);
+    add_cam_findings(report, input, options.continuity);
     ok = ok && report.ok();
     if (options.json)
       documents.emplace_back(input.axis, json_of(report, input));

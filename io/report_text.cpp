@@ -53,6 +53,30 @@ std::string verdict(const Finding& finding) {
   return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
 }
 
+/// How far above what is possible at all.
+std::string of_bound(const Finding& f, const std::string& where) {
+  if (f.rule == "bound/duration")
+    return fmt::format("{} = {}: {} {} the whole rise, the most that any motion has", f.quantity,
+                       rounded(f.value), percent(f.margin), f.broken ? "above" : "below");
+  if (f.rule.starts_with("identity/"))
+    return fmt::format("{} of the rise from {} is {}, of any motion {}", f.quantity, where,
+                       rounded(f.value), rounded(f.limit));
+  const char* whose = f.rule == "bound/acceleration_for_jerk" ? "for its jerk" : "of any motion";
+  return fmt::format("{} {} at {} is {} {} {}, the least {}", f.quantity, rounded(f.value), where,
+                     percent(f.margin), f.broken ? "below" : "above", rounded(f.limit), whose);
+}
+
+/// What is allowed but perhaps not meant.
+std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "warning/overshoot")
+    return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
+                       value, where, rounded(f.limit), percent(f.margin));
+  if (f.rule == "warning/velocity_overshoot")
+    return fmt::format("{} {} at {} is beyond {}, at which the segment ends", f.quantity, value,
+                       where, rounded(f.limit));
+  return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
+}
+
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
   return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
@@ -67,6 +91,8 @@ Json to_object(const Finding& finding, const Labels& labels) {
   if (!finding.axis.empty()) object["axis"] = finding.axis;
   if (finding.segment) object["segment"] = *finding.segment + 1;
   if (!finding.advice.empty()) object["advice"] = finding.advice;
+  if (finding.severity != Severity::required)
+    object["severity"] = finding.severity == Severity::warning ? "warning" : "note";
   return object;
 }
 
@@ -125,6 +151,14 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule == "disc/profile_radius" && finding.limit == 0)
     return fmt::format("{} is {} at {}; it must be greater than 0", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
+  if (finding.rule.starts_with("bound/") || finding.rule.starts_with("identity/"))
+    return of_bound(finding, place(finding, labels));
+  if (finding.rule.starts_with("warning/"))
+    return of_warning(finding, with_unit(finding.value, labels.unit_of(finding)),
+                      place(finding, labels));
+  if (finding.rule.starts_with("joint/"))
+    return fmt::format("{} is {} at {}", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
   const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;
   return fmt::format("{} {} at {} {}", finding.quantity,
                      with_unit(met ? finding.limit : finding.value, labels.unit_of(finding)),
@@ -132,24 +166,37 @@ std::string sentence(const Finding& finding, const Labels& labels) {
 }
 
 std::string one_line(const Report& report, const Labels& labels) {
-  if (report.findings.empty()) return "nothing was limited, so nothing was checked";
-  const std::string worst = sentence(report.findings.front(), labels);
-  if (report.ok()) return "all limits hold; the closest: " + worst;
+  const auto first =
+      std::find_if(report.findings.begin(), report.findings.end(),
+                   [](const Finding& f) { return f.broken || f.severity == Severity::required; });
+  const std::size_t w = report.warnings();
+  const std::string more =
+      w == 0 ? "" : fmt::format(" ({} {})", w, w == 1 ? "warning" : "warnings");
+  if (first == report.findings.end()) return "nothing was limited, so nothing was checked" + more;
+  const std::string worst = sentence(*first, labels);
+  if (report.ok()) return "all limits hold; the closest: " + worst + more;
   const std::size_t n = report.broken();
-  return fmt::format("{} {}; the worst: {}", n, n == 1 ? "finding" : "findings", worst);
+  return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings", worst, more);
 }
 
 std::string full_text(const Report& report, const Labels& labels, std::size_t most) {
+  const auto is_note = [](const Finding& f) { return !f.broken && f.severity == Severity::note; };
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, report.findings.size()); ++i) {
-    const Finding& finding = report.findings[i];
-    text += fmt::format("  {:<6} {:<26} {}\n", finding.broken ? "BROKEN" : "ok", finding.rule,
-                        sentence(finding, labels));
+  std::size_t shown = 0;
+  std::size_t left = 0;
+  for (const Finding& finding : report.findings) {
+    if (is_note(finding) || shown >= most) {
+      left += is_note(finding) ? 0 : 1;
+      continue;
+    }
+    ++shown;
+    const bool warns = finding.severity == Severity::warning;
+    text += fmt::format("  {:<6} {:<26} {}\n", finding.broken ? "BROKEN" : (warns ? "warn" : "ok"),
+                        finding.rule, sentence(finding, labels));
     if (!finding.advice.empty())
       text += fmt::format("  {:<6} {:<26} -> {}\n", "", "", finding.advice);
   }
-  if (report.findings.size() > most)
-    text += fmt::format("  ... and {} more findings\n", report.findings.size() - most);
+  if (left > 0) text += fmt::format("  ... and {} more findings\n", left);
   return text;
 }
 

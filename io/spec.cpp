@@ -61,7 +61,8 @@ void read_one_axis(TomlReader& top, Spec& spec, const std::string& kind) {
   const bool knots_are_the_table = kind == "pvt" && !top.has("then");
   spec.table = detail::read_table_options(top, spec.units, knots_are_the_table);
   if (kind == "pvt" && !spec.table.rule) spec.table.rule = Rule::cubic_hermite;
-  spec.limits = detail::read_limits(top, spec.units, kind == "cam");
+  spec.limits =
+      detail::read_limits(top, spec.units, kind == "cam" ? &spec.slave : nullptr, spec.time_unit);
   spec.drive = detail::read_drive(top, spec.units);
 }
 

@@ -97,6 +97,7 @@ struct Spec {
   Boundaries boundaries = Boundaries::rest;  ///< of a cam
   TableOptions table;
   Limits limits;  ///< of a cam: per master unit
+  Limits slave;   ///< of a cam: over time, [limits.slave]; without positions
   std::optional<MasterSpec> master;
   std::optional<CouplingSpec> coupling;  ///< of a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;

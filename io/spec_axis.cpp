@@ -41,22 +41,42 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
   return options;
 }
 
-Limits read_limits(TomlReader& owner, const Units& units, bool over_master) {
+namespace {
+
+/// The three rates under their names, per `x`.
+void read_rates(TomlReader& table, Limits& limits, const std::array<const char*, 4>& names,
+                const std::string& position, const std::string& x) {
+  const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    *rates[k] =
+        table.optional_number(names[k + 1], rate_unit(position, x, static_cast<int>(k) + 1));
+    if (*rates[k] && !(**rates[k] > 0))
+      table.fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
+  }
+}
+
+}  // namespace
+
+Limits read_limits(TomlReader& owner, const Units& units) {
+  return read_limits(owner, units, nullptr, "");
+}
+
+Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
+                   const std::string& time_unit) {
   Limits limits;
   auto table = owner.optional_table("limits");
   if (!table) return limits;
-  const auto& names = over_master ? OverMaster::names : OverTime::names;
   limits.position_min = table->optional_number("position_min", units.position);
   limits.position_max = table->optional_number("position_max", units.position);
-  const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    *rates[k] = table->optional_number(names[k + 1],
-                                       rate_unit(units.position, units.x, static_cast<int>(k) + 1));
-    if (*rates[k] && !(**rates[k] > 0))
-      table->fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
-  }
+  read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
   if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
     table->fail("position_min", number(*limits.position_min), "must not be above position_max");
+  if (slave) {
+    if (auto over_time = table->optional_table("slave")) {
+      read_rates(*over_time, *slave, OverTime::names, units.position, time_unit);
+      over_time->finish();
+    }
+  }
   table->finish();
   return limits;
 }

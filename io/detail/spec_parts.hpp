@@ -51,7 +51,10 @@ Dynamics read_dynamics(MotionFields& fields, bool with_velocity = true);
 /// [table], [limits], and [drive] with [drive.limits] where there is one: of the document, or of
 /// one axis. A table that already is one (`finished`) has a rule only.
 TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished = false);
-Limits read_limits(TomlReader& owner, const Units& units, bool over_master = false);
+Limits read_limits(TomlReader& owner, const Units& units);
+/// Of a cam: per master unit, and [limits.slave] over time.
+Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
+                   const std::string& time_unit);
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
 
 /// A unit of measure under `key`.

@@ -1,0 +1,169 @@
+#include "cam_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "jounce/cam/certificate.hpp"
+#include "jounce/cam/characteristics.hpp"
+#include "jounce/cam/master_limits.hpp"
+#include "jounce/cam/warnings.hpp"
+#include "jounce/io/units.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_rises = 8;
+
+/// The design's segment of each segment of the cam: those that share a label.
+std::vector<std::size_t> origin_of(const Cam& cam, const Labels& labels) {
+  std::vector<std::size_t> origin;
+  const auto all = groups(cam.segments().size(), labels);
+  for (std::size_t g = 0; g < all.size(); ++g) origin.resize(all[g].last + 1, g);
+  return origin;
+}
+
+bool has_slave_limits(const Input& input) {
+  if (!input.spec) return false;
+  const Limits& slave = input.spec->slave;
+  return slave.velocity || slave.acceleration || slave.jerk;
+}
+
+std::string master_unit(const Input& input, int order) {
+  return rate_unit(input.labels.units.x, input.spec->time_unit, order);
+}
+
+/// What the master of the spec does, beside its speed.
+MasterRates rates_of(const Input& input) {
+  if (!input.spec || !input.spec->master) return {};
+  return {input.spec->master->acceleration.value_or(0), 0};
+}
+
+/// Whether the spec's master is slow enough for the slave.
+Finding master_finding(const Cam& cam, const Input& input) {
+  const double speed = input.spec->master->velocity;
+  const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates_of(input));
+  Finding f;
+  f.rule = "limit/master_velocity";
+  f.quantity = "master_velocity";
+  f.where = limit.where;
+  f.value = speed;
+  f.limit = limit.value;
+  f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
+  f.broken = speed > limit.value * (1 + 1e-12);
+  f.unit = master_unit(input, 1);
+  if (f.broken) f.advice = "the slave's " + limit.quantity + " limit binds: slow the master down";
+  return f;
+}
+
+void append(Report& all, Report part) {
+  std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
+}
+
+std::string rise_line(const Rise& rise, const Labels& labels) {
+  const Characteristics c = characteristics(rise);
+  const Report best = certificates(rise);
+  const auto front = std::find_if(best.findings.begin(), best.findings.end(), [](const Finding& f) {
+    return f.rule == "bound/acceleration_for_jerk";
+  });
+  const auto n = fmt::format("{} .. {} {}", rounded(rise.cam.start()), rounded(rise.cam.end()),
+                             labels.units.x);
+  std::string line = fmt::format("  rise {:<22} Cv {:.5g}  Ca {:.5g}  Cj {:.5g}  Cm {:.5g}", n,
+                                 c.cv.value, c.peak_acceleration(), c.cj.value, c.cm.value);
+  if (front != best.findings.end())
+    line += fmt::format("; Ca is {:.1f} % above the least for its Cj", 100 * front->margin);
+  return line + "\n";
+}
+
+std::string fastest_line(const Cam& cam, const Input& input) {
+  const MasterRates rates = rates_of(input);
+  const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates);
+  if (std::isinf(limit.value)) return "";
+  std::string line =
+      fmt::format("  fastest master {} {}", rounded(limit.value), master_unit(input, 1));
+  if (rates.acceleration > 0)
+    line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
+                        master_unit(input, 2));
+  return line + fmt::format(": the slave's {} limit, at {} {}\n", limit.quantity,
+                            rounded(limit.where), input.labels.units.x);
+}
+
+Json json_of(const Coefficient& c) {
+  return {{"value", std::isinf(c.value) ? Json() : Json(c.value)}, {"where", c.where}};
+}
+
+Json json_of(const MasterLimit& limit, const std::string& unit) {
+  if (std::isinf(limit.value)) return nullptr;
+  return {{"value", limit.value},
+          {"unit", unit},
+          {"limited_by", limit.quantity},
+          {"where", limit.where}};
+}
+
+Json json_of(const Rise& rise) {
+  const Characteristics c = characteristics(rise);
+  return {{"from", rise.cam.start()},
+          {"to", rise.cam.end()},
+          {"stroke", c.stroke},
+          {"segment", rise.first + 1},
+          {"cv", json_of(c.cv)},
+          {"ca", json_of(c.ca)},
+          {"ca_star", json_of(c.ca_star)},
+          {"cj", json_of(c.cj)},
+          {"cj_inside", c.cj_inside},
+          {"cm", json_of(c.cm)},
+          {"rms", std::isinf(c.rms) ? Json() : Json(c.rms)}};
+}
+
+}  // namespace
+
+void add_cam_findings(Report& report, const Input& input, int continuity) {
+  const Cam* cam = std::get_if<Cam>(&input.curve);
+  if (!cam) return;
+  Report odd = warnings(*cam, origin_of(*cam, input.labels));
+  for (int k = 0; k <= continuity; ++k)
+    std::erase_if(odd.findings, [&](const Finding& f) {
+      return f.rule == std::string("joint/") + OverMaster::names[static_cast<std::size_t>(k)];
+    });
+  append(report, std::move(odd));
+  append(report, certificates(*cam));
+  if (has_slave_limits(input) && input.spec->master)
+    report.findings.push_back(master_finding(*cam, input));
+  sort(report);
+}
+
+std::string cam_text(const Input& input) {
+  const Cam* cam = std::get_if<Cam>(&input.curve);
+  if (!cam) return "";
+  std::string text;
+  const auto all = rises(*cam);
+  for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
+    text += rise_line(all[i], input.labels);
+  if (all.size() > most_rises)
+    text += fmt::format("  ... and {} more rises\n", all.size() - most_rises);
+  if (has_slave_limits(input)) text += fastest_line(*cam, input);
+  return text;
+}
+
+Json cam_json(const Input& input) {
+  const Cam* cam = std::get_if<Cam>(&input.curve);
+  if (!cam) return nullptr;
+  Json list = Json::array();
+  for (const Rise& rise : rises(*cam)) list.push_back(json_of(rise));
+  Json document{{"rises", std::move(list)}};
+  if (!has_slave_limits(input)) return document;
+  const MasterLimit fastest = greatest_master_velocity(*cam, input.spec->slave, rates_of(input));
+  document["fastest_master"] = json_of(fastest, master_unit(input, 1));
+  if (input.spec->master)
+    document["greatest_master_acceleration"] =
+        json_of(greatest_master_acceleration(*cam, input.spec->slave, input.spec->master->velocity),
+                master_unit(input, 2));
+  return document;
+}
+
+}  // namespace jounce::cli
