@@ -461,4 +461,57 @@ TEST_F(Cli, ConvertAsksForTheUnitsThatAFileDoesNotHave) {
       0);
 }
 
+TEST_F(Cli, CheckTellsWhatACamIsWorthAndHowFastItsMasterMayRun) {
+  const std::string text = R"(jounce = 1
+kind = "cam"
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+segment = [{ law = "345", end = { master = 120, slave = 50 } }]
+limits = { slave = { velocity = 400, acceleration = 6000 } }
+)";
+  write("cam.toml", text);
+  const Result good = run("check cam.toml");
+  EXPECT_EQ(good.status, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, HasSubstr("rise 0 .. 120 deg             Cv 1.875  Ca 5.7735  Cj 60  Cm "
+                                  "6.6943; Ca is 21.5 % above the least for its Cj"));
+  EXPECT_THAT(good.out,
+              HasSubstr("fastest master 512 deg/s: the slave's velocity limit, at 60 deg"));
+  EXPECT_THAT(good.out, Not(HasSubstr("bound/"))) << "certificates are for --json";
+
+  write("fast.toml", text + "master = { velocity = 600, distance = 120 }\n");
+  const Result fast = run("check fast.toml --json");
+  EXPECT_EQ(fast.status, 1);
+  const json document = json::parse(fast.out);
+  EXPECT_NEAR(document["cam"]["fastest_master"]["value"].get<double>(), 512, 1e-9);
+  EXPECT_NEAR(document["cam"]["rises"][0]["cv"]["value"].get<double>(), 1.875, 1e-12);
+  EXPECT_EQ(document["findings"][0]["rule"], "limit/master_velocity");
+  bool certified = false;
+  for (const json& f : document["findings"])
+    certified = certified || f["rule"] == "bound/acceleration_for_jerk";
+  EXPECT_TRUE(certified);
+}
+
+TEST_F(Cli, CheckWarnsOfTheDefaultCamOfCodesys) {
+  write("cam.toml", R"(jounce = 1
+kind = "cam"
+units = { master = "deg", position = "deg" }
+start = { master = 0, slave = 0 }
+[[segment]]
+law = "quintic"
+end = { master = 120, slave = 120, geo_velocity = 1 }
+[[segment]]
+law = "quintic"
+end = { master = 240, slave = 240, geo_velocity = 1 }
+[[segment]]
+law = "quintic"
+end = { master = 360, slave = 360 }
+)");
+  const Result result = run("check cam.toml");
+  EXPECT_EQ(result.status, 0) << "a warning fails nothing";
+  EXPECT_THAT(result.out, HasSubstr("(2 warnings)"));
+  EXPECT_THAT(result.out,
+              HasSubstr("warn   warning/velocity_overshoot geo_velocity 1.512 deg/deg"));
+  EXPECT_THAT(result.out, HasSubstr("take a master length from 200 to 300"));
+}
+
 }  // namespace

@@ -37,6 +37,45 @@ TEST(ReportText, JsonHasEveryNumberInFull) {
   EXPECT_NE(json.find("\"segment\":3"), std::string::npos);
 }
 
+TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
+  Report report;
+  Finding warning;
+  warning.rule = "warning/velocity_overshoot";
+  warning.quantity = "geo_velocity";
+  warning.where = 72;
+  warning.value = 1.512;
+  warning.limit = 1;
+  warning.margin = -0.3;
+  warning.severity = Severity::warning;
+  warning.advice = "take a longer way";
+  Finding note;
+  note.rule = "bound/acceleration_for_jerk";
+  note.quantity = "Ca";
+  note.where = 25;
+  note.value = 5.7735;
+  note.limit = 4.753;
+  note.margin = 0.2147;
+  note.severity = Severity::note;
+  report.findings = {note, warning};
+  sort(report);
+  const Labels labels{{"deg", "mm"}, true, {}};
+  EXPECT_TRUE(report.ok());
+  EXPECT_EQ(report.warnings(), 1U);
+  EXPECT_EQ(one_line(report, labels), "nothing was limited, so nothing was checked (1 warning)");
+  EXPECT_EQ(sentence(note, labels),
+            "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the least for its jerk");
+  const std::string text = full_text(report, labels);
+  EXPECT_NE(text.find("  warn   warning/velocity_overshoot geo_velocity 1.512 mm/deg at 72 deg is "
+                      "beyond 1, at which the segment ends"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("bound/"), std::string::npos) << "a note is no line";
+  EXPECT_EQ(text.find("more findings"), std::string::npos);
+  const std::string json = to_json(report, labels);
+  EXPECT_NE(json.find("\"severity\":\"warning\""), std::string::npos);
+  EXPECT_NE(json.find("\"severity\":\"note\""), std::string::npos);
+}
+
 TEST(ReportText, CountsWhatItDoesNotShow) {
   Report report;
   for (int i = 0; i < 25; ++i)

@@ -90,6 +90,18 @@ position = 5
 velocity = 0
 )";
 
+TEST(Spec, ReadsWhatTheSlaveMayDoOverTime) {
+  const Spec spec = parse_spec(
+      std::string(cam) + "[limits.slave]\nvelocity = \"0.4 m/s\"\nacceleration = 6000\n", "a");
+  EXPECT_EQ(spec.limits.velocity, 1) << "per deg, as before";
+  EXPECT_DOUBLE_EQ(*spec.slave.velocity, 400);
+  EXPECT_EQ(spec.slave.acceleration, 6000);
+  EXPECT_FALSE(spec.slave.jerk);
+  EXPECT_EQ(complaint(std::string(cam) + "[limits.slave]\njerk = -1\n"),
+            "a.toml:11:8: limits.slave.jerk = -1: a limit must be greater than 0");
+  EXPECT_NE(complaint(std::string(move) + "[limits.slave]\njerk = 1\n"), "") << "a cam's key";
+}
+
 TEST(Spec, TheBasesOfTheErrorTestsAreGood) {
   for (const char* text : {cam, move, pvt}) EXPECT_EQ(complaint(text), "") << text;
 }
