@@ -166,11 +166,14 @@ std::optional<double> step_of(const Cam& cam, int n, double peak) {
 
 MasterLimit least(const Cam& cam, const std::vector<Constraint>& constraints) {
   const Transfers f(cam);
+  const Range travel = extrema(cam, 0);
+  const auto position_step = step_of(cam, 0, travel.max.value - travel.min.value);
   const auto velocity_step = step_of(cam, 1, f.most()[0]);
   const auto acceleration_step = step_of(cam, 2, f.most()[1]);
   MasterLimit least;
   for (const Constraint& c : constraints) {
     const std::string quantity = c.quantity;
+    if (position_step) return {0, quantity, *position_step};
     if (quantity != "velocity" && velocity_step) return {0, quantity, *velocity_step};
     if (quantity == "jerk" && acceleration_step) return {0, quantity, *acceleration_step};
     const MasterLimit one = greatest(f, c);

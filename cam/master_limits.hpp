@@ -35,9 +35,10 @@ struct MasterLimit {
 ///
 /// The answer is the greatest w (or a) with which no place of the cam and no sign of a and j passes
 /// a limit. Exact: every maximum over the cam is an isolated extremum (see roots.hpp), nothing is
-/// sampled; accurate to about 1e-12. Where f' steps, limited acceleration and jerk allow no speed at
-/// all, where f'' steps, limited jerk does not: the value is 0 and `where` the step (beyond 1e-9 of
-/// the derivative's peak, as in `rises`). Limits left out do not limit; the positions are not looked
+/// sampled; accurate to about 1e-12. Where f steps (inside, or where
+/// it wraps), no limit allows any speed; where f' steps, limited acceleration and jerk do not; where
+/// f'' steps, limited jerk does not: the value is 0 and `where` the step (beyond 1e-9 of the travel,
+/// of the derivative's peak, as in `rises`). Limits left out do not limit; the positions are not looked
 /// at.
 ///
 /// A value of 0 also means that the master's own rates already pass a limit. Throws InputError for a

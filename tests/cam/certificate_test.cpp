@@ -69,7 +69,7 @@ TEST(Certificates, NeedTheEndsThatTheirProofNeeds) {
 }
 
 TEST(Certificates, FindPiecesThatDoNotJoin) {
-  // A fall of 5 and a rise of 10 that begins 2 too high; position steps, the derivatives do not.
+  // Two rises of 3, the second 0.5 too high: the position steps, no derivative does.
   const Cam law(normalised(Law::modified_sine));
   const Cam torn = concatenated(scaled(law, 3), shifted(scaled(law, 3), 1, 3.5));
   const Report whole = certificates(as_rise(torn));

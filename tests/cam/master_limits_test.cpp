@@ -46,10 +46,13 @@ TEST(GreatestMasterVelocity, IsInfiniteWithoutLimitsAndZeroWhereADerivativeSteps
   const auto none = greatest_master_velocity(cam, {.acceleration = 1, .jerk = 1});
   EXPECT_EQ(none.value, 0);
   EXPECT_EQ(none.quantity, "jerk");
-  const Cam gear({line(1, 0, 2)}, 0, Outside::wrap);
-  EXPECT_TRUE(std::isinf(greatest_master_velocity(gear, {.acceleration = 1, .jerk = 1}).value) ==
-              false)
+  const Cam gear({line(1, 0, 2)});
+  EXPECT_TRUE(std::isinf(greatest_master_velocity(gear, {.acceleration = 1, .jerk = 1}).value));
+  EXPECT_EQ(greatest_master_velocity(with(gear, Outside::wrap), {.velocity = 1}).value, 0)
       << "it jumps back where it wraps";
+  const auto kick = greatest_master_velocity(with(gear, Outside::hold), {.acceleration = 1});
+  EXPECT_EQ(kick.value, 0) << "from rest to 2 at once";
+  EXPECT_EQ(kick.quantity, "acceleration");
 }
 
 TEST(GreatestMasterAcceleration, OfAStraightLineIsTheSlavesOverTheRatio) {
