@@ -34,7 +34,12 @@ struct SwitchStep {
 /// **Within a cycle** the axis is taken to move on the cubic through position and velocity at both
 /// ends (exact for a constant jerk), and its crossings are found on that as switch_times() does. A
 /// position that such a cubic cannot reach in order (noise, a jump) is reached on a straight line:
-/// every switch on the way is passed, and both its edges are in that step.
+/// every switch on the way is passed, and both its edges are in that step. Velocities of opposite
+/// sign are believed: the axis turned round in between.
+///
+/// **Accuracy** of an edge at 1 ms, measured: on a constant acceleration 1e-12 s; on S-curve,
+/// trapezoidal and sinusoidal masters below 1 us. What costs time is a step of the acceleration
+/// within the cycle: at most dt^2 / (32 T) after T seconds of that acceleration from rest.
 ///
 /// **Rotary axes** may give positions that wrap or that count on: of the positions one period apart
 /// the one counts that lies nearest to where the velocities lead.

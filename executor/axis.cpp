@@ -6,7 +6,8 @@
 
 namespace jounce {
 
-MotionAxis::MotionAxis(const AxisConfig& config) : config_(resolved(config)) {
+MotionAxis::MotionAxis(const AxisConfig& config)
+    : config_(resolved(config)), switches_(config_.switches) {
   now_.position = config_.position;
 }
 
@@ -20,6 +21,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command) {
   obey(command);
   if (start_at_ >= 0 && start_at_ <= tick) start_pending();
   if (moving()) play();
+  operate_switches();
   last_tick_ = tick;
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
@@ -105,6 +107,7 @@ void MotionAxis::start_pending() {
   origin_ = start_at_;
   start_at_ = -1;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  if (config_.switches_of == SwitchesOf::master) switches_.place();
 }
 
 void MotionAxis::stop() {
@@ -122,6 +125,7 @@ void MotionAxis::set_position(double position) {
   if (moving() || start_at_ >= 0) return refuse(Cause::in_motion);
   if (!std::isfinite(position)) return refuse(Cause::no_value, position);
   now_.position = position;
+  if (config_.switches_of == SwitchesOf::position) switches_.place();
 }
 
 // ---- motion ------------------------------------------------------------------------------------
@@ -180,6 +184,14 @@ void MotionAxis::rest() {
   active_ = nullptr;
   state_ = State::standstill;
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
+}
+
+void MotionAxis::operate_switches() {
+  if (config_.switches.switches.empty()) return;
+  const bool master = config_.switches_of == SwitchesOf::master;
+  now_.switches =
+      switches_.step(master ? now_.master : now_.position,
+                     master ? now_.master_velocity : now_.velocity, seconds(now_.skipped + 1));
 }
 
 /// The first fault is the one that stays: what follows is its consequence.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "jounce/cam/cam_switches.hpp"
 #include "jounce/executor/job.hpp"
 
 namespace jounce {
@@ -57,6 +58,7 @@ struct Tick {
   std::int64_t skipped = 0;    ///< ticks left out since the one before
   std::uint64_t finished = 0;  ///< motions so far that reached their end
   std::uint64_t stopped = 0;   ///< motions so far that a stop brought to rest
+  SwitchStep switches{};  ///< outputs of the cam switches, and their edges since the tick before
 
   std::optional<Refusal> refused{};         ///< why this tick's command was not obeyed
   std::array<const Job*, 3> handed_back{};  ///< no longer needed by the axis
@@ -76,6 +78,10 @@ struct Tick {
 ///
 /// **Slots.** One job is played, one is armed. An axis owns neither: each is handed back once, in
 /// the tick after which the axis no longer looks at it.
+///
+/// **Cam switches** are stepped with what each tick says. A new position, or a new master when a
+/// job starts, is a new place: outputs may change there, but nothing was passed. They work in every
+/// state, also disabled and in a fault.
 ///
 /// **Safety.** Arming admits the job against the limits, whatever its sender did. In motion, every
 /// setpoint is compared with the velocity and position limits before it is given out. A fault
@@ -105,6 +111,7 @@ class MotionAxis {
   void slow_down(double t);
   void move_to(const Setpoint& point);
   void rest();
+  void operate_switches();
   void fail(Cause cause);
 
   void hand_back(const Job* job);
@@ -121,6 +128,7 @@ class MotionAxis {
   std::int64_t origin_ = 0;     // tick of local time 0, or of the stop
   double stop_from_ = 0;        // local time at the stop, s
   double stop_length_ = 0;      // s
+  CamSwitches switches_;
   Tick now_;
 };
 

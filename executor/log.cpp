@@ -26,6 +26,21 @@ void append(std::string& line, Number value) {
   line.append(text.data(), end);
 }
 
+/// "+1@0.000412 -3@0.00077": track 1 went on, 3 off, so many s after the tick before.
+void append(std::string& line, const SwitchStep& switches) {
+  append(line, switches.outputs);
+  line += ',';
+  const char* separator = "";
+  for (const auto& [time, track, on] : switches.edges()) {
+    append(line, separator);
+    line += on ? '+' : '-';
+    append(line, track);
+    line += '@';
+    append(line, time);
+    separator = " ";
+  }
+}
+
 template <class First, class... Others>
 void join(std::string& line, const First& first, const Others&... others) {
   line.clear();
@@ -49,7 +64,7 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
   const std::string m = " [" + units.x;
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
-        << "],velocity" << u << "/s],acceleration" << u << "/s^2],job,fault\n";
+        << "],velocity" << u << "/s],acceleration" << u << "/s^2],job,fault,outputs,edges [s]\n";
   require_good();
 }
 
@@ -62,7 +77,7 @@ TickLog::~TickLog() {
 
 void TickLog::add(const Tick& tick) {
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
-       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault));
+       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches);
   file_ << line_;
 }
 

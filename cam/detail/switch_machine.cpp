@@ -48,8 +48,8 @@ int Boundary::pass(bool up) {
 
 // ---- a heading ---------------------------------------------------------------------------------
 
-void Heading::place(double x) {
-  sign = 0;
+void Heading::place(double x, double velocity) {
+  sign = hysteresis == 0 ? (velocity > 0) - (velocity < 0) : 0;
   low = high = x;
 }
 
@@ -58,9 +58,9 @@ double Heading::target(bool up) const {
   return sign >= 0 ? high - hysteresis : -never;
 }
 
-void Heading::follow(const Stretch& stretch) {
-  low = std::min(low, stretch.to);
-  high = std::max(high, stretch.to);
+void Heading::follow(const Stretch& done) {
+  low = std::min(low, done.to);
+  high = std::max(high, done.to);
 }
 
 void Heading::turn(bool up) {
@@ -124,7 +124,7 @@ void SwitchMachine::add(const CamSwitch& s, const CamSwitchSpec& spec) {
 
 void SwitchMachine::place(double x, double velocity) {
   for (SwitchPath& p : paths_) p.place(x, velocity);
-  for (Track& t : tracks_) t.heading.place(x);
+  for (Track& t : tracks_) t.heading.place(x, velocity);
   for (Switch& s : switches_) {
     s.lower.place(paths_[s.lower.path].last());
     s.upper.place(paths_[s.upper.path].last());

@@ -47,9 +47,9 @@ struct Heading : Event {
   int sign = 0;
   double low = 0, high = 0;  ///< extremes since the sign changed
 
-  void place(double x);
+  void place(double x, double velocity);
   [[nodiscard]] double target(bool up) const;
-  void follow(const Stretch& stretch);
+  void follow(const Stretch& done);
   void turn(bool up);
 };
 

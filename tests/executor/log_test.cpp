@@ -54,7 +54,7 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
   text << file.rdbuf();
   EXPECT_EQ(text.str(),
             "tick,time [s],state,master [deg],master_velocity [deg/s],position [mm],"
-            "velocity [mm/s],acceleration [mm/s^2],job,fault\n"
+            "velocity [mm/s],acceleration [mm/s^2],job,fault,outputs,edges [s]\n"
             "0,0,standstill,0,0,0,0,0,0,none\n"
             "12,0.012,synchronized_motion,0.30000000000000004,1e-09,-0.3333333333333333,"
             "1e+300,-0,18446744073709551615,none\n"
