@@ -48,6 +48,12 @@ namespace jounce {
 enum class AxisDirection : std::uint8_t { both, positive, negative };
 enum class CamSwitchMode : std::uint8_t { position, time };
 
+/// Which position of an axis the switches stand on.
+enum class SwitchesOf : std::uint8_t {
+  position,  ///< its own, u
+  master,    ///< that of the master it follows, m
+};
+
 /// One range of one track: an entry of PLCopen's MC_CAMSWITCH_REF.
 struct CamSwitch {
   int track = 1;                                ///< 1 to 32

@@ -35,6 +35,8 @@ AxisConfig axis_of(const Spec& spec) {
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
   config.position = axis->position;
+  config.switches = spec.switches.table;
+  config.switches_of = spec.switches.of;
   config.limits = spec.limits;
   for (auto [limit, power] : {std::pair{&config.limits.velocity, 1},
                               {&config.limits.acceleration, 2},

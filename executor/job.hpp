@@ -15,12 +15,6 @@
 
 namespace jounce {
 
-/// What the cam switches of an axis stand on.
-enum class SwitchesOf : std::uint8_t {
-  position,  ///< the commanded position, u
-  master,    ///< the position of its virtual master, m
-};
-
 /// What an axis is allowed to do, fixed when the executor starts.
 struct AxisConfig {
   std::int64_t period = 1'000'000;  ///< of the tick, ns, > 0

@@ -72,6 +72,16 @@ void read_cam_parts(TomlReader& top, Spec& spec) {
   spec.master = read_master(top, spec);
   spec.disc = detail::read_disc(top, spec.units);
   spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  std::optional<double> period;
+  if (cam.periodic && !cam.segments.empty())
+    period = cam.segments.back().end.master - cam.start.master;
+  spec.switches = detail::read_switches(top, spec, SwitchesOf::master, period);
+}
+
+void read_axis_parts(TomlReader& top, Spec& spec) {
+  spec.subject = detail::read_axis(top.table("axis"), spec.units);
+  spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
 }
 
 void read_body(TomlReader& top, Spec& spec) {
@@ -91,7 +101,7 @@ void read_body(TomlReader& top, Spec& spec) {
   else if (kind == "pvt")
     spec.subject = detail::read_knots(top, spec.units, *spec.table.rule);
   else
-    spec.subject = detail::read_axis(top.table("axis"), spec.units);
+    read_axis_parts(top, spec);
   if (kind != "cam" && kind != "axis") spec.then = detail::read_then(top, spec.units);
   top.finish();
 }

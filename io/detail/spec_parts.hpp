@@ -57,6 +57,11 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
                    const std::string& time_unit);
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
 
+/// [switches], [[switch]] and [[track]]. `of`: what they stand on if the spec does not say;
+/// `master_period`: of a master that repeats.
+SwitchesSpec read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
+                           std::optional<double> master_period = {});
+
 /// A unit of measure under `key`.
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback);
 
