@@ -56,11 +56,34 @@ void set_limits(Input& input, const Options& options) {
   }
 }
 
+/// "track 1: on from 350 to 10 deg of the master, positive direction"
+std::string text_of(const CamSwitch& s, const Spec& spec) {
+  const bool of_master = spec.switches.of == SwitchesOf::master;
+  const std::string& unit = of_master ? spec.units.x : spec.units.position;
+  const std::string range = s.last_on_position
+                                ? " to " + number(*s.last_on_position) + " " + unit
+                                : " " + unit + " on for " + number(s.duration.value_or(0)) + " s";
+  const std::string direction = s.axis_direction == AxisDirection::both
+                                    ? ""
+                                    : ", " + std::string(name(s.axis_direction)) + " direction";
+  return fmt::format("track {}: on from {}{} of the {}{}", s.track, number(s.first_on_position),
+                     range, of_master ? "master" : "position", direction);
+}
+
+void print_switches(const Spec& spec) {
+  if (spec.switches.table.switches.empty()) return;
+  fmt::print("\n");
+  for (const CamSwitch& s : spec.switches.table.switches) fmt::print("{}\n", text_of(s, spec));
+}
+
 nlohmann::ordered_json json_of(const Report& report, const Input& input) {
   auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
   if (auto cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
   document["segments"] = nlohmann::ordered_json::parse(std::visit(
       [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
+  if (input.spec)
+    for (const CamSwitch& s : input.spec->switches.table.switches)
+      document["switches"].push_back(text_of(s, *input.spec));
   return document;
 }
 
@@ -71,6 +94,7 @@ void print_text(const Report& report, const Input& input) {
                         input.curve));
   fmt::print("{}", full_text(report, input.labels));
   fmt::print("{}", cam_text(input));
+  if (input.spec) print_switches(*input.spec);
 }
 
 int run(const Options& options) {

@@ -219,5 +219,71 @@ TEST(BadSpecs, EveryTruncationOfASpecIsRefusedOrStillASpec) {
   }
 }
 
+// ---- cam switches ------------------------------------------------------------------------------
+
+constexpr const char* axis_with_switches = R"(jounce = 1
+kind = "axis"
+units = { position = "mm", master = "deg" }
+[axis]
+[limits]
+velocity = 1
+acceleration = 1
+[switches]
+of = "master"
+period = "1 rev"
+[[switch]]
+track = 2
+first_on_position = 350
+last_on_position = 10
+axis_direction = "negative"
+[[switch]]
+track = 1
+first_on_position = "0.5 rev"
+duration = "25 ms"
+[[track]]
+track = 2
+on_compensation = "-4 ms"
+hysteresis = 0.5
+inverted = true
+)";
+
+TEST(Spec, ReadsTheSwitchesOfAnAxis) {
+  const SwitchesSpec switches = parse_spec(axis_with_switches, "a.toml").switches;
+  EXPECT_EQ(switches.of, SwitchesOf::master);
+  EXPECT_DOUBLE_EQ(switches.table.period.value(), 360);
+  ASSERT_EQ(switches.table.switches.size(), 2U);
+  EXPECT_EQ(switches.table.switches[0].axis_direction, AxisDirection::negative);
+  EXPECT_EQ(switches.table.switches[0].last_on_position, 10);
+  EXPECT_EQ(switches.table.switches[1].mode, CamSwitchMode::time);
+  EXPECT_DOUBLE_EQ(switches.table.switches[1].duration.value(), 0.025);
+  EXPECT_DOUBLE_EQ(switches.table.switches[1].first_on_position, 180);
+  const SwitchTrack track = switches.table.options(2);
+  EXPECT_DOUBLE_EQ(track.on_compensation, -0.004);
+  EXPECT_EQ(track.hysteresis, 0.5);
+  EXPECT_TRUE(track.inverted);
+}
+
+TEST(Spec, ASwitchThatCannotBeMeantIsShownWhereItStands) {
+  const auto of = [](const std::string& what, const std::string& with) {
+    return complaint(replaced(axis_with_switches, what, with));
+  };
+  EXPECT_NE(of("last_on_position = 10", "last_on_position = 350").find("a.toml:14:"),
+            std::string::npos);
+  EXPECT_NE(of("track = 2", "track = 33").find("must be 1 to 32"), std::string::npos);
+  EXPECT_NE(of("\"1 rev\"", "0").find("must be greater than 0"), std::string::npos);
+  EXPECT_NE(of(", master = \"deg\"", "").find("needs units.master"), std::string::npos);
+}
+
+TEST(Spec, TheSwitchesOfAPeriodicCamHaveItsPeriod) {
+  const std::string with_switch =
+      std::string(cam) + "[[switch]]\ntrack = 1\nfirst_on_position = 1\nlast_on_position = 2\n";
+  const Spec once = parse_spec(with_switch, "a.toml");
+  EXPECT_EQ(once.switches.of, SwitchesOf::master);
+  EXPECT_EQ(once.switches.table.period, std::nullopt);
+  const Spec periodic =
+      parse_spec(replaced(with_switch, "start =", "periodic = true\nstart ="), "a.toml");
+  EXPECT_EQ(periodic.switches.table.period, 180);
+}
+
 }  // namespace
 }  // namespace jounce
