@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "jounce/profiles/roots.hpp"
 
@@ -19,19 +20,37 @@ Segment compensated(const Piece& piece, double c) {
   return *y;
 }
 
-/// Where f turns round within (0, 1): the roots of its derivative beyond rounding.
+/// Where a parabola changes sign within (0, 1), ascending. Without cancellation: one root by the
+/// larger numerator, the other by their product c / a.                                       (2)
+void find_changes(const Segment& parabola, std::vector<double>& out) {
+  const double a = parabola.c[2];
+  const double b = parabola.c[1];
+  const double c = parabola.c[0];
+  const double d = b * b - 4 * a * c;
+  if (!(d > 0)) return;  // a touch is no change
+  const double q = -(b + std::copysign(std::sqrt(d), b)) / 2;
+  for (const double s : {q / a, c / q})
+    if (s > 0 && s < 1) out.push_back(s);
+  std::sort(out.begin(), out.end());
+}
+
+/// Where f turns round within (0, 1). A parabola in closed form, for the cycle's sake: roots() may
+/// answer many points where a derivative is about as large as its rounding.
 void find_turns(const Segment& f, const Segment& derivative, std::vector<double>& out) {
   out.clear();
-  const double flat = 2e-16 * magnitude(f) / f.length;
-  if (derivative.degree > 0 || derivative.sines > 0) roots(derivative, flat, out);
+  if (derivative.sines == 0 && derivative.degree <= 2) return find_changes(derivative, out);
+  roots(derivative, 2e-16 * magnitude(f) / f.length, out);
 }
 
 }  // namespace
 
+Piece::Piece() {
+  turns.reserve(room);
+}
+
 void Piece::set(const Segment& motion) {
   x = motion;
   velocity = derivative(motion);
-  turns.reserve(room);
   find_turns(x, velocity, turns);
   turns.insert(turns.begin(), 0);
   turns.push_back(1);

@@ -12,7 +12,8 @@ struct Piece {
   Segment x, velocity;
   std::vector<double> turns = {};  ///< s in [0, 1], 0 and 1 included
 
-  /// Allocates nothing while `turns` has room.
+  Piece();
+  /// Allocates nothing while `turns` has room, which it has for a degree of 3.
   void set(const Segment& motion);
 };
 

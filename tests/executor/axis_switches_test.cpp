@@ -5,6 +5,7 @@
 
 #include "jounce/cam/followed.hpp"
 #include "jounce/executor/axis.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "tables.hpp"
 

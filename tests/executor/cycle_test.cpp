@@ -57,7 +57,22 @@ namespace {
 
 using namespace test;
 
-const AxisConfig config{.limits = limits(10, 20)};
+/// With cam switches of every kind, on the position.
+const CamSwitchSpec switches{.switches = {{.first_on_position = 0.1, .last_on_position = 0.3},
+                                          {.track = 2,
+                                           .first_on_position = 0.8,
+                                           .last_on_position = 0.2,
+                                           .axis_direction = AxisDirection::negative},
+                                          {.track = 3,
+                                           .first_on_position = 0.25,
+                                           .mode = CamSwitchMode::time,
+                                           .duration = 0.1}},
+                             .tracks = {{.on_compensation = -0.01, .off_compensation = 0.005},
+                                        {.track = 2, .hysteresis = 0.01},
+                                        {.track = 3, .on_compensation = 0.002, .inverted = true}},
+                             .period = 1};
+
+const AxisConfig config{.limits = limits(10, 20), .switches = switches};
 
 struct Rig {
   MotionAxis axis{config};
@@ -158,15 +173,20 @@ TEST(Cycle, NeverTouchesTheHeap) {
   std::vector<State> states;
   states.reserve(script.size());
   long used = 0;
+  std::size_t edges = 0;
   for (const Command& command : script) {
     ASSERT_TRUE(rig.mail->commands.push(command));
     rig.pacer.delay = 2'500'000;
     const long before = allocations;
     for (int i = 0; i < 500; ++i) rig.cycle.once();
     used += allocations - before;
-    for (Tick tick; rig.mail->ticks.pop(tick);) states.push_back(tick.state);
+    for (Tick tick; rig.mail->ticks.pop(tick);) {
+      states.push_back(tick.state);
+      edges += tick.switches.count;
+    }
   }
   EXPECT_EQ(used, 0);
+  EXPECT_GT(edges, 3U);
   // The counter counts, and the script went through every state.
   const long before = allocations;
   std::make_unique<int>(1).reset();

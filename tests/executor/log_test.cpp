@@ -46,7 +46,7 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
            .job = 18446744073709551615U,
            .switches = {.outputs = 0x80000001U,
                         .count = 2,
-                        .edge = {{{0.00025, 32, true}, {0.0005, 3, false}}}}});
+                        .edge = {{{0.00025, 32, true}, {0.00075, 3, false}}}}});
   log.add({.tick = 13, .time = 0.013, .state = State::error_stop, .fault = Cause::aborted});
   EXPECT_FALSE(fs::exists(path));
   log.close();
@@ -60,7 +60,7 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
             "velocity [mm/s],acceleration [mm/s^2],job,fault,outputs,edges [s]\n"
             "0,0,standstill,0,0,0,0,0,0,none,0,\n"
             "12,0.012,synchronized_motion,0.30000000000000004,1e-09,-0.3333333333333333,"
-            "1e+300,-0,18446744073709551615,none,2147483649,+32@0.00025 -3@0.0005\n"
+            "1e+300,-0,18446744073709551615,none,2147483649,+32@0.00025 -3@0.00075\n"
             "13,0.013,error_stop,0,0,0,0,0,0,aborted,0,\n");
 }
 
