@@ -101,6 +101,12 @@ struct CamSwitchSpec {
 ///     and than half a period.
 void require_valid(const CamSwitchSpec& spec);
 
+/// The switches of an axis that may follow a master.
+struct AxisSwitches {
+  SwitchesOf of = SwitchesOf::position;
+  CamSwitchSpec table = {};
+};
+
 /// A change of one output.
 struct SwitchEdge {
   double time = 0;  ///< s

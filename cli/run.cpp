@@ -35,8 +35,6 @@ AxisConfig axis_of(const Spec& spec) {
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
   config.position = axis->position;
-  config.switches = spec.switches.table;
-  config.switches_of = spec.switches.of;
   config.limits = spec.limits;
   for (auto [limit, power] : {std::pair{&config.limits.velocity, 1},
                               {&config.limits.acceleration, 2},
@@ -48,6 +46,7 @@ AxisConfig axis_of(const Spec& spec) {
 ExecutorOptions executor_of(const Options& options, const Spec& spec) {
   ExecutorOptions executor;
   executor.axis = axis_of(spec);
+  executor.switches = spec.switches;
   executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;

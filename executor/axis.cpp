@@ -6,8 +6,11 @@
 
 namespace jounce {
 
-MotionAxis::MotionAxis(const AxisConfig& config)
-    : config_(resolved(config)), switches_(config_.switches) {
+MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
+    : config_(resolved(config)),
+      has_switches_(!switches.table.switches.empty()),
+      switches_of_(switches.of),
+      switches_(switches.table) {
   now_.position = config_.position;
 }
 
@@ -107,7 +110,7 @@ void MotionAxis::start_pending() {
   origin_ = start_at_;
   start_at_ = -1;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
-  if (config_.switches_of == SwitchesOf::master) switches_.place();
+  if (switches_of_ == SwitchesOf::master) switches_.place();
 }
 
 void MotionAxis::stop() {
@@ -125,7 +128,7 @@ void MotionAxis::set_position(double position) {
   if (moving() || start_at_ >= 0) return refuse(Cause::in_motion);
   if (!std::isfinite(position)) return refuse(Cause::no_value, position);
   now_.position = position;
-  if (config_.switches_of == SwitchesOf::position) switches_.place();
+  if (switches_of_ == SwitchesOf::position) switches_.place();
 }
 
 // ---- motion ------------------------------------------------------------------------------------
@@ -187,8 +190,8 @@ void MotionAxis::rest() {
 }
 
 void MotionAxis::operate_switches() {
-  if (config_.switches.switches.empty()) return;
-  const bool master = config_.switches_of == SwitchesOf::master;
+  if (!has_switches_) return;
+  const bool master = switches_of_ == SwitchesOf::master;
   now_.switches =
       switches_.step(master ? now_.master : now_.position,
                      master ? now_.master_velocity : now_.velocity, seconds(now_.skipped + 1));

@@ -88,8 +88,8 @@ struct Tick {
 /// freezes the setpoint at its last value and stays until a reset: see Cause and docs/executor.md.
 class MotionAxis {
  public:
-  /// Throws InputError for a bad configuration.
-  explicit MotionAxis(const AxisConfig& config);
+  /// Throws InputError for a bad configuration, or bad switches.
+  explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {});
 
   /// The point of this tick, after its command. `tick` must be greater than in the step before.
   Tick step(std::int64_t tick, const Command& command = {});
@@ -128,6 +128,8 @@ class MotionAxis {
   std::int64_t origin_ = 0;     // tick of local time 0, or of the stop
   double stop_from_ = 0;        // local time at the stop, s
   double stop_length_ = 0;      // s
+  bool has_switches_;
+  SwitchesOf switches_of_;
   CamSwitches switches_;
   Tick now_;
 };

@@ -18,6 +18,7 @@ namespace jounce {
 /// What an executor is started with.
 struct ExecutorOptions {
   AxisConfig axis;
+  AxisSwitches switches = {};
   Units units{};                 ///< of the axis: a table in another one is refused; empty: any
   ReceiverOptions receiver{};    ///< with the executor's name
   bool adopt_start = false;      ///< a table that is armed at standstill says where the axis stands

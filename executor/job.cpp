@@ -142,7 +142,6 @@ AxisConfig resolved(AxisConfig config) {
   if (config.longest_gap < 1)
     throw InputError("longest_gap", std::to_string(config.longest_gap), "must be at least 1 tick");
   require_valid(config.limits);
-  require_valid(config.switches);
   require_finite("position", config.position);
   if (config.position < config.limits.position_min.value_or(config.position) ||
       config.position > config.limits.position_max.value_or(config.position))

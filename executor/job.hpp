@@ -7,7 +7,6 @@
 #include <string>
 
 #include "jounce/cam/coupled.hpp"
-#include "jounce/cam/cam_switch.hpp"
 #include "jounce/executor/cause.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
@@ -23,8 +22,6 @@ struct AxisConfig {
   double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
   double position = 0;              ///< u; where the axis stands at first
   std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
-  CamSwitchSpec switches = {};      ///< its outputs; none by default
-  SwitchesOf switches_of = SwitchesOf::position;
 };
 
 /// The same with the defaults filled in. Throws InputError for a value out of range.

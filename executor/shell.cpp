@@ -50,8 +50,9 @@ class SignalWatch {
 /// The cyclic thread. Joined by its destructor at the latest.
 class CyclicThread {
  public:
-  CyclicThread(const AxisConfig& config, Mail& mail, int priority)
-      : axis_(config), thread_([this, &mail, priority] { run(mail, priority); }) {}
+  CyclicThread(const ExecutorOptions& options, Mail& mail, int priority)
+      : axis_(options.axis, options.switches),
+        thread_([this, &mail, priority] { run(mail, priority); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
   CyclicThread& operator=(const CyclicThread&) = delete;
@@ -138,7 +139,7 @@ ExecutorSummary run_executor(Transport& link, const ExecutorOptions& options,
   const SignalWatch watch;
   const auto mail = std::make_unique<Mail>();
   Dispatcher dispatcher(link, options, *mail);
-  CyclicThread cyclic(options.axis, *mail, run.realtime_priority);
+  CyclicThread cyclic(options, *mail, run.realtime_priority);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (options.notify && !summary.realtime.empty()) options.notify(summary.realtime);

@@ -74,12 +74,6 @@ struct AxisSpec {
   double position = 0;  ///< where the axis stands at first
 };
 
-/// The cam switches of an axis, or of the axis that plays a cam.
-struct SwitchesSpec {
-  SwitchesOf of = SwitchesOf::position;
-  CamSwitchSpec table;
-};
-
 /// One axis of a spec: what belongs to it alone. A spec of one axis has one, without a name.
 struct AxisPart {
   std::string name;
@@ -110,7 +104,7 @@ struct Spec {
   OptimizeSpec optimize;
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
-  SwitchesSpec switches;  ///< of kinds "axis" and "cam"
+  AxisSwitches switches;  ///< of kinds "axis" and "cam"
 
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;

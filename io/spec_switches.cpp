@@ -46,9 +46,9 @@ SwitchTrack read_options(TomlReader& reader, const std::string& unit) {
 
 }  // namespace
 
-SwitchesSpec read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
+AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
                            std::optional<double> master_period) {
-  SwitchesSpec read{.of = of, .table = {}};
+  AxisSwitches read{.of = of, .table = {}};
   auto group = top.optional_table("switches");
   if (group) {
     if (const auto choice = group->optional_choice("of", sources))

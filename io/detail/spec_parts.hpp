@@ -59,7 +59,7 @@ std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
 
 /// [switches], [[switch]] and [[track]]. `of`: what they stand on if the spec does not say;
 /// `master_period`: of a master that repeats.
-SwitchesSpec read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
+AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
                            std::optional<double> master_period = {});
 
 /// A unit of measure under `key`.

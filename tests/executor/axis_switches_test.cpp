@@ -50,7 +50,7 @@ void expect_same(const std::vector<SwitchEdge>& edges, const SwitchTimes& exact)
 TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
   const auto table = trapezoid_table(100, 500, 10000, 10000);
   const Job job(1, table);
-  Bench bench({.limits = limits(600, 11000), .switches = range(30.3, 80.8)});
+  Bench bench({.limits = limits(600, 11000)}, {.table = range(30.3, 80.8)});
   const auto edges = played(bench, job);
   EXPECT_EQ(edges.size(), 2U);
   expect_same(edges, switch_times(range(30.3, 80.8), table->curve<OverTime>()));
@@ -59,18 +59,16 @@ TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
 TEST(AxisSwitches, OfTheMasterSwitchInEachPeriod) {
   const auto master = constant_master(1080, 200);
   const Job job(1, master, pmc600_cam());
-  Bench bench({.limits = limits(700, 7000),
-               .switches = range(350, 10, 360),
-               .switches_of = SwitchesOf::master});
+  Bench bench({.limits = limits(700, 7000)},
+              {.of = SwitchesOf::master, .table = range(350, 10, 360)});
   const auto edges = played(bench, job);
   expect_same(edges, switch_times(range(350, 10, 360), master->curve<OverTime>()));
   EXPECT_EQ(edges.size(), 6U);
 }
 
 TEST(AxisSwitches, StandThroughAFaultAndMoveWithANewPosition) {
-  Bench bench({.limits = limits(600, 11000),
-               .position = 50,
-               .switches = {.switches = {{.first_on_position = 40, .last_on_position = 60}}}});
+  Bench bench({.limits = limits(600, 11000), .position = 50},
+              {.table = {.switches = {{.first_on_position = 40, .last_on_position = 60}}}});
   EXPECT_EQ(bench.step().switches.outputs, 1U);
   bench.tell(Kind::enable);
   EXPECT_EQ(bench.tell(Kind::abort).switches.outputs, 1U);
@@ -89,7 +87,7 @@ TEST(AxisSwitches, AnAxisWithoutAnyHasNoOutputs) {
 }
 
 TEST(AxisSwitches, ABadTableIsRefusedWithTheAxis) {
-  EXPECT_THROW(MotionAxis({.limits = limits(1, 1), .switches = range(3, 2)}), InputError);
+  EXPECT_THROW(MotionAxis({.limits = limits(1, 1)}, {.table = range(3, 2)}), InputError);
 }
 
 }  // namespace

@@ -72,10 +72,10 @@ const CamSwitchSpec switches{.switches = {{.first_on_position = 0.1, .last_on_po
                                         {.track = 3, .on_compensation = 0.002, .inverted = true}},
                              .period = 1};
 
-const AxisConfig config{.limits = limits(10, 20), .switches = switches};
+const AxisConfig config{.limits = limits(10, 20)};
 
 struct Rig {
-  MotionAxis axis{config};
+  MotionAxis axis{config, {.table = switches}};
   VirtualPacer pacer;
   std::unique_ptr<Mail> mail = std::make_unique<Mail>();
   Cycle cycle{axis, pacer, *mail};

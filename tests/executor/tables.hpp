@@ -65,7 +65,8 @@ inline Limits limits(double velocity, double acceleration, double jerk) {
 
 /// An axis with its tick counter.
 struct Bench {
-  explicit Bench(const AxisConfig& config) : axis(config) {}
+  explicit Bench(const AxisConfig& config, const AxisSwitches& switches = {})
+      : axis(config, switches) {}
 
   Tick step(const Command& command = {}) { return axis.step(++tick, command); }
   Tick tell(Command::Kind kind) { return step({.kind = kind}); }

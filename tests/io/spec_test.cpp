@@ -248,7 +248,7 @@ inverted = true
 )";
 
 TEST(Spec, ReadsTheSwitchesOfAnAxis) {
-  const SwitchesSpec switches = parse_spec(axis_with_switches, "a.toml").switches;
+  const AxisSwitches switches = parse_spec(axis_with_switches, "a.toml").switches;
   EXPECT_EQ(switches.of, SwitchesOf::master);
   EXPECT_DOUBLE_EQ(switches.table.period.value(), 360);
   ASSERT_EQ(switches.table.switches.size(), 2U);
