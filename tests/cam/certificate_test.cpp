@@ -87,16 +87,19 @@ TEST(Certificates, FindPiecesThatDoNotJoin) {
 
 /// A random cam of one to three segments: any law where its ends allow, any scale.
 CamSpec random_spec(testing::Random& random) {
-  std::vector<Law> rest;
-  for (const Law law : all_laws())
-    if (is_rest_to_rest(law) && law != Law::dwell) rest.push_back(law);
   CamSpec spec;
   const double stroke = random.log_uniform(1e-6, 1e6);
   const double length = random.log_uniform(1e-6, 1e6);
   const int n = 1 + random.below(3);
+  std::vector<Law> rest;  // of several segments, laws that no neighbour contradicts
+  for (const LawInfo& law : all_laws())
+    if (law.ends == Ends::moving ||
+        (n == 1 && law.law != Law::scca && has_own_shape(law.law) &&
+         (law.ends == Ends::moving_free || law.ends == Ends::rest_to_reversal)))
+      rest.push_back(law.law);
   double master = random.uniform(-1, 1) * length;
   double slave = random.uniform(-1, 1) * stroke;
-  spec.start = {master, slave, 0.0, 0.0};
+  spec.start = {master, slave, 0.0, {}};
   spec.periodic = random.below(2) == 0;
   for (int i = 0; i < n; ++i) {
     const bool free = random.below(2) == 0;
@@ -107,7 +110,7 @@ CamSpec random_spec(testing::Random& random) {
     const double step = length * random.log_uniform(0.01, 1);
     master += step;
     slave += stroke * random.uniform(-1, 1);
-    segment.end = {master, slave, 0.0, 0.0};
+    segment.end = {master, slave, 0.0, {}};
     // Between two quintics the knot may move.
     if (free && i > 0 && spec.segments.back().law == Law::quintic && random.below(2) == 0) {
       spec.segments.back().end.geo_velocity = random.uniform(-3, 3) * stroke / step;
@@ -123,7 +126,7 @@ std::string text(const CamSpec& spec) {
   for (const CamSegment& s : spec.segments)
     all += std::string("; ") + name(s.law) + " " + number(s.end.master) + " " +
            number(s.end.slave) + " " + number(*s.end.geo_velocity) + " " +
-           number(*s.end.geo_acceleration);
+           number(s.end.geo_acceleration.value_or(0));
   return all + (spec.periodic ? "; periodic" : "");
 }
 

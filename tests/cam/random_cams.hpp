@@ -14,8 +14,10 @@ namespace jounce::testing {
 inline std::vector<Segment> random_rise(Random& random, bool quintics, double length, double from,
                                         double to) {
   std::vector<Law> laws{Law::line};
-  for (const Law law : all_laws())
-    if (is_rest_to_rest(law) && law != Law::dwell) laws.push_back(law);
+  for (const LawInfo& law : all_laws())
+    if (has_own_shape(law.law) && law.ends != Ends::straight && law.ends != Ends::standing &&
+        law.law != Law::scca)
+      laws.push_back(law.law);
   const auto choice =
       static_cast<std::size_t>(random.below(static_cast<int>(laws.size()) + (quintics ? 2 : 0)));
   if (choice >= laws.size()) {
