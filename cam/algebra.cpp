@@ -50,12 +50,18 @@ void append(Segments& out, Segment f, double a, double b, double from, double to
   out.push_back(f);
 }
 
-/// The segments of f over its own interval that lie between from and to, all of it moved by `turn`.
-void append_turn(Segments& out, const Cam& f, double from, double to, double turn, double apart) {
+Segment lifted(const Segment& f, double by) {
+  return by == 0 ? f : scaled(f, 1, by);
+}
+
+/// The segments of f's n-th turn that lie between from and to.
+void append_turn(Segments& out, const Cam& f, double from, double to, double n, double apart) {
+  const double turn = n * f.length();
+  const double gone = n * f.advance();
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     const double a = f.breaks()[i] + turn;
     const double b = f.breaks()[i + 1] + turn;
-    if (b > from && a < to) append(out, f.segments()[i], a, b, from, to, apart);
+    if (b > from && a < to) append(out, lifted(f.segments()[i], gone), a, b, from, to, apart);
   }
 }
 
@@ -67,7 +73,7 @@ void append_rest(Segments& out, double from, double to, double apart, double sla
 Segments cut(const Cam& f, double from, double to) {
   const double apart = axis_rounding(f.start(), f.end(), from, to);
   Segments out;
-  if (f.outside() != Outside::wrap) {
+  if (!repeats(f.outside())) {
     append_rest(out, from, std::min(to, f.start()), apart, value(f.segments().front(), 0));
     append_turn(out, f, from, to, 0, apart);
     append_rest(out, std::max(from, f.end()), to, apart, value(f.segments().back(), 1));
@@ -77,7 +83,7 @@ Segments cut(const Cam& f, double from, double to) {
     throw InputError("to", to, "is more than 1e6 segments away from " + number(from));
   const double first = std::floor((from - f.start()) / f.length());
   for (double n = first; f.start() + n * f.length() < to - apart; ++n)
-    append_turn(out, f, from, to, n * f.length(), apart);
+    append_turn(out, f, from, to, n, apart);
   return out;
 }
 
@@ -106,13 +112,19 @@ Cam part(const Cam& f, double from, double to) {
   return Cam(std::move(segments), from);
 }
 
+// With phase = w + k L, 0 <= w < L: up to start + w the (k + 1)-th turn back, then the k-th.
 Cam phased(const Cam& f, double phase) {
   require_finite("phase", phase);
-  if (f.outside() != Outside::wrap)
+  if (!repeats(f.outside()))
     throw InputError("phase", phase, "needs a periodic cam; one that is not is moved by `shifted`");
-  const double from = f.end() - wrapped(phase, 0, f.length());
-  Segments segments = cut(f, from, f.end());
-  append(segments, cut(f, f.start(), from));
+  const double within = wrapped(phase, 0, f.length());
+  const double turns = std::round((phase - within) / f.length());
+  const double from = f.end() - within;
+  Segments segments;
+  for (const Segment& piece : cut(f, from, f.end()))
+    segments.push_back(lifted(piece, -(turns + 1) * f.advance()));
+  for (const Segment& piece : cut(f, f.start(), from))
+    segments.push_back(lifted(piece, -turns * f.advance()));
   return Cam(std::move(segments), f.start(), f.outside());
 }
 
@@ -182,8 +194,9 @@ Pair over_common_period(const Cam& f, const Cam& g) {
   const Turns turns = common_turns(f, g);
   const double from = f.start();
   const Cam beside = shifted(phased(g, g.start() - from), from - g.start());
-  return {over(f, from, from + turns.f * f.length(), f.outside()),
-          over(beside, from, from + turns.g * g.length(), f.outside())};
+  const Outside outside = f.outside() == g.outside() ? f.outside() : Outside::advance;
+  return {over(f, from, from + turns.f * f.length(), outside),
+          over(beside, from, from + turns.g * g.length(), outside)};
 }
 
 Pair over_one_interval(const Cam& f, const Cam& g) {
@@ -192,9 +205,9 @@ Pair over_one_interval(const Cam& f, const Cam& g) {
   if (a == Outside::refuse && b == Outside::refuse) return {f, g};
   if (a == Outside::refuse) return {f, over(g, f.start(), f.end(), a)};
   if (b == Outside::refuse) return {over(f, g.start(), g.end(), b), g};
-  if (a == Outside::wrap && b == Outside::wrap) return over_common_period(f, g);
+  if (repeats(a) && repeats(b)) return over_common_period(f, g);
   if (a != b)
-    throw InputError("period", number(a == Outside::wrap ? f.length() : g.length()),
+    throw InputError("period", number(repeats(a) ? f.length() : g.length()),
                      "is that of one of the cams only: the sum with a cam that holds is not "
                      "periodic; cut out the stretch that is needed with `part`");
   const double from = std::min(f.start(), g.start());

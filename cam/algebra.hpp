@@ -34,8 +34,8 @@ namespace jounce {
 Cam part(const Cam& f, double from, double to);
 
 /// A periodic cam with everything later by `phase`: g(x) = f(x - phase) over the same interval, for
-/// any finite phase. The period is the same; a step of the position at the wrap (a slave that
-/// advances by its own period) becomes one inside. Throws InputError unless the cam wraps.
+/// any finite phase. The period is the same; a step of the position at the wrap becomes one inside,
+/// and a slave that advances goes on. Throws InputError unless the cam wraps or advances.
 Cam phased(const Cam& f, double phase);
 
 /// g(master + x) = f(master - x): the cam for a master that runs the other way.
@@ -55,7 +55,7 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 ///
 /// | f, g | interval of the sum | outside |
 /// |---|---|---|
-/// | both wrap | the common period, from f's start; up to 1000 turns of each | wrap |
+/// | both wrap or advance | the common period, from f's start; up to 1000 turns of each | wrap, or advance if one does |
 /// | both hold | from the first start to the last end | hold |
 /// | one refuses | its own, the other one goes on as it does | refuse |
 /// | both refuse | the one they share to rounding | refuse |

@@ -52,6 +52,15 @@ void expect_values(const Cam& g, const Cam& f, At at, double factor = 1, double 
     }
 }
 
+/// f + g, wherever both are defined, within rounding of places.
+void expect_sum(const Cam& h, const Cam& f, const Cam& g, double tolerance) {
+  for (std::size_t i = 0; i < h.segments().size(); ++i)
+    for (int n = 1; n < 8; ++n) {
+      const double x = h.breaks()[i] + h.segments()[i].length * n / 8;
+      EXPECT_NEAR(h.at(x).position, f.at(x).position + g.at(x).position, tolerance) << x;
+    }
+}
+
 // ---- part, phase, splice ----------------------------------------------------------------------
 
 TEST(Part, IsTheCamBetweenTwoMasterPositions) {
@@ -133,6 +142,26 @@ TEST(Phased, KeepsThePeriodToTheLastDigit) {
   }
 }
 
+TEST(Advancing, ASlaveGoesOnTurnByTurn) {
+  Segment f = line(360, 0, 120);
+  f.sines = 1;
+  f.sine[0] = {-20, 2 * pi, 0};
+  const Cam cam({f}, 0, Outside::advance);
+  const Cam window = part(cam, -500, 1000);
+  EXPECT_TRUE(check_continuity(window, 3).ok());
+  expect_values(window, cam, [](double x) { return x; });
+  for (const double phase : {90.0, -90.0, 1000.0, -1000.0}) {
+    const Cam later = phased(cam, phase);
+    EXPECT_TRUE(check_continuity(later, 3).ok()) << phase;
+    EXPECT_NEAR(later.advance(), 120, 1e-12);
+    expect_values(later, cam, [&](double x) { return x - phase; });
+  }
+  const Cam both = superimposed(cam, rise_and_return(Law::poly345, 240, 3));
+  EXPECT_EQ(both.outside(), Outside::advance);
+  EXPECT_NEAR(both.advance(), 240, 1e-12);
+  expect_sum(both, cam, rise_and_return(Law::poly345, 240, 3), 1e-12);
+}
+
 TEST(Spliced, ReplacesAStretch) {
   const Cam cam = design(testing::fig_6_14()).cam;
   const Cam slower = replaced(cam, Cam({line(50, 125, 175)}, 100));
@@ -176,15 +205,6 @@ TEST(Mirrored, AboutTheSlaveMovesTheOtherWay) {
 }
 
 // ---- superposed -------------------------------------------------------------------------------
-
-/// f + g, wherever both are defined, within rounding of places.
-void expect_sum(const Cam& h, const Cam& f, const Cam& g, double tolerance) {
-  for (std::size_t i = 0; i < h.segments().size(); ++i)
-    for (int n = 1; n < 8; ++n) {
-      const double x = h.breaks()[i] + h.segments()[i].length * n / 8;
-      EXPECT_NEAR(h.at(x).position, f.at(x).position + g.at(x).position, tolerance) << x;
-    }
-}
 
 TEST(Superimposed, PeriodicCamsRepeatToTheirCommonPeriod) {
   const Cam f = rise_and_return(Law::modified_sine, 360, 50);
