@@ -27,6 +27,8 @@
 // solves a power of any n,
 //
 //   (5)  s - sa  <-  (s - sa) ((y - fa) / (f - fa))^(1/n),   n = f' (s - sa) / (f - fa)
+//
+// n is kept within 1 to 11, since so near to the rest that f - fa is rounding it would be anything.
 
 namespace jounce {
 namespace {
@@ -53,7 +55,8 @@ double improved(double s, double f, double slope, double y, const Anchor& anchor
   if (!anchor.rests) return s - (f - y) / slope;
   const double reached = f - anchor.value;
   const double from = s - anchor.s;
-  return anchor.s + from * std::pow((y - anchor.value) / reached, reached / (slope * from));
+  const double n = std::clamp(slope * from / reached, 1.0, double{Segment::max_degree});
+  return anchor.s + from * std::pow((y - anchor.value) / reached, 1 / n);
 }
 
 /// Where a straight line, or beside a rest the cube of a jump in the jerk, would take its `share`.

@@ -36,8 +36,9 @@ namespace jounce {
 /// Side::right (the rule) the other. **Outside** [start, end] a query is the caller's mistake: it
 /// asserts, and holds in a release build, as for a curve that refuses.
 ///
-/// **Accuracy**: cam(inverse(u)) is u within 1e-12 of the stroke, where the master and the slave
-/// have the digits (offsets up to 100 strokes, 100 lengths). No evaluation allocates.
+/// **Accuracy**: cam(inverse(u)) is u within 1e-12 of the stroke, or 1e-14 of the position where that
+/// is more (beyond 100 strokes from zero), for a master up to 100 lengths from zero. No evaluation
+/// allocates.
 class Inverse {
  public:
   using Point = Transfer;

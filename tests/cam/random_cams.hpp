@@ -13,11 +13,9 @@ namespace jounce::testing {
 /// One segment of a random law, or a quintic between random end states.
 inline std::vector<Segment> random_rise(Random& random, bool quintics, double length, double from,
                                         double to) {
-  std::vector<Law> laws{Law::line};
-  for (const LawInfo& law : all_laws())
-    if (has_own_shape(law.law) && law.ends != Ends::straight && law.ends != Ends::standing &&
-        law.law != Law::scca)
-      laws.push_back(law.law);
+  std::vector<Law> laws;
+  for (const LawInfo& about : all_laws())
+    if (has_own_shape(about.law) && about.law != Law::dwell) laws.push_back(about.law);
   const auto choice =
       static_cast<std::size_t>(random.below(static_cast<int>(laws.size()) + (quintics ? 2 : 0)));
   if (choice >= laws.size()) {
@@ -26,7 +24,9 @@ inline std::vector<Segment> random_rise(Random& random, bool quintics, double le
     return {quintic(length, from, v(), v() / length, to, v(), v() / length)};
   }
   std::vector<Segment> pieces;
-  for (const Segment& piece : normalised(laws[choice])) {
+  LawForm form;
+  if (laws[choice] == Law::scca) form.shares = {0.2, 0.3, 0.5};
+  for (const Segment& piece : normalised(laws[choice], form)) {
     pieces.push_back(scaled(piece, to - from, from));
     pieces.back().length *= length;
   }
