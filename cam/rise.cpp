@@ -23,7 +23,7 @@ class Row {
  public:
   explicit Row(const Cam& cam)
       : cam_(cam),
-        cyclic_(cam.outside() != Outside::hold && cam.outside() != Outside::refuse),
+        cyclic_(repeats(cam.outside())),
         advance_(cam.segments().empty() ? 0 : end_value(cam) - value(cam.segments()[0], 0)) {}
 
   [[nodiscard]] bool cyclic() const { return cyclic_; }

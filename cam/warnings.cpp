@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 
 // The quintic from rest to the slope k (or back) with stroke h over length b, accelerations zero:
@@ -46,6 +46,13 @@ int sign(double x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
 }
 
+/// For people: six digits.
+std::string rounded(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
+
 class Inspection {
  public:
   Inspection(const Cam& cam, std::span<const std::size_t> origin) : cam_(cam), all_(extrema(cam)) {
@@ -82,7 +89,7 @@ class Inspection {
     reversal(g);
     velocity_overshoot(g);
     if (const int s = sign(g.begin[2]); s != 0 && s == sign(g.end[2]))
-      against("warning/ripple", g, 2, s, ripple,
+      against("warning/ripple", g, 2, s, ripple, Severity::warning,
               "make velocities and accelerations the derivatives of the positions");
   }
 
@@ -102,16 +109,18 @@ class Inspection {
     const int v1 = sign(g.end[1]);
     if (v0 * v1 < 0) return;
     const int way = v0 != 0 ? v0 : (v1 != 0 ? v1 : sign(g.end[0] - g.begin[0]));
-    if (way != 0) against("warning/reversal", g, 1, way, rounding, window(g));
+    if (way == 0) return;
+    const bool inevitable = sign(g.end[0] - g.begin[0]) != way;  // it ends behind its start
+    against("warning/reversal", g, 1, way, rounding,
+            inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
 
   /// Derivative k against the way `way` by more than `share` of its peak.
   void against(const char* rule, const Group& g, std::size_t k, int way, double share,
-               std::string advice) {
+               Severity severity, std::string advice) {
     const Extremum& worst = way > 0 ? g.range[k].min : g.range[k].max;
     const double back = -way * worst.value;
-    if (back > share * scale_[k])
-      add(rule, g, k, worst, 0, back, Severity::warning, std::move(advice));
+    if (back > share * scale_[k]) add(rule, g, k, worst, 0, back, severity, std::move(advice));
   }
 
   /// The velocity at the end that moves, of a group between rest and constant velocity.
@@ -136,10 +145,13 @@ class Inspection {
     const auto k = slope(g);
     const double h = g.end[0] - g.begin[0];
     if (!k || !g.quintic || h * *k <= 0) return "move the knots, or take another law";
-    return "rho = " + number(*k * g.length / h) +
-           " is not within 5/3 to 5/2: take a master length from " + number(rho_least * h / *k) +
-           " to " + number(rho_most * h / *k) + ", or a stroke from " +
-           number(*k * g.length / rho_most) + " to " + number(*k * g.length / rho_least);
+    const auto from_to = [](double a, double b) {
+      return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
+    };
+    return "rho = " + rounded(*k * g.length / h) +
+           " is not within 5/3 to 5/2: take a master length from " +
+           from_to(rho_least * h / *k, rho_most * h / *k) + ", or a stroke from " +
+           from_to(*k * g.length / rho_most, *k * g.length / rho_least);
   }
 
   void add(const char* rule, const Group& g, std::size_t k, const Extremum& worst, double limit,
@@ -170,7 +182,7 @@ class Inspection {
     if (cam_.outside() == Outside::hold) {
       joint({}, first, 1, cam_.start(), 0);
       joint(last, {}, 1, cam_.end(), end);
-    } else if (cam_.outside() != Outside::refuse) {
+    } else if (repeats(cam_.outside())) {
       joint(last, first, cam_.outside() == Outside::wrap ? 0 : 1, cam_.end(), end);
     }
   }

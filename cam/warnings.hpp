@@ -18,7 +18,8 @@ namespace jounce {
 /// - "warning/overshoot": the slave passes beyond both end positions. value: the position reached,
 ///   limit: the end position passed. Only a note where the end velocities make it inevitable.
 /// - "warning/reversal": the velocity changes sign although both ends move the same way, or one or
-///   both rest. value: the greatest velocity backwards, limit: 0.
+///   both rest. value: the greatest velocity backwards, limit: 0. Only a note where the segment ends
+///   behind its start, so that it must turn.
 /// - "warning/velocity_overshoot": between rest and a constant velocity (VDI 2143: R-G, G-R) the
 ///   velocity passes beyond that velocity. value: the velocity reached, limit: the velocity wanted.
 /// - "warning/ripple": the acceleration changes sign, by more than 1e-3 of the cam's peak, although

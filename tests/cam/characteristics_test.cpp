@@ -40,12 +40,7 @@ TEST(Characteristics, MeetTheOracleOfEveryLaw) {
 
 TEST(Characteristics, HaveTheClosedFormsOfTheAsymmetricLaws) {
   constexpr double pi = std::numbers::pi;
-  // R-U double harmonic: (1 - cos pi z) / 2 - (1 - cos 2 pi z) / 8.
-  Segment f = testing::polynomial({0.375});
-  f.sines = 2;
-  f.sine[0] = {-0.5, pi, pi / 2};
-  f.sine[1] = {0.125, 2 * pi, pi / 2};
-  const Characteristics c = characteristics(Cam({f}));
+  const Characteristics c = characteristics(Cam(normalised(Law::double_harmonic)));
   EXPECT_NEAR(c.cv.value, 3 * std::sqrt(3) * pi / 8, 1e-12);
   EXPECT_NEAR(c.cv.where, 2.0 / 3, 1e-9);
   EXPECT_NEAR(c.ca.value, 9 * pi * pi / 16, 1e-12);
