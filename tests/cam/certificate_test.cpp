@@ -115,6 +115,11 @@ CamSpec random_spec(testing::Random& random) {
     if (law.ends != Ends::standing) slave += stroke * random.uniform(-1, 1);
     CamSegment segment;
     segment.law = law.law;
+    if (law.law == Law::scca) {
+      const double b = random.uniform(0, 0.6);
+      const double c = random.uniform(0, 0.4);
+      segment.form.shares = {b, c, 1 - b - c};
+    }
     segment.end.master = master;
     segment.end.slave = slave;
     spec.segments.push_back(segment);

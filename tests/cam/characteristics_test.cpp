@@ -68,7 +68,7 @@ TEST(Characteristics, DoNotDependOnStrokeLengthPlaceOrSign) {
     const Characteristics c =
         characteristics(shifted(scaled(law, stroke, length), length / 3, stroke / 7));
     EXPECT_DOUBLE_EQ(c.length, length);
-    EXPECT_NEAR(c.stroke / stroke, 1, 1e-14);
+    EXPECT_NEAR(c.stroke / stroke, 1, 1e-12);
     EXPECT_NEAR(c.cv.value / one.cv.value, 1, 1e-12);
     EXPECT_NEAR(c.ca.value / one.ca.value, 1, 1e-12);
     EXPECT_NEAR(c.cj_inside, one.cj_inside, 1e-12 * one.cj_inside);

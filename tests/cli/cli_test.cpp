@@ -472,7 +472,7 @@ limits = { slave = { velocity = 400, acceleration = 6000 } }
   write("cam.toml", text);
   const Result good = run("check cam.toml");
   EXPECT_EQ(good.status, 0) << good.out << good.err;
-  EXPECT_THAT(good.out, HasSubstr("rise 0 .. 120 deg             Cv 1.875  Ca 5.7735  Cj 60  Cm "
+  EXPECT_THAT(good.out, HasSubstr("rise 0 .. 120 deg           Cv 1.875  Ca 5.7735  Cj 60  Cm "
                                   "6.6943; Ca is 21.5 % above the least for its Cj"));
   EXPECT_THAT(good.out,
               HasSubstr("fastest master 512 deg/s: the slave's velocity limit, at 60 deg"));
