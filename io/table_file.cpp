@@ -68,6 +68,12 @@ bool is_table(const std::string& text) {
 }
 
 std::string table_text(const std::string& path, const TableFile& file) {
+  for (const auto& [unit, whose] :
+       {std::pair{&file.units.x, name(file.table.axis())}, {&file.units.position, "position"}})
+    if (unit->empty())
+      throw InputError("unit", "",
+                       std::string("is missing: what is the ") + whose +
+                           " counted in? `jounce convert` takes it");
   return path.ends_with(".json") ? to_json(file) : to_csv(file);
 }
 

@@ -40,7 +40,8 @@ TableFile read_table(const std::string& path);
 /// Whether the text is a table file rather than a spec.
 bool is_table(const std::string& text);
 
-/// CSV, or JSON where the path ends in ".json".
+/// CSV, or JSON where the path ends in ".json". Throws InputError where a unit is missing, as in a
+/// table of another maker: it could not be read back.
 std::string table_text(const std::string& path, const TableFile& file);
 
 /// Writes CSV, or JSON where the path ends in ".json". Whole or not at all; "-" is standard output.

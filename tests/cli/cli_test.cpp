@@ -450,6 +450,7 @@ TEST_F(Cli, ConvertAsksForTheUnitsThatAFileDoesNotHave) {
   const Result refused = run("convert a.xyva a.csv");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err, HasSubstr("--master-unit"));
+  EXPECT_EQ(run("design a.xyva -o a.csv").status, 2) << "what it wrote could not be read";
   EXPECT_EQ(run("convert a.xyva a.csv --master-unit deg --position-unit mm --periodic").status, 0);
   EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("# outside: wrap"));
   EXPECT_EQ(run("convert a.csv b.csv --position-unit m").status, 0);
