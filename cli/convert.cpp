@@ -64,8 +64,9 @@ TableFile in_units(TableFile file, const Options& options) {
   if (factor != 1)
     for (auto* column : {&columns.p, &columns.v, &columns.a})
       for (double& value : *column) value *= factor;
+  const Outside repeated = columns.p.back() == columns.p.front() ? Outside::wrap : Outside::advance;
   file.table = Table(file.table.axis(), file.table.rule(),
-                     options.periodic ? Outside::wrap : file.table.outside(), std::move(columns));
+                     options.periodic ? repeated : file.table.outside(), std::move(columns));
   return file;
 }
 
@@ -196,7 +197,10 @@ void add_convert(CLI::App& app, Work& work) {
       "--master-unit", options->master_unit,
       "Unit of the first column: what a file without units counts in, or what to convert to");
   verb->add_option("--position-unit", options->position_unit, "The same for the position");
-  verb->add_flag("--periodic", options->periodic, "The cam repeats: where a file does not say so");
+  verb->add_flag(
+      "--periodic", options->periodic,
+      "The cam repeats, and a slave that ends elsewhere goes on from there (advance): where a "
+      "file does not say so");
   verb->add_flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
   verb->add_flag("--json", options->json, "Summary for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });

@@ -123,7 +123,7 @@ std::string kollmorgen_text(const TableFile& file) {
   if (file.table.size() < 5)
     throw InputError("knots", std::to_string(file.table.size()),
                      "KAS imports four segments or more: five knots");
-  const bool cyclic = file.table.outside() == Outside::wrap;
+  const bool cyclic = repeats(file.table.outside());
   return std::string("CYCLIC;") + (cyclic ? "YES" : "NO") + ";\nTABLE_BEGIN;;\n" +
          rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
 }

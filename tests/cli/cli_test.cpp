@@ -453,6 +453,11 @@ TEST_F(Cli, ConvertAsksForTheUnitsThatAFileDoesNotHave) {
   EXPECT_EQ(run("design a.xyva -o a.csv").status, 2) << "what it wrote could not be read";
   EXPECT_EQ(run("convert a.xyva a.csv --master-unit deg --position-unit mm --periodic").status, 0);
   EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("# outside: wrap"));
+  const std::string rotary = examples + "codesys-default/cam.xyva";
+  EXPECT_EQ(
+      run("convert " + rotary + " r.csv --master-unit deg --position-unit deg --periodic").status,
+      0);
+  EXPECT_THAT(slurp(folder / "r.csv"), HasSubstr("# outside: advance"));
   EXPECT_EQ(run("convert a.csv b.csv --position-unit m").status, 0);
   EXPECT_THAT(slurp(folder / "b.csv"), HasSubstr("180,0.09,0,0"));
   write("comma.txt", "0;0\n1;0,5\n");

@@ -59,9 +59,12 @@ TEST(Exchange, ReadsBackBitExact) {
 TEST(Exchange, KeepsUnitsPolicyAndHashWhereThereAreComments) {
   for (const Format format : {Format::xyva, Format::codesys}) {
     SCOPED_TRACE(name(format));
-    const TableFile file = ragged(rule_of(format));
-    const TableFile back = parse_exchange(exchange_text(format, file), "t");
-    EXPECT_EQ(content_hash(back.table, back.units), content_hash(file.table, file.units));
+    for (const Outside outside : {Outside::hold, Outside::wrap, Outside::advance}) {
+      const TableFile file = ragged(rule_of(format), outside);
+      const TableFile back = parse_exchange(exchange_text(format, file), "t");
+      EXPECT_EQ(back.table.outside(), outside);
+      EXPECT_EQ(content_hash(back.table, back.units), content_hash(file.table, file.units));
+    }
   }
 }
 
