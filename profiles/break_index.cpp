@@ -20,23 +20,4 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   for (std::size_t k = 0; k < cells; ++k) before_[k + 1] += before_[k];
 }
 
-/// The interval among first .. last, where x has passed the break that begins `first`.
-template <Side side>
-std::size_t BreakIndex::halved(std::span<const double> breaks, double x, std::size_t first,
-                               std::size_t last) {
-  while (first < last) {
-    const std::size_t middle = first + (last - first + 1) / 2;
-    if (passed<side>(x, breaks[middle]))
-      first = middle;
-    else
-      last = middle - 1;
-  }
-  return first;
-}
-
-template std::size_t BreakIndex::halved<Side::right>(std::span<const double>, double, std::size_t,
-                                                     std::size_t);
-template std::size_t BreakIndex::halved<Side::left>(std::span<const double>, double, std::size_t,
-                                                    std::size_t);
-
 }  // namespace jounce

@@ -46,9 +46,6 @@ class BreakIndex {
   }
   template <Side side>
   [[nodiscard]] std::size_t find(std::span<const double> breaks, double x) const;
-  template <Side side>
-  [[nodiscard]] static std::size_t halved(std::span<const double> breaks, double x,
-                                          std::size_t first, std::size_t last);
   [[nodiscard]] std::size_t cell(double x) const;
 
   double start_ = 0;
@@ -80,8 +77,13 @@ template <Side side>
   const auto more = [&] { return passed<side>(x, breaks[i + 1]) & (i < last); };
   i += static_cast<std::size_t>(more());
   i += static_cast<std::size_t>(more());
-  if (more()) [[unlikely]]
-    return halved<side>(breaks, x, i + 1, last);
+  while (more()) {  // by halves: at least i + 1, at most last
+    const std::size_t middle = i + 1 + (last - i) / 2;
+    if (passed<side>(x, breaks[middle]))
+      i = middle;
+    else
+      last = middle - 1;
+  }
   return i;
 }
 

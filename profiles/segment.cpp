@@ -34,16 +34,18 @@ SineTerm merged(const SineTerm& a, const SineTerm& b) {
 
 }  // namespace
 
-void detail::add_sines(const Segment& f, double s, Jet& by_s) {
+Jet detail::evaluate_with_sines(const Segment& f, double s) {
+  auto [p, d1, d2, d3] = polynomial(f, s);
   for (int i = 0; i < f.sines; ++i) {
     const auto& [amplitude, w, phase] = f.sine[static_cast<std::size_t>(i)];
     const double sn = amplitude * std::sin(w * s + phase);
     const double cs = amplitude * w * std::cos(w * s + phase);
-    by_s[0] += sn;
-    by_s[1] += cs;
-    by_s[2] -= w * w * sn;
-    by_s[3] -= w * w * cs;
+    p += sn;
+    d1 += cs;
+    d2 -= w * w * sn;
+    d3 -= w * w * cs;
   }
+  return over_length({p, d1, d2, d3}, f.length);
 }
 
 Jet evaluate(const Segment& f, double s) {
@@ -169,7 +171,7 @@ double magnitude(const Segment& f) {
 namespace {
 
 template <std::size_t n>
-Segment polynomial(double length, const std::array<double, n>& c) {
+Segment with_coefficients(double length, const std::array<double, n>& c) {
   Segment f;
   f.length = length;
   f.degree = static_cast<int>(n) - 1;
@@ -181,15 +183,15 @@ Segment polynomial(double length, const std::array<double, n>& c) {
 }  // namespace
 
 Segment line(double length, double p0, double p1) {
-  return polynomial(length, detail::line_coefficients(p0, p1));
+  return with_coefficients(length, detail::line_coefficients(p0, p1));
 }
 
 Segment cubic(double length, double p0, double v0, double p1, double v1) {
-  return polynomial(length, detail::cubic_coefficients(length, p0, v0, p1, v1));
+  return with_coefficients(length, detail::cubic_coefficients(length, p0, v0, p1, v1));
 }
 
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1) {
-  return polynomial(length, detail::quintic_coefficients(length, p0, v0, a0, p1, v1, a1));
+  return with_coefficients(length, detail::quintic_coefficients(length, p0, v0, a0, p1, v1, a1));
 }
 
 }  // namespace jounce

@@ -64,14 +64,14 @@ inline Jet over_length(const Jet& by_s, double length) {
   }
 }
 
-/// f's sines added to its polynomial, by s; out of line, as most segments have none.
-void add_sines(const Segment& f, double s, Jet& by_s);
+/// The same for a segment with sines; out of line, as most have none.
+Jet evaluate_with_sines(const Segment& f, double s);
 
 /// jounce::evaluate, for loops that call nothing.
 [[gnu::always_inline]] inline Jet evaluate(const Segment& f, double s) {
-  Jet g = polynomial(f, s);
-  if (f.sines > 0) add_sines(f, s, g);
-  return over_length(g, f.length);
+  if (f.sines > 0) [[unlikely]]
+    return evaluate_with_sines(f, s);
+  return over_length(polynomial(f, s), f.length);
 }
 
 }  // namespace jounce::detail
