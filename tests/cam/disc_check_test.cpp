@@ -39,7 +39,7 @@ TEST(DiscCheck, LeastBaseRadiusForARadiusOfTheProfile) {
 TEST(DiscCheck, LeastBaseRadiusKeepsTheLimitsAndOneBelowDoesNot) {
   testing::Random random(7);
   int found = 0;
-  for (int n = 0; n < 25; ++n) {
+  for (int n = 0; n < 12; ++n) {
     const auto made = random_disc(random);
     SCOPED_TRACE(made.text);
     const DiscLimits limits{.pressure_angle = random.uniform(15, 45) * deg};
@@ -63,7 +63,7 @@ TEST(DiscCheck, LeastBaseRadiusKeepsTheLimitsAndOneBelowDoesNot) {
       EXPECT_FALSE(holds(*base * (1 - 2e-9)));
     }
   }
-  EXPECT_GT(found, 10);
+  EXPECT_GT(found, 4);
 }
 
 TEST(DiscCheck, PressureAngleOverItsLimitNamesTheBaseThatWouldDo) {

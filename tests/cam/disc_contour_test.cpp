@@ -59,7 +59,7 @@ TEST(Contour, StaysWithinTheToleranceAndUsesIt) {
   const Disc disc(rise_dwell_return(Law::modified_sine, 10),
                   {.base_radius = 20, .roller_radius = 8, .offset = 5});
   for (const double distance : {0.0, -8.0, 12.0})
-    for (const double tolerance : {0.1, 1e-3, 1e-6}) {
+    for (const double tolerance : {0.1, 1e-3, 1e-5}) {
       for (const auto pieces : {Pieces::lines, Pieces::arcs}) {
         SCOPED_TRACE(tolerance);
         const double share = worst_share(disc, distance, tolerance, pieces);
