@@ -20,6 +20,7 @@ using Work = std::function<int()>;
 
 /// Adds a verb: its options, its help with an example, and what it does.
 void add_new(CLI::App& app, Work& work);
+void add_laws(CLI::App& app, Work& work);
 void add_design(CLI::App& app, Work& work);
 void add_check(CLI::App& app, Work& work);
 void add_convert(CLI::App& app, Work& work);
