@@ -59,15 +59,15 @@ void set_limits(Input& input, const Options& options) {
 /// "track 1: on from 350 to 10 deg of the master, positive direction"
 std::string text_of(const CamSwitch& s, const Spec& spec) {
   const bool of_master = spec.switches.of == SwitchesOf::master;
-  const std::string& unit = of_master ? spec.units.x : spec.units.position;
-  const std::string range = s.last_on_position
-                                ? " to " + number(*s.last_on_position) + " " + unit
-                                : " " + unit + " on for " + number(s.duration.value_or(0)) + " s";
-  const std::string direction = s.axis_direction == AxisDirection::both
-                                    ? ""
-                                    : ", " + std::string(name(s.axis_direction)) + " direction";
-  return fmt::format("track {}: on from {}{} of the {}{}", s.track, number(s.first_on_position),
-                     range, of_master ? "master" : "position", direction);
+  const std::string unit = of_master ? spec.units.x + " of the master" : spec.units.position;
+  const std::string first = number(s.first_on_position);
+  const std::string where =
+      s.last_on_position
+          ? fmt::format("from {} to {} {}", first, number(*s.last_on_position), unit)
+          : fmt::format("at {} {} for {} s", first, unit, number(s.duration.value_or(0)));
+  const bool both = s.axis_direction == AxisDirection::both;
+  return fmt::format("track {}: on {}{}", s.track, where,
+                     both ? "" : fmt::format(", {} direction", name(s.axis_direction)));
 }
 
 void print_switches(const Spec& spec) {
