@@ -1,4 +1,4 @@
-// What a cam and a move cost. Run: build/release/bench/bench_jounce --benchmark_repetitions=9
+// What moves, samples and witnesses cost; cams in cam_bench.cpp. Run: build/release/bench/bench_jounce --benchmark_repetitions=9
 // Results: docs/performance.md.
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,6 @@
 #include "jounce/cam/followed.hpp"
 #include "jounce/optimize/optimize.hpp"
 #include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 #include "jounce/validate/witness.hpp"
@@ -27,28 +26,15 @@ CamSpec swinging(int n) {
   return spec;
 }
 
-std::vector<double> positions(std::size_t n, bool random) {
+std::vector<double> positions(std::size_t n) {
   std::vector<double> x(n);
-  std::uint64_t state = 1;
-  for (std::size_t i = 0; i < n; ++i) {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    x[i] = random ? 360 * static_cast<double>(state >> 11U) * 0x1p-53
-                  : 360 * static_cast<double>(i) / static_cast<double>(n);
-  }
+  for (std::size_t i = 0; i < n; ++i) x[i] = 360 * static_cast<double>(i) / static_cast<double>(n);
   return x;
 }
 
-void evaluate_360_segments(benchmark::State& state) {
-  const Cam cam = design(swinging(360)).cam;
-  const auto x = positions(4096, state.range(0) != 0);
-  std::size_t i = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(cam.at(x[i++ & 4095U]));
-}
-BENCHMARK(evaluate_360_segments)->ArgName("random")->Arg(0)->Arg(1);
-
 void sample_a_block(benchmark::State& state) {
   const Cam cam = design(swinging(64)).cam;
-  const auto x = positions(4096, false);
+  const auto x = positions(4096);
   std::vector<Transfer> out(x.size());
   for (auto _ : state) {
     cam.sample(x, out);
@@ -57,13 +43,6 @@ void sample_a_block(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(x.size()));
 }
 BENCHMARK(sample_a_block);
-
-void design_and_certify_1000_segments(benchmark::State& state) {
-  const CamSpec spec = swinging(1000);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(check(design(spec).cam, {.velocity = 10, .acceleration = 100}));
-}
-BENCHMARK(design_and_certify_1000_segments)->Unit(benchmark::kMillisecond);
 
 void extrema_of_a_modified_sine(benchmark::State& state) {
   const Cam cam(normalised(Law::modified_sine));

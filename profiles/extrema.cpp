@@ -1,5 +1,6 @@
 #include "jounce/profiles/extrema.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -16,13 +17,16 @@ void widen(Range& range, const Extremum& candidate, double noise = 0) {
   if (candidate.value > range.max.value + noise) range.max = candidate;
 }
 
-/// Whether f keeps its sign but for `flat`, as the hull of its Bernstein form shows.
+/// Whether f keeps its sign but for less than `flat` on average: the integral over s of a Bernstein
+/// polynomial of degree n is at most that of its coefficients of one sign, their sum / (n + 1).
 bool keeps_sign(const Segment& f, double flat) {
   if (f.sines > 0) return false;
   bool keeps = false;
   detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
-    const auto [lo, hi] = detail::hull<n>(detail::to_bernstein<n>(f));
-    keeps = lo >= -flat || hi <= flat;
+    double above = 0;
+    double below = 0;
+    for (const double beta : detail::to_bernstein<n>(f)) (beta > 0 ? above : below) += beta;
+    keeps = std::min(above, -below) <= flat * static_cast<double>(n + 1);
   });
   return keeps;
 }
@@ -33,7 +37,7 @@ Range range_on(const Segment& g, const Segment& dg, double start, double end) {
   Range range{first, first};
   const double noise = 2e-16 * magnitude(g);
   // Where |g'| stays below this, g moves by less than its own rounding over the whole segment; and
-  // where g' never passes it on one side of zero, nothing within lies beyond both ends.
+  // where g' passes zero by no more than that, nothing within lies beyond both ends.
   const double flat = noise / g.length;
   if (flat > 0 && !keeps_sign(dg, flat)) {
     thread_local std::vector<double> critical;

@@ -117,12 +117,12 @@ TEST(Roots, AnswersForAConstantAndForNothing) {
 }
 
 TEST(Roots, AMultipleRootOfSinesIsAFewPoints) {
-  // 1 - 27/28 cos t - 1/28 cos 3t, a double root in the middle.
+  // 1 + 27/28 cos t + 1/28 cos 3t, t over a turn: a double root in the middle.
   Segment f;
   f.c[0] = 1;
   f.sines = 2;
   f.sine[0] = {27.0 / 28, 2 * 3.14159265358979324, 3.14159265358979324 / 2};
-  f.sine[1] = {1.0 / 28, 6 * 3.14159265358979324, 3 * 3.14159265358979324 / 2};
+  f.sine[1] = {1.0 / 28, 6 * 3.14159265358979324, 3.14159265358979324 / 2};
   const auto roots = roots_of(f);
   EXPECT_GE(roots.size(), 1U);
   EXPECT_LE(roots.size(), 50U) << "not every piece of 1e-13 beside it";
