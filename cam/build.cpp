@@ -55,13 +55,25 @@ std::vector<Segment> through_points(const Placed& at) {
   return {polynomial(at.length(), conditions)};
 }
 
+void require_spline_point(Law law, const CamPoint& point, const std::string& key) {
+  if (!point.slave) throw InputError(key + "slave", "", "is missing: a spline goes through points");
+  for (const auto& [name, value] : {std::pair{"geo_velocity", point.geo_velocity},
+                                    {"geo_acceleration", point.geo_acceleration},
+                                    {"geo_jerk", point.geo_jerk}})
+    if (value)
+      throw InputError(key + name, *value,
+                       "a spline takes positions alone; the law `polynomial` takes this");
+  require_not_negative((key + "tolerance").c_str(), point.tolerance);
+  if (law == Law::cubic_spline && point.tolerance > 0)
+    throw InputError(key + "tolerance", point.tolerance,
+                     "a cubic spline goes through its points; `quintic_spline` takes a tolerance");
+}
+
 SplineSpec spline_spec(const Placed& at) {
   SplineSpec spline{.points = {{at.from.master, at.from.slave}}};
   for (std::size_t i = 0; i < at.spec->points.size(); ++i) {
     const CamPoint& point = at.spec->points[i];
-    if (!point.slave || point.geo_velocity || point.geo_acceleration || point.geo_jerk)
-      throw InputError("points[" + std::to_string(i + 1) + "]", point.master,
-                       "a spline takes `slave`, and `tolerance`, of its points and nothing else");
+    require_spline_point(at.spec->law, point, "points[" + std::to_string(i + 1) + "].");
     spline.points.push_back({point.master, *point.slave, point.tolerance});
   }
   spline.points.push_back({at.to.master, at.to.slave});

@@ -191,25 +191,6 @@ std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) 
   throw InputError(key, value, std::string("the law `") + name(law) + "` does not take this");
 }
 
-void require_valid(Law law, const LawForm& form) {
-  if (form.inflection) {
-    if (!info(law).inflection) refuse("inflection", number(*form.inflection), law);
-    if (!(*form.inflection > 0 && *form.inflection < 1))
-      throw InputError("inflection", *form.inflection,
-                       "must lie inside the segment: above 0 and below 1");
-  }
-  if (form.straight) {
-    if (law != Law::scca && law != Law::modified_constant_velocity && law != Law::sine_straight)
-      refuse("straight", number(*form.straight), law);
-    if (!(*form.straight >= 0 && *form.straight < 1))
-      throw InputError("straight", *form.straight,
-                       "must be a share of the segment: at least 0 and below 1");
-  }
-  if (form.shares && law != Law::scca) refuse("shares", number((*form.shares)[0]) + ", ...", law);
-  if (!form.shares && law == Law::scca)
-    throw InputError("shares", "none", "the law `scca` needs [sine, constant, cosine]");
-}
-
 std::vector<Segment> rise(Law law, const LawForm& form) {
   const double straight = form.straight.value_or(0.5);
   const double lambda = form.inflection.value_or(0.5);
@@ -318,6 +299,25 @@ std::vector<LawPiece> with_end_velocities(const std::vector<Segment>& rise) {
 }
 
 }  // namespace
+
+void require_valid(Law law, const LawForm& form) {
+  if (form.inflection) {
+    if (!info(law).inflection) refuse("inflection", number(*form.inflection), law);
+    if (!(*form.inflection > 0 && *form.inflection < 1))
+      throw InputError("inflection", *form.inflection,
+                       "must lie inside the segment: above 0 and below 1");
+  }
+  if (form.straight) {
+    if (law != Law::scca && law != Law::modified_constant_velocity && law != Law::sine_straight)
+      refuse("straight", number(*form.straight), law);
+    if (!(*form.straight >= 0 && *form.straight < 1))
+      throw InputError("straight", *form.straight,
+                       "must be a share of the segment: at least 0 and below 1");
+  }
+  if (form.shares && law != Law::scca) refuse("shares", number((*form.shares)[0]) + ", ...", law);
+  if (!form.shares && law == Law::scca)
+    throw InputError("shares", "none", "the law `scca` needs [sine, constant, cosine]");
+}
 
 std::vector<Segment> scca(double b, double c, double d, double straight) {
   require_not_negative("shares[1]", b);

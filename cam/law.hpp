@@ -82,6 +82,9 @@ struct LawForm {
   std::optional<std::array<double, 3>> shares = {};
 };
 
+/// Throws InputError for a form that the law does not take, or a value out of range.
+void require_valid(Law law, const LawForm& form);
+
 /// A piece of a law over z in [0, 1]: the law from 0 to 1 at rest, and what each value at its ends
 /// adds to that. Every law is linear in these: with the stroke h = p1 - p0, the length L, and
 /// velocity and acceleration by master position at both ends,

@@ -59,7 +59,7 @@ constexpr std::array laws{
             "high peak acceleration and torque"},
     LawInfo{Law::modified_sine, "modified_sine", "Modified sine", Ends::moving, true,
             "indexers and heavy loads; the usual first choice",
-            "lowest peak velocity and torque of the smooth laws; forgiving in manufacture",
+            "low peak velocity, and the lowest torque of the smooth laws; forgiving in manufacture",
             "a little more acceleration than the modified trapezoid"},
     LawInfo{Law::modified_trapezoid, "modified_trapezoid", "Modified acceleration trapezoid",
             Ends::moving, true, "where the motor's peak torque is the limit",

@@ -15,7 +15,8 @@
 namespace jounce::camming {
 namespace {
 
-constexpr double same = 1e-9;  // forgives rounded input
+constexpr double same = 1e-9;      // forgives rounded input
+constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
 
 class Resolver {
  public:
@@ -28,17 +29,18 @@ class Resolver {
 
   std::vector<Placed> resolve() {
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) demand(i);
-    for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_points(i);
-    share_seam(&CamKnot::geo_velocity);
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_form_and_points(i);
+    share_seam();
     for (std::size_t i = 0; i < spec_.segments.size(); ++i)
       if (is_spline(law(i))) take_open_ends(i);
+    share_seam();
     for (CamKnot& knot : knots_) knot.geo_velocity = knot.geo_velocity.value_or(0);
     std::vector<Placed> placed;
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) {
       placed.push_back(place(i, placed));
       take_own_accelerations(placed.back(), i);
     }
-    share_seam(&CamKnot::geo_acceleration);
+    share_seam();
     for (std::size_t i = 0; i < placed.size(); ++i) {
       placed[i].from = filled(knots_[i]);
       placed[i].to = filled(knots_[i + 1]);
@@ -61,11 +63,11 @@ class Resolver {
 
   void add_knot(std::size_t i);
   void require_whole_turns() const;
-  void require_points(std::size_t segment) const;
+  void require_form_and_points(std::size_t segment) const;
   void demand(std::size_t segment);
   void demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                  double demanded, std::size_t segment, double scale);
-  void share_seam(std::optional<double> CamKnot::*field);
+  void share_seam();
   Placed place(std::size_t segment, const std::vector<Placed>& before) const;
   [[nodiscard]] bool reversal_first(std::size_t segment, const std::vector<Placed>& before) const;
   void require_no_rest(std::size_t segment, bool reversal_first) const;
@@ -82,6 +84,9 @@ void Resolver::add_knot(std::size_t i) {
   const CamKnot& knot = given(i);
   require_finite(key_of(i, "master").c_str(), knot.master);
   require_finite(key_of(i, "slave").c_str(), knot.slave);
+  for (const auto& [field, value] : {std::pair{"master", knot.master}, {"slave", knot.slave}})
+    if (std::abs(value) > largest)
+      throw InputError(key_of(i, field), value, "must be at most 1e100 in magnitude");
   if (knot.geo_velocity) require_finite(key_of(i, "geo_velocity").c_str(), *knot.geo_velocity);
   if (knot.geo_acceleration)
     require_finite(key_of(i, "geo_acceleration").c_str(), *knot.geo_acceleration);
@@ -107,8 +112,14 @@ void Resolver::require_whole_turns() const {
                          " is");
 }
 
-void Resolver::require_points(std::size_t i) const {
+void Resolver::require_form_and_points(std::size_t i) const {
   const CamSegment& segment = spec_.segments[i];
+  try {
+    require_valid(segment.law, segment.form);
+  } catch (const InputError& error) {
+    throw InputError("segment[" + std::to_string(i + 1) + "]." + error.key(), error.value(),
+                     error.rule());
+  }
   const std::string key = "segment[" + std::to_string(i + 1) + "].points";
   if (has_own_shape(segment.law) && !segment.points.empty())
     throw InputError(key, static_cast<double>(segment.points.size()),
@@ -156,12 +167,15 @@ void Resolver::demand(std::size_t i) {
   }
 }
 
-void Resolver::share_seam(std::optional<double> CamKnot::*field) {
+/// Start and last knot of a periodic cam are one.
+void Resolver::share_seam() {
   if (!spec_.periodic) return;
-  auto& first = knots_.front().*field;
-  auto& last = knots_.back().*field;
-  if (!first) first = last;
-  if (!last) last = first;
+  for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
+    auto& first = knots_.front().*field;
+    auto& last = knots_.back().*field;
+    if (!first) first = last;
+    if (!last) last = first;
+  }
 }
 
 bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) const {

@@ -73,8 +73,11 @@ std::string rise_line(const Rise& rise, const Labels& labels) {
   });
   const auto n = fmt::format("{} .. {} {}", rounded(rise.cam.start()), rounded(rise.cam.end()),
                              labels.units.x);
-  std::string line = fmt::format("  rise {:<22} Cv {:.5g}  Ca {:.5g}  Cj {:.5g}  Cm {:.5g}", n,
-                                 c.cv.value, c.peak_acceleration(), c.cj.value, c.cm.value);
+  const bool uneven = std::abs(c.ca.value - c.ca_star.value) > 1e-5 * c.peak_acceleration();
+  std::string line = fmt::format("  {} {:<22} Cv {:.5g}  Ca {:.5g}{}  Cj {:.5g}  Cm {:.5g}",
+                                 c.stroke < 0 ? "fall" : "rise", n, c.cv.value, c.ca.value,
+                                 uneven ? fmt::format("  Ca* {:.5g}", c.ca_star.value) : "",
+                                 c.cj.value, c.cm.value);
   if (front != best.findings.end())
     line += fmt::format("; Ca is {:.1f} % above the least for its Cj", 100 * front->margin);
   return line + "\n";

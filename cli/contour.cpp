@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <numbers>
 
@@ -42,6 +43,14 @@ void print_extremes(const Disc& disc, const Spec& spec) {
     fmt::print("profile: nowhere hollow\n");
 }
 
+/// Whether the contour crosses itself or the cutter does not get into it.
+bool cannot_be_cut(const Report& report) {
+  return std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
+    return f.broken && (f.rule == "disc/interference" || f.rule == "disc/cutter_radius" ||
+                        (f.rule == "disc/profile_radius" && f.limit == 0));
+  });
+}
+
 int run(const Options& options) {
   const Input input = load(options.spec);
   if (!input.spec || !input.spec->is_cam())
@@ -49,6 +58,12 @@ int run(const Options& options) {
   const Spec& spec = *input.spec;
   const Disc disc = make_disc(spec, std::get<Cam>(input.curve));
   const Report report = check_disc(spec, std::get<Cam>(input.curve));
+  if (cannot_be_cut(report) && !options.output.ends_with(".svg")) {
+    fmt::print("{}: {} is not written: no such plate can be cut (an .svg shows it)\n{}", input.name,
+               options.output, full_text(report, input.labels));
+    return finding;
+  }
+  require_other_file(options.spec, options.output);
   write_file(options.output, drawn(options, spec, disc));
   fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name, options.output,
              rounded(spec.disc->tolerance), spec.disc->length);

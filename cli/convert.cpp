@@ -114,6 +114,8 @@ std::vector<std::string> losses(const Options& options, const Input& input) {
     all.emplace_back("positions only: the error is that of straight lines between them");
   if (*format != Format::xyva && *format != Format::codesys)
     all.emplace_back("units and hash are not in the file");
+  if (*format != Format::xyva && *format != Format::codesys && repeats(input.table.table.outside()))
+    all.emplace_back("that it repeats is not in the file: read it with --periodic");
   return all;
 }
 
@@ -157,6 +159,7 @@ void print_text(std::FILE* out, const Converted& made, const Options& options, c
 int run(const Options& options) {
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options);
+  require_other_file(options.input, options.output);
   write_file(options.output, text_of(made.file, options));
   std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
   if (options.json)
@@ -192,7 +195,9 @@ void add_convert(CLI::App& app, Work& work) {
       ->check(CLI::IsMember({"linear", "cubic_hermite", "quintic_hermite"}));
   verb->add_option("--tolerance", options->tolerance,
                    "New knots, as few as keep the position within this; by default the knots stay");
-  verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals");
+  verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
+      ->excludes("--tolerance");
   verb->add_option(
       "--master-unit", options->master_unit,
       "Unit of the first column: what a file without units counts in, or what to convert to");

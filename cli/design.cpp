@@ -84,6 +84,7 @@ int run(const Options& options) {
   const std::vector<Input> inputs = load_axes(options.spec, options.axis);
   std::vector<Output> files;
   for (const Input& input : inputs) add_files(input, options, inputs.size(), files);
+  require_other_file(options.spec, options.output);
   write_files(files);
   std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
   AxisDocuments documents;

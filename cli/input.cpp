@@ -124,12 +124,28 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
 
 }  // namespace
 
+namespace {
+
+/// What engaging would do to a slave that stands where the cam begins, as its master does.
+Report check_coupling(const Spec& spec, const Cam& cam) {
+  const Coupling coupling(cam, *spec.coupling);
+  const double start = value(cam.segments().front(), 0);
+  return check(coupling, {.position = start}, {cam.start(), 0, 0, 0});
+}
+
+}  // namespace
+
 Report check_all(const Input& input, int continuity) {
   Report report = std::visit(
       [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
   if (input.spec && input.spec->disc) {
     const Report disc = check_disc(*input.spec, std::get<Cam>(input.curve));
     report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());
+  }
+  if (input.spec && input.spec->coupling) {
+    const Report coupling = check_coupling(*input.spec, std::get<Cam>(input.curve));
+    report.findings.insert(report.findings.end(), coupling.findings.begin(),
+                           coupling.findings.end());
   }
   sort(report);
   return report;

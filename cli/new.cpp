@@ -1,8 +1,10 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <vector>
 
 #include "jounce/io/file.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "templates.hpp"
 #include "verb.hpp"
@@ -13,6 +15,7 @@ void add_new(CLI::App& app, Work& work) {
   struct Options {
     std::string kind;
     std::string output = "-";
+    bool force = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb =
@@ -24,8 +27,11 @@ void add_new(CLI::App& app, Work& work) {
       ->required()
       ->check(CLI::IsMember(kinds));
   verb->add_option("-o,--output", options->output, "File to write; - is standard output");
+  verb->add_flag("--force", options->force, "Replace a file that is there");
   verb->callback([options, &work] {
     work = [options] {
+      if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
+        throw InputError("--output", options->output, "is there already; --force replaces it");
       write_file(options->output, templates().at(options->kind));
       return fine;
     };

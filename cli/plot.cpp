@@ -22,6 +22,7 @@ Figure figure(const Options& options) {
 }
 
 int run(const Options& options) {
+  require_other_file(options.file, options.output);
   write_picture(options.output, figure(options));
   return fine;
 }

@@ -128,6 +128,7 @@ int run(const Options& options) {
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
+  require_other_file(options.file, options.output);
   write_file(options.output, html(page));
   return all.ok() ? fine : finding;
 }

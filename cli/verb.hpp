@@ -38,6 +38,9 @@ void add_monitor(CLI::App& app, Work& work);
 /// A verb with its one-line description and the example that closes its --help.
 CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example);
 
+/// Throws InputError where both are one file: what is made must not replace what it is made from.
+void require_other_file(const std::string& input, const std::string& output);
+
 /// --axis NAME, for specs of several axes.
 void add_axis_option(CLI::App* verb, std::string& axis);
 

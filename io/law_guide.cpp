@@ -88,8 +88,8 @@ so a law is chosen by what limits the machine:
 Ends are told by the letters of VDI 2143: R rest, G constant velocity, U reversal (acceleration without velocity), B both. They are never written into a
 spec: they follow from the knots. What the knots leave out follows from the laws beside them, or from `boundaries`.
 
-Every law that takes an `inflection` λ (the share of the segment before the velocity peak; 1/2 if left out) keeps its Cv; Ca becomes Ca / 2λ, and the
-deceleration Ca / 2(1 − λ). R-U laws find λ from the acceleration that the reversal's knot gives.
+A law from rest to rest that takes an `inflection` λ (the share of the segment before the velocity peak; 1/2 if left out) keeps its Cv; Ca becomes
+Ca / 2λ, and the deceleration Ca / 2(1 − λ). R-U laws with an inflection find λ from the acceleration that the reversal's knot gives.
 
 )";
 
@@ -126,7 +126,10 @@ std::vector<Law> rising_laws() {
 }
 
 Characteristics characteristics(Law law) {
-  return characteristics(Cam(normalised(law, shown_form(law))));
+  // Beside a dwell, as most are used: a law whose acceleration steps there has no finite jerk.
+  const bool reverses = info(law).ends == Ends::rest_to_reversal;
+  return characteristics(
+      Cam(normalised(law, shown_form(law)), 0, reverses ? Outside::refuse : Outside::hold));
 }
 
 const char* ends_in_words(Ends ends) {

@@ -74,7 +74,8 @@ void read_cam_parts(TomlReader& top, Spec& spec) {
   spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
   const auto& cam = std::get<CamSpec>(spec.subject);
   std::optional<double> period;
-  if (cam.periodic && !cam.segments.empty())
+  if (cam.periodic && !cam.segments.empty() &&
+      cam.segments.back().end.master > cam.start.master)  // otherwise design() says what is wrong
     period = cam.segments.back().end.master - cam.start.master;
   spec.switches = detail::read_switches(top, spec, SwitchesOf::master, period);
 }

@@ -75,6 +75,12 @@ Finding finding_of(const Bound& bound, const Extremum& worst, const char* quanti
           broken ? advice(bound.order) : ""};
 }
 
+/// A peak on a break belongs to both segments beside it: told of the first.
+bool is_told(const std::optional<Finding>& before, const Extremum& worst, double start) {
+  return before && worst.where == start && before->where == start &&
+         std::abs(worst.value - before->value) <= 1e-12 * std::abs(worst.value);
+}
+
 }  // namespace
 
 void require_valid(const Limits& limits) {
@@ -122,6 +128,7 @@ Report check(const Curve<Over>& f, const Limits& limits) {
   const Range travel = one_end ? extrema(f, 0) : Range{};
   const auto bounds = bounds_of(limits, Over::names, travel.max.value - travel.min.value);
   std::vector<std::optional<Finding>> closest(bounds.size());
+  std::vector<std::optional<Finding>> broken(bounds.size());  // the last of each
   Report report;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     Range range;
@@ -130,10 +137,13 @@ Report check(const Curve<Over>& f, const Limits& limits) {
       if (b == 0 || order != bounds[b - 1].order)
         range = segment_range(f, i, static_cast<int>(order));
       const Extremum& worst = worst_of(bounds[b], range);
-      if (is_broken(bounds[b], worst.value))
-        report.findings.push_back(finding_of(bounds[b], worst, Over::names[order], i));
-      else if (!closest[b] || margin_of(bounds[b], worst.value) < closest[b]->margin)
+      if (is_broken(bounds[b], worst.value)) {
+        if (is_told(broken[b], worst, f.breaks()[i])) continue;
+        broken[b] = finding_of(bounds[b], worst, Over::names[order], i);
+        report.findings.push_back(*broken[b]);
+      } else if (!closest[b] || margin_of(bounds[b], worst.value) < closest[b]->margin) {
         closest[b] = finding_of(bounds[b], worst, Over::names[order], i);
+      }
     }
   }
   // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.

@@ -61,7 +61,8 @@ struct Report {
 /// each by margin.
 void sort(Report& report);
 
-/// Exact extrema against limits. One finding for each segment and quantity that breaks a limit; for
+/// Exact extrema against limits. One finding for each segment and quantity that breaks a limit (a peak
+/// on a break is told of the segment before); for
 /// a limit that holds, one with the smallest margin of the whole curve.
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);

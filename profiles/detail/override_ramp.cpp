@@ -199,7 +199,7 @@ class Search {
     Bounds bounds = within(Bounds::none, path_.acceleration / k, shape.in * j);
     (factor < now.velocity ? bounds.jerk_max : bounds.jerk_min) *= shape.out / shape.in;
     const Move change = move_velocity(now, factor, bounds);
-    assert(change);
+    if (!change) return Outcome::breaks_a_limit;  // numbers beyond what a move is told in
     const double end = t + change.profile.duration();
     const double path = change.profile.end().position;
     const bool slows_down = factor < now.velocity;

@@ -174,6 +174,29 @@ TEST(Design, ARotarySlaveGoesOnFromTurnToTurn) {
   EXPECT_THROW(design(spec), InputError);
 }
 
+TEST(Design, ASplinesOpenEndIsTheRestBesideItAlsoAcrossTheSeam) {
+  for (const Law back : {Law::poly345, Law::modified_sine, Law::quintic, Law::dwell}) {
+    SCOPED_TRACE(name(back));
+    CamSpec spec;
+    spec.periodic = true;
+    CamSegment measured{Law::quintic_spline, {180, back == Law::dwell ? 0. : 30.}};
+    measured.points = {{.master = 60, .slave = 11}, {.master = 120, .slave = 24}};
+    spec.segments = {measured, {back, {360, 0}}};
+    if (back != Law::dwell)
+      spec.segments.insert(spec.segments.begin() + 1, {Law::dwell, {220, 30}});
+    const CamDesign made = design(spec);
+    EXPECT_TRUE(check_continuity(made.cam, back == Law::quintic ? 1 : 2).ok());
+  }
+}
+
+TEST(Design, RefusesNumbersThatNothingCanBeComputedWith) {
+  CamSpec spec;
+  spec.segments = {{Law::modified_sine, {100, 1e200}}};
+  EXPECT_THROW(design(spec), InputError);
+  spec.segments = {{Law::quintic, {100, 10}, "", {.inflection = 0.4}}};
+  EXPECT_THROW(design(spec), InputError) << "quintic takes no inflection";
+}
+
 std::string complaint(const CamSpec& spec) {
   try {
     (void)design(spec);

@@ -157,8 +157,11 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:7:18: segment[1].end.master = -5: must be greater than 0, the knot before"},
         Bad{cam, "\"quintic\"", "\"modified_sin\"",
             "a.toml:6:7: segment[1].law = \"modified_sin\": did you mean \"modified_sine\"? It "
-            "must be one of line, dwell, quintic, 345, modified_sine, modified_trapezoid, "
-            "inclined_sine"},
+            "must be one of line, dwell, quintic, septic, nonic, polynomial, cubic_spline, "
+            "quintic_spline, cubic, 345, 4567, 56789, parabola, simple_sine, inclined_sine, "
+            "modified_sine, modified_trapezoid, modified_constant_velocity, scca, gutman_13, "
+            "freudenstein_13, freudenstein_135, minimum_peak_jerk, sine_straight, "
+            "harmonic_combination, modified_trapezoid_ru, double_harmonic, eighth_degree"},
         Bad{cam, "\"quintic\"", "\"dwell\"",
             "a.toml:7:31: segment[1].end.slave = 50: a dwell must stay at 0"},
         Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
@@ -168,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:9:16: limits.geo_velocity = 0: a limit must be greater than 0"},
         Bad{cam, "geo_velocity = 1", "velocity = 1",
             "a.toml:9:1: limits.velocity = 1: is not a key that belongs here; known: "
-            "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min"},
+            "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min, slave"},
         Bad{cam, "[limits]", "[limits",
             "a.toml:8:8: is not TOML: Error while parsing table header: expected ']', saw "
             "'\\n'"},

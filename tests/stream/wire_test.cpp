@@ -193,7 +193,7 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(header, fields + 3, 64)), Reject::bad_field) << "table 64";
   EXPECT_EQ(reject(forged(header, fields + 36, 2)), Reject::bad_field) << "axis 2";
   EXPECT_EQ(reject(forged(header, fields + 37, 0xFF)), Reject::bad_field) << "rule -1";
-  EXPECT_EQ(reject(forged(header, fields + 38, 3)), Reject::bad_field) << "outside 3";
+  EXPECT_EQ(reject(forged(header, fields + 38, 4)), Reject::bad_field) << "outside 4";
   EXPECT_EQ(reject(forged(header, fields + 40, 7)), Reject::bad_field) << "a bell in the unit";
   EXPECT_EQ(reject(forged(header, fields + 71, 0x80)), Reject::bad_field) << "knots < 0";
   EXPECT_EQ(reject(forged(chunk, fields + 15, 0)), Reject::bad_field) << "no knots";
