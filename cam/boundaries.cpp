@@ -48,8 +48,9 @@ void close(CamSpec& spec, const std::vector<CamKnot>& resolved) {
   for (const Derivative d : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
     const auto at_start = demanded(0, d);
     const auto at_end = demanded(last, d);
-    spec.start.*d = at_start ? at_start : at_end;
-    spec.segments.back().end.*d = at_end ? at_end : at_start;
+    CamKnot& end = spec.segments.back().end;
+    if (!(spec.start.*d) && spec.segments.front().law == Law::quintic) spec.start.*d = at_end;
+    if (!(end.*d) && spec.segments.back().law == Law::quintic) end.*d = at_start;
   }
 }
 

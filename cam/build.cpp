@@ -47,6 +47,9 @@ std::vector<Segment> through_points(const Placed& at) {
     add(knot->master, 2, knot->geo_acceleration);
   }
   for (const CamPoint& point : at.spec->points) {
+    if (point.tolerance != 0)
+      throw InputError("points.tolerance", point.tolerance,
+                       "a polynomial goes through its points; `quintic_spline` takes a tolerance");
     add(point.master, 0, point.slave);
     add(point.master, 1, point.geo_velocity);
     add(point.master, 2, point.geo_acceleration);

@@ -30,8 +30,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 class PowerSearch {
  public:
   explicit PowerSearch(const Rise& rise) {
-    const auto peak = [&](std::size_t k) { return std::abs(rise.ranges[k].peak().value); };
-    curvature_ = 3 * peak(2) * peak(3) + peak(1) * peak(4);
     best_.where = rise.cam.start();
     const auto pieces = rise.cam.segments();
     std::vector<Segment> slopes;
@@ -41,7 +39,12 @@ class PowerSearch {
       for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0})
         take(evaluate(slopes[i], s), rise.cam.breaks()[i] + s * pieces[i].length);
     }
-    for (std::size_t i = 0; i < pieces.size(); ++i) search(slopes[i], rise.cam.breaks()[i], 0, 1);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Ranges own = extrema(Curve<OverMaster>({slopes[i]}));  // of y' to y''''
+      const auto peak = [&](std::size_t k) { return std::abs(own[k].peak().value); };
+      curvature_ = 3 * peak(1) * peak(2) + peak(0) * peak(3);
+      search(slopes[i], rise.cam.breaks()[i], 0, 1);
+    }
   }
 
   [[nodiscard]] Coefficient best() const { return best_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/cam/followed.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/roots.hpp"
 
@@ -17,11 +18,18 @@ Trajectory lasting(const Trajectory& master, const Engaged& engaged) {
   return with(concatenated(master, Trajectory({line(end - master.end(), at, at)})), Outside::hold);
 }
 
+/// The cam goes on by itself as far as the placement says.
+bool advances_alike(const Cam& cam, const Placement& p) {
+  const double own = value(cam.segments().back(), 1) - value(cam.segments().front(), 0);
+  return p.advance == p.slave_scaling * own;
+}
+
 /// As many periods as the master meets, each `advance` further: what wraps comes back instead.
 Cam unrolled(const Cam& cam, const Placement& p, const Trajectory& master) {
   const Range travel = extrema(master, 0);
   const double first = spot(p.at(travel.min.value), cam.start(), cam.length(), true).period - 1;
   const double last = spot(p.at(travel.max.value), cam.start(), cam.length(), true).period + 1;
+  require_few_periods(first, last, cam.breaks().size());
   std::vector<Segment> segments;
   for (double n = first; n <= last; ++n)
     for (const Segment& piece : cam.segments())
@@ -32,8 +40,10 @@ Cam unrolled(const Cam& cam, const Placement& p, const Trajectory& master) {
 /// The cam over the master's own position, with all that scales and moves it.
 Cam over_master(const Coupling& coupling, const Placement& p, const Trajectory& master) {
   const Cam& cam = coupling.cam();
-  Cam placed = p.advance != 0 ? unrolled(cam, p, master)
-                              : shifted(scaled(cam, p.slave_scaling), 0, p.slave_offset);
+  const auto in_place = [&] { return shifted(scaled(cam, p.slave_scaling), 0, p.slave_offset); };
+  Cam placed = p.advance == 0           ? in_place()
+               : advances_alike(cam, p) ? with(in_place(), Outside::advance)
+                                        : unrolled(cam, p, master);
   if (!p.periodic) placed = with(placed, Outside::hold);
   const double k = p.master_scaling;
   if (k == 1 && p.master_offset == 0) return placed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -18,6 +19,7 @@ std::vector<double> levels(const Cam& cam, double lo, double hi) {
   const bool wraps = repeats(cam.outside());
   const double first = wraps ? std::floor((lo - cam.start()) / cam.length()) : 0;
   const double last = wraps ? std::floor((hi - cam.start()) / cam.length()) : 0;
+  require_few_periods(first, last, cam.breaks().size());
   for (std::int64_t n = 0; n <= static_cast<std::int64_t>(last - first); ++n)
     for (const double x : cam.breaks()) {
       const double level = x + (first + static_cast<double>(n)) * cam.length();
@@ -36,6 +38,17 @@ bool backwards(const Jet& x, Side side) {
 }
 
 }  // namespace
+
+void require_few_periods(double first, double last, std::size_t breaks) {
+  constexpr double farthest = 1e15;  // where neighbouring periods are still told apart
+  constexpr double most = 2e6;
+  if (!(std::abs(first) < farthest && std::abs(last) < farthest))
+    throw InputError("master", first, "is the period it meets: they must be below 1e15");
+  if ((last - first + 1) * static_cast<double>(breaks) > most)
+    throw InputError("master", last - first + 1,
+                     "periods of a cam with " + std::to_string(breaks) +
+                         " breaks are too many: at most 2e6 breaks are passed in one motion");
+}
 
 Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(std::move(master)) {
   const Range travel = extrema(master_, 0);
@@ -72,6 +85,10 @@ Jet Followed::jet(double t, Side side) const {
   if (periodic && cam_side == Side::left && master == cam_.start()) master = cam_.end();
   Jet f = cam_.jet(master, cam_side);
   f[0] += std::round((x[0] - master) / cam_.length()) * cam_.advance();
+  // Beyond the ends of a cam that holds the slave stands: on that side of the ends, too.
+  const bool leaves = (master <= cam_.start() && cam_side == Side::left) ||
+                      (master >= cam_.end() && cam_side == Side::right);
+  if (cam_.outside() == Outside::hold && leaves) f = {f[0], 0, 0, 0};
   return chained(f, x);
 }
 

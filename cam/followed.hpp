@@ -16,6 +16,10 @@ inline Jet chained(const Jet& f, const Jet& x) {
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
+/// Throws InputError where a master passes periods `first` to `last` of a cam with so many breaks that a
+/// motion cannot be made of them: far beyond any machine's, and before the memory is gone.
+void require_few_periods(double first, double last, std::size_t breaks);
+
 /// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
 ///
 ///     TrapezoidSpec travel{.to = 1080, .velocity = 200, .acceleration = 1000};
@@ -30,7 +34,7 @@ inline Jet chained(const Jet& f, const Jet& x) {
 ///
 /// Its breaks are the master's breaks and every instant at which the master passes a break of the
 /// cam. A master that runs backwards meets the cam's left limits; so does the query. Throws
-/// InputError where the master leaves a cam that refuses it.
+/// InputError where the master leaves a cam that refuses it, and as require_few_periods().
 class Followed {
  public:
   Followed(Cam cam, Trajectory master);

@@ -61,6 +61,19 @@ class Resolver {
     return knot;
   }
 
+  /// The segment before (-1) or after (1): across the seam of a periodic cam, too.
+  [[nodiscard]] std::optional<std::size_t> beside(std::size_t segment, int step) const {
+    const std::size_t count = spec_.segments.size();
+    const bool outside = step < 0 ? segment == 0 : segment + 1 == count;
+    if (outside && (!spec_.periodic || count == 1)) return std::nullopt;
+    return (segment + count + static_cast<std::size_t>(step < 0 ? count - 1 : 1)) % count;
+  }
+  /// Whether it has no acceleration at its ends.
+  [[nodiscard]] bool rests(std::size_t segment) const {
+    const Ends ends = info(law(segment)).ends;
+    return ends == Ends::straight || ends == Ends::standing || ends == Ends::moving;
+  }
+
   void add_knot(std::size_t i);
   void require_whole_turns() const;
   void require_form_and_points(std::size_t segment) const;
@@ -162,12 +175,13 @@ void Resolver::demand(std::size_t i) {
   for (std::size_t k = i; k <= i + 1; ++k) {
     if (ends == Ends::straight || ends == Ends::standing || ends == Ends::rest_to_reversal)
       demand_at(k, &CamKnot::geo_velocity, "geo_velocity", velocity, i, std::abs(slope));
-    if (ends == Ends::straight || ends == Ends::standing || ends == Ends::moving)
-      demand_at(k, &CamKnot::geo_acceleration, "geo_acceleration", 0, i, 0);
+    if (rests(i))
+      demand_at(k, &CamKnot::geo_acceleration, "geo_acceleration", 0, i,
+                std::abs(slope) / (knots_[i + 1].master - knots_[i].master));
   }
 }
 
-/// Start and last knot of a periodic cam are one.
+/// Start and last knot of a periodic cam are one: what one of them has, the other takes.
 void Resolver::share_seam() {
   if (!spec_.periodic) return;
   for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
@@ -181,6 +195,11 @@ void Resolver::share_seam() {
 bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) const {
   if (given(i).geo_acceleration) return *given(i).geo_acceleration != 0;
   if (given(i + 1).geo_acceleration) return *given(i + 1).geo_acceleration == 0;
+  const auto previous = beside(i, -1);
+  const auto next = beside(i, 1);
+  const bool rest_before = previous ? rests(*previous) : !spec_.periodic;  // held: at rest
+  const bool rest_after = next ? rests(*next) : !spec_.periodic;
+  if (rest_before != rest_after) return rest_after;
   if (i == 0) return false;
   const Ends ends = info(law(i - 1)).ends;
   return ends == Ends::moving_free || (ends == Ends::rest_to_reversal && !before[i - 1].reversed);
@@ -188,13 +207,11 @@ bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) 
 
 void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
   const std::size_t knot = reversal_first ? i : i + 1;
-  const std::size_t beside = reversal_first ? i - 1 : i + 1;
-  if (beside >= spec_.segments.size()) return;  // also where i - 1 is below 0
-  const Ends ends = info(law(beside)).ends;
-  if (ends == Ends::given || ends == Ends::moving_free || ends == Ends::rest_to_reversal) return;
+  const auto neighbour = beside(i, reversal_first ? -1 : 1);
+  if (!neighbour || !rests(*neighbour)) return;
   throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
                    "turns round at master " + number(knots_[knot].master) + ", where the law `" +
-                       name(law(beside)) +
+                       name(law(*neighbour)) +
                        "` beside it has no acceleration; a law from rest to rest would do");
 }
 
@@ -204,6 +221,9 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const auto& wanted = given(knot).geo_acceleration;
   if (!wanted || placed.form.inflection || !info(placed.spec->law).inflection) return;
   const double stroke = placed.to.slave - placed.from.slave;
+  if (stroke == 0)
+    throw InputError(key_of(knot, "geo_acceleration"), *wanted,
+                     "cannot be: the segment has no stroke");
   const double unit = (placed.reversed ? 1 : -1) * stroke / (placed.length() * placed.length());
   const double deceleration = *wanted / unit;
   const double least = least_deceleration(placed.spec->law);
@@ -214,6 +234,10 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
                          "of the law `" +
                          name(placed.spec->law) + "` outside its segment");
   placed.form.inflection = inflection_for(placed.spec->law, deceleration);
+  if (!(*placed.form.inflection < 1))
+    throw InputError(key_of(knot, "geo_acceleration"), *wanted,
+                     "is too much: the inflection of the law `" +
+                         std::string(name(placed.spec->law)) + "` would be at its reversal");
 }
 
 Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
@@ -247,7 +271,9 @@ void Resolver::take_open_ends(std::size_t i) {
   };
   const bool bends = info(law(i)).ends == Ends::given;
   take(knots_[i], from, bends);
+  share_seam();
   take(knots_[i + 1], to, bends);
+  share_seam();
 }
 
 void Resolver::take_own_accelerations(const Placed& placed, std::size_t i) {

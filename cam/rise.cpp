@@ -138,7 +138,10 @@ std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
 std::vector<Rise> rises(const Cam& cam) {
   const Row row(cam);
   const Range travel = extrema(cam, 0);
-  const double still = rounding * (travel.max.value - travel.min.value);
+  // A stroke that is rounding is none.
+  const double still =
+      std::max(rounding * (travel.max.value - travel.min.value),
+               1e-14 * std::max(std::abs(travel.max.value), std::abs(travel.min.value)));
   const auto breaks = resting(cam, row);
   std::vector<Rise> all;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {

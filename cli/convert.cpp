@@ -64,7 +64,9 @@ TableFile in_units(TableFile file, const Options& options) {
   if (factor != 1)
     for (auto* column : {&columns.p, &columns.v, &columns.a})
       for (double& value : *column) value *= factor;
-  const Outside repeated = columns.p.back() == columns.p.front() ? Outside::wrap : Outside::advance;
+  const auto [least, most] = std::minmax_element(columns.p.begin(), columns.p.end());
+  const bool closes = std::abs(columns.p.back() - columns.p.front()) <= 1e-9 * (*most - *least);
+  const Outside repeated = closes ? Outside::wrap : Outside::advance;
   file.table = Table(file.table.axis(), file.table.rule(),
                      options.periodic ? repeated : file.table.outside(), std::move(columns));
   return file;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace jounce {
 
@@ -110,6 +111,7 @@ void MotionAxis::start_pending() {
   origin_ = start_at_;
   start_at_ = -1;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  has_master_ = active_->synchronized();
   if (switches_of_ == SwitchesOf::master) switches_.place();
 }
 
@@ -191,10 +193,12 @@ void MotionAxis::rest() {
 
 void MotionAxis::operate_switches() {
   if (!has_switches_) return;
-  const bool master = switches_of_ == SwitchesOf::master;
-  now_.switches =
-      switches_.step(master ? now_.master : now_.position,
-                     master ? now_.master_velocity : now_.velocity, seconds(now_.skipped + 1));
+  const double dt = seconds(now_.skipped + 1);
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();  // changes nothing
+  if (switches_of_ == SwitchesOf::position)
+    now_.switches = switches_.step(now_.position, now_.velocity, dt);
+  else
+    now_.switches = switches_.step(has_master_ ? now_.master : nowhere, now_.master_velocity, dt);
 }
 
 /// The first fault is the one that stays: what follows is its consequence.

@@ -129,6 +129,7 @@ class MotionAxis {
   double stop_from_ = 0;        // local time at the stop, s
   double stop_length_ = 0;      // s
   bool has_switches_;
+  bool has_master_ = false;  // since a cam was started; until the next table without one
   SwitchesOf switches_of_;
   CamSwitches switches_;
   Tick now_;

@@ -158,6 +158,8 @@ AxisConfig resolved(AxisConfig config) {
 Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
          double tick, const CouplingSpec& coupling, double position)
     : id_(id), time_(std::move(time)), cam_(std::move(cam)), in_sync_(time_->start()) {
+  if (time_->outside() == Outside::advance)
+    throw InputError("outside", "advance", "is for cams: a table over time ends, or wraps");
   if (cam_) {
     couple(coupling, position, tick);
   } else {

@@ -131,7 +131,8 @@ Curve<Over> mapped(const Curve<Over>& f, Map map) {
 
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f) {
-  return mapped(f, [](const Segment& piece) { return derivative(piece); });
+  const auto slope = mapped(f, [](const Segment& piece) { return derivative(piece); });
+  return f.outside() == Outside::advance ? with(slope, Outside::wrap) : slope;
 }
 
 template <class Over>

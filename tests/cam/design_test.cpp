@@ -189,6 +189,32 @@ TEST(Design, ASplinesOpenEndIsTheRestBesideItAlsoAcrossTheSeam) {
   }
 }
 
+TEST(Design, AReversalMayLieAtTheSeam) {
+  CamSpec spec;
+  spec.periodic = true;
+  spec.start = {0, 30};
+  spec.segments = {{Law::harmonic_combination, {100, 0}},
+                   {Law::dwell, {260, 0}},
+                   {Law::harmonic_combination, {360, 30}}};
+  const CamDesign made = design(spec);
+  EXPECT_EQ(transition(made, 0), "U-R");
+  EXPECT_EQ(transition(made, 2), "R-U");
+  EXPECT_TRUE(check_continuity(made.cam, 2).ok());
+  spec.segments.back().law = Law::modified_sine;
+  EXPECT_THROW(design(spec), InputError) << "a rest on both sides";
+}
+
+TEST(Design, TwoSplinesMeetAtTheSeamAsOneKnot) {
+  CamSpec spec;
+  spec.periodic = true;
+  CamSegment up{Law::quintic_spline, {180, 30}};
+  up.points = {{.master = 60, .slave = 11}, {.master = 120, .slave = 24}};
+  CamSegment down{Law::quintic_spline, {360, 0}};
+  down.points = {{.master = 240, .slave = 22}, {.master = 300, .slave = 9}};
+  spec.segments = {up, down};
+  EXPECT_TRUE(check_continuity(design(spec).cam, 2).ok());
+}
+
 TEST(Design, RefusesNumbersThatNothingCanBeComputedWith) {
   CamSpec spec;
   spec.segments = {{Law::modified_sine, {100, 1e200}}};

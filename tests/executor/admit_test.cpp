@@ -31,6 +31,23 @@ struct Poly345 {
   }
 };
 
+TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
+  const auto cam = table(Axis::master, Rule::linear, Outside::hold, {{0, 100}, {0, 1000}, {}, {}});
+  const auto master =
+      table(Axis::time, Rule::quintic_hermite, Outside::hold, {{0, 2}, {-50, 150}, {0, 0}, {0, 0}});
+  const Job job(1, master, cam);
+  EXPECT_GT(std::abs(job.steps()[1].step), 1000) << "of the velocity, where the master comes in";
+  EXPECT_EQ(cause_of(admit(job, {.limits = limits(1e6, 20000)}, 0)), Cause::velocity_step);
+}
+
+TEST(Admit, RefusesAMotionThatNobodyCouldMake) {
+  const auto cam = table(Axis::master, Rule::linear, Outside::advance, {{0, 1}, {0, 1}, {}, {}});
+  const auto far = table(Axis::time, Rule::linear, Outside::hold, {{0, 1}, {0, 1e9}, {}, {}});
+  EXPECT_THROW(Job(1, far, cam), InputError) << "1e9 periods";
+  const auto cycle = table(Axis::time, Rule::linear, Outside::advance, {{0, 1}, {0, 1}, {}, {}});
+  EXPECT_THROW(Job(1, cycle), InputError) << "a table over time does not advance";
+}
+
 TEST(Admit, EachLimitOfA345PolynomialIsMetAtItsExactPeakAndBrokenJustBelow) {
   const Poly345 p;
   const Job job = p.job();

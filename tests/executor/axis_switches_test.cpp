@@ -56,6 +56,14 @@ TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
   expect_same(edges, switch_times(range(30.3, 80.8), table->curve<OverTime>()));
 }
 
+TEST(AxisSwitches, OfTheMasterAreNotOnBeforeThereIsOne) {
+  Bench bench({.limits = limits(600, 11000)}, {.of = SwitchesOf::master, .table = range(-10, 10)});
+  EXPECT_EQ(bench.step().switches.outputs, 0U) << "0 is in the range, but it is no master's";
+  const Job move(1, trapezoid_table(100, 500, 10000, 10000));
+  EXPECT_TRUE(played(bench, move).empty()) << "a table over time has no master";
+  EXPECT_EQ(bench.step().switches.outputs, 0U);
+}
+
 TEST(AxisSwitches, OfTheMasterSwitchInEachPeriod) {
   const auto master = constant_master(1080, 200);
   const Job job(1, master, pmc600_cam());
