@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "jounce/cam/design.hpp"
 #include "jounce/optimize/detail/freedom.hpp"
 #include "jounce/optimize/detail/quadrature.hpp"
 #include "jounce/profiles/extrema.hpp"
@@ -166,21 +167,19 @@ double bound_of_stretch(const Stretch& s, Objective objective, const Limits& lim
 }
 
 /// The objective's share of one segment that cannot change: its peak, or its integral.
-double exact_share(const CamSpec& spec, std::size_t segment, Objective objective) {
-  CamSpec alone;
-  alone.start = segment == 0 ? spec.start : spec.segments[segment - 1].end;
-  alone.segments = {spec.segments[segment]};
-  const Cam cam = design(alone).cam;
+double exact_share(const CamDesign& made, std::size_t segment, Objective objective) {
+  std::vector<Segment> own;
+  for (std::size_t i = 0; i < made.origin.size(); ++i)
+    if (made.origin[i] == segment) own.push_back(made.cam.segments()[i]);
+  const Cam cam(std::move(own));
   const double value = value_of(objective, cam);
   return objective == Objective::rms_acceleration ? value * value * cam.length() : value;
 }
 
-/// The spec with every derivative filled in, so that each segment can stand alone.
-CamSpec resolved(CamSpec spec) {
-  const auto knots = resolved_knots(spec);
-  spec.start = knots.front();
-  for (std::size_t i = 0; i < spec.segments.size(); ++i) spec.segments[i].end = knots[i + 1];
-  return spec;
+/// Whether the law beside a knot has the acceleration there that the knot says: some have their own.
+bool takes_acceleration(Law law) {
+  const Ends ends = info(law).ends;
+  return ends != Ends::moving_free && ends != Ends::rest_to_reversal;
 }
 
 }  // namespace
@@ -220,7 +219,8 @@ double least_square_acceleration(const Stretch& s) {
 double lower_bound(const CamProblem& problem, Objective objective) {
   const auto knots = optimizer::knots_of(problem.cam);
   const auto free = optimizer::freedom(problem);
-  const CamSpec spec = resolved(problem.cam);
+  const CamDesign made = design(problem.cam);
+  const auto& segments = problem.cam.segments;
   const bool rms = objective == Objective::rms_acceleration;
   double bound = 0;
   const auto combine = [&](double share) { bound = rms ? bound + share : std::max(bound, share); };
@@ -228,10 +228,13 @@ double lower_bound(const CamProblem& problem, Objective objective) {
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!stays(free[i])) continue;
     if (from && from == i - 1 && !free[*from][3] && !free[i][3])
-      combine(exact_share(spec, *from, objective));
-    else if (from)
-      combine(bound_of_stretch(stretch_between(knots[*from], free[*from], knots[i], free[i]),
-                               objective, problem.limits));
+      combine(exact_share(made, *from, objective));
+    else if (from) {
+      Stretch s = stretch_between(knots[*from], free[*from], knots[i], free[i]);
+      if (!takes_acceleration(segments[*from].law)) s.a0.reset();
+      if (!takes_acceleration(segments[i - 1].law)) s.a1.reset();
+      combine(bound_of_stretch(s, objective, problem.limits));
+    }
     from = i;
   }
   return rms ? std::sqrt(bound / (knots.back()[0] - knots.front()[0])) : bound;

@@ -35,6 +35,7 @@ bool fixes(Law law, Quantity quantity) {
 
 void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quantity,
                              const std::string& key, double given) {
+  const std::size_t last = cam.segments.size();
   const auto consider = [&](std::size_t segment) {
     const Law law = cam.segments[segment].law;
     if (fixes(law, quantity))
@@ -42,10 +43,27 @@ void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quan
                        std::string("cannot be free: the law `") + name(law) + "` of segment " +
                            std::to_string(segment + 1) + " fixes it");
   };
-  const std::size_t last = cam.segments.size();
+  // A law with an acceleration of its own hands it to a polynomial beside it: moved, it would change
+  // that, too, and the problem would not be linear in what is free.
+  const auto hands_over = [&](std::size_t segment) {
+    if (info(cam.segments[segment].law).ends != Ends::moving_free) return;
+    const std::size_t before = segment > 0 ? segment - 1 : (cam.periodic ? last - 1 : last);
+    const std::size_t after = segment + 1 < last ? segment + 1 : (cam.periodic ? 0 : last);
+    for (const std::size_t beside : {before, after})
+      if (beside < last && beside != segment && info(cam.segments[beside].law).ends == Ends::given)
+        throw InputError(key, given,
+                         std::string("cannot be free: the acceleration of the law `") +
+                             name(cam.segments[segment].law) + "` of segment " +
+                             std::to_string(segment + 1) + " would change that of segment " +
+                             std::to_string(beside + 1) + " beside it");
+  };
   const bool seam = cam.periodic && (knot == 0 || knot == last);
-  if (knot > 0 || seam) consider(knot > 0 ? knot - 1 : last - 1);
-  if (knot < last || seam) consider(knot < last ? knot : 0);
+  const auto look = [&](std::size_t segment) {
+    consider(segment);
+    hands_over(segment);
+  };
+  if (knot > 0 || seam) look(knot > 0 ? knot - 1 : last - 1);
+  if (knot < last || seam) look(knot < last ? knot : 0);
 }
 
 void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity quantity,

@@ -24,6 +24,21 @@ Cam cycloid() {
   return Cam(normalised(Law::inclined_sine));
 }
 
+TEST(SampleWithin, KeepsItsToleranceWhereTheAccelerationSteps) {
+  for (const Law law :
+       {Law::simple_sine, Law::parabola, Law::cubic, Law::sine_straight, Law::double_harmonic})
+    for (const Outside outside : {Outside::hold, Outside::advance})
+      for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
+        std::vector<Segment> segments{line(0.5, 0, 0)};
+        for (const Segment& f : normalised(law)) segments.push_back(f);
+        segments.push_back(line(0.7, 1, 1));
+        for (const Segment& f : normalised(Law::poly345)) segments.push_back(scaled(f, 1, 1));
+        const Sampled made =
+            sample_within(Cam(segments, 0, outside), Rule::quintic_hermite, tolerance);
+        EXPECT_LE(made.error.position, tolerance) << name(law);
+      }
+}
+
 TEST(Sample, ErrorIsTheTrueMaximumOfTheCycloid) {
   for (const auto& [key, rule] : rules) {
     const auto& expected = oracle("hermite_error")["rules"][key];
