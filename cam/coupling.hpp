@@ -129,16 +129,19 @@ struct Engagement {
 Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t);
 
 /// The slave's set-point, [y, y', y'', y'''] by time. Pure: the same master and time, the same
-/// point. `cam` may be the cam itself, or a Table of it. Does not allocate.
+/// point. `cam` may be the cam itself, or a Table of it. The side as in placed(): at a seam of the
+/// cam, where the slave came from or where it goes on. Does not allocate.
 template <class C>
-Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t) {
-  Jet y = placed(cam, engaged.placement, master);
+Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
+          Side side = Side::right) {
+  Jet y = placed(cam, engaged.placement, master, side);
   const Jet c = engaged.correction.jet(t, master);
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += c[k];
   return y;
 }
-inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& master, double t) {
-  return point(coupling.cam(), engaged, master, t);
+inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& master, double t,
+                 Side side = Side::right) {
+  return point(coupling.cam(), engaged, master, t, side);
 }
 
 /// Says beforehand what engage() would do: jumps of position, velocity and acceleration

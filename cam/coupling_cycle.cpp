@@ -177,7 +177,11 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
 
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at) {
-  return engage(next, state(point(running, engaged, at.master, at.t)), at.master, at.t);
+  // A master on the seam has come there: the slave is where the period ends, not yet where the next
+  // one begins. One that stood there is where the last cycle put it.
+  const bool arrives = at.t > engaged.time && at.master[0] != engaged.master[0];
+  const Jet y = point(running, engaged, at.master, at.t, arrives ? Side::left : Side::right);
+  return engage(next, state(y), at.master, at.t);
 }
 
 }  // namespace jounce

@@ -77,8 +77,9 @@ struct Due {
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,
         const Sample& now);
 
-/// Engages `next` at an instant at which the slave still runs by `running`: at a period's end a
-/// relative cam begins exactly where the other one ends.
+/// Engages `next` at an instant at which the slave still runs by `running`, from where it has come
+/// to: at a period's end a relative cam begins exactly where the other one ends, also if that one
+/// is open. The new set-points are the next cycle's: at the instant itself nothing is given out.
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jounce/cam/followed.hpp"
 
@@ -42,15 +43,39 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= 1e-9 * length};
 }
 
+/// Which way a master moves on the given side of an instant: the sign of its first derivative that
+/// is not zero. So one at rest that is about to go backwards does.
+inline bool backwards(const Jet& x, Side side = Side::right) {
+  const double s = side == Side::right ? 1 : -1;
+  if (x[1] != 0) return x[1] < 0;
+  if (x[2] != 0) return s * x[2] < 0;
+  return x[3] < 0;
+}
+
+/// Where X lies, seen from one side: within rounding (`near`) of the seam between two periods it is
+/// on it, and that is the end of the one or the start of the other.
+inline Spot spot_on(Side side, double X, double start, double end, double near) {
+  const Spot s = spot(X, start, end - start, true);
+  const bool behind = s.at - start <= near;
+  if (!behind && end - s.at > near) return s;
+  const double next = behind ? s.period : s.period + 1;
+  return side == Side::left ? Spot{end, next - 1, true} : Spot{start, next, true};
+}
+
 /// The slave's motion, [y, y', y'', y'''] by time, behind a master that moves as [x, x', x'', x''']
-/// does. A master that runs backwards meets the cam's left limits.
+/// does; of the two sides of an instant the one asked for: right as it goes on, left as it comes. A
+/// master that runs backwards meets the cam's left limits, as in Followed.
 template <class C>
-Jet placed(const C& cam, const Placement& p, const Jet& x) {
+Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;
-  Spot s = spot(p.at(x[0]), cam.start(), cam.length(), p.periodic);
-  const Side side = x[1] < 0 ? Side::left : Side::right;
-  if (side == Side::left && p.periodic && s.at == cam.start()) s = {cam.end(), s.period - 1, true};
-  Jet f = cam.jet(s.at, side);
+  const double X = p.at(x[0]);
+  const Side cam_side = (side == Side::left) == backwards(x, side) ? Side::right : Side::left;
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double rounding = 2 * eps * (std::abs(k * x[0]) + std::abs(p.master_offset));  // of (1)
+  const double near = std::max(1e-12 * cam.length(), rounding);
+  const Spot s = p.periodic ? spot_on(cam_side, X, cam.start(), cam.end(), near)
+                            : spot(X, cam.start(), cam.length(), false);
+  Jet f = cam.jet(s.at, cam_side);
   f[0] = p.slave_scaling * f[0] + s.period * p.advance + p.slave_offset;  // (2)
   if (!s.inside) return {f[0], 0, 0, 0};
   const double gain = p.slave_scaling * k;

@@ -274,5 +274,32 @@ TEST(Exchange, ConnectsARelativeCamExactlyAtThePeriodsEnd) {
   EXPECT_NEAR(half[0], 90 + 90, 1e-12) << "one step of 90, then half of one of 180";
 }
 
+TEST(Exchange, BeginsWhereTheSlaveHasComeToInEitherDirection) {
+  // An open absolute cam from 5 to 95 on [-30, 330], exchanged at its seam for one that ramps.
+  CamSpec rise;
+  rise.start = {-30, 5, 0, 0};
+  rise.segments = {{Law::quintic, {330, 95, 0, 0}, ""}};
+  const Cam open = with(design(rise).cam, Outside::wrap);
+  const Coupling running(open, {.master_scaling = 0.3, .master_offset = 0.1});
+  const Coupling next(open, {.start = StartMode::ramp_in, .velocity_diff = 9, .acceleration = 99});
+  for (const double v : {200.0, -200.0})
+    for (const int period : {0, 1, 1000}) {
+      const double seam = ((v > 0 ? 330 : -30) + 360 * period - 0.1) / 0.3;
+      const Sample before{0, {seam - 1e-3 * v, v, 0, 0}};
+      const Sample now{2e-3, {seam + 1e-3 * v, v, 0, 0}};
+      const Engaged state = engage(running, {}, before.master, 0).engaged;
+      const Due when = due({Trigger::When::period_end}, open, state.placement, before, now);
+      ASSERT_TRUE(when.at) << v << " " << period;
+      const Engagement in = exchange(running, state, next, *when.at);
+      ASSERT_TRUE(in);
+      EXPECT_NEAR(point(next, in.engaged, when.at->master, when.at->t)[0], v > 0 ? 95 : 5, 1e-4)
+          << v << " " << period;
+    }
+  // A master that stands on the seam keeps the slave where the last cycle put it.
+  const Engaged stands = engage(running, {.position = 5}, {-30.1 / 0.3, 0, 0, 0}, 0).engaged;
+  const Engagement in = exchange(running, stands, next, {1, {-30.1 / 0.3, 0, 0, 0}});
+  EXPECT_DOUBLE_EQ(point(next, in.engaged, {-30.1 / 0.3, 0, 0, 0}, 1)[0], 5);
+}
+
 }  // namespace
 }  // namespace jounce

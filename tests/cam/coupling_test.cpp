@@ -42,6 +42,22 @@ TEST(Coupling, ScalesAndMovesMasterAndSlave) {
   EXPECT_DOUBLE_EQ(in.jump.position, 37) << "from 0";
 }
 
+TEST(Coupling, AMasterAtRestOnTheSeamTakesTheSideItStartsTo) {
+  // 90 u in 360 m, again and again: at 0 the slave is at 0 ahead and at 90 behind.
+  const Coupling coupling(indexing());
+  const auto at = [&](const Jet& master, Side side) {
+    return placed(coupling.cam(), coupling.placement(), master, side)[0];
+  };
+  EXPECT_EQ(at({0, 0, 100, 0}, Side::right), 0);
+  EXPECT_EQ(at({0, 0, -100, 0}, Side::right), 90);
+  EXPECT_EQ(at({0, 0, 0, -100}, Side::right), 90);
+  EXPECT_EQ(at({0, 0, -100, 0}, Side::left), 90) << "it came forwards, and turns";
+  EXPECT_EQ(at({0, 0, 100, 0}, Side::left), 0) << "it came backwards, and turns";
+  EXPECT_EQ(at({0, 5, 0, 0}, Side::left), 90);
+  EXPECT_EQ(at({0, -5, 0, 0}, Side::left), 0);
+  EXPECT_EQ(at({360 - 1e-11, 5, 0, 0}, Side::right), 0) << "on the seam but for rounding";
+}
+
 TEST(Coupling, HasTheTableOfModes) {
   // The master stands at 90 of a cam y = x (0 to 360), the slave at 5: where is it at 100?
   const Cam cam({line(360, 0, 360)}, 0, Outside::wrap);
