@@ -162,9 +162,15 @@ bool Coupling::slave_relative() const {
 
 namespace detail {
 
-Engagement settle(const Coupling& coupling, const Placement& placement, const MotionState& slave,
-                  const Jet& master, double t) {
-  const CouplingSpec& spec = coupling.spec();
+bool has_numbers(const CouplingSpec& spec, StartMode start) {
+  if (start == StartMode::ramp_in_distance) return spec.distance.has_value();
+  return !over_time(start) || (spec.velocity_diff && spec.acceleration);
+}
+
+Engagement settle(const Coupling& coupling, StartMode start, const Placement& placement,
+                  const MotionState& slave, const Jet& master, double t) {
+  CouplingSpec spec = coupling.spec();
+  spec.start = start;
   Engagement e{.engaged = {placement, {}, t, master}};
   const Jet y = placed(coupling.cam(), placement, master);
   MotionState d{slave.position - y[0], slave.velocity - y[1], slave.acceleration - y[2]};  // (1)
@@ -204,7 +210,7 @@ Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet&
     p.slave_offset = 0;
     p.slave_offset = slave.position - placed(cam, p, master)[0] + spec.slave_offset;
   }
-  return detail::settle(coupling, p, slave, master, t);
+  return detail::settle(coupling, spec.start, p, slave, master, t);
 }
 
 const char* name(StartMode mode) {

@@ -44,7 +44,8 @@ struct CouplingSpec {
   std::optional<double> distance = {};       ///< m of master travel, > 0; ramp_in_distance
   std::optional<double> slave_period = {};   ///< u, > 0, of a rotary slave; left out: linear
   /// m, > 0: a master that is further than this from where its velocity puts it has jumped, and a
-  /// slave with a ramp takes that up by another correction. Left out: it follows the jump.
+  /// slave with a ramp takes that up by another correction. So has one that was no number, as soon as
+  /// it is one again. Left out: it follows the jump.
   std::optional<double> master_jump = {};
 };
 
@@ -112,8 +113,9 @@ class Coupling {
 struct Engaged {
   Placement placement;
   Correction correction;
-  double time = 0;  ///< s, of the last cycle
-  Jet master{};     ///< then
+  double time = 0;    ///< s, of the last cycle
+  Jet master{};       ///< then
+  bool lost = false;  ///< the master has been no number since; the slave stands
 };
 
 struct Engagement {

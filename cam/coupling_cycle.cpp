@@ -57,6 +57,11 @@ Sample expected(const Engaged& e, const Sample& now) {
   return calm;
 }
 
+bool jumps(const CouplingSpec& spec, const Engaged& e, const Sample& now) {
+  if (!spec.master_jump) return false;
+  return e.lost || !(std::abs(now.master[0] - expected(e, now).master[0]) <= *spec.master_jump);
+}
+
 bool all_finite(const Sample& s) {
   return std::isfinite(s.t) &&
          std::all_of(s.master.begin(), s.master.end(), [](double v) { return std::isfinite(v); });
@@ -73,6 +78,17 @@ void count_periods(const Coupling& coupling, const Sample& before, const Sample&
   out.end_time = at ? at->t : now.t;
 }
 
+/// The slave at the time of `now` if its master had not jumped. One whose master was lost stands.
+Jet carried_on(const Coupling& coupling, const Engaged& engaged, const Sample& now) {
+  if (engaged.lost) return {point(coupling, engaged, engaged.master, engaged.time)[0], 0, 0, 0};
+  return point(coupling, engaged, expected(engaged, now).master, now.t);
+}
+
+void let_go(const Coupling& coupling, const Jet& slave, double at, double now, Stepped& out) {
+  out.released = cam_out(slave, at, coupling.spec().jerk);
+  out.slave = point(*out.released, now);
+}
+
 /// Lets the slave go at the end of a cam that runs once.
 void leave(const Coupling& coupling, const Engaged& engaged, const Sample& before,
            const Sample& now, int end, Stepped& out) {
@@ -80,11 +96,30 @@ void leave(const Coupling& coupling, const Engaged& engaged, const Sample& befor
   const double X = end > 0 ? coupling.cam().end() : coupling.cam().start();
   const auto passed =
       out.jumped ? std::nullopt : passing(before, now, (X - p.master_offset) / p.master_scaling);
-  const Sample at = passed ? *passed : out.jumped ? expected(engaged, now) : now;
+  const Sample at = passed.value_or(now);
   out.periods = end;
   out.end_time = at.t;
-  out.released = cam_out(point(coupling, engaged, at.master, at.t), at.t, coupling.spec().jerk);
-  out.slave = point(*out.released, now.t);
+  let_go(
+      coupling,
+      out.jumped ? carried_on(coupling, engaged, now) : point(coupling, engaged, at.master, at.t),
+      at.t, now.t, out);
+}
+
+/// Takes a jump of the master up by a correction: as the coupling starts; where that cannot be, in
+/// either direction over time; where that cannot be either, the slave is let go. It never jumps.
+void take_up(const Coupling& coupling, const Engaged& engaged, const Sample& now, Stepped& out) {
+  const CouplingSpec& spec = coupling.spec();
+  const Jet y = carried_on(coupling, engaged, now);
+  const auto settled = [&](StartMode start) {
+    return detail::settle(coupling, start, engaged.placement, state(y), now.master, now.t);
+  };
+  Engagement again = settled(spec.start);
+  out.status = again.status;
+  if (!again && detail::has_numbers(spec, StartMode::ramp_in)) again = settled(StartMode::ramp_in);
+  if (again)
+    out.engaged = again.engaged;
+  else
+    let_go(coupling, y, now.t, now.t, out);
 }
 
 }  // namespace
@@ -113,19 +148,11 @@ Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now
   const Sample before{engaged.time, engaged.master};
   if (!all_finite(now)) {
     out.status = CouplingStatus::not_finite;
-    out.slave = point(coupling, engaged, before.master, before.t);
+    out.slave = {point(coupling, engaged, before.master, before.t)[0], 0, 0, 0};
+    out.engaged.lost = true;
     return out;
   }
-  const CouplingSpec& spec = coupling.spec();
-  const Sample calm = expected(engaged, now);
-  out.jumped = spec.master_jump && !(std::abs(now.master[0] - calm.master[0]) <= *spec.master_jump);
-  if (out.jumped && ramps(spec.start)) {
-    const Jet y = point(coupling, engaged, calm.master, calm.t);
-    const Engagement again =
-        detail::settle(coupling, engaged.placement, state(y), now.master, now.t);
-    out.status = again.status;
-    out.engaged = again.engaged;
-  }
+  out.jumped = jumps(coupling.spec(), engaged, now);
   if (coupling.periodic()) {
     count_periods(coupling, before, now, out);
   } else {
@@ -133,7 +160,10 @@ Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now
     const int end = left_at(coupling.cam(), p.at(before.master[0]), p.at(now.master[0]));
     if (end != 0) leave(coupling, engaged, before, now, end, out);
   }
+  if (out.jumped && !out.released && ramps(coupling.spec().start))
+    take_up(coupling, engaged, now, out);
   if (!out.released) out.slave = point(coupling, out.engaged, now.master, now.t);
+  out.engaged.lost = false;
   out.engaged.time = now.t;
   out.engaged.master = now.master;
   out.in_sync = !out.released && out.engaged.correction.done(now.t, now.master[0]);

@@ -31,7 +31,8 @@ struct Stepped {
   bool jumped = false;   ///< the master did, by more than master_jump
   int periods = 0;  ///< EndOfProfile: ends of the cam passed since the last cycle, backwards < 0
   double end_time = 0;  ///< s, when the last of them was
-  /// A cam that runs once was left: the slave was let go there, at the very time.
+  /// A cam that runs once was left: the slave was let go there, at the very time. Or no correction
+  /// could take a jump of the master up: it was let go now, as it moved.
   std::optional<Released> released{};
 };
 
@@ -50,7 +51,10 @@ struct Stepped {
 /// the chain rule, runs backwards along the same cam, and follows the noise of a measured master
 /// times the cam's slope. Give a measured master filtered, with the velocity and acceleration of the
 /// filter. A master that jumps is announced (`jumped`) where master_jump is set; a slave with a ramp
-/// then stays on its way and ramps in again, any other jumps with its master.
+/// then stays on its way and ramps in again, any other jumps with its master. Where the start mode
+/// cannot (`status` says why: it would have to reverse, the master stands) `ramp_in` does, and without
+/// numbers for that the slave is let go. While the master is no number (`not_finite`) the slave
+/// stands where it was, and what comes after is a jump.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
 /// When a coupling begins, or is exchanged for another.

@@ -208,6 +208,70 @@ TEST(CouplingCycle, AMasterThatIsNoNumberLeavesTheSlaveWhereItIs) {
   EXPECT_EQ(now.engaged.time, 0);
 }
 
+TEST(CouplingCycle, AJumpThatItsModeCannotTakeUpNeverMovesTheSlave) {
+  // 20 m back or on in a cam y = x, at 200 u/s: one of the two is against each one-way mode.
+  const Cam straight({line(360, 0, 360)}, 0, Outside::wrap);
+  for (const StartMode mode :
+       {StartMode::ramp_in_pos, StartMode::ramp_in_neg, StartMode::ramp_in_distance})
+    for (const double jump : {-20.0, 20.0})
+      for (const double v : {200.0, 0.0})  // to a master that stands: no ramp over its distance
+        for (const bool limits : {true, false}) {
+          CouplingSpec spec{.start = mode, .distance = 50, .master_jump = 5};
+          if (limits) spec.velocity_diff = 150;
+          if (limits) spec.acceleration = 5000;
+          if (!limits && mode != StartMode::ramp_in_distance) continue;
+          const Coupling coupling(straight, spec);
+          const Engaged state = engage(coupling, {100, 200, 0}, {100, 200, 0, 0}, 0).engaged;
+          const Stepped now = step(coupling, state, {1e-3, {100.2 + jump, v, 0, 0}});
+          const std::string which = std::string(name(mode)) + " " + std::to_string(jump) + " " +
+                                    std::to_string(v) + (limits ? " limits" : "");
+          EXPECT_TRUE(now.jumped) << which;
+          EXPECT_NEAR(now.slave[0], 100.1 + 5e-4 * v, 1e-9) << which;
+          const bool against = (mode == StartMode::ramp_in_pos && jump < 0) ||
+                               (mode == StartMode::ramp_in_neg && jump > 0);
+          if (against && v != 0) {
+            EXPECT_EQ(now.status, CouplingStatus::would_reverse) << which;
+          }
+          EXPECT_FALSE(limits && now.released) << which;
+          if (!now.released) {
+            const Jet later = point(coupling, now.engaged, {200, 200, 0, 0}, 9);
+            EXPECT_NEAR(later[0], 200, 1e-9) << which << ": back in step";
+          }
+        }
+}
+
+TEST(CouplingCycle, ASlaveThatNoCorrectionCanBringBackIsLetGo) {
+  const Cam straight({line(360, 0, 360)}, 0, Outside::advance);
+  const Coupling coupling(
+      straight,
+      {.start = StartMode::ramp_in, .velocity_diff = 150, .acceleration = 5000, .master_jump = 5});
+  const Engaged state = engage(coupling, {100, 200, 0}, {100, 200, 0, 0}, 0).engaged;
+  const Stepped now = step(coupling, state, {1e-3, {1e60, 200, 0, 0}});
+  EXPECT_EQ(now.status, CouplingStatus::no_ramp);
+  ASSERT_TRUE(now.released);
+  EXPECT_NEAR(now.slave[0], 100.2, 1e-12);
+  EXPECT_NEAR(point(*now.released, 2e-3)[0], 100.4, 1e-12) << "at the speed that it had";
+}
+
+TEST(CouplingCycle, AMasterThatComesBackFromNoNumberHasJumped) {
+  const Coupling coupling(
+      indexing(),
+      {.start = StartMode::ramp_in, .velocity_diff = 150, .acceleration = 5000, .master_jump = 5});
+  const Jet on = placed(coupling.cam(), coupling.placement(), {100, 200, 0, 0});
+  Engaged state = engage(coupling, {on[0], on[1], on[2]}, {100, 200, 0, 0}, 0).engaged;
+  for (const double t : {0.001, 0.002}) {
+    const Stepped gone = step(coupling, state, {t, {NAN, 200, 0, 0}});
+    EXPECT_EQ(gone.slave, (Jet{on[0], 0, 0, 0})) << "it stands";
+    state = gone.engaged;
+  }
+  const Stepped back = step(coupling, state, {0.003, {100.6, 200, 0, 0}});
+  EXPECT_TRUE(back.jumped);
+  EXPECT_EQ(back.status, CouplingStatus::ok);
+  EXPECT_NEAR(back.slave[0], on[0], 1e-12) << "where it stood";
+  EXPECT_NEAR(back.slave[1], 0, 1e-12);
+  EXPECT_FALSE(step(coupling, back.engaged, {0.004, {100.8, 200, 0, 0}}).jumped) << "once";
+}
+
 TEST(Passing, IsExactForConstantAcceleration) {
   const auto master = [](double t) { return Sample{t, {3 * t + 2 * t * t, 3 + 4 * t, 4, 0}}; };
   const auto at = passing(master(0.2), master(0.3), 3 * 0.25 + 2 * 0.0625);
