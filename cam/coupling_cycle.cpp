@@ -75,7 +75,10 @@ void count_periods(const Coupling& coupling, const Sample& before, const Sample&
   out.periods = as_int(ends.count);
   if (out.periods == 0) return;
   const auto at = out.jumped ? std::nullopt : passing(before, now, ends.level);
-  out.end_time = at ? at->t : now.t;
+  // Not passed in between: on it in one of the samples, but for rounding; backwards, in the first.
+  const bool first = !out.jumped && std::abs(before.master[0] - ends.level) <=
+                                        std::abs(now.master[0] - ends.level);
+  out.end_time = at ? at->t : first ? before.t : now.t;
 }
 
 /// The slave at the time of `now` if its master had not jumped. One whose master was lost stands.

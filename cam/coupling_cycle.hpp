@@ -30,7 +30,7 @@ struct Stepped {
   bool in_sync = false;  ///< nothing is left of the correction
   bool jumped = false;   ///< the master did, by more than master_jump
   int periods = 0;  ///< EndOfProfile: ends of the cam passed since the last cycle, backwards < 0
-  double end_time = 0;  ///< s, when the last of them was
+  double end_time = 0;  ///< s, when the last of them was: (before, now]; backwards, [before, now)
   /// A cam that runs once was left: the slave was let go there, at the very time. Or no correction
   /// could take a jump of the master up: it was let go now, as it moved.
   std::optional<Released> released{};

@@ -99,6 +99,29 @@ TEST(CouplingCycle, EndsOfPeriodsComeWithTheirTimeForwardsAndBackwards) {
   EXPECT_EQ(step(coupling, back.engaged, {1.2, {355 + 3 * 360, 500, 0, 0}}).periods, 3);
 }
 
+TEST(CouplingCycle, AnEndThatASampleLiesOnHasThatSamplesTime) {
+  // x = 0.5 - 200 t at 1.25 ms a cycle: on the seam at 2.5 ms, left backwards in the cycle after.
+  for (const double scale : {1.0, 0.3}) {
+    const Coupling coupling(indexing(), {.master_scaling = scale});
+    for (const double v : {-200.0, 200.0}) {
+      const auto master = [&](int n) {
+        return Sample{n * 1.25e-3, {(360 * 7 + v * (n - 2) * 1.25e-3) / scale, v / scale, 0, 0}};
+      };
+      Engaged state = engage(coupling, {}, master(0).master, 0).engaged;
+      int pulses = 0;
+      for (int n = 1; n <= 4; ++n) {
+        const Stepped now = step(coupling, state, master(n));
+        state = now.engaged;
+        pulses += now.periods;
+        if (now.periods != 0) {
+          EXPECT_NEAR(now.end_time, 2.5e-3, 1e-15) << v << " " << scale;
+        }
+      }
+      EXPECT_EQ(pulses, v > 0 ? 1 : -1) << scale;
+    }
+  }
+}
+
 TEST(CouplingCycle, ACamThatRunsOnceLetsTheSlaveGoAtItsEnd) {
   const Coupling coupling(line_cam(Outside::hold));
   Engaged state = engage(coupling, {}, {0, 4, 0, 0}, 0).engaged;
