@@ -1,5 +1,6 @@
 #include "jounce/cam/correction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "jounce/cam/followed.hpp"
@@ -37,6 +38,15 @@ Jet Correction::by_master(double u) const {
   if (u >= 0) return evaluate(ahead_, u / distance_);
   const Jet c = evaluate(behind_, -u / distance_);
   return {c[0], -c[1], c[2], -c[3]};
+}
+
+bool Correction::finite() const {
+  const auto sound = [](const Segment& f) {
+    return std::all_of(f.c.begin(), f.c.end(), [](double c) { return std::isfinite(c); });
+  };
+  const double h = distance_ * distance_ * distance_;  // what the derivatives are divided by
+  const bool divides = kind_ != Kind::master || (std::isfinite(h) && h > 0);
+  return divides && sound(ahead_) && sound(behind_);
 }
 
 Cam Correction::curve() const {

@@ -31,6 +31,8 @@ class Correction {
   [[nodiscard]] double duration() const { return kind_ == Kind::time ? profile_.duration() : 0; }
   [[nodiscard]] bool follows_master() const { return kind_ == Kind::master; }
   [[nodiscard]] const Profile& profile() const { return profile_; }
+  /// Whether it is made of finite numbers, over master: a difference beyond 1e300 is not.
+  [[nodiscard]] bool finite() const;
   /// Of one over master: the correction as a curve over the master's position, zero outside.
   [[nodiscard]] Cam curve() const;
 

@@ -58,8 +58,9 @@ double whole_periods(double x, double period) {
   return period * std::nearbyint(x / period);
 }
 
-/// Where the correction of a rotary slave ends, a multiple of its period: (2).
-double rotary_target(const MotionState& d, const CouplingSpec& spec) {
+/// Where the correction of a rotary slave ends, a multiple of its period: (2). A target that lies
+/// behind by no more than `near` is still ahead.
+double rotary_target(const MotionState& d, const CouplingSpec& spec, double near) {
   const double period = *spec.slave_period;
   const double nearest = whole_periods(d.position, period);
   if (!over_time(spec.start)) return nearest;
@@ -68,27 +69,37 @@ double rotary_target(const MotionState& d, const CouplingSpec& spec) {
     if (spec.start == StartMode::ramp_in_neg) return std::pair{Direction::negative, -1.0};
     return std::pair{Direction::fastest, nearest - d.position};
   }();
-  const ModuloTarget target = modulo_target(d, 0, direction, period, bounds_of(spec, sign));
+  MotionState from = d;
+  if (direction != Direction::fastest) from.position -= sign * near;
+  const ModuloTarget target = modulo_target(from, 0, direction, period, bounds_of(spec, sign));
   return target.status == MoveStatus::ok ? whole_periods(target.position, period) : nearest;
 }
 
-/// Whether a correction from d to zero goes the way asked for, but for the braking of a slave that
-/// goes the other way at first.
-bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& bounds) {
+/// Whether a correction from d to zero goes the way asked for, but for `near` and for the braking of a
+/// slave that goes the other way at first.
+bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& bounds,
+                  double near) {
   if (spec.start == StartMode::ramp_in) return true;
   const double sign = spec.start == StartMode::ramp_in_pos ? 1 : -1;
   const Move halt = stop(d, bounds);
-  const double beyond = sign * (halt ? halt.profile.end().position : d.position);
-  return beyond <= 1e-12 * std::max(std::abs(d.position), std::abs(beyond - sign * d.position));
+  return sign * (halt ? halt.profile.end().position : d.position) <= near;
 }
 
-CouplingStatus ramp_over_time(const MotionState& d, const CouplingSpec& spec, double t,
+/// Whether the slave is on its cam but for rounding: then it has no way to go in any direction.
+bool is_there(const MotionState& d, const CouplingSpec& spec, const Jet& near) {
+  const double off =
+      spec.slave_period ? d.position - whole_periods(d.position, *spec.slave_period) : d.position;
+  return std::abs(off) <= near[0] && std::abs(d.velocity) <= near[1] &&
+         std::abs(d.acceleration) <= near[2];
+}
+
+CouplingStatus ramp_over_time(const MotionState& d, const CouplingSpec& spec, double near, double t,
                               Correction& correction) {
   const double direction = spec.start == StartMode::ramp_in_pos   ? 1
                            : spec.start == StartMode::ramp_in_neg ? -1
                                                                   : -d.position;
   const Bounds bounds = bounds_of(spec, direction);
-  if (!goes_the_way(d, spec, bounds)) return CouplingStatus::would_reverse;
+  if (!goes_the_way(d, spec, bounds, near)) return CouplingStatus::would_reverse;
   const Move move = move_to(d, {}, bounds);
   if (!move) return CouplingStatus::no_ramp;
   correction = Correction::over_time(move.profile, t);
@@ -108,7 +119,7 @@ CouplingStatus ramp_over_master(const MotionState& d, const CouplingSpec& spec, 
   }
   if (!std::isfinite(c[1]) || !std::isfinite(c[2])) return CouplingStatus::master_stands;
   correction = Correction::over_master(c, x[0], *spec.distance);
-  return CouplingStatus::ok;
+  return correction.finite() ? CouplingStatus::ok : CouplingStatus::no_ramp;
 }
 
 }  // namespace
@@ -139,6 +150,11 @@ void require_valid(const CouplingSpec& spec) {
 Coupling::Coupling(Cam cam, const CouplingSpec& spec) : cam_(std::move(cam)), spec_(spec) {
   require_valid(spec_);
   const Outside outside = cam_.outside();
+  const Ranges f = extrema(cam_);
+  const double k = spec_.master_scaling;
+  reach_ = {spec_.slave_scaling * (f[0].max.value - f[0].min.value),
+            spec_.slave_scaling * k * std::abs(f[1].peak().value),
+            spec_.slave_scaling * k * k * std::abs(f[2].peak().value), 0};
   placement_ = {.master_scaling = spec_.master_scaling,
                 .master_offset = spec_.master_offset,
                 .slave_scaling = spec_.slave_scaling,
@@ -162,6 +178,16 @@ bool Coupling::slave_relative() const {
 
 namespace detail {
 
+Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x) {
+  const Jet& reach = coupling.reach();
+  const double far = std::max(std::abs(slave.position), std::abs(y[0]));
+  return {
+      std::max(1e-9 * reach[0], 1e-12 * far),
+      1e-9 * (reach[1] * std::abs(x[1]) + std::abs(slave.velocity)),
+      1e-9 * (reach[2] * x[1] * x[1] + reach[1] * std::abs(x[2]) + std::abs(slave.acceleration)),
+      0};
+}
+
 bool has_numbers(const CouplingSpec& spec, StartMode start) {
   if (start == StartMode::ramp_in_distance) return spec.distance.has_value();
   return !over_time(start) || (spec.velocity_diff && spec.acceleration);
@@ -176,15 +202,17 @@ Engagement settle(const Coupling& coupling, StartMode start, const Placement& pl
   MotionState d{slave.position - y[0], slave.velocity - y[1], slave.acceleration - y[2]};  // (1)
   if (!finite(d)) e.status = CouplingStatus::not_finite;
   if (!e) return e;
+  const Jet near = roundings(coupling, slave, y, master);
+  if (over_time(start) && is_there(d, spec, near)) spec.start = StartMode::ramp_in;
   if (spec.slave_period) {
     if (!std::isfinite(d.position / *spec.slave_period)) e.status = CouplingStatus::no_ramp;
     if (!e) return e;
-    const double target = rotary_target(d, spec);
+    const double target = rotary_target(d, spec, near[0]);
     e.engaged.placement.slave_offset += target;  // (2)
     d.position -= target;
   }
   if (over_time(spec.start))
-    e.status = ramp_over_time(d, spec, t, e.engaged.correction);
+    e.status = ramp_over_time(d, spec, near[0], t, e.engaged.correction);
   else if (spec.start == StartMode::ramp_in_distance)
     e.status = ramp_over_master(d, spec, master, e.engaged.correction);
   else

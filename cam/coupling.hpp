@@ -16,7 +16,8 @@ enum class StartMode : std::uint8_t {
   absolute = 0,          ///< at once: it jumps to where the cam says
   relative = 1,          ///< at once, with a cam that is moved to where the slave is
   ramp_in = 2,           ///< without a jump, by a correction over time within limits
-  ramp_in_pos = 3,       ///< the same, the correction in the positive direction only
+  ramp_in_pos = 3,       ///< the same, the correction in the positive direction only (1e-9 strokes
+                         ///< of the other one are none)
   ramp_in_neg = 4,       ///< the same, in the negative direction only
   ramp_in_distance = 5,  ///< without a jump, by a correction over a distance of the master
 };
@@ -100,12 +101,15 @@ class Coupling {
   /// u by which slave set-points jump at each period's end: the scaled stroke of a period, less
   /// whole slave periods, for an absolute slave; a relative one never jumps there.
   [[nodiscard]] double period_jump() const { return period_jump_; }
+  /// Stroke, largest slope and curvature as the slave has them over the master: u, u/m, u/m^2.
+  [[nodiscard]] const Jet& reach() const { return reach_; }
 
  private:
   Cam cam_;
   CouplingSpec spec_;
   Placement placement_;
   double period_jump_ = 0;
+  Jet reach_{};
 };
 
 /// The state of a coupling: small, a value. Made by engage(), carried on by step()
@@ -149,7 +153,8 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// Says beforehand what engage() would do: jumps of position, velocity and acceleration
 /// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
 /// period's end ("coupling/period"), and a cam that runs once and ends moving ("coupling/end", not
-/// broken: the slave is released at that speed). A jump counts beyond 1e-9 of the slave's range.
+/// broken: the slave is released at that speed). A jump counts beyond 1e-9 of the slave's range and
+/// 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
 
 }  // namespace jounce

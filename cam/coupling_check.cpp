@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "jounce/cam/coupling.hpp"
+#include "jounce/cam/detail/settle.hpp"
 
 namespace jounce {
 namespace {
@@ -19,19 +20,6 @@ Finding finding(std::string rule, const char* quantity, double where, double val
           .advice = broken ? advice : ""};
 }
 
-/// What the slave's position, velocity and acceleration can reach: what a jump is measured by.
-Jet scales(const Coupling& coupling, const MotionState& slave, const Jet& x) {
-  const Ranges f = extrema(coupling.cam());
-  const double gain = coupling.spec().slave_scaling;
-  const double k = coupling.spec().master_scaling;
-  const double slope = gain * k * std::abs(f[1].peak().value);
-  return {gain * (f[0].max.value - f[0].min.value),
-          slope * std::abs(x[1]) + std::abs(slave.velocity),
-          gain * k * k * std::abs(f[2].peak().value) * x[1] * x[1] + slope * std::abs(x[2]) +
-              std::abs(slave.acceleration),
-          0};
-}
-
 /// The fastest end of a cam that runs once: there the slave is let go.
 void add_end(const Coupling& coupling, Report& report) {
   const Cam& cam = coupling.cam();
@@ -43,7 +31,6 @@ void add_end(const Coupling& coupling, Report& report) {
 }  // namespace
 
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master) {
-  constexpr double same = 1e-9;
   Report report;
   const Engagement in = engage(coupling, slave, master, 0);
   const double X = in.engaged.placement.at(master[0]);
@@ -52,16 +39,17 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
                                       master[0], true, explain(in.status)));
     return report;
   }
-  const Jet scale = scales(coupling, slave, master);
+  const Jet y = placed(coupling.cam(), in.engaged.placement, master);
+  const Jet near = detail::roundings(coupling, slave, y, master);
   const std::array<double, 3> jumps{in.jump.position, in.jump.velocity, in.jump.acceleration};
   for (std::size_t k = 0; k < jumps.size(); ++k)
     report.findings.push_back(finding("coupling/start", OverTime::names[k], X, jumps[k],
-                                      std::abs(jumps[k]) > same * scale[k],
+                                      std::abs(jumps[k]) > near[k],
                                       "the slave jumps by so much: start = \"ramp_in\" does not"));
   if (coupling.periodic())
     report.findings.push_back(
         finding("coupling/period", "position", coupling.cam().end(), coupling.period_jump(),
-                std::abs(coupling.period_jump()) > same * scale[0],
+                std::abs(coupling.period_jump()) > near[0],
                 "the slave jumps so far at each period's end: slave_absolute = false goes on"));
   else
     add_end(coupling, report);

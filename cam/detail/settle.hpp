@@ -12,4 +12,9 @@ Engagement settle(const Coupling& coupling, StartMode start, const Placement& pl
 /// Whether the coupling has what a start mode needs.
 bool has_numbers(const CouplingSpec& spec, StartMode start);
 
+/// Differences in position, velocity and acceleration that are rounding: between a slave and its cam's
+/// y, behind a master that moves as x. 1e-9 of what they can reach; of a position far out, 1e-12 of
+/// itself.
+Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x);
+
 }  // namespace jounce::detail

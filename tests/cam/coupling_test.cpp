@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -183,6 +184,54 @@ TEST(Coupling, ALinearSlaveIsRefusedTheWrongWay) {
       << "it has to brake before it can go the right way";
 }
 
+TEST(Coupling, RoundingGivesADirectionNoWay) {
+  const Jet master{50.3, 0, 0, 0};
+  for (const double period : {0.0, 360.0})
+    for (const StartMode mode : {StartMode::ramp_in_pos, StartMode::ramp_in_neg})
+      for (const double off : {0.0, 5e-14, -5e-14, 5e-11, -5e-11, 1e-8, -1e-8})
+        for (const double turns : {0.0, 3.0}) {
+          CouplingSpec spec = ramping(mode);
+          spec.slave_offset = 10;
+          if (period > 0) spec.slave_period = period;
+          const Coupling coupling(indexing(), spec);
+          const double y = placed(coupling.cam(), coupling.placement(), master)[0];
+          const double at = y + turns * period + off;
+          const Engagement in = engage(coupling, {.position = at}, master, 0);
+          ASSERT_TRUE(in) << name(in.status) << " " << off;
+          EXPECT_NEAR(point(coupling, in.engaged, master, 1e3)[0], at, 1.1e-8) << name(mode) << off;
+          // Nor does a trace of speed that halts it there.
+          const Engagement moving = engage(coupling, {.position = at, .velocity = 1e-9}, master, 0);
+          ASSERT_TRUE(moving) << name(moving.status) << " " << off;
+          EXPECT_NEAR(point(coupling, moving.engaged, master, 1e3)[0], at, 2e-8) << off;
+        }
+  // Beyond rounding it is a way: a linear slave is refused, a rotary one goes round.
+  CouplingSpec spec = ramping(StartMode::ramp_in_pos);
+  EXPECT_EQ(engage(Coupling(indexing(), spec), {.position = 1e-6}, {}, 0).status,
+            CouplingStatus::would_reverse);
+  spec.slave_period = 360;
+  const Coupling rotary(indexing(), spec);
+  const Engagement round = engage(rotary, {.position = 1e-6}, {}, 0);
+  EXPECT_DOUBLE_EQ(point(rotary, round.engaged, {}, 1e3)[0], 360);
+}
+
+TEST(Coupling, ACorrectionThatNoDoubleHoldsIsRefused) {
+  for (const auto& [distance, slave, x] : {std::tuple{2.7e230, 99.0, Jet{0, 4e-6, 0, 0}},
+                                           {1e-130, 5.0, Jet{0, 1, 0, 0}},
+                                           {4e180, 1e-10, Jet{0, 7e-10, 0, 0}},
+                                           {1e80, 1e262, Jet{0, 6e3, 0, 0}}}) {
+    const Coupling coupling(indexing(),
+                            {.start = StartMode::ramp_in_distance, .distance = distance});
+    const Engagement in = engage(coupling, {slave, 6e-9, 8e54}, x, 0);
+    if (in) {
+      for (const double v : point(coupling, in.engaged, x, 0)) EXPECT_TRUE(std::isfinite(v));
+    } else {
+      EXPECT_EQ(in.status, CouplingStatus::no_ramp);
+    }
+  }
+  const Coupling far(indexing(), {.start = StartMode::ramp_in_distance, .distance = 1e230});
+  EXPECT_EQ(engage(far, {1, 1, 1}, {0, 1e-6, 0, 0}, 0).status, CouplingStatus::no_ramp);
+}
+
 TEST(Coupling, RampsInOverADistanceOfTheMasterInEitherDirection) {
   const Coupling coupling(indexing(), {.start = StartMode::ramp_in_distance, .distance = 40});
   const MotionState slave{3, 25, -100};
@@ -302,6 +351,16 @@ TEST(CouplingCheck, AnnouncesTheJumpThatIsMade) {
     }
   }
   EXPECT_TRUE(check(Coupling(with(indexing(), Outside::hold), ramping()), slave, master).ok());
+}
+
+TEST(CouplingCheck, RoundingIsNoJump) {
+  // A dwell has no stroke to measure by: what counts is how far out the slave is.
+  const Cam flat({line(100, 5, 5)}, 0, Outside::wrap);
+  const Coupling relative(flat, {.start = StartMode::relative});
+  EXPECT_TRUE(check(relative, {.position = 0.1}, {10, 0, 0, 0}).ok());
+  const Coupling absolute(flat, {.slave_offset = 0.1});
+  EXPECT_TRUE(check(absolute, {.position = 5.1 + 1e-12}, {10, 0, 0, 0}).ok());
+  EXPECT_FALSE(check(absolute, {.position = 5.1 + 1e-10}, {10, 0, 0, 0}).ok());
 }
 
 TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
