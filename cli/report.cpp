@@ -8,6 +8,7 @@
 #include "jounce/plot/label.hpp"
 #include "jounce/plot/page.hpp"
 
+#include "cam_check.hpp"
 #include "picture.hpp"
 #include "proof.hpp"
 #include "verb.hpp"
@@ -106,9 +107,11 @@ int run(const Options& options) {
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   Report report = check_all(input);
+  add_cam_findings(report, input, 1);
   const Proof proof = prove(input, options.log, 2000);
-  std::erase_if(report.findings,
-                [](const Finding& f) { return f.rule == "table/position"; });  // in the proof
+  std::erase_if(report.findings, [](const Finding& f) {
+    return f.rule == "table/position" || f.severity == Severity::note;  // the first is in the proof
+  });
   Report all = report;
   all.findings.insert(all.findings.end(), proof.report.findings.begin(),
                       proof.report.findings.end());

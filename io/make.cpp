@@ -174,6 +174,9 @@ Trajectory master_of(const Spec& spec) {
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
                      "must be between 1e-9 and 1e4 lengths of the cam, which is " + number(turn));
+  if (master.distance / velocity < 1e-6)
+    throw InputError("master.velocity", master.velocity,
+                     "would be through the distance in less than a microsecond");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Outside::hold);

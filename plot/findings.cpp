@@ -55,10 +55,15 @@ DataTable findings_table(const Report& report, const Labels& labels, std::string
 }
 
 Verdict verdict(const Report& report) {
-  const std::size_t total = report.findings.size();
+  const std::size_t warnings = report.warnings();
+  const std::size_t total = report.findings.size() - warnings;
   const std::size_t broken = report.broken();
-  if (total == 0) return {true, "Nothing was checked."};
-  if (broken == 0) return {true, fmt::format("All checks hold ({}).", total)};
+  if (report.findings.empty()) return {true, "Nothing was checked."};
+  if (broken == 0)
+    return {true, fmt::format("All checks hold ({}){}", total,
+                              warnings == 0   ? "."
+                              : warnings == 1 ? "; one warning."
+                                              : fmt::format("; {} warnings.", warnings))};
   return {false,
           fmt::format("{} of {} findings {} broken.", broken, total, broken == 1 ? "is" : "are")};
 }
