@@ -8,9 +8,11 @@ namespace jounce {
 namespace {
 
 constexpr std::array table{
-    ControllerError{"PMC600", 600, "cam without tappets", "none",
-                    "cam switches are a list of their own; an empty one switches nothing"},
-    ControllerError{"PMC600", 601, "tappet group above the maximum", "none", "there is no maximum"},
+    ControllerError{"PMC600", 600, "cam without tappets", "InputError track[1].track",
+                    "options of a track that no switch is on; without switches and options "
+                    "nothing is switched, and that is no error"},
+    ControllerError{"PMC600", 601, "tappet group above the maximum", "InputError switch[1].track",
+                    "tracks are 1 to 32"},
     ControllerError{"PMC600", 602, "more than 32 accesses to one cam", "none",
                     "a cam is a value: any number may read it"},
     ControllerError{
@@ -23,8 +25,8 @@ constexpr std::array table{
                     "InputError velocity_diff", "likewise `acceleration`; over master `distance`"},
     ControllerError{"PMC600", 628, "master scaling wrong", "InputError master_scaling",
                     "must be greater than 0"},
-    ControllerError{"PMC600", 629, "too many tappets active in one cycle", "none",
-                    "there is no maximum"},
+    ControllerError{"PMC600", 629, "too many tappets active in one cycle", "SwitchStep lost",
+                    "edges beyond 32 in one step are counted there; the outputs are right"},
     ControllerError{"PMC600", 678, "master enabled or disabled while coupled",
                     "CouplingStatus not_finite",
                     "a master that is lost is no number: NaN; the slave stays where it was"},

@@ -9,8 +9,9 @@ namespace jounce {
 ///
 ///     for (const ControllerError& error : controller_errors()) print(text(error));
 ///
-/// `here` is "InputError KEY", "CouplingStatus NAME", "Cause NAME" or "Refusal NAME" (of an
-/// executor), or "none": then `how` says why it cannot occur. docs/cam/errors.md is this table.
+/// `here` is "InputError KEY", "CouplingStatus NAME", "SwitchStep lost" (of CamSwitches), "Cause NAME"
+/// or "Refusal NAME" (of an executor), or "none": then `how` says why it cannot occur.
+/// docs/cam/errors.md is this table.
 struct ControllerError {
   const char* controller;  ///< "PMC600" or "HMPL"
   unsigned code;

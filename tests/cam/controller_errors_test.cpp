@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/cam/cam_switches.hpp"
 #include "jounce/cam/coupling_cycle.hpp"
 #include "jounce/cam/design.hpp"
 #include "jounce/profiles/error.hpp"
@@ -45,7 +46,21 @@ std::map<std::string, std::function<std::string()>> provocations() {
   const auto trigger = [](const Trigger& given, const char* prefix) {
     return [=] { return thrown([&] { require_valid(given, cam(Outside::hold), prefix); }); };
   };
+  const auto switches = [](const CamSwitchSpec& given) {
+    return [given] { return thrown([&] { CamSwitches bits(given); }); };
+  };
   return {
+      {"PMC600 600", switches({.switches = {}, .tracks = {{.track = 1}}})},
+      {"PMC600 601", switches({.switches = {{.track = 33, .last_on_position = 1}}, .tracks = {}})},
+      {"PMC600 629",
+       [] {
+         // 1000 turns in one step: 2000 edges.
+         CamSwitches bits({.switches = {{.first_on_position = 30, .last_on_position = 80}},
+                           .tracks = {},
+                           .period = 360});
+         bits.step(0, 360e6, 1e-3);
+         return std::string(bits.step(360e3, 360e6, 1e-3).lost > 0 ? "SwitchStep lost" : "none");
+       }},
       {"PMC600 626",
        [] {
          return engaging(Coupling(cam(Outside::refuse)), {11, 0, 0, 0});
@@ -92,7 +107,8 @@ TEST(ControllerErrors, EachThatTheLibraryCanGiveIsProvoked) {
   const std::set<std::string> elsewhere{"HMPL 0x1390", "HMPL 0x1391"};
   for (const ControllerError& error : controller_errors()) {
     const std::string here = error.here;
-    const bool of_library = here.starts_with("InputError") || here.starts_with("CouplingStatus");
+    const bool of_library = here.starts_with("InputError") || here.starts_with("CouplingStatus") ||
+                            here.starts_with("SwitchStep");
     if (!of_library || elsewhere.contains(key(error))) {
       EXPECT_FALSE(provoke.contains(key(error))) << key(error);
       continue;
