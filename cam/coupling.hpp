@@ -83,7 +83,7 @@ const char* explain(CouplingStatus status);
 ///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t),   X = master_scaling x + ...
 ///
 /// c runs from the difference between slave and cam at the start (position, velocity, acceleration)
-/// to rest at zero. So nothing jumps, whatever the master does, and the slave deviates from the cam
+/// to rest at zero. So nothing jumps, whatever the master does (but enter a cam that begins moving), and the slave deviates from the cam
 /// by no more than velocity_diff, acceleration, deceleration and jerk. Origins, the table of modes
 /// and what happens at a period's end: docs/cam/coupling.md. Throws InputError as require_valid
 /// does.
@@ -152,8 +152,11 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 
 /// Says beforehand what engage() would do: jumps of position, velocity and acceleration
 /// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
-/// period's end ("coupling/period"), and a cam that runs once and ends moving ("coupling/end", not
-/// broken: the slave is released at that speed). A jump counts beyond 1e-9 of the slave's range and
+/// period's end ("coupling/period"), a master outside that comes in where the cam moves, which a slave
+/// that waits at rest cannot without a jump in velocity ("coupling/enter"), and a cam that runs once
+/// and ends moving ("coupling/end", not broken: the slave is released at that speed). Of a correction
+/// it tells the largest values, with their derivatives over time or master ("coupling/ramp", not
+/// broken: over a distance of the master no limit holds). A jump counts beyond 1e-9 of the slave's range and
 /// 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
 

@@ -28,6 +28,39 @@ void add_end(const Coupling& coupling, Report& report) {
       report.findings.push_back(finding("coupling/end", "geo_velocity", where, slope, false, ""));
 }
 
+/// A master outside comes in at an end of the cam: a slave that waits there at rest has to move at once.
+void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Report& report) {
+  const Cam& cam = coupling.cam();
+  const double X = p.at(x[0]);
+  if (spot(X, cam.start(), cam.length(), p.periodic).inside) return;
+  const bool before = X < cam.start();
+  const double end = before ? cam.start() : cam.end();
+  const double slope =
+      cam.jet(end, before ? Side::right : Side::left)[1] * p.slave_scaling * p.master_scaling;
+  report.findings.push_back(finding(
+      "coupling/enter", "velocity", end, slope * x[1], std::abs(slope) > 1e-9 * coupling.reach()[1],
+      "the slave waits at rest, and its cam moves where the master enters: let it begin at "
+      "rest"));
+}
+
+/// The largest values of the correction, for what they are: over time after so many s, over the
+/// master in the direction in which it goes.
+void add_ramp(const Engaged& engaged, const Jet& x, Report& report) {
+  const Correction& c = engaged.correction;
+  const auto add = [&](const char* quantity, const Extremum& peak, double where) {
+    report.findings.push_back(finding("coupling/ramp", quantity, where, peak.value, false, ""));
+  };
+  if (c.duration() > 0) {
+    const Ranges f = extrema(c.profile().curve());
+    for (std::size_t k = 0; k < 3; ++k) add(OverTime::names[k], f[k].peak(), f[k].peak().where);
+  }
+  if (c.follows_master()) {
+    const Ranges f = segment_extrema(c.curve(), backwards(x) ? 0 : 1);
+    for (std::size_t k = 0; k < 3; ++k)
+      add(OverMaster::names[k], f[k].peak(), engaged.placement.at(f[k].peak().where));
+  }
+}
+
 }  // namespace
 
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master) {
@@ -53,6 +86,8 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
                 "the slave jumps so far at each period's end: slave_absolute = false goes on"));
   else
     add_end(coupling, report);
+  add_enter(coupling, in.engaged.placement, master, report);
+  add_ramp(in.engaged, master, report);
   sort(report);
   return report;
 }

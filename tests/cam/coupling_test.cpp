@@ -1,13 +1,18 @@
 #include "jounce/cam/coupling.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "jounce/cam/design.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "support/random.hpp"
 
 namespace jounce {
 namespace {
@@ -351,6 +356,66 @@ TEST(CouplingCheck, AnnouncesTheJumpThatIsMade) {
     }
   }
   EXPECT_TRUE(check(Coupling(with(indexing(), Outside::hold), ramping()), slave, master).ok());
+}
+
+std::optional<Finding> find(const Report& report, const std::string& rule,
+                            const std::string& quantity) {
+  for (const Finding& f : report.findings)
+    if (f.rule == rule && f.quantity == quantity) return f;
+  return {};
+}
+
+TEST(CouplingCheck, SaysWhereAWaitingSlaveHasToMoveAtOnce) {
+  // y = 2x on [0, 10], three times as high over half the master: 12 u/m at both ends.
+  CouplingSpec spec = ramping();
+  spec.master_scaling = 2;
+  spec.slave_scaling = 3;
+  const Coupling moving(ramp(), spec);
+  for (const auto& [x, y, v, end] : {std::tuple{-1.0, 0.0, 5.0, 0.0}, {6.0, 60.0, -5.0, 10.0}}) {
+    const Report report = check(moving, {.position = y}, {x, v, 0, 0});
+    const auto enter = find(report, "coupling/enter", "velocity");
+    ASSERT_TRUE(enter) << x;
+    EXPECT_TRUE(enter->broken) << x;
+    EXPECT_DOUBLE_EQ(enter->value, 12 * v) << x;
+    EXPECT_EQ(enter->where, end) << x;
+    // And so it does: at rest outside, at that speed inside.
+    const Engaged in = engage(moving, {.position = y}, {x, v, 0, 0}, 0).engaged;
+    EXPECT_EQ(point(moving, in, {end / 2 - 1e-6 * v, v, 0, 0}, 1)[1], 0);
+    EXPECT_DOUBLE_EQ(point(moving, in, {end / 2 + 1e-6 * v, v, 0, 0}, 1)[1], 12 * v);
+  }
+  EXPECT_FALSE(find(check(moving, {}, {1, 5, 0, 0}), "coupling/enter", "velocity")) << "inside";
+  const Coupling rests(with(indexing(), Outside::hold), ramping());
+  EXPECT_TRUE(check(rests, {}, {-1, 5, 0, 0}).ok()) << "begins at rest";
+}
+
+TEST(CouplingCheck, TellsTheLargestValuesOfTheCorrection) {
+  const Coupling over_time(indexing(), ramping());
+  const Report timed = check(over_time, {.position = -10}, {});
+  EXPECT_DOUBLE_EQ(find(timed, "coupling/ramp", "position")->value, -10);
+  EXPECT_NEAR(find(timed, "coupling/ramp", "acceleration")->value, 200, 1e-9);
+
+  // A master that has barely begun: a difference of velocity swings far out.
+  const double L = 40, dv = 50;
+  const Coupling coupling(indexing(), {.start = StartMode::ramp_in_distance, .distance = L});
+  testing::Random random(3);
+  for (int n = 0; n < 200; ++n) {
+    const double w = std::pow(10, random.uniform(-3, 3)) * (n % 2 == 0 ? 1 : -1);
+    const double b = random.uniform(-10, 10), d = random.uniform(-9, 9), da = random.uniform(-9, 9);
+    const Jet x{180, w, b, 0};
+    const Jet y = placed(coupling.cam(), coupling.placement(), x);
+    const MotionState slave{y[0] + d, y[1] + dv, y[2] + da};
+    const Engaged in = engage(coupling, slave, x, 0).engaged;
+    double swing = 0;
+    for (int i = 0; i <= 4000; ++i)
+      swing = std::max(swing, std::abs(in.correction.jet(
+                                  0, {180 + std::copysign(L, w) * i / 4000, 0, 0, 0})[0]));
+    const auto told = find(check(coupling, slave, x), "coupling/ramp", "position");
+    ASSERT_TRUE(told);
+    EXPECT_NEAR(std::abs(told->value), swing, 1e-5 * swing) << w << " " << b << " " << d;
+    const double bound = std::abs(d) + 0.2 * L * dv / std::abs(w) +
+                         0.0173 * L * L * std::abs(da - dv * b / w) / (w * w);
+    EXPECT_LE(std::abs(told->value), bound) << w << " " << b << " " << d;
+  }
 }
 
 TEST(CouplingCheck, RoundingIsNoJump) {
