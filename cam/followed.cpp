@@ -28,15 +28,6 @@ std::vector<double> levels(const Cam& cam, double lo, double hi) {
   return found;
 }
 
-/// Which way the master moves on the given side of an instant: the sign of its first derivative
-/// that is not zero.
-bool backwards(const Jet& x, Side side) {
-  const double s = side == Side::right ? 1 : -1;
-  if (x[1] != 0) return x[1] < 0;
-  if (x[2] != 0) return s * x[2] < 0;
-  return x[3] < 0;
-}
-
 }  // namespace
 
 void require_few_periods(double first, double last, std::size_t breaks) {

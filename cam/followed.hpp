@@ -16,6 +16,15 @@ inline Jet chained(const Jet& f, const Jet& x) {
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
+/// Which way a master moves on the given side of an instant: the sign of its first derivative that
+/// is not zero. So one at rest that is about to go backwards does.
+inline bool backwards(const Jet& x, Side side = Side::right) {
+  const double s = side == Side::right ? 1 : -1;
+  if (x[1] != 0) return x[1] < 0;
+  if (x[2] != 0) return s * x[2] < 0;
+  return x[3] < 0;
+}
+
 /// Throws InputError where a master passes periods `first` to `last` of a cam with so many breaks that a
 /// motion cannot be made of them: far beyond any machine's, and before the memory is gone.
 void require_few_periods(double first, double last, std::size_t breaks);

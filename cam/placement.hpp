@@ -43,15 +43,6 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= 1e-9 * length};
 }
 
-/// Which way a master moves on the given side of an instant: the sign of its first derivative that
-/// is not zero. So one at rest that is about to go backwards does.
-inline bool backwards(const Jet& x, Side side = Side::right) {
-  const double s = side == Side::right ? 1 : -1;
-  if (x[1] != 0) return x[1] < 0;
-  if (x[2] != 0) return s * x[2] < 0;
-  return x[3] < 0;
-}
-
 /// Where X lies, seen from one side: within rounding (`near`) of the seam between two periods it is
 /// on it, and that is the end of the one or the start of the other.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
