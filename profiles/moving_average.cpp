@@ -96,8 +96,8 @@ Curve<Over> moving_average(const Curve<Over>& f, double window) {
   require_window(window, f.length());
   require_resting_ends(f);
   const double origin = value(f.segments().front(), 0);
-  const auto from_origin = with(shifted(f, -f.start(), -origin),
-                                repeats(f.outside()) ? f.outside() : Outside::hold);
+  const auto from_origin =
+      with(shifted(f, -f.start(), -origin), repeats(f.outside()) ? f.outside() : Outside::hold);
   const auto head = delayed(from_origin, 0, window);
   const auto tail = delayed(from_origin, window, window);
   const auto slope = sum(scaled(head, 1 / window), scaled(tail, -1 / window));  // (2)

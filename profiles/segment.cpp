@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/coefficients.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 
 namespace jounce {
 namespace {

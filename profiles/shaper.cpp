@@ -94,8 +94,9 @@ Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
   require_resting_ends(f);
   const double last = impulses.back().time;
   if (last > longest * f.length())
-    throw InputError("impulse[" + std::to_string(impulses.size()) + "].time", last,
-                     "must not be more than 10000 times the motion's length, " + number(f.length()));
+    throw InputError(
+        "impulse[" + std::to_string(impulses.size()) + "].time", last,
+        "must not be more than 10000 times the motion's length, " + number(f.length()));
   const double origin = value(f.segments().front(), 0);  // a far origin shall cost no digits
   const Trajectory from_origin = shifted(f, -f.start(), -origin);
   Trajectory total = scaled(delayed(from_origin, 0, last), impulses.front().amplitude);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/optimize/optimize.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/rest_to_rest.hpp"
@@ -54,6 +55,32 @@ TEST(CamProblem, IsAcceptedAsTheDemoHasIt) {
   EXPECT_EQ(refused(with_free({{3, Bound{205, 355}, Bound{-20, 240}, Bound{-3, 3}, {}},
                                {0, {}, {}, {}, Bound{-0.1, 0.1}}})),
             "");
+}
+
+TEST(CamProblem, RefusesWhatWouldChangeANeighboursAcceleration) {
+  // The sine-straight hands its acceleration to the quintic before it.
+  CamProblem problem;
+  problem.cam = {
+      {0, 0},
+      {{Law::quintic, {100, 10}}, {Law::sine_straight, {200, 30}}, {Law::dwell, {260, 30}}}};
+  problem.minimize = {Objective::peak_acceleration};
+  problem.free = {{1, {}, {}, Bound{-1, 1}, {}}};
+  EXPECT_EQ(refused(problem), "segment[1].free.geo_velocity");
+  problem.cam.segments[1].law = Law::modified_sine;  // has none to hand on
+  EXPECT_EQ(refused(problem), "");
+}
+
+TEST(CamProblem, TakesASineBesideADwell) {
+  CamProblem problem;
+  problem.cam = {{0, 0},
+                 {{Law::simple_sine, {60, 20}},
+                  {Law::dwell, {120, 20}},
+                  {Law::quintic, {200, 10, 0.0, 0.0}},
+                  {Law::quintic, {360, 0}}}};
+  problem.minimize = {Objective::peak_acceleration};
+  problem.free = {{3, {}, {}, Bound{-1, 1}, {}}};
+  const Outcome outcome = optimize(problem);
+  EXPECT_TRUE(outcome.usable()) << outcome.reason;
 }
 
 TEST(CamProblem, RefusesBadBounds) {

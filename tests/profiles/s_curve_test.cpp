@@ -97,7 +97,8 @@ TEST(SCurve, MeetsTheOracle) {
     // The distance is all that a solver has: where from and to nearly cancel, so does the accuracy.
     const double given = c["distance"];
     const double rounding =
-        std::abs(std::abs(c["to"].get<double>() - c["from"].get<double>()) - std::abs(given)) / std::abs(given);
+        std::abs(std::abs(c["to"].get<double>() - c["from"].get<double>()) - std::abs(given)) /
+        std::abs(given);
     EXPECT_NEAR(move.duration(), duration, (2e-13 + rounding) * duration);
     expect_move(move, c["velocity"], c["acceleration"], c["deceleration"],
                 std::max(c["jerk"].get<double>(), c["deceleration_jerk"].get<double>()), 2);
