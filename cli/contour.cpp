@@ -47,7 +47,7 @@ void print_extremes(const Disc& disc, const Spec& spec) {
 bool cannot_be_cut(const Report& report) {
   return std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
     return f.broken && (f.rule == "disc/interference" || f.rule == "disc/cutter_radius" ||
-                        (f.rule == "disc/profile_radius" && f.limit == 0));
+                        (f.rule == "disc/profile_radius" && f.value <= 0));
   });
 }
 
