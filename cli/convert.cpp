@@ -158,7 +158,17 @@ void print_text(std::FILE* out, const Converted& made, const Options& options, c
   for (const auto& loss : losses(options, input)) fmt::print(out, "{}\n", loss);
 }
 
+/// What the file is to be must be said: by its ending, or by --to.
+void require_known_ending(const Options& options) {
+  const std::string& path = options.output;
+  if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
+      path.ends_with(".json"))
+    return;
+  throw InputError("OUT", path, "has no ending that tells the format; --to names it");
+}
+
 int run(const Options& options) {
+  require_known_ending(options);
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options);
   require_other_file(options.input, options.output);
