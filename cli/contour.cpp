@@ -53,7 +53,7 @@ bool cannot_be_cut(const Report& report) {
 
 int run(const Options& options) {
   const Input input = load(options.spec);
-  if (!input.spec || !input.spec->is_cam())
+  if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
     throw InputError("SPEC", input.name, "must be a spec of kind \"cam\" with [disc]");
   const Spec& spec = *input.spec;
   const Disc disc = make_disc(spec, std::get<Cam>(input.curve));

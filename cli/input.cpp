@@ -36,12 +36,13 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           std::move(table),
           is_table ? std::nullopt : std::optional(made.sampled.error),
           part.limits,
-          Labels{part.units, spec.is_cam(), std::move(made.segments)},
+          Labels{part.units, spec.over_master(), std::move(made.segments)},
           part.name.empty() ? name : name + " " + part.name,
           part.name,
           part.table,
           part.drive,
-          std::move(made.residuals)};
+          std::move(made.residuals),
+          std::move(made.zones)};
 }
 
 std::vector<Input> from_spec(const Spec& spec, const std::string& path) {

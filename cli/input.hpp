@@ -25,6 +25,7 @@ struct Input {
   TableOptions options = {};  ///< by which the table was made
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};
 };
 
 /// Everything that can be checked without integration: limits and joints of the curve, the table's

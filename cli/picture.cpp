@@ -45,7 +45,7 @@ std::vector<double> knots(std::span<const double> breaks, const Labels& labels) 
 
 /// The segments of a cam's spec, as reports call them, and their laws.
 std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Input& input) {
-  if (!input.spec || !input.spec->is_cam()) return {};
+  if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject)) return {};
   const auto& segments = std::get<CamSpec>(input.spec->subject).segments;
   std::vector<Shade> names;
   std::vector<Shade> laws;
@@ -71,7 +71,9 @@ CurveLook look_of(const Input& input) {
                  .axis_unit = input.labels.units.x,
                  .unit = input.labels.units.position,
                  .limits = input.limits};
-  if (const auto* cam = std::get_if<Cam>(&input.curve)) look.shades = in_step(*cam, input.labels);
+  for (const SyncZone& zone : input.zones) look.shades.push_back({zone.from, zone.to, zone.name});
+  if (const auto* cam = std::get_if<Cam>(&input.curve); cam != nullptr && look.shades.empty())
+    look.shades = in_step(*cam, input.labels);
   const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, input.curve);
   look.knots = knots(breaks, input.labels);
   look.strips = strips(breaks, input);

@@ -56,6 +56,15 @@ Made make_cam(const Spec& spec) {
   return {spec.parts().front(), std::move(curve), std::move(names), std::move(table)};
 }
 
+Made make_sync(const Spec& spec) {
+  SyncCam made = sync_cam_of(std::get<SyncSpec>(spec.subject));
+  std::vector<std::string> names;
+  for (const std::string& name : made.segments) names.push_back(numbered(names.size(), name));
+  Sampled table = sampled(made.cam, spec.table);
+  return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
+          std::move(made.zones)};
+}
+
 /// The motions before any operator, and names for the segments where they are not just numbered.
 struct Motions {
   std::vector<Trajectory> curves;
@@ -133,9 +142,9 @@ std::vector<Made> make_motions(const Spec& spec) {
 std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
     throw InputError("kind", "\"axis\"", "an axis makes no table; it is what `jounce run` takes");
-  if (!spec.is_cam()) return make_motions(spec);
+  if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
-  all.push_back(make_cam(spec));
+  all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));
   return all;
 }
 
@@ -159,6 +168,16 @@ Made make(const Spec& spec) {
 
 namespace {
 
+/// Where the cam of a spec begins and ends.
+std::pair<double, double> master_range(const Spec& spec) {
+  if (const auto* sync = std::get_if<SyncSpec>(&spec.subject)) {
+    const Cam cam = sync_cam_of(*sync).cam;
+    return {cam.start(), cam.end()};
+  }
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  return {cam.start.master, cam.segments.back().end.master};
+}
+
 Trajectory master_of(const Spec& spec) {
   if (!spec.master)
     throw InputError(
@@ -167,9 +186,8 @@ Trajectory master_of(const Spec& spec) {
   const MasterSpec& master = *spec.master;
   const double unit = seconds_per_unit(spec);
   const double velocity = master.velocity / unit;
-  const auto& cam = std::get<CamSpec>(spec.subject);
-  const double start = cam.start.master;
-  const double turn = cam.segments.back().end.master - start;
+  const auto [start, end] = master_range(spec);
+  const double turn = end - start;
   // Every period has breaks of its own, and each is integrated.
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),

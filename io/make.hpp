@@ -26,6 +26,7 @@ struct Made {
   std::vector<std::string> segments;  ///< a name for each segment of the curve, for reports
   Sampled sampled;
   std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};  ///< in which a slave is in step, where its generator says so
 };
 
 /// Spec -> generator -> operators -> curve -> table; one an axis, all over the same time. Throws

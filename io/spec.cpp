@@ -1,5 +1,7 @@
 #include "jounce/io/spec.hpp"
 
+#include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,9 +16,14 @@ using detail::TomlReader;
 
 using detail::read_unit;
 
-const std::vector<std::string> kinds{"cam", "move", "queue", "axes", "pvt", "axis"};
+/// A kind of spec: what it runs over, and what reads its own part, after units, table and limits.
+struct Kind {
+  const char* name;
+  enum { over_time, over_master, no_curve } runs;
+  void (*read)(TomlReader& top, Spec& spec);
+};
 
-void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
+void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
   TomlReader units = top.table("units");
   spec.units.position = read_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
@@ -25,8 +32,10 @@ void read_units(TomlReader& top, Spec& spec, const std::string& kind) {
   } catch (const InputError&) {
     units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
   }
-  spec.units.x = kind == "cam" ? read_unit(units, "master", nullptr) : spec.time_unit;
-  if (kind == "axis" && units.has("master")) spec.master_unit = read_unit(units, "master", nullptr);
+  const bool over_master = kind.runs == Kind::over_master;
+  spec.units.x = over_master ? read_unit(units, "master", nullptr) : spec.time_unit;
+  if (kind.runs == Kind::no_curve && units.has("master"))
+    spec.master_unit = read_unit(units, "master", nullptr);
   units.finish();
 }
 
@@ -57,53 +66,69 @@ void require_version(TomlReader& top) {
 }
 
 /// What belongs to the one axis of a spec.
-void read_one_axis(TomlReader& top, Spec& spec, const std::string& kind) {
-  const bool knots_are_the_table = kind == "pvt" && !top.has("then");
+void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
+  const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
   spec.table = detail::read_table_options(top, spec.units, knots_are_the_table);
-  if (kind == "pvt" && !spec.table.rule) spec.table.rule = Rule::cubic_hermite;
-  spec.limits =
-      detail::read_limits(top, spec.units, kind == "cam" ? &spec.slave : nullptr, spec.time_unit);
+  Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
+  spec.limits = detail::read_limits(top, spec.units, slave, spec.time_unit);
   spec.drive = detail::read_drive(top, spec.units);
 }
 
-void read_cam_parts(TomlReader& top, Spec& spec) {
-  spec.subject = detail::read_cam(top, spec.units, spec);
-  detail::read_optimize(top, spec.optimize);
+/// What any cam may have beside it: a master, a coupling, switches.
+void read_beside_cam(TomlReader& top, Spec& spec) {
   spec.master = read_master(top, spec);
-  spec.disc = detail::read_disc(top, spec.units);
   spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
-  const auto& cam = std::get<CamSpec>(spec.subject);
-  std::optional<double> period;
-  if (cam.periodic && !cam.segments.empty() &&
-      cam.segments.back().end.master > cam.start.master)  // otherwise design() says what is wrong
-    period = cam.segments.back().end.master - cam.start.master;
-  spec.switches = detail::read_switches(top, spec, SwitchesOf::master, period);
+  spec.switches = detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
 }
 
-void read_axis_parts(TomlReader& top, Spec& spec) {
+void read_cam(TomlReader& top, Spec& spec) {
+  spec.subject = detail::read_cam(top, spec.units, spec);
+  detail::read_optimize(top, spec.optimize);
+  spec.disc = detail::read_disc(top, spec.units);
+}
+
+void read_pvt(TomlReader& top, Spec& spec) {
+  if (!spec.table.rule) spec.table.rule = Rule::cubic_hermite;
+  spec.subject = detail::read_knots(top, spec.units, *spec.table.rule);
+}
+
+void read_axis(TomlReader& top, Spec& spec) {
   spec.subject = detail::read_axis(top.table("axis"), spec.units);
   spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
 }
 
+constexpr std::array kinds{
+    Kind{"cam", Kind::over_master, read_cam},
+    Kind{"gear", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_gear(top.table("gear"), spec.units));
+         }},
+    Kind{"move", Kind::over_time,
+         [](auto& top, auto& spec) {
+           spec.subject = detail::read_move(top.table("move"), spec.units);
+         }},
+    Kind{"queue", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_queue(top, spec.units); }},
+    Kind{"axes", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_axes(top, spec); }},
+    Kind{"pvt", Kind::over_time, read_pvt},
+    Kind{"axis", Kind::no_curve, read_axis},
+};
+
 void read_body(TomlReader& top, Spec& spec) {
   require_version(top);
-  const std::string& kind = kinds[top.choice("kind", kinds)];
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Kind& kind : kinds) all.emplace_back(kind.name);
+    return all;
+  }();
+  const Kind& kind = kinds.at(top.choice("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
-  if (kind != "axes") read_one_axis(top, spec, kind);
-  if (kind == "cam")
-    read_cam_parts(top, spec);
-  else if (kind == "move")
-    spec.subject = detail::read_move(top.table("move"), spec.units);
-  else if (kind == "queue")
-    spec.subject = detail::read_queue(top, spec.units);
-  else if (kind == "axes")
-    spec.subject = detail::read_axes(top, spec);
-  else if (kind == "pvt")
-    spec.subject = detail::read_knots(top, spec.units, *spec.table.rule);
-  else
-    read_axis_parts(top, spec);
-  if (kind != "cam" && kind != "axis") spec.then = detail::read_then(top, spec.units);
+  if (kind.name != std::string_view("axes")) read_one_axis(top, spec, kind);
+  kind.read(top, spec);
+  if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
+  if (kind.runs == Kind::over_time) spec.then = detail::read_then(top, spec.units);
   top.finish();
 }
 
@@ -134,6 +159,15 @@ Spec parse_spec(std::string text, std::string name) {
     throw spec.document.located(error);
   }
   return spec;
+}
+
+std::optional<double> Spec::master_period() const {
+  if (const auto* sync = std::get_if<SyncSpec>(&subject)) return jounce::master_period(*sync);
+  const auto* cam = std::get_if<CamSpec>(&subject);
+  if (cam == nullptr || !cam->periodic || cam->segments.empty()) return std::nullopt;
+  const double period = cam->segments.back().end.master - cam->start.master;
+  if (!(period > 0)) return std::nullopt;  // design() says what is wrong
+  return period;
 }
 
 std::vector<AxisPart> Spec::parts() const {

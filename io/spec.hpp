@@ -13,6 +13,7 @@
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/io/motion_spec.hpp"
+#include "jounce/io/sync_spec.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
 #include "jounce/pvt/table.hpp"
@@ -92,7 +93,7 @@ struct Spec {
   Units units;              ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;    ///< "s" unless the spec says otherwise
   std::string master_unit;  ///< of an axis that follows a master; otherwise ""
-  std::variant<CamSpec, MoveSpec, QueueSpec, AxesSpec, Table, AxisSpec> subject;
+  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, AxisSpec> subject;
   std::vector<Operator> then;                ///< done to the motion, one after another
   std::vector<AxisPart> axes;                ///< of kind "axes"; empty for the others
   Boundaries boundaries = Boundaries::rest;  ///< of a cam
@@ -109,7 +110,12 @@ struct Spec {
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  [[nodiscard]] bool is_cam() const { return std::holds_alternative<CamSpec>(subject); }
+  /// Whether it makes a cam, designed by its knots or for a slave in step, rather than a motion.
+  [[nodiscard]] bool over_master() const {
+    return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
+  }
+  /// Of a periodic cam, master unit.
+  [[nodiscard]] std::optional<double> master_period() const;
 };
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and

@@ -53,12 +53,12 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
   if (group) {
     if (const auto choice = group->optional_choice("of", sources))
       read.of = static_cast<SwitchesOf>(*choice);
-    if (read.of == SwitchesOf::master && !spec.is_cam() && spec.master_unit.empty())
+    if (read.of == SwitchesOf::master && !spec.over_master() && spec.master_unit.empty())
       group->fail("of", "\"master\"", "needs units.master: the axis has no master otherwise");
   }
   const bool of_master = read.of == SwitchesOf::master;
   const std::string& unit = !of_master      ? spec.units.position
-                            : spec.is_cam() ? spec.units.x
+                            : spec.over_master() ? spec.units.x
                                             : spec.master_unit;
   if (of_master) read.table.period = master_period;
   if (group) {

@@ -12,6 +12,9 @@ namespace jounce::detail {
 /// start, [[segment]] with what is free into spec.optimize, periodic, slave_period, boundaries.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 
+/// [gear].
+GearSpec read_gear(TomlReader gear, const Units& units);
+
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 

@@ -31,7 +31,7 @@ std::string complaint(const std::string& text) {
 
 TEST(Spec, ReadsTheCamOfThePmc600Manual) {
   const Spec spec = read_spec(examples + "pmc600-cam/cam.toml");
-  ASSERT_TRUE(spec.is_cam());
+  ASSERT_TRUE(spec.over_master());
   const auto& cam = std::get<CamSpec>(spec.subject);
   EXPECT_TRUE(cam.periodic);
   ASSERT_EQ(cam.segments.size(), 4U);
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml: jounce: is missing: a spec begins with `jounce = 1`, the version of its "
             "format"},
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
-            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, move, queue, "
+            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, move, queue, "
             "axes, pvt, "
             "axis"},
         Bad{cam, "\"deg\"", "\"degrees\"",

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "jounce/gear/sync_cam.hpp"
+
+/// What a spec says of slaves that work with their master: one struct a kind, each with what its
+/// generator in `gear/` takes. Numbers are in the spec's units.
+namespace jounce {
+
+/// kind = "gear": slave = master * numerator / denominator, for ever.
+struct GearSpec {
+  std::int64_t numerator = 1;
+  std::int64_t denominator = 1;
+  double master_period = 1;  ///< m: of the table, which goes on from where it ends
+};
+
+using SyncSpec = std::variant<GearSpec>;
+
+/// The cam of such a spec. Throws InputError with the document's keys.
+SyncCam sync_cam_of(const SyncSpec& spec);
+
+/// m after which it repeats; nothing where it runs once.
+std::optional<double> master_period(const SyncSpec& spec);
+
+}  // namespace jounce
