@@ -1,0 +1,121 @@
+#include "jounce/io/points.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::string complaint(const std::string& text) {
+  try {
+    (void)parse_points(text, "p.csv");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Points, AreColumnsWithUnits) {
+  const Points p =
+      parse_points("# measured\ntime [ms],Position [mm]\n0,0\n\n16, 0.25 \n32,-1e-3\n", "p");
+  EXPECT_THAT(p.in_unit("time", "s"), ElementsAre(0, 0.016, 0.032));
+  EXPECT_THAT(p.in_unit("position", "mm"), ElementsAre(0, 0.25, -1e-3));
+  EXPECT_THAT(p.lines, ElementsAre(3, 5, 6));
+}
+
+TEST(Points, MayHaveSemicolonsAndDecimalCommas) {
+  const Points p = parse_points("time [s]; position\r\n0;0\r\n0,5;1,25\r\n1;1e3", "p");
+  EXPECT_THAT(p.in_unit("time", "s"), ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(p.in_unit("position", "mm"), ElementsAre(0, 1.25, 1000));
+}
+
+TEST(Points, MayHaveTabsAndWords) {
+  const Points p = parse_points("time\tposition\ttype\n16\t1.5\teven\n32\t2\t0\n", "p");
+  EXPECT_THAT(p.find("position")->values, ElementsAre(1.5, 2));
+  EXPECT_THAT(p.find("type")->words, ElementsAre("even", "0"));
+}
+
+TEST(Points, NameWhatIsWrongAndWhere) {
+  EXPECT_EQ(complaint(""), "p.csv: holds no points: the first line names the columns");
+  EXPECT_EQ(complaint("time [s],position [mm]\n"), "p.csv:1: holds a header and no points");
+  EXPECT_EQ(complaint("0,1\n1,2\n"),
+            "p.csv:1: header = 0: must name the columns, with units: time [s], position [mm]");
+  EXPECT_EQ(complaint("time [s,position\n0,1\n"),
+            "p.csv:1: time = time [s: has a unit without its closing bracket");
+  EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
+  EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: stands there twice");
+  EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
+            "p.csv:3: row = 1: stands in a row of 1 values, the header names 2");
+  EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
+            "p.csv:3: row = 2: stands in a row of 3 values, the header names 2");
+  EXPECT_EQ(
+      complaint("time,position\n0,0\n0,5,1,25\n"),
+      "p.csv:3: row = 5: stands in a row of 4 values, the header names 2: decimal commas need "
+      "semicolons between columns");
+  EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
+            "p.csv:3: position: is empty: every point has a number there");
+  for (const char* bad : {"nan", "inf", "1e999", "0x10", "1 2", "--1", "+", ".", "1e", "1.2.3"})
+    EXPECT_EQ(complaint(std::string("time,position\n0,") + bad + "\n"),
+              std::string("p.csv:2: position = ") + bad + ": must be a finite number")
+        << bad;
+}
+
+TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
+  EXPECT_EQ(complaint("time;position\n0;1.5\n1;2,5\n"),
+            "p.csv:3: position = 2,5: has a decimal comma where other numbers have a point");
+  EXPECT_EQ(complaint("time;position\n0;1,5\n1;2.5\n"),
+            "p.csv:3: position = 2.5: has a decimal comma where other numbers have a point");
+  EXPECT_EQ(complaint("time;position\n0;1.234,5\n"),
+            "p.csv:2: position = 1.234,5: must be a finite number: one decimal comma, and nothing "
+            "between thousands");
+  EXPECT_EQ(complaint("time;position\n0;1,234,5\n"),
+            "p.csv:2: position = 1,234,5: must be a finite number: one decimal comma, and nothing "
+            "between thousands");
+}
+
+TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
+  const Points p = parse_points("time [ms],position [deg]\n0,180\n", "p.csv");
+  EXPECT_NEAR(p.in_unit("position", "rad")[0], std::acos(-1), 1e-15);
+  try {
+    (void)p.in_unit("position", "mm");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::StartsWith("p.csv:1: position = deg:"));
+  }
+  try {
+    (void)p.in_unit("velocity", "mm/s");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "p.csv:1: velocity: is missing: the columns are time, position");
+  }
+}
+
+/// Every number comes back to the bit, with either decimal sign.
+TEST(Points, AreReadToTheBit) {
+  testing::Random random(7);
+  for (const char sign : {'.', ','}) {
+    std::string text = "time; position\n";
+    std::vector<double> values;
+    for (int i = 0; i < 20000; ++i) {
+      char cell[64];
+      values.push_back((random.below(2) == 1 ? -1 : 1) * random.log_uniform(1e-12, 1e18));
+      const auto end = std::to_chars(cell, cell + 64, values.back());
+      std::replace(cell, end.ptr, '.', sign);
+      text += std::to_string(i) + ";" + std::string(cell, end.ptr) + "\n";
+    }
+    EXPECT_EQ(parse_points(text, "p").find("position")->values, values) << sign;
+  }
+}
+
+}  // namespace
+}  // namespace jounce
