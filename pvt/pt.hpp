@@ -73,15 +73,14 @@ Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_ra
                      Outside outside = Outside::refuse);
 
 /// Warnings of what a controller would play without a word, at the place and with the size:
+/// velocity_steps (warnings.hpp: "pt/velocity_step", "pt/end_velocity", "pt/wrap"), with advice by the
+/// type of the segment, and
 ///
-///     pt/velocity_step   the rate steps where an even or stop segment begins: infinite acceleration
-///     pt/end_velocity    the table ends at a rate (where it holds or refuses): the axis is stopped dead
-///     pt/wrap            the rate steps from the end of a pass to the start of the next
-///     pt/oscillation     the rate changes direction of travel of its change at every point of a
-///                        normal chain: an error in an increment is handed on with its sign reversed
+///     pt/oscillation   four or more normal segments that speed up and slow down in turn: an error
+///                      of an increment is handed on with its sign reversed. value: the greatest
+///                      change of the rate within a segment; where: the end of that segment
 ///
-/// Over the master they are called geo_velocity. A step counts where it exceeds `tolerance` of the
-/// greatest rate. Of each rule the worst place is told, with the number of places in the advice.
+/// Rates below `tolerance` of the greatest are rounding. None is broken. Throws as pt does.
 template <class Over>
 Report check_pt(std::span<const PtPoint> points, double start_rate = 0,
                 Outside outside = Outside::refuse, double tolerance = 1e-9);

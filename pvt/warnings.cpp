@@ -1,0 +1,144 @@
+#include "jounce/pvt/warnings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "jounce/profiles/extrema.hpp"
+
+namespace jounce {
+namespace {
+
+/// For people: six digits.
+std::string rounded(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
+
+/// A cubic from slope a to slope b over a chord of slope m stays between its ends if 0 <= a/m, b/m <= 3.
+std::string advice_against_overshoot(const Segment& f) {
+  if (f.sines > 0 || f.degree > 3) return "move the knots, or lower the velocities at them";
+  const double a = evaluate(f, 0)[1];
+  const double b = evaluate(f, 1)[1];
+  const double stroke = value(f, 1) - value(f, 0);
+  const double mean = stroke / f.length;
+  const std::string ends = "its ends move at " + rounded(a) + " and " + rounded(b) +
+                           ", its mean is " + rounded(mean) + ": ";
+  if (mean == 0) return ends + "it must rest at both";
+  const double fastest = std::max(std::abs(a), std::abs(b));
+  std::string advice = ends + "no overshoot with both between 0 and " + rounded(3 * mean);
+  if (a * mean >= 0 && b * mean >= 0)
+    advice += ", or in at most " + rounded(3 * std::abs(stroke) / fastest) + " instead of " +
+              rounded(f.length);
+  return advice;
+}
+
+/// Whichever end of the segment's range lies further beyond its knots.
+std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double least) {
+  const double first = value(f, 0);
+  const double last = value(f, 1);
+  const double above = range.max.value - std::max(first, last);
+  const double below = std::min(first, last) - range.min.value;
+  if (std::max(above, below) <= least) return std::nullopt;
+  const Extremum& reached = above >= below ? range.max : range.min;
+  Finding found;
+  found.rule = "warning/overshoot";
+  found.quantity = "position";
+  found.where = reached.where;
+  found.value = reached.value;
+  found.limit = above >= below ? std::max(first, last) : std::min(first, last);
+  found.margin = -std::max(above, below);
+  const bool turns = evaluate(f, 0)[1] * evaluate(f, 1)[1] < 0;
+  found.severity = turns ? Severity::note : Severity::warning;
+  if (!turns) found.advice = advice_against_overshoot(f);
+  return found;
+}
+
+template <class Over>
+Finding step_of(const char* rule, double where, double step, double scale, std::size_t segment) {
+  Finding found;
+  found.rule = rule;
+  found.quantity = std::string("step of ") + Over::names[1];
+  found.where = where;
+  found.value = step;
+  found.margin = -std::abs(step) / scale;
+  found.segment = segment;
+  found.severity = Severity::warning;
+  return found;
+}
+
+template <class Over>
+Finding end_of(const Curve<Over>& f, double velocity, double scale) {
+  const std::size_t last = f.segments().size() - 1;
+  Finding found = step_of<Over>("pt/end_velocity", f.end(), velocity, scale, last);
+  const std::string moving = "the table ends moving: ";
+  if (f.outside() == Outside::hold) {
+    found.advice = moving + "the axis is stopped dead there; let the last segment end at rest";
+  } else {
+    found.severity = Severity::note;
+    found.advice = moving + "another motion has to take over at this velocity";
+  }
+  found.quantity = Over::names[1];
+  return found;
+}
+
+}  // namespace
+
+template <class Over>
+Report overshoot(const Curve<Over>& f, double tolerance) {
+  const Range travel = extrema(f, 0);
+  const double stroke = travel.max.value - travel.min.value;
+  // Below the rounding of the positions themselves nothing can be called beyond.
+  const double least = std::max(tolerance * stroke, 1e-14 * std::abs(travel.peak().value));
+  Report report;
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    auto found = overshoot_of(f.segments()[i], segment_range(f, i, 0), least);
+    if (!found) continue;
+    found->segment = i;
+    found->margin /= stroke;
+    report.findings.push_back(std::move(*found));
+  }
+  sort(report);
+  return report;
+}
+
+template <class Over>
+Report velocity_steps(const Curve<Over>& f, double tolerance) {
+  const double scale = std::abs(extrema(f, 1).peak().value);
+  const auto pieces = f.segments();
+  Report report;
+  const auto is_step = [&](double step) { return std::abs(step) > tolerance * scale; };
+  const auto add = [&](const char* rule, double where, double step, std::size_t segment,
+                       const char* advice) {
+    if (!is_step(step)) return;
+    report.findings.push_back(step_of<Over>(rule, where, step, scale, segment));
+    report.findings.back().advice = advice;
+  };
+  const auto begin = [&](std::size_t i) { return evaluate(pieces[i], 0)[1]; };
+  const auto end = [&](std::size_t i) { return evaluate(pieces[i], 1)[1]; };
+  const char* infinite = "this needs an infinite acceleration: let both sides of the point agree";
+  if (f.outside() == Outside::hold) add("pt/velocity_step", f.start(), begin(0), 0, infinite);
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    add("pt/velocity_step", f.breaks()[i], begin(i) - end(i - 1), i, infinite);
+  const double last = end(pieces.size() - 1);
+  if (repeats(f.outside()))
+    add("pt/wrap", f.end(), begin(0) - last, 0,
+        "from each pass to the next: let the table end with the velocity it begins with");
+  else if (is_step(last))
+    report.findings.push_back(end_of(f, last, scale));
+  sort(report);
+  return report;
+}
+
+#define JOUNCE_INSTANTIATE(Over)                         \
+  template Report overshoot(const Curve<Over>&, double); \
+  template Report velocity_steps(const Curve<Over>&, double);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce
