@@ -52,7 +52,10 @@ std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double
   found.value = reached.value;
   found.limit = above >= below ? std::max(first, last) : std::min(first, last);
   found.margin = -std::max(above, below);
-  const bool turns = evaluate(f, 0)[1] * evaluate(f, 1)[1] < 0;
+  const double a = evaluate(f, 0)[1];
+  const double b = evaluate(f, 1)[1];
+  const bool turns =
+      a * b < 0 && std::min(std::abs(a), std::abs(b)) > 1e-9 * std::max(std::abs(a), std::abs(b));
   found.severity = turns ? Severity::note : Severity::warning;
   if (!turns) found.advice = advice_against_overshoot(f);
   return found;
