@@ -148,6 +148,10 @@ Report check_all(const Input& input, int continuity) {
     report.findings.insert(report.findings.end(), coupling.findings.begin(),
                            coupling.findings.end());
   }
+  if (input.spec) {
+    const Report table = table_warnings(*input.spec);
+    report.findings.insert(report.findings.end(), table.findings.begin(), table.findings.end());
+  }
   sort(report);
   return report;
 }

@@ -1,11 +1,14 @@
 #include "jounce/io/make.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "jounce/io/detail/motion.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/optimize/least_peak.hpp"
+#include "jounce/pvt/warnings.hpp"
 
 namespace jounce {
 namespace {
@@ -74,6 +77,8 @@ struct Motions {
 Motions motions_of(const Spec& spec) {
   if (const auto* knots = std::get_if<Table>(&spec.subject))
     return {{knots->curve<OverTime>()}, {}};
+  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject))
+    return {{motion_of(*table)}, labels_of(*table)};
   if (const auto* axes = std::get_if<AxesSpec>(&spec.subject))
     return {detail::motions_of(*axes), {}};
   if (const auto* queue = std::get_if<QueueSpec>(&spec.subject)) {
@@ -125,13 +130,27 @@ Sampled table_of(const Spec& spec, const Trajectory& curve, const AxisPart& part
   return sampled(curve, part.table);
 }
 
+/// A time table whose velocity steps is sampled as a linear one, the only rule with two velocities at
+/// a knot: within a millionth of the stroke, as its parabolas would take very many lines.
+void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
+  if (!std::holds_alternative<TimeTableSpec>(spec.subject) || options.rule) return;
+  const Jump step = largest_jump(with(curve, Outside::refuse), 1);
+  if (std::abs(step.step) <= 1e-9 * std::abs(extrema(curve, 1).peak().value)) return;
+  options.rule = Rule::linear;
+  if (options.tolerance || options.intervals) return;
+  const Range travel = extrema(curve, 0);
+  if (travel.max.value > travel.min.value)
+    options.tolerance = 1e-6 * (travel.max.value - travel.min.value);
+}
+
 std::vector<Made> make_motions(const Spec& spec) {
-  const std::vector<AxisPart> parts = spec.parts();
+  std::vector<AxisPart> parts = spec.parts();
   const Motions before = motions_of(spec);
   std::vector<Trajectory> curves = before.curves;
   detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
+    choose_rule(spec, curves[i], parts[i].table);
     Sampled table = table_of(spec, curves[i], parts[i]);
     all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
                    std::move(table), residuals_of(spec, before.curves[i], curves[i])});
@@ -204,6 +223,18 @@ Trajectory master_of(const Spec& spec) {
 }
 
 }  // namespace
+
+Report table_warnings(const Spec& spec) {
+  if (!spec.then.empty()) return {};
+  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
+  const auto* knots = std::get_if<Table>(&spec.subject);
+  if (knots == nullptr) return {};
+  const Trajectory curve = knots->curve<OverTime>();
+  Report report = overshoot(curve);
+  Report steps = velocity_steps(curve);
+  std::move(steps.findings.begin(), steps.findings.end(), std::back_inserter(report.findings));
+  return report;
+}
 
 Trajectory make_master(const Spec& spec) {
   try {

@@ -36,6 +36,10 @@ std::vector<Made> make_axes(const Spec& spec);
 /// The same where there is one axis; several are an InputError.
 Made make(const Spec& spec);
 
+/// What a time table (kinds "pt" and "pvt", before any operator) plays without a word: warnings of
+/// steps, swings and overshoot; nothing of other kinds.
+Report table_warnings(const Spec& spec);
+
 /// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError
 /// that says what to add.
 Trajectory make_master(const Spec& spec);

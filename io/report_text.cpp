@@ -77,6 +77,14 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
   return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
 }
 
+/// What a time table plays without a word.
+std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "pt/oscillation")
+    return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
+  if (f.rule == "pt/end_velocity") return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
+  return fmt::format("{} is {} at {}", f.quantity, value, where);
+}
+
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
   return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
@@ -156,6 +164,9 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("warning/"))
     return of_warning(finding, with_unit(finding.value, labels.unit_of(finding)),
                       place(finding, labels));
+  if (finding.rule.starts_with("pt/"))
+    return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
+                    place(finding, labels));
   if (finding.rule.starts_with("joint/"))
     return fmt::format("{} is {} at {}", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));

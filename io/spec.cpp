@@ -112,6 +112,8 @@ constexpr std::array kinds{
     Kind{"axes", Kind::over_time,
          [](auto& top, auto& spec) { spec.subject = detail::read_axes(top, spec); }},
     Kind{"pvt", Kind::over_time, read_pvt},
+    Kind{"pt", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_time_table(top, spec.units); }},
     Kind{"axis", Kind::no_curve, read_axis},
 };
 

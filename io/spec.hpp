@@ -14,6 +14,7 @@
 #include "jounce/io/hash.hpp"
 #include "jounce/io/motion_spec.hpp"
 #include "jounce/io/sync_spec.hpp"
+#include "jounce/io/time_table.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
 #include "jounce/pvt/table.hpp"
@@ -93,7 +94,8 @@ struct Spec {
   Units units;              ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;    ///< "s" unless the spec says otherwise
   std::string master_unit;  ///< of an axis that follows a master; otherwise ""
-  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, AxisSpec> subject;
+  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, TimeTableSpec, AxisSpec>
+      subject;
   std::vector<Operator> then;                ///< done to the motion, one after another
   std::vector<AxisPart> axes;                ///< of kind "axes"; empty for the others
   Boundaries boundaries = Boundaries::rest;  ///< of a cam

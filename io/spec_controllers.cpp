@@ -6,9 +6,7 @@
 #include "jounce/io/units.hpp"
 
 namespace jounce::detail {
-namespace {
 
-/// Controllers count in units of their own, which their rules and ranges build on.
 void require_unit(const char* key, const std::string& given, const std::string& wanted,
                   const std::string& who) {
   const bool same = [&] {
@@ -22,6 +20,8 @@ void require_unit(const char* key, const std::string& given, const std::string& 
     throw InputError(std::string("units.") + key, '"' + given + '"',
                      "must be " + wanted + " for the profiles of " + who);
 }
+
+namespace {
 
 void require_googol_units(const MotionFields& f) {
   require_unit("position", f.units().position, "pulse", "Googol");

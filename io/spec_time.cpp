@@ -3,6 +3,7 @@
 
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/pvt/controllers.hpp"
 
 namespace jounce::detail {
 
@@ -27,7 +28,9 @@ Table read_knots(TomlReader& top, const Units& units, Rule rule) {
       columns.a.push_back(knot.number("acceleration", rate_unit(units.position, units.x, 2)));
     knot.finish();
   }
-  return Table(Axis::time, rule, Outside::hold, std::move(columns));
+  static const std::vector<std::string> controllers{"himc"};
+  if (top.optional_choice("controller", controllers)) himc::require_pvt(columns);
+  return Table(Axis::time, rule, read_outside(top, true), std::move(columns));
 }
 
 }  // namespace jounce::detail

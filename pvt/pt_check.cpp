@@ -56,7 +56,7 @@ Finding finding_of(const Swing& run, std::span<const PtPoint> points,
   const PtRate& rate = rates[run.worst];
   Finding found;
   found.rule = "pt/oscillation";
-  found.quantity = std::string("change of ") + Over::names[1];
+  found.quantity = Over::names[1];
   found.where = points[run.worst].x;
   found.value = rate.end - rate.start;
   found.margin = -std::abs(found.value) / scale;

@@ -38,6 +38,16 @@ MoveSpec read_move(TomlReader move, const Units& units);
 Table read_knots(TomlReader& top, const Units& units, Rule rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 
+/// [pt], [[point]].
+TimeTableSpec read_time_table(TomlReader& top, const Units& units);
+
+/// `outside`: refuse or hold, and where it may repeat wrap or advance; left out: hold.
+Outside read_outside(TomlReader& reader, bool may_repeat);
+
+/// Controllers count in units of their own, which their rules and ranges build on.
+void require_unit(const char* key, const std::string& given, const std::string& wanted,
+                  const std::string& who);
+
 /// [start], [dynamics], [[command]].
 QueueSpec read_queue(TomlReader& top, const Units& units);
 
