@@ -19,18 +19,26 @@ std::string rounded(double x) {
   return text.data();
 }
 
+/// The slopes at both ends; one that is rounding beside the other is 0.
+std::array<double, 2> end_slopes(const Segment& f) {
+  std::array slopes{evaluate(f, 0)[1], evaluate(f, 1)[1]};
+  const double scale = std::max(std::abs(slopes[0]), std::abs(slopes[1]));
+  for (double& slope : slopes)
+    if (std::abs(slope) <= 1e-9 * scale) slope = 0;
+  return slopes;
+}
+
 /// A cubic from slope a to slope b over a chord of slope m stays between its ends if 0 <= a/m, b/m <= 3.
 std::string advice_against_overshoot(const Segment& f) {
   if (f.sines > 0 || f.degree > 3) return "move the knots, or lower the velocities at them";
-  const double a = evaluate(f, 0)[1];
-  const double b = evaluate(f, 1)[1];
+  const auto [a, b] = end_slopes(f);
   const double stroke = value(f, 1) - value(f, 0);
   const double mean = stroke / f.length;
   const std::string ends = "its ends move at " + rounded(a) + " and " + rounded(b) +
                            ", its mean is " + rounded(mean) + ": ";
   if (mean == 0) return ends + "it must rest at both";
-  const double fastest = std::max(std::abs(a), std::abs(b));
   std::string advice = ends + "no overshoot with both between 0 and " + rounded(3 * mean);
+  const double fastest = std::max(std::abs(a), std::abs(b));
   if (a * mean >= 0 && b * mean >= 0)
     advice += ", or in at most " + rounded(3 * std::abs(stroke) / fastest) + " instead of " +
               rounded(f.length);
@@ -52,10 +60,8 @@ std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double
   found.value = reached.value;
   found.limit = above >= below ? std::max(first, last) : std::min(first, last);
   found.margin = -std::max(above, below);
-  const double a = evaluate(f, 0)[1];
-  const double b = evaluate(f, 1)[1];
-  const bool turns =
-      a * b < 0 && std::min(std::abs(a), std::abs(b)) > 1e-9 * std::max(std::abs(a), std::abs(b));
+  const auto [a, b] = end_slopes(f);
+  const bool turns = a * b < 0;
   found.severity = turns ? Severity::note : Severity::warning;
   if (!turns) found.advice = advice_against_overshoot(f);
   return found;
