@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/pvt/detail/pt_link.hpp"
 
 // With u the distance from the segment's start and s = u / T, a rate that goes linearly from a to b
 // covers
@@ -18,6 +19,8 @@
 
 namespace jounce {
 namespace {
+
+using Link = detail::PtLink;
 
 template <class Over>
 std::string key(std::size_t i, bool of_x) {
@@ -43,15 +46,6 @@ void require_valid(std::span<const PtPoint> points, double start_rate) {
   }
 }
 
-/// A segment of the chain: its increments, and the rates by (2).
-struct Link {
-  double from;      // position of the point before
-  double length;    // T
-  double distance;  // P
-  PtType type;
-  PtRate rate;
-};
-
 PtRate rate_of(PtType type, double mean, bool first, double before) {
   switch (type) {
     case PtType::even:
@@ -74,19 +68,26 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
   PtPoint before;
   double rate = start_rate;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double length = points[i].x - before.x;
-    const double distance = points[i].position - before.position;
-    const PtType type = points[i].type;
-    const Link link{before.position, length, distance, type,
-                    rate_of(type, distance / length, i == 0, rate)};
+    const Link link = detail::pt_link(before, points[i], i == 0, rate);
     use(link);
     rate = link.rate.end;
     before = points[i];
   }
 }
 
+}  // namespace
+
+namespace detail {
+
+PtLink pt_link(const PtPoint& before, const PtPoint& point, bool first, double rate) {
+  const double length = point.x - before.x;
+  const double distance = point.position - before.position;
+  return {before.position, length, distance, point.type,
+          rate_of(point.type, distance / length, first, rate)};
+}
+
 /// (1)
-Segment segment_of(const Link& link) {
+Segment segment_of(const PtLink& link) {
   Segment f;
   f.length = link.length;
   f.c = {link.from, link.distance};
@@ -98,7 +99,7 @@ Segment segment_of(const Link& link) {
   return f;
 }
 
-}  // namespace
+}  // namespace detail
 
 template <class Over>
 std::vector<PtRate> pt_rates(std::span<const PtPoint> points, double start_rate) {
@@ -124,7 +125,7 @@ Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_ra
     const double begin = pass * (points.empty() ? 0 : points.back().position);
     double end = rate;
     for_each_link<Over>(points, rate, [&](const Link& link) {
-      segments.push_back(scaled(segment_of(link), 1, begin));
+      segments.push_back(scaled(detail::segment_of(link), 1, begin));
       end = link.rate.end;
     });
     rate = end;

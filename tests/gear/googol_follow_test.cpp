@@ -1,0 +1,1 @@
+#include "jounce/gear/googol_follow.hpp"
