@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/cam/design.hpp"
+#include "jounce/gear/follow.hpp"
+
+namespace jounce {
+
+/// A position-sync point: master and slave arrive there together. Without a ratio the slave passes
+/// it with one between its mean ratios before and after (0 where those differ in sign); the last
+/// point is where it comes to rest, or where a periodic plan begins again.
+struct FollowPoint {
+  double master = 0;
+  double slave = 0;
+  std::optional<double> ratio = {};  ///< u/m
+};
+
+/// A velocity-sync zone: a stretch in which the ratio is exact. Where the slave is at `from` is
+/// given, or follows from a sync point within the zone, or is where a straight ramp of the ratio
+/// from the point before leads.
+struct FollowZone {
+  double from = 0;
+  double to = 0;
+  double ratio = 1;                  ///< u/m
+  std::optional<double> slave = {};  ///< at `from`
+  std::string name = {};
+};
+
+/// Between points and zones: a law of cam/law.hpp that takes a ratio at both ends, without
+/// acceleration there; or the quadratic pieces of a follow table.
+enum class FollowForm { smooth, table };
+
+/// What a follow table is to do, as a user says it; master and slave begin at (0, 0).
+///
+///     FollowPlan shear{.points = {{10000, 8000}}, .zones = {{0, 1000, 1}, {9000, 10000, 1}},
+///                      .periodic = true};                    // manual, example 7-6, region 2
+///     const CamSpec smooth = cam_spec(shear);
+///     const FollowTable table = follow_table(shear);         // even, normal ..., even
+///     const Report report = check(shear);
+///
+/// **As a table**, a zone is an even segment, so that its ratio is exact however the numbers were
+/// rounded. From one to the next a single normal segment does where the mean ratio is the mean of
+/// both; elsewhere two that meet in the one point at which the greater of their slopes is least
+/// (follow_plan.cpp (3)). Where the slave would run backwards in between, it slows down, stands, and
+/// speeds up instead, as gently as that goes.
+///
+/// Throws InputError "point[1].master", "zone[2].from", ... where master positions do not ascend, a
+/// zone overlaps another, a point within a zone contradicts it, the end's ratio differs from the
+/// start's in a periodic plan, or a zone's position follows from nothing.
+/// Source: Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
+struct FollowPlan {
+  std::vector<FollowPoint> points;
+  std::vector<FollowZone> zones;
+  bool periodic = false;
+  std::optional<double> start_ratio = {};  ///< left out: that of a zone at 0, or else 0
+  FollowForm form = FollowForm::smooth;
+  Law law = Law::quintic;     ///< of the smooth form
+  bool whole_master = false;  ///< of the table: points between are at whole master units (pulses)
+};
+
+/// The smooth form.
+CamSpec cam_spec(const FollowPlan& plan);
+
+/// The table form: for ever where periodic.
+FollowTable follow_table(const FollowPlan& plan);
+
+/// The cam of the form chosen, its zones by name.
+SyncCam follow(const FollowPlan& plan);
+
+/// "follow/backwards" for each gap in which the slave runs against its ratios at both ends: where,
+/// how fast, and how much travel would do. For a table also what check(FollowSpec) finds.
+Report check(const FollowPlan& plan);
+
+/// The master position after which a periodic plan repeats.
+std::optional<double> master_period(const FollowPlan& plan);
+
+}  // namespace jounce
