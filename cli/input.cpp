@@ -10,6 +10,7 @@
 #include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
+#include "jounce/io/sync_follow.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -142,6 +143,10 @@ Report check_all(const Input& input, int continuity) {
   if (input.spec && input.spec->disc) {
     const Report disc = check_disc(*input.spec, std::get<Cam>(input.curve));
     report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());
+  }
+  if (input.spec) {
+    const Report follow = check_follow(*input.spec);
+    report.findings.insert(report.findings.end(), follow.findings.begin(), follow.findings.end());
   }
   if (input.spec && input.spec->coupling) {
     const Report coupling = check_coupling(*input.spec, std::get<Cam>(input.curve));

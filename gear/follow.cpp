@@ -152,7 +152,8 @@ SyncCam follow(const FollowSpec& spec) {
     const Cam cam = pt<OverMaster>(table.segments, pass.entry);
     for (const Segment& f : cam.segments()) segments.push_back(scaled(f, 1, pass.slave));
     for (const PtPoint& point : table.segments)
-      names.push_back(table_name(spec, pass.table) + name(point.type));
+      names.push_back(table_name(spec, pass.table) + name(point.type) + " to " +
+                      number(pass.master + point.x));
     ratios.insert(ratios.end(), pass.ratios.begin(), pass.ratios.end());
   }
   Cam cam(std::move(segments), 0, outside_of(spec, passes));

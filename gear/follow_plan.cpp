@@ -246,20 +246,29 @@ struct Piece {
   PtType type = PtType::normal;
 };
 
-std::vector<Piece> resting(const Gap& g, bool whole) {
+/// How the slave falls to rest, or to the ratio c, and leaves: (4), (5).
+struct Rest {
+  double a;
+  double b;
+  double c;
+};
+
+Rest rest_of(const Gap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
-  double a = std::abs(g.r0) / k;
-  double b = std::abs(g.r1) / k;
-  const double room = g.length - a - b;
-  if (whole && room > 1) {
-    if (a > 0) a = std::max(1.0, std::floor(a));
-    if (b > 0) b = std::max(1.0, std::floor(b));
-  }
-  const double c =
-      whole ? (2 * g.travel - g.r0 * a - g.r1 * b) / (2 * g.length - a - b) : 0;  // (5)
+  const double a = std::abs(g.r0) / k;
+  const double b = std::abs(g.r1) / k;
+  if (!whole || (a > 0 && a < 1) || (b > 0 && b < 1)) return {a, b, 0};
+  const double p = std::floor(a);
+  const double q = std::floor(b);
+  return {p, q, (2 * g.travel - g.r0 * p - g.r1 * q) / (2 * g.length - p - q)};  // (5)
+}
+
+std::vector<Piece> resting(const Gap& g, bool whole) {
+  const auto [a, b, c] = rest_of(g, whole);
+  const double between = g.length - a - b;
   std::vector<Piece> pieces;
   if (a > 0) pieces.push_back({a, (g.r0 + c) / 2 * a});
-  pieces.push_back({g.length - a - b, c * (g.length - a - b), PtType::even});
+  pieces.push_back({between, c * between, PtType::even});
   if (b > 0) pieces.push_back({b, (c + g.r1) / 2 * b});
   return pieces;
 }
@@ -342,9 +351,11 @@ SyncCam smooth(const FollowPlan& plan) {
   const CamSpec spec = cam_spec(plan);
   auto [cam, origin] = design(spec);
   std::vector<std::string> names;
-  for (const std::size_t i : origin)
-    names.push_back(spec.segments[i].name.empty() ? name(spec.segments[i].law)
-                                                  : spec.segments[i].name);
+  for (const std::size_t i : origin) {
+    const CamSegment& segment = spec.segments[i];
+    names.push_back((segment.name.empty() ? name(segment.law) : segment.name) +
+                    (" to " + number(segment.end.master)));
+  }
   const bool starts_in_step = !plan.periodic && *spec.start.geo_velocity != 0;
   return {starts_in_step ? with(cam, Outside::refuse) : cam, std::move(names), zones_of(plan)};
 }
@@ -400,6 +411,24 @@ std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, dou
          " on it does not turn back: move a point, or let form = \"table\" stand in between";
 }
 
+/// Whether a table that should be at whole master units is.
+void add_whole(Report& report, const FollowPlan& plan) {
+  const auto segments = follow_table(plan).segments;
+  const auto odd = std::find_if(segments.begin(), segments.end(),
+                                [](const PtPoint& p) { return p.x != std::round(p.x); });
+  if (!plan.whole_master || odd == segments.end()) return;
+  Finding f;
+  f.rule = "follow/whole_master";
+  f.quantity = "the master's position";
+  f.where = f.value = odd->x;
+  f.limit = std::round(odd->x);
+  f.margin = -std::abs(f.value - f.limit);
+  f.broken = true;
+  f.segment = static_cast<std::size_t>(odd - segments.begin());
+  f.advice = "it is no whole number: put points and zones on whole ones, and leave room between";
+  report.findings.push_back(std::move(f));
+}
+
 }  // namespace
 
 SyncCam follow(const FollowPlan& plan) {
@@ -411,7 +440,10 @@ SyncCam follow(const FollowPlan& plan) {
 
 Report check(const FollowPlan& plan) {
   Report report;
-  if (plan.form == FollowForm::table) report = check(table_spec(plan));
+  if (plan.form == FollowForm::table) {
+    report = check(table_spec(plan));
+    add_whole(report, plan);
+  }
   const auto knots = knots_of(plan);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i].zone) continue;

@@ -71,7 +71,8 @@ FollowTable follow_table(const FollowPlan& plan);
 SyncCam follow(const FollowPlan& plan);
 
 /// "follow/backwards" for each gap in which the slave runs against its ratios at both ends: where,
-/// how fast, and how much travel would do. For a table also what check(FollowSpec) finds.
+/// how fast, and how much travel would do. For a table also what check(FollowSpec) finds, and
+/// "follow/whole_master" where a point could not be put on a whole unit.
 Report check(const FollowPlan& plan);
 
 /// The master position after which a periodic plan repeats.

@@ -167,7 +167,7 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));
-  if (finding.rule.starts_with("joint/"))
+  if (finding.rule.starts_with("joint/") || finding.rule.starts_with("follow/"))
     return fmt::format("{} is {} at {}", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
   const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;

@@ -1,5 +1,6 @@
 #include "jounce/gear/gear.hpp"
 #include "jounce/io/sync_spec.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
@@ -15,6 +16,27 @@ SyncCam made(const GearSpec& spec) {
 
 std::optional<double> period(const GearSpec& spec) {
   return spec.master_period;
+}
+
+/// What is said of the whole stands under [follow].
+template <class Find>
+auto of_follow(const FollowPart& spec, Find find) {
+  try {
+    return std::visit(find, spec.slave);
+  } catch (const InputError& error) {
+    const std::string& key = error.key();
+    const bool of_all =
+        !key.starts_with("segment") && !key.starts_with("point") && !key.starts_with("zone");
+    throw InputError((of_all ? "follow." : "") + key, error.value(), error.rule());
+  }
+}
+
+SyncCam made(const FollowPart& spec) {
+  return of_follow(spec, [](const auto& slave) { return follow(slave); });
+}
+
+std::optional<double> period(const FollowPart& spec) {
+  return of_follow(spec, [](const auto& slave) { return master_period(slave); });
 }
 
 }  // namespace

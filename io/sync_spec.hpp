@@ -4,6 +4,8 @@
 #include <optional>
 #include <variant>
 
+#include "jounce/gear/follow_plan.hpp"
+#include "jounce/gear/follow_start.hpp"
 #include "jounce/gear/sync_cam.hpp"
 
 /// What a spec says of slaves that work with their master: one struct a kind, each with what its
@@ -17,7 +19,13 @@ struct GearSpec {
   double master_period = 1;  ///< m: of the table, which goes on from where it ends
 };
 
-using SyncSpec = std::variant<GearSpec>;
+/// kind = "follow": tables as a controller takes them, or what they are to do.
+struct FollowPart {
+  std::variant<FollowSpec, FollowPlan> slave;
+  FollowStart start = {};
+};
+
+using SyncSpec = std::variant<GearSpec, FollowPart>;
 
 /// The cam of such a spec. Throws InputError with the document's keys.
 SyncCam sync_cam_of(const SyncSpec& spec);

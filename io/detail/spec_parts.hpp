@@ -15,6 +15,9 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 /// [gear].
 GearSpec read_gear(TomlReader gear, const Units& units);
 
+/// [follow] with [[segment]] or [[follow.table]], or [[point]] and [[zone]].
+FollowPart read_follow(TomlReader& top, const Units& units);
+
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 

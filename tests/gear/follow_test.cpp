@@ -231,7 +231,7 @@ TEST(Follow, FiniteLoopsTakeTheRatioOfThePassBefore) {
   EXPECT_EQ(slave.cam.segments().size(), 12U);
   EXPECT_EQ(slave.cam.at(slave.cam.end()).position, 46000 + 3 * 52000);
   EXPECT_NEAR(largest_jump(with(slave.cam, Outside::refuse), 1).step, 0, 1e-14);
-  EXPECT_EQ(slave.segments[3], "table 2 continue");
+  EXPECT_EQ(slave.segments[3], "table 2 continue to 80000");
 }
 
 TEST(Follow, RefusesWhatCannotBePlayed) {

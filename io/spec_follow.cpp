@@ -1,0 +1,141 @@
+#include <array>
+#include <utility>
+
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
+const std::array<std::string, 2> forms{"smooth", "table"};
+
+/// [[segment]] with `repeat`: cumulative, or `increments` that are added up.
+void read_segments(TomlReader& owner, const Units& units, bool increments,
+                   std::vector<PtPoint>& points) {
+  constexpr std::size_t most = 1'000'000;
+  PtPoint at;
+  for (TomlReader& segment : owner.tables("segment")) {
+    const double master = segment.number("master", units.x);
+    const double slave = segment.number("slave", units.position);
+    at.type = static_cast<PtType>(segment.optional_choice("type", types).value_or(0));
+    const std::size_t repeat = segment.optional_count("repeat").value_or(1);
+    if (segment.has("repeat") && !increments)
+      segment.fail("repeat", std::to_string(repeat), "is for increments: say increments = true");
+    if (increments && !(master > 0))
+      segment.fail("master", number(master), "must be greater than 0: it is an increment");
+    if (repeat < 1 || repeat > most - points.size())
+      segment.fail("repeat", std::to_string(repeat), "must be from 1 to what makes 1e6 segments");
+    for (std::size_t i = 0; i < repeat; ++i) {
+      at.x = increments ? at.x + master : master;
+      at.position = increments ? at.position + slave : slave;
+      points.push_back(at);
+    }
+    segment.finish();
+  }
+}
+
+/// loops, end, increments and the segments.
+FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& units) {
+  FollowTable table;
+  table.loops = keys.optional_whole("loops").value_or(1);
+  const bool increments = keys.optional_flag("increments").value_or(false);
+  if (auto end = keys.optional_table("end")) {
+    table.end = {end->number("master", units.x), end->number("slave", units.position)};
+    end->finish();
+  }
+  read_segments(segments, units, increments, table.segments);
+  return table;
+}
+
+FollowSpec read_tables(TomlReader& top, TomlReader& follow, const Units& units,
+                       const std::string& ratio) {
+  FollowSpec spec;
+  spec.start_ratio = follow.optional_number("start_ratio", ratio).value_or(0);
+  if (top.has("segment")) spec.tables.push_back(read_table(follow, top, units));
+  if (top.has("segment") && follow.has("table"))
+    top.fail("segment", "", "is of one table: with [[follow.table]] put its segments into each");
+  for (TomlReader& table : follow.tables("table")) {
+    spec.tables.push_back(read_table(table, table, units));
+    table.finish();
+  }
+  return spec;
+}
+
+void read_points(TomlReader& top, const Units& units, const std::string& ratio, FollowPlan& plan) {
+  for (TomlReader& point : top.tables("point")) {
+    plan.points.push_back({point.number("master", units.x), point.number("slave", units.position),
+                           point.optional_number("ratio", ratio)});
+    point.finish();
+  }
+  for (TomlReader& zone : top.tables("zone")) {
+    plan.zones.push_back(
+        {zone.number("from", units.x), zone.number("to", units.x), zone.number("ratio", ratio),
+         zone.optional_number("slave", units.position), zone.optional_text("name").value_or("")});
+    zone.finish();
+  }
+}
+
+Law read_law(TomlReader& follow) {
+  const auto text = follow.optional_text("law");
+  if (!text) return Law::quintic;
+  const auto law = law_named(*text);
+  if (!law) follow.fail("law", '"' + *text + '"', "is no law: `jounce laws` prints them all");
+  const Ends ends = info(*law).ends;
+  if (ends != Ends::given && ends != Ends::moving)
+    follow.fail(
+        "law", '"' + *text + '"',
+        "must be one that takes a ratio at its ends and has no acceleration there, as quintic "
+        "and modified_sine");
+  return *law;
+}
+
+FollowPlan read_plan(TomlReader& top, TomlReader& follow, const Units& units,
+                     const std::string& ratio) {
+  FollowPlan plan;
+  plan.start_ratio = follow.optional_number("start_ratio", ratio);
+  plan.periodic = follow.optional_flag("periodic").value_or(false);
+  plan.form = static_cast<FollowForm>(follow.optional_choice("form", forms).value_or(0));
+  plan.law = read_law(follow);
+  plan.whole_master = follow.optional_flag("whole_master").value_or(false);
+  read_points(top, units, ratio, plan);
+  return plan;
+}
+
+FollowStart read_start(TomlReader& follow, const Units& units) {
+  auto pass = follow.optional_table("pass");
+  if (!pass) return {};
+  FollowStart start{FollowEvent::pass, pass->number("position", units.x)};
+  start.direction = static_cast<int>(pass->optional_whole("direction").value_or(1));
+  if (start.direction != 1 && start.direction != -1)
+    pass->fail("direction", std::to_string(start.direction), "must be 1 or -1");
+  pass->finish();
+  return start;
+}
+
+}  // namespace
+
+FollowPart read_follow(TomlReader& top, const Units& units) {
+  const std::string ratio = rate_unit(units.position, units.x, 1);
+  auto given = top.optional_table("follow");
+  static const toml::table nothing;
+  Document unused;
+  TomlReader follow = given ? std::move(*given) : TomlReader(nothing, "follow", unused);
+  FollowPart part;
+  part.start = read_start(follow, units);
+  const bool plan = top.has("point") || top.has("zone");
+  if (plan && (top.has("segment") || follow.has("table")))
+    top.fail(top.has("point") ? "point" : "zone", "",
+             "says what a table is to do: without [[segment]] and [[follow.table]]");
+  if (plan)
+    part.slave = read_plan(top, follow, units, ratio);
+  else
+    part.slave = read_tables(top, follow, units, ratio);
+  if (!plan && std::get<FollowSpec>(part.slave).tables.empty())
+    top.fail("segment", "",
+             "is missing: give [[segment]], [[follow.table]], or [[point]] and [[zone]]");
+  follow.finish();
+  return part;
+}
+
+}  // namespace jounce::detail

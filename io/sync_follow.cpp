@@ -1,0 +1,57 @@
+#include "jounce/io/sync_follow.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/s_curve.hpp"
+
+namespace jounce {
+namespace {
+
+/// The spec's master from 0, in its own time unit, far enough to pass the place.
+Trajectory master_of(const MasterSpec& master, double place) {
+  const double to = std::max(place, 0.0) + master.distance;
+  if (!master.acceleration) return Trajectory({line(to / master.velocity, 0, to)});
+  return trapezoid({.to = to, .velocity = master.velocity, .acceleration = *master.acceleration})
+      .curve();
+}
+
+Finding beginning(const FollowStart& start, const Spec& spec) {
+  const auto t = begin_of(start, master_of(*spec.master, start.position), 0);
+  Finding f;
+  f.rule = "follow/begin";
+  f.quantity = "the master";
+  f.unit = spec.units.x;
+  f.where_unit = spec.time_unit;
+  f.where = t.value_or(0);
+  f.value = t ? start.position : 0;
+  f.limit = start.position;
+  f.margin = t ? 1 : -1;
+  f.broken = !t;
+  if (!t)
+    f.advice = "from there it moves on and never passes " + number(start.position) +
+               (start.direction > 0 ? " forwards" : " backwards") +
+               ": the slave waits for ever; the place is absolute, not a distance";
+  return f;
+}
+
+Report checked(const FollowPart& part, const Spec& spec) {
+  Report report = std::visit([](const auto& slave) { return check(slave); }, part.slave);
+  if (part.start.event == FollowEvent::pass && spec.master)
+    report.findings.push_back(beginning(part.start, spec));
+  return report;
+}
+
+}  // namespace
+
+Report check_follow(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  const auto* part = sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
+  if (part == nullptr) return {};
+  try {
+    return checked(*part, spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
+}  // namespace jounce
