@@ -11,6 +11,7 @@
 #include "jounce/cam/characteristics.hpp"
 #include "jounce/cam/master_limits.hpp"
 #include "jounce/cam/warnings.hpp"
+#include "jounce/io/sync_check.hpp"
 #include "jounce/io/units.hpp"
 
 namespace jounce::cli {
@@ -96,6 +97,27 @@ std::string fastest_line(const Cam& cam, const Input& input) {
                             rounded(limit.where), input.labels.units.x);
 }
 
+/// What a slave in step is made of, a line each.
+std::string figure_lines(const Input& input) {
+  std::string text;
+  if (!input.spec) return text;
+  for (const SyncFigure& f : sync_figures(*input.spec)) {
+    const std::string value = rounded(f.value) + (f.unit.empty() ? "" : " " + f.unit);
+    text +=
+        fmt::format("  {:<20} {}{}\n", f.name, value, f.meaning.empty() ? "" : ": " + f.meaning);
+  }
+  return text;
+}
+
+Json figures_json(const Input& input) {
+  Json list = Json::array();
+  if (!input.spec) return list;
+  for (const SyncFigure& f : sync_figures(*input.spec))
+    list.push_back(
+        {{"name", f.name}, {"value", f.value}, {"unit", f.unit}, {"meaning", f.meaning}});
+  return list;
+}
+
 Json json_of(const Coefficient& c) {
   return {{"value", std::isinf(c.value) ? Json() : Json(c.value)}, {"where", c.where}};
 }
@@ -143,7 +165,7 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
 std::string cam_text(const Input& input) {
   const Cam* cam = std::get_if<Cam>(&input.curve);
   if (!cam) return "";
-  std::string text;
+  std::string text = figure_lines(input);
   const auto all = rises(*cam);
   for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
     text += rise_line(all[i], input.labels);
@@ -159,6 +181,7 @@ Json cam_json(const Input& input) {
   Json list = Json::array();
   for (const Rise& rise : rises(*cam)) list.push_back(json_of(rise));
   Json document{{"rises", std::move(list)}};
+  if (Json figures = figures_json(input); !figures.empty()) document["sync"] = std::move(figures);
   if (!has_slave_limits(input)) return document;
   const MasterLimit fastest = greatest_master_velocity(*cam, input.spec->slave, rates_of(input));
   document["fastest_master"] = json_of(fastest, master_unit(input, 1));

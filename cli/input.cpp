@@ -10,7 +10,7 @@
 #include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
-#include "jounce/io/sync_follow.hpp"
+#include "jounce/io/sync_check.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -145,8 +145,8 @@ Report check_all(const Input& input, int continuity) {
     report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());
   }
   if (input.spec) {
-    const Report follow = check_follow(*input.spec);
-    report.findings.insert(report.findings.end(), follow.findings.begin(), follow.findings.end());
+    const Report sync = check_sync(*input.spec);
+    report.findings.insert(report.findings.end(), sync.findings.begin(), sync.findings.end());
   }
   if (input.spec && input.spec->coupling) {
     const Report coupling = check_coupling(*input.spec, std::get<Cam>(input.curve));

@@ -21,21 +21,6 @@
 namespace jounce::cli {
 namespace {
 
-/// The stretches in which the slave runs in step with the master: a constant velocity that is not
-/// zero, under the name of their segment.
-std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
-  std::vector<Shade> shades;
-  for (std::size_t i = 0; i < cam.segments().size(); ++i) {
-    const Range v = segment_extrema(cam, i)[1];
-    const double peak = std::abs(v.peak().value);
-    if (peak == 0 || v.max.value - v.min.value > 1e-9 * peak) continue;
-    const std::string label = labels.segments.empty() ? "" : labels.segments[i];
-    shades.push_back({cam.breaks()[i], cam.breaks()[i + 1],
-                      label.substr(std::min(label.size(), label.find(' ') + 1))});
-  }
-  return shades;
-}
-
 /// Where the segments of the spec meet, not the pieces of a law.
 std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
   std::vector<double> all{breaks.front()};
@@ -103,6 +88,19 @@ Figure figure_of_axis(const Input& input) {
 }
 
 }  // namespace
+
+std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
+  std::vector<Shade> shades;
+  for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+    const Range v = segment_extrema(cam, i)[1];
+    const double peak = std::abs(v.peak().value);
+    if (peak == 0 || v.max.value - v.min.value > 1e-9 * peak) continue;
+    const std::string label = labels.segments.empty() ? "" : labels.segments[i];
+    shades.push_back({cam.breaks()[i], cam.breaks()[i + 1],
+                      label.substr(std::min(label.size(), label.find(' ') + 1))});
+  }
+  return shades;
+}
 
 Figure figure_of(const std::vector<Input>& axes) {
   Figure figure = figure_of_axis(axes.front());

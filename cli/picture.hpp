@@ -18,6 +18,10 @@ Figure figure_of(const Input& input, const std::optional<Input>& before = std::n
 /// InputError if they differ in their units.
 Figure figure_of(const std::vector<Input>& axes);
 
+/// The stretches in which the slave runs in step with the master: a constant velocity that is not
+/// zero, under the name of their segment.
+std::vector<Shade> in_step(const Cam& cam, const Labels& labels);
+
 /// Writes SVG, or PNG where the path ends in ".png" (by rsvg-convert); "-" is SVG on standard output.
 /// Throws InputError for any other name, std::runtime_error where rsvg-convert is missing or fails.
 void write_picture(const std::string& path, const Figure& figure);

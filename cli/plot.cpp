@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "over_time.hpp"
 #include "picture.hpp"
 #include "verb.hpp"
 
@@ -9,16 +10,21 @@ namespace {
 struct Options {
   std::string file;
   std::string axis;
+  std::string over = "master";
   std::string before;
   std::string output = "-";
 };
 
 Figure figure(const Options& options) {
-  const std::vector<Input> inputs = load_axes(options.file, options.axis);
+  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  const bool over = options.over == "time";
+  if (over)
+    for (Input& input : inputs) input = over_time(input);
   if (options.before.empty()) return figure_of(inputs);
   if (inputs.size() > 1)
     throw InputError("--before", options.before, "compares one axis: say which with --axis");
-  return figure_of(inputs.front(), load_beside(options.before, inputs.front()));
+  const Input before = load_beside(options.before, inputs.front());
+  return figure_of(inputs.front(), over ? over_time(before) : before);
 }
 
 int run(const Options& options) {
@@ -35,6 +41,9 @@ void add_plot(CLI::App& app, Work& work) {
                             "jounce plot better.toml --before cam.toml -o cam.png");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
   add_axis_option(verb, options->axis);
+  verb->add_option("--over", options->over,
+                   "A cam over its master, or its slave over time behind the [master] of the spec")
+      ->check(CLI::IsMember({"master", "time"}));
   verb->add_option("--before", options->before, "Another one, drawn paler underneath");
   verb->add_option("-o,--output", options->output,
                    "Picture to write, .svg or .png; - is SVG on standard output");

@@ -62,7 +62,11 @@ Made make_cam(const Spec& spec) {
 Made make_sync(const Spec& spec) {
   SyncCam made = sync_cam_of(std::get<SyncSpec>(spec.subject));
   std::vector<std::string> names;
-  for (const std::string& name : made.segments) names.push_back(numbered(names.size(), name));
+  std::size_t number = 0;  // one for all pieces of a law, which share a name
+  for (std::size_t i = 0; i < made.segments.size(); ++i) {
+    if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
+    names.push_back(numbered(number, made.segments[i]));
+  }
   Sampled table = sampled(made.cam, spec.table);
   return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
           std::move(made.zones)};

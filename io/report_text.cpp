@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/io/sync_check.hpp"
 #include "jounce/io/units.hpp"
 
 namespace jounce {
@@ -167,6 +168,7 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));
+  if (is_sync_rule(finding.rule)) return sync_sentence(finding, place(finding, labels));
   if (finding.rule.starts_with("joint/") || finding.rule.starts_with("follow/"))
     return fmt::format("{} is {} at {}", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));

@@ -107,6 +107,10 @@ constexpr std::array kinds{
          [](auto& top, auto& spec) {
            spec.subject = SyncSpec(detail::read_follow(top, spec.units));
          }},
+    Kind{"knife", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_knife(top.table("knife"), spec.units));
+         }},
     Kind{"move", Kind::over_time,
          [](auto& top, auto& spec) {
            spec.subject = detail::read_move(top.table("move"), spec.units);

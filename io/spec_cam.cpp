@@ -36,22 +36,6 @@ CamKnot read_knot(TomlReader& knot, const Units& units) {
   return k;
 }
 
-std::vector<std::string> law_names() {
-  std::vector<std::string> names;
-  for (const LawInfo& law : all_laws()) names.emplace_back(law.name);
-  return names;
-}
-
-LawForm read_form(TomlReader& segment) {
-  LawForm form;
-  form.inflection = segment.optional_number("inflection", "1");
-  form.straight = segment.optional_number("straight", "1");
-  const std::array<std::string, 3> shares{"1", "1", "1"};
-  if (const auto given = segment.numbers("shares", shares); !given.empty())
-    form.shares = {given[0], given[1], given[2]};
-  return form;
-}
-
 CamPoint read_point(TomlReader& point, const Units& units) {
   CamPoint p;
   p.master = point.number("master", units.x);
@@ -68,6 +52,22 @@ CamPoint read_point(TomlReader& point, const Units& units) {
 const std::array<std::string, 3> boundaries{"rest", "minimum_jerk", "minimum_peak_acceleration"};
 
 }  // namespace
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawInfo& law : all_laws()) names.emplace_back(law.name);
+  return names;
+}
+
+LawForm read_form(TomlReader& segment) {
+  LawForm form;
+  form.inflection = segment.optional_number("inflection", "1");
+  form.straight = segment.optional_number("straight", "1");
+  const std::array<std::string, 3> shares{"1", "1", "1"};
+  if (const auto given = segment.numbers("shares", shares); !given.empty())
+    form.shares = {given[0], given[1], given[2]};
+  return form;
+}
 
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
   OptimizeSpec& optimize = spec.optimize;

@@ -39,6 +39,14 @@ std::optional<double> period(const FollowPart& spec) {
   return of_follow(spec, [](const auto& slave) { return master_period(slave); });
 }
 
+SyncCam made(const RotaryKnifeSpec& spec) {
+  return rotary_knife(spec);
+}
+
+std::optional<double> period(const RotaryKnifeSpec& spec) {
+  return spec.cut_length;
+}
+
 }  // namespace
 
 SyncCam sync_cam_of(const SyncSpec& spec) {

@@ -6,6 +6,7 @@
 
 #include "jounce/gear/follow_plan.hpp"
 #include "jounce/gear/follow_start.hpp"
+#include "jounce/gear/rotary_knife.hpp"
 #include "jounce/gear/sync_cam.hpp"
 
 /// What a spec says of slaves that work with their master: one struct a kind, each with what its
@@ -25,7 +26,7 @@ struct FollowPart {
   FollowStart start = {};
 };
 
-using SyncSpec = std::variant<GearSpec, FollowPart>;
+using SyncSpec = std::variant<GearSpec, FollowPart, RotaryKnifeSpec>;
 
 /// The cam of such a spec. Throws InputError with the document's keys.
 SyncCam sync_cam_of(const SyncSpec& spec);

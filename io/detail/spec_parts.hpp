@@ -17,6 +17,12 @@ GearSpec read_gear(TomlReader gear, const Units& units);
 
 /// [follow] with [[segment]] or [[follow.table]], or [[point]] and [[zone]].
 FollowPart read_follow(TomlReader& top, const Units& units);
+/// [knife].
+RotaryKnifeSpec read_knife(TomlReader knife, const Units& units);
+
+/// The words of all laws; inflection, straight and shares of one.
+std::vector<std::string> law_names();
+LawForm read_form(TomlReader& owner);
 
 /// [optimize].
 void read_optimize(TomlReader& top, OptimizeSpec& optimize);

@@ -97,7 +97,7 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
 }
 
 TEST_F(Cli, EveryStartingSpecIsGood) {
-  for (const char* kind : {"cam", "move", "queue", "axes", "pvt"}) {
+  for (const char* kind : {"cam", "knife", "move", "queue", "axes", "pvt"}) {
     const std::string file = std::string(kind) + ".toml";
     EXPECT_EQ(run(std::string("new ") + kind + " -o " + file).status, 0);
     const Result check = run("check " + file);
@@ -106,6 +106,27 @@ TEST_F(Cli, EveryStartingSpecIsGood) {
   }
   EXPECT_EQ(run("new axis -o axis.toml").status, 0);
   EXPECT_EQ(run("new lathe").status, 2);
+}
+
+TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {
+  const std::string knife = examples + "rotary-knife/knife.toml";
+  const Result map = run("map " + knife + " --from 2 --to 10 --steps 9 --line-speed 60");
+  EXPECT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(map.out, HasSubstr("\ncut_length [in],line_speed [in/s],cuts [1/min],limit\n2,"));
+  EXPECT_THAT(map.out, HasSubstr("# longest without a stop: 19.89675347273535"));
+  EXPECT_THAT(map.out, HasSubstr("# shortest at 60 in/s: "));
+  EXPECT_EQ(run("map " + knife + " -o map.svg").status, 0);
+  EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("longest without a stop 19.8968"));
+  EXPECT_THAT(run("map " + knife + " --from 5 --to 4").err, HasSubstr("greater than --from, 5"));
+  EXPECT_EQ(run("map " + examples + "pmc600-cam/cam.toml").status, 2);
+}
+
+TEST_F(Cli, PlotShowsACamOverTheTimeOfItsMaster) {
+  const Result plot = run("plot " + examples + "rotary-knife/knife.toml --over time");
+  EXPECT_EQ(plot.status, 0) << plot.err;
+  EXPECT_THAT(plot.out, HasSubstr("time [s]"));
+  EXPECT_THAT(plot.out, HasSubstr("velocity [deg/s]"));
+  EXPECT_EQ(run("plot " + examples + "googol-move/move.toml --over time").status, 2);
 }
 
 TEST_F(Cli, CheckNamesWhereThePmc600CamBreaksItsLimits) {

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "jounce/io/cut_lengths.hpp"
+#include "jounce/io/file.hpp"
+#include "jounce/io/report_text.hpp"
+#include "jounce/io/units.hpp"
+
+#include "picture.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string from;
+  std::string to;
+  std::size_t steps = 91;
+  std::string line_speed;
+  std::string output = "-";
+};
+
+struct Map {
+  Spec spec;
+  CutLengths cuts;
+  CutLimits limits;
+  std::vector<CutSpeed> speeds;
+  std::vector<LimitChange> changes;
+  std::optional<double> shortest;  ///< at the line's own speed
+  double per_minute = 60;          ///< cuts in a minute of one in a time unit
+};
+
+double option(const char* name, const std::string& text, const std::string& unit, double fallback) {
+  if (text.empty()) return fallback;
+  double value = 0;
+  try {
+    value = quantity(text, unit);
+  } catch (const InputError& error) {
+    throw InputError(name, error.value(), error.rule());
+  }
+  require_positive(name, value);
+  return value;
+}
+
+std::string speed_unit(const Spec& spec) {
+  return rate_unit(spec.units.x, spec.time_unit, 1);
+}
+
+CutLimits limits_of(const Spec& spec, const Options& options) {
+  const double own = spec.master ? spec.master->velocity : std::numeric_limits<double>::infinity();
+  const Limits& slave = spec.slave;
+  const bool none = !slave.velocity && !slave.acceleration && !slave.jerk;
+  if (none && std::isinf(own) && options.line_speed.empty())
+    throw spec.document.located(
+        InputError("limits.slave", "", "is missing: nothing limits the line's speed"));
+  return {slave, option("--line-speed", options.line_speed, speed_unit(spec), own)};
+}
+
+std::vector<double> grid(double from, double to, std::size_t steps) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < steps; ++i)
+    lengths.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(steps - 1));
+  return lengths;
+}
+
+Map map_of(const Options& options) {
+  Spec spec = parse_spec(read_file(options.file), options.file);
+  CutLengths cuts = cut_lengths(spec);
+  const double from = option("--from", options.from, spec.units.x, cuts.from);
+  const double to = option("--to", options.to, spec.units.x, cuts.to);
+  if (!(to > from)) throw InputError("--to", to, "must be greater than --from, " + number(from));
+  const CutLimits limits = limits_of(spec, options);
+  std::vector<CutSpeed> speeds = cut_length_map(cuts.cams, grid(from, to, options.steps), limits);
+  std::vector<LimitChange> changes = limit_changes(cuts.cams, speeds, limits);
+  std::optional<double> shortest;
+  if (std::isfinite(limits.line_speed))
+    shortest =
+        shortest_length(cuts.cams, limits, limits.line_speed, cuts.shortest, cuts.synchronous);
+  const double per_minute = 60 / seconds_per_unit(spec);
+  return {std::move(spec),    std::move(cuts), limits,    std::move(speeds),
+          std::move(changes), shortest,        per_minute};
+}
+
+/// "acceleration" as people would say it.
+std::string told(const std::string& limit) {
+  if (limit == "line_speed") return "line";
+  if (limit == "length") return "no cut";
+  return limit.empty() ? "none" : "slave " + limit;
+}
+
+std::string finite(double value) {
+  return std::isfinite(value) ? number(value) : "";
+}
+
+std::string csv_of(const Map& map) {
+  const std::string& m = map.spec.units.x;
+  std::string text = fmt::format("# jounce map of {}\n", map.spec.document.name);
+  for (const auto& [length, name] : map.cuts.marks)
+    text += fmt::format("# {}: {} {}\n", name, number(length), m);
+  if (map.shortest)
+    text += fmt::format("# shortest at {} {}: {} {}\n", number(map.limits.line_speed),
+                        speed_unit(map.spec), number(*map.shortest), m);
+  for (const LimitChange& change : map.changes)
+    text += fmt::format("# from {} {}: {}\n", number(change.length), m, told(change.after));
+  text +=
+      fmt::format("cut_length [{}],line_speed [{}],cuts [1/min],limit\n", m, speed_unit(map.spec));
+  for (const CutSpeed& s : map.speeds)
+    text += fmt::format("{},{},{},{}\n", number(s.length), finite(s.speed),
+                        finite(s.speed / s.length * map.per_minute), s.limit);
+  return text;
+}
+
+/// The map's points, and those at which a limit takes over or that are marked, ascending.
+std::vector<CutSpeed> points_of(const Map& map) {
+  std::vector<CutSpeed> all = map.speeds;
+  const auto add = [&](double length) {
+    if (length > all.front().length && length < map.speeds.back().length)
+      all.push_back(fastest_cut(map.cuts.cams, length, map.limits));
+  };
+  for (const LimitChange& change : map.changes) {
+    add(change.length * (1 - 1e-9));
+    add(change.length);
+  }
+  for (const auto& mark : map.cuts.marks) add(mark.length);
+  if (map.shortest) add(*map.shortest);
+  std::sort(all.begin(), all.end(),
+            [](const CutSpeed& a, const CutSpeed& b) { return a.length < b.length; });
+  return all;
+}
+
+/// One line for each limit, coloured and named by it, joined where the next one takes over.
+std::vector<Series> lines_of(const std::vector<CutSpeed>& points, double per_minute, bool rate) {
+  std::vector<Series> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CutSpeed& p = points[i];
+    const std::string label = told(p.limit);
+    auto own = std::find_if(all.begin(), all.end(),
+                            [&](const Series& series) { return series.label == label; });
+    if (own == all.end()) own = all.insert(all.end(), {label, {}, {}, Style::line});
+    const bool resumed = i > 0 && points[i - 1].limit != p.limit && !own->x.empty();
+    if (resumed) {
+      own->x.push_back(p.length);
+      own->y.push_back(std::nan(""));
+    }
+    own->x.push_back(p.length);
+    own->y.push_back(rate ? p.speed / p.length * per_minute : p.speed);
+  }
+  return all;
+}
+
+std::vector<Marker> markers_of(const Map& map) {
+  std::vector<Marker> markers;
+  const auto add = [&](double length, const std::string& name) {
+    if (length < map.speeds.front().length || length > map.speeds.back().length) return;
+    const CutSpeed at = fastest_cut(map.cuts.cams, length, map.limits);
+    if (!std::isfinite(at.speed)) return;
+    markers.push_back({length, at.speed, fmt::format("{} {}", name, rounded(length)),
+                       fmt::format("{}: {} {}", name, number(length), map.spec.units.x)});
+  };
+  if (map.shortest) add(*map.shortest, "shortest");
+  for (const auto& mark : map.cuts.marks) add(mark.length, mark.name);
+  return markers;
+}
+
+/// Where which limit binds, for the strip above.
+std::vector<Shade> strip_of(const Map& map) {
+  std::vector<Shade> strip;
+  double from = map.speeds.front().length;
+  std::string limit = map.speeds.front().limit;
+  for (const LimitChange& change : map.changes) {
+    strip.push_back({from, change.length, told(limit)});
+    from = change.length;
+    limit = change.after;
+  }
+  strip.push_back({from, map.speeds.back().length, told(limit)});
+  return strip;
+}
+
+Figure figure_of(const Map& map) {
+  const std::vector<CutSpeed> points = points_of(map);
+  Figure figure;
+  figure.title = map.spec.name.empty() ? map.spec.document.name : map.spec.name;
+  figure.x_label = "cut length [" + map.spec.units.x + "]";
+  figure.strips = {strip_of(map)};
+  Panel speed;
+  speed.y_label = "line speed [" + speed_unit(map.spec) + "]";
+  speed.series = lines_of(points, map.per_minute, false);
+  speed.markers = markers_of(map);
+  Panel rate;
+  rate.y_label = "cuts [1/min]";
+  rate.series = lines_of(points, map.per_minute, true);
+  for (const auto& change : map.changes) figure.knots.push_back(change.length);
+  figure.panels = {std::move(speed), std::move(rate)};
+  return figure;
+}
+
+int run(const Options& options) {
+  require_other_file(options.file, options.output);
+  const Map map = map_of(options);
+  const bool picture = options.output.ends_with(".svg") || options.output.ends_with(".png");
+  if (picture)
+    write_picture(options.output, figure_of(map));
+  else
+    write_file(options.output, csv_of(map));
+  return fine;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      add_verb(app, "map", "How fast the line may run for each cut length, and what limits it",
+               "jounce map knife.toml --from 100 --to 1000 -o map.png");
+  verb->add_option("FILE", options->file, "Spec of a knife or a shear; - is standard input")
+      ->required();
+  verb->add_option("--from", options->from, "Shortest cut; by default all that is of interest");
+  verb->add_option("--to", options->to, "Longest cut");
+  verb->add_option("--steps", options->steps, "Lengths, both ends included")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{100000}));
+  verb->add_option("--line-speed", options->line_speed,
+                   "What the line itself does; by default the velocity of [master]");
+  verb->add_option("-o,--output", options->output,
+                   ".csv, .svg or .png; - is CSV on standard output");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,42 @@
+#include "jounce/io/cut_lengths.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+template <class Kind>
+std::optional<CutLengths> lengths_of(const Kind&) {
+  return std::nullopt;
+}
+
+std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
+  const RotaryKnifeFigures f = figures(spec);
+  CutLengths all;
+  all.cams = [spec, shortest = f.sync_length](double length) -> std::optional<Cam> {
+    if (!(length > shortest)) return std::nullopt;
+    RotaryKnifeSpec other = spec;
+    other.cut_length = length;
+    return rotary_knife(other).cam;
+  };
+  all.shortest = f.sync_length;
+  all.synchronous = f.synchronous;
+  all.marks = {{f.synchronous, "synchronous"}, {f.longest, "longest without a stop"}};
+  all.from = std::max(f.sync_length, 0.25 * f.synchronous);
+  all.to = 1.25 * f.longest;
+  return all;
+}
+
+}  // namespace
+
+CutLengths cut_lengths(const Spec& spec) {
+  if (const auto* sync = std::get_if<SyncSpec>(&spec.subject))
+    if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
+      return std::move(*found);
+  throw spec.document.located(
+      InputError("kind", "", "has no cut length; a knife has, and a shear"));
+}
+
+}  // namespace jounce

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/io/spec.hpp"
+
+namespace jounce {
+
+/// What is to be said of a slave in step beside its limits: findings of its generator's own, with
+/// their units. Empty for kinds that have none, and for what is no such spec.
+Report check_sync(const Spec& spec);
+
+/// A number of such a spec worth a line: what it is, its value with the unit, and what that means.
+struct SyncFigure {
+  std::string name;  ///< "longest cut"
+  double value = 0;
+  std::string unit;
+  std::string meaning;  ///< "without a stop"; may be empty
+};
+std::vector<SyncFigure> sync_figures(const Spec& spec);
+
+/// What a finding of check_sync says, for the reports: the rules "knife/...".
+bool is_sync_rule(const std::string& rule);
+std::string sync_sentence(const Finding& finding, const std::string& where);
+
+}  // namespace jounce
