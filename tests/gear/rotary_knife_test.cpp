@@ -176,6 +176,22 @@ TEST(RotaryKnife, StandsWhereTheCutIsTooLong) {
     }
 }
 
+TEST(RotaryKnife, StopsNearlyAsGentlyAsAnyQuinticCan) {
+  RotaryKnifeSpec spec = case_y();
+  spec.dwell = true;
+  spec.cut_length = 40;
+  const double slope = 1 / 1.5;
+  const double travel = figures(spec).recovery_angle / 2;
+  double least = 1e9;
+  for (int i = 0; i <= 400;
+       ++i) {  // from rest to the slope, by its ratio to the mean: 5/2 reverses
+    const double length = (1.5 + i / 400.) * travel / slope;
+    const Cam start({quintic(length, 0, 0, 0, travel, slope, 0)});
+    least = std::min(least, std::abs(extrema(start, 2).peak().value));
+  }
+  EXPECT_NEAR(std::abs(extrema(rotary_knife(spec).cam, 2).peak().value) / least, 1.0107, 1e-4);
+}
+
 TEST(RotaryKnife, HorizontalRecoveryTakesOverWhatAsinEndsWith) {
   for (const auto& each : oracle("horizontal")) {
     const RotaryKnifeSpec spec = horizontal(each);
