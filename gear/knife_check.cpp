@@ -56,7 +56,8 @@ Finding slip(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f) {
   finding.rule = "knife/slip";
   finding.quantity = "slip";
   finding.where = f.sync_length / 2 * std::min(1.0, 2 * angle / f.sync_angle);
-  finding.value = 1 - std::cos(angle / unit);
+  const double s = std::sin(angle / unit / 2);
+  finding.value = 2 * s * s;  // 1 - cos
   finding.limit = 0.01;
   finding.margin = 1 - finding.value / finding.limit;
   finding.severity = finding.value > finding.limit ? Severity::warning : Severity::note;

@@ -87,9 +87,9 @@ void require_valid(const RotaryKnifeSpec& spec) {
                      "must be left out: the recovery is symmetric about its middle");
 }
 
-/// (2).
+/// (2), by half the angle, which loses no digits where the web is thin.
 double contact_angle(const RotaryKnifeSpec& spec) {
-  return std::acos(1 - spec.thickness / (spec.diameter / 2));
+  return 2 * std::asin(std::sqrt(spec.thickness / spec.diameter));
 }
 
 /// psi_s, as the spec gives it.
@@ -128,11 +128,8 @@ KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
           slope * slope * slope * (1 + 2 * s * s) / std::pow(c, 5)};
 }
 
-Knife knife_of(const RotaryKnifeSpec& spec) {
-  require_valid(spec);
-  const double unit = spec.turn / (2 * pi);
-  const double pitch = 2 * pi / static_cast<double>(spec.blades);
-  const double half = half_sync_angle(spec, unit);
+/// That psi_s leaves a recovery, and (4) an angle. Named by the key it was given by.
+void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
   const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
   if (!(2 * half < pitch))
@@ -144,6 +141,14 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
     throw InputError(key, given,
                      "must end before the blade is level, half a turn in all, with "
                      "horizontal matching");
+}
+
+Knife knife_of(const RotaryKnifeSpec& spec) {
+  require_valid(spec);
+  const double unit = spec.turn / (2 * pi);
+  const double pitch = 2 * pi / static_cast<double>(spec.blades);
+  const double half = half_sync_angle(spec, unit);
+  require_room(spec, half, pitch, unit);
   const KnifeSync sync = sync_of(spec, half);
   if (!(spec.cut_length > 2 * sync.length))
     throw InputError("cut_length", spec.cut_length,
@@ -240,7 +245,8 @@ RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
   f.surface_ratio =
       f.dwell > 0 ? 0 : knife.shape.middle_velocity(f.recovery_length) * spec.diameter / 2;
   const bool slips = spec.matching == KnifeMatching::surface;
-  f.speed_error = slips ? 1 - std::cos(knife.sync.angle) : 0;
+  const double s = std::sin(knife.sync.angle / 2);
+  f.speed_error = slips ? 2 * s * s : 0;  // 1 - cos
   if (!slips)
     f.strays =
         unit * detail::knife_zone(knife.sync, true, spec.tolerance * knife.sync.angle).strays;
