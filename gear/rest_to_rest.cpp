@@ -1,18 +1,32 @@
 #include "jounce/gear/detail/rest_to_rest.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "jounce/cam/characteristics.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 
 namespace jounce::gearing {
 namespace {
 
-/// Beside rests, so that a step against them counts.
+/// The peak of a derivative; infinite where the one before steps, by more than rounding.
+double peak(const Cam& law, const Ranges& ranges, int order) {
+  const auto most = [&](int k) {
+    return std::abs(ranges[static_cast<std::size_t>(k)].peak().value);
+  };
+  const double step = std::abs(largest_jump(law, order - 1).step);
+  const bool steps = order > 1 && step > 1e-9 * most(order - 1);
+  return steps ? std::numeric_limits<double>::infinity() : most(order);
+}
+
+/// Beside rests, so that a step against them counts; what steps once has no finite peak again.
 Peaks peaks_of(Law law, const LawForm& form) {
-  const Characteristics c = characteristics(Cam(normalised(law, form), 0, Outside::hold));
-  return {c.cv.value, c.peak_acceleration(), c.cj.value};
+  const Cam f(normalised(law, form), 0, Outside::hold);
+  const Ranges ranges = extrema(f);
+  const double acceleration = peak(f, ranges, 2);
+  return {peak(f, ranges, 1), acceleration,
+          std::isfinite(acceleration) ? peak(f, ranges, 3) : acceleration};
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "jounce/cam/characteristics.hpp"
 #include "jounce/gear/detail/rest_to_rest.hpp"
 #include "jounce/gear/flying_shear.hpp"
 #include "jounce/profiles/error.hpp"

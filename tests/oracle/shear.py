@@ -115,9 +115,9 @@ class Trapezoid:
         return [None, mpf(4) / 3, mpf(16) / 3, inf][order]
 
 
-RAMPS = {"line": Line(), "simple_sine": Sine(), "poly345": Polynomial(3), "poly4567": Polynomial(4),
-         "poly56789": Polynomial(5)}
-RETURNS = {"poly345": RAMPS["poly345"], "poly4567": RAMPS["poly4567"], "poly56789": RAMPS["poly56789"],
+RAMPS = {"line": Line(), "simple_sine": Sine(), "345": Polynomial(3), "4567": Polynomial(4),
+         "56789": Polynomial(5)}
+RETURNS = {"345": RAMPS["345"], "4567": RAMPS["4567"], "56789": RAMPS["56789"],
            "inclined_sine": Cycloid(), "trapezoid": Trapezoid()}
 
 
@@ -250,10 +250,10 @@ def main():
     cases = {
         "lubieml": {"cut_length": 36.0, "line_speed": 30.0, "acceleration": 300.0, "sync_time": 0.1,
                     "safety": 1.5, "ramp": "line", "return_law": "trapezoid"},
-        "case_2": {**shear2, "ramp": "poly345", "return_law": "poly345"},
-        "case_2_power7": {**shear2, "ramp": "poly4567", "return_law": "poly4567"},
+        "case_2": {**shear2, "ramp": "345", "return_law": "345"},
+        "case_2_power7": {**shear2, "ramp": "4567", "return_law": "4567"},
         "trio": {"cut_length": 160.0, "line_speed": 1.0, "acceleration_length": 0.6, "sync_length": 0.4,
-                 "return_length": 8.4, "ramp": "line", "return_law": "poly345"},
+                 "return_length": 8.4, "ramp": "line", "return_law": "345"},
     }
     first = solved(cases["lubieml"])
     for key, printed in {"stroke": 7.5, "back": 24, "return_velocity": 12.5, "return_acceleration": 62.5}.items():
