@@ -76,7 +76,7 @@ void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
 
 /// What any cam may have beside it: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
-  spec.master = read_master(top, spec);
+  if (auto master = read_master(top, spec)) spec.master = master;
   spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
   spec.switches = detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
 }
@@ -110,6 +110,14 @@ constexpr std::array kinds{
     Kind{"knife", Kind::over_master,
          [](auto& top, auto& spec) {
            spec.subject = SyncSpec(detail::read_knife(top.table("knife"), spec.units));
+         }},
+    Kind{"shear", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_shear(top.table("shear"), spec));
+         }},
+    Kind{"indexer", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_indexer(top.table("indexer"), spec.units));
          }},
     Kind{"move", Kind::over_time,
          [](auto& top, auto& spec) {

@@ -36,6 +36,12 @@ CamKnot read_knot(TomlReader& knot, const Units& units) {
   return k;
 }
 
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawInfo& law : all_laws()) names.emplace_back(law.name);
+  return names;
+}
+
 CamPoint read_point(TomlReader& point, const Units& units) {
   CamPoint p;
   p.master = point.number("master", units.x);
@@ -53,10 +59,10 @@ const std::array<std::string, 3> boundaries{"rest", "minimum_jerk", "minimum_pea
 
 }  // namespace
 
-std::vector<std::string> law_names() {
-  std::vector<std::string> names;
-  for (const LawInfo& law : all_laws()) names.emplace_back(law.name);
-  return names;
+std::optional<Law> read_law(TomlReader& owner, const char* key) {
+  const auto chosen = owner.optional_choice(key, law_names());
+  if (!chosen) return std::nullopt;
+  return all_laws()[*chosen].law;
 }
 
 LawForm read_form(TomlReader& segment) {

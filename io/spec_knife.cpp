@@ -44,7 +44,7 @@ RotaryKnifeSpec read_knife(TomlReader knife, const Units& units) {
   if (const auto matching = knife.optional_choice("matching", matchings))
     spec.matching = static_cast<KnifeMatching>(*matching);
   spec.speed_ratio = knife.optional_number("speed_ratio", "1").value_or(1);
-  if (const auto law = knife.optional_choice("law", law_names())) spec.law = all_laws()[*law].law;
+  spec.law = read_law(knife, "law").value_or(spec.law);
   spec.form = read_form(knife);
   spec.dwell = knife.optional_flag("dwell").value_or(false);
   spec.tolerance = knife.optional_number("tolerance", "1").value_or(spec.tolerance);

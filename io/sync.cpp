@@ -47,6 +47,37 @@ std::optional<double> period(const RotaryKnifeSpec& spec) {
   return spec.cut_length;
 }
 
+/// A generator names its own fields: here they stand under `table`, and a slave's limits under [limits.slave].
+template <class Make>
+SyncCam in_document(const std::string& table, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    const bool limit = error.key().starts_with("limits.");
+    std::string rule = error.rule();
+    if (const auto at = rule.rfind("limits."); at != std::string::npos)
+      rule.insert(at + 7, "slave.");
+    throw InputError(limit ? "limits.slave." + error.key().substr(7) : table + error.key(),
+                     error.value(), rule);
+  }
+}
+
+SyncCam made(const FlyingShear& spec) {
+  return in_document("shear.", [&] { return flying_shear(spec); });
+}
+
+std::optional<double> period(const FlyingShear& spec) {
+  return spec.cut_length;
+}
+
+SyncCam made(const Indexer& spec) {
+  return in_document("indexer.", [&] { return indexer(spec); });
+}
+
+std::optional<double> period(const Indexer& spec) {
+  return spec.cycle;
+}
+
 }  // namespace
 
 SyncCam sync_cam_of(const SyncSpec& spec) {

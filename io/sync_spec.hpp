@@ -4,8 +4,10 @@
 #include <optional>
 #include <variant>
 
+#include "jounce/gear/flying_shear.hpp"
 #include "jounce/gear/follow_plan.hpp"
 #include "jounce/gear/follow_start.hpp"
+#include "jounce/gear/indexer.hpp"
 #include "jounce/gear/rotary_knife.hpp"
 #include "jounce/gear/sync_cam.hpp"
 
@@ -26,7 +28,9 @@ struct FollowPart {
   FollowStart start = {};
 };
 
-using SyncSpec = std::variant<GearSpec, FollowPart, RotaryKnifeSpec>;
+/// Kinds "knife", "shear" and "indexer" are what their generators take.
+using SyncSpec =
+    std::variant<GearSpec, FollowPart, RotaryKnifeSpec, FlyingShear, Indexer>;
 
 /// The cam of such a spec. Throws InputError with the document's keys.
 SyncCam sync_cam_of(const SyncSpec& spec);

@@ -20,8 +20,12 @@ FollowPart read_follow(TomlReader& top, const Units& units);
 /// [knife].
 RotaryKnifeSpec read_knife(TomlReader knife, const Units& units);
 
-/// The words of all laws; inflection, straight and shares of one.
-std::vector<std::string> law_names();
+/// [shear], within the [limits.slave] read before, and the master that it implies; [indexer].
+FlyingShear read_shear(TomlReader shear, Spec& spec);
+Indexer read_indexer(TomlReader indexer, const Units& units);
+
+/// The name of a law; inflection, straight, shares.
+std::optional<Law> read_law(TomlReader& owner, const char* key);
 LawForm read_form(TomlReader& owner);
 
 /// [optimize].
