@@ -129,7 +129,9 @@ std::string broken_at_any_length(const Worked& shear, const Cycle& cycle, double
     return "sync velocity";
   const double ramp = std::min(cycle.accelerate, cycle.decelerate);
   if (cycle.ramp.value > ramp * more || !std::isfinite(ramp)) return cycle.ramp.quantity;
-  if (spec.stroke && (cycle.stroke > *spec.stroke * more || cycle.sync < 0)) return "stroke";
+  // A sync that uses up the stroke does so to rounding.
+  const bool far = spec.stroke && cycle.stroke > *spec.stroke * more;
+  if (longest_sync(spec) ? cycle.sync < 0 : far) return "stroke";
   if (spec.return_length && cycle.back.value > *spec.return_length * more)
     return cycle.back.quantity;
   return std::isfinite(cycle.back.value) ? "" : cycle.back.quantity;

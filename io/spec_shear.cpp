@@ -59,7 +59,7 @@ FlyingShear read_shear(TomlReader shear, Spec& spec) {
     if (!(value > 0)) shear.fail(key, number(value), "must be greater than 0");
   shear.finish();
   // The line is the master: a spec of ten lines does not say it twice.
-  spec.master = MasterSpec{.velocity = made.line_speed, .distance = 3 * made.cut_length};
+  spec.master = MasterSpec{made.line_speed, 3 * made.cut_length, {}};
   return made;
 }
 

@@ -319,6 +319,50 @@ TEST(FlyingShear, NamesWhatBinds) {
   EXPECT_THAT(refusal(shear), StartsWith("line_speed"));
 }
 
+TEST(FlyingShear, BoundsSayWhereNothingHelpsAndWhereNothingLimits) {
+  FlyingShear shear = case_2();
+  shear.limits.velocity = 0.5;
+  EXPECT_EQ(least_cut_length(shear).value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(least_cut_length(shear).quantity, "sync velocity");
+  EXPECT_LT(greatest_line_speed(shear).value, 0.5 * (1 + 1e-12));
+  shear = case_2();
+  shear.limits.jerk = 1000;
+  shear.ramp = Law::line;
+  EXPECT_EQ(greatest_line_speed(shear).value, 0);
+  EXPECT_EQ(greatest_line_speed(shear).quantity, "ramp jerk");
+  FlyingShear free{.cut_length = 1, .line_speed = 1, .sync_length = 0.1};
+  free.acceleration_length = 0.1;
+  EXPECT_EQ(greatest_line_speed(free).value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(greatest_line_speed(free).quantity, "");
+  EXPECT_NEAR(least_cut_length(free).value, 0.3, 1e-15);
+  EXPECT_EQ(least_cut_length(free).quantity, "cut length");
+  free.cut_length = 0.3;  // nothing is left for the return
+  EXPECT_THAT(refusal(free), ::testing::StartsWith("cut_length = 0.3: must be greater than 0.3"));
+}
+
+TEST(FlyingShear, TheFastestLineIsMetAndNotPassed) {
+  testing::Random random(17);
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    FlyingShear shear{.cut_length = random.uniform(0.5, 3), .line_speed = random.uniform(0.3, 2)};
+    shear.limits = {.velocity = random.uniform(1, 4), .acceleration = random.uniform(5, 30)};
+    shear.stroke = random.uniform(0.2, 1);  // the sync is left to it
+    SCOPED_TRACE(::testing::Message() << "case " << i);
+    const ShearBound fastest = greatest_line_speed(shear);
+    ASSERT_GT(fastest.value, 0);
+    shear.line_speed = fastest.value * (1 - 1e-9);
+    EXPECT_EQ(refusal(shear), "");
+    const SyncCam made = flying_shear(shear);
+    EXPECT_GE(greatest_master_velocity(made.cam, shear.limits).value,
+              shear.line_speed * (1 - 1e-9));
+    EXPECT_LE(shear_plan(shear).stroke, *shear.stroke * (1 + 1e-12));
+    shear.line_speed = fastest.value * (1 + 1e-9);
+    EXPECT_NE(refusal(shear), "");
+    ++found;
+  }
+  EXPECT_EQ(found, 100);
+}
+
 TEST(FlyingShear, ScalesWithItsUnits) {
   // m and s against mm and ms: the same cycle to rounding.
   FlyingShear shear = case_2();
