@@ -1,37 +1,18 @@
 #include "jounce/gear/gear.hpp"
 
-#include <cassert>
 #include <limits>
 #include <numeric>
 #include <string>
 
+#include "jounce/gear/detail/wide.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-__extension__ using Wide = __int128;
-
-struct Division {
-  Wide quotient;  // rounded towards minus infinity
-  std::int64_t remainder;
-};
-
-Division floor_divide(Wide a, std::int64_t b) {
-  Wide q = a / b;
-  Wide r = a % b;
-  if (r < 0) {
-    r += b;
-    --q;
-  }
-  return {q, static_cast<std::int64_t>(r)};
-}
-
-std::int64_t narrow(Wide a) {
-  assert(a >= std::numeric_limits<std::int64_t>::min() &&
-         a <= std::numeric_limits<std::int64_t>::max());
-  return static_cast<std::int64_t>(a);
-}
+using detail::floor_divide;
+using detail::narrow;
+using detail::Wide;
 
 }  // namespace
 

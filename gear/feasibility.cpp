@@ -1,0 +1,48 @@
+#include "jounce/gear/feasibility.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave,
+                const MasterRange& master) {
+  const MasterLimit most = greatest_master_velocity(cam, slave, master.rates);
+  Finding f;
+  f.rule = "feasible/" + quantity;
+  f.quantity = quantity;
+  f.where = most.where;
+  f.value = master.velocity;
+  f.limit = most.value;
+  f.margin = std::isinf(most.value) ? 1 : most.value > 0 ? 1 - master.velocity / most.value : -1;
+  f.broken = master.velocity > most.value * (1 + 1e-12);
+  if (!f.broken) return f;
+  f.advice = most.value > 0
+                 ? "let the master run at " + number(most.value) + " at most, or engage more gently"
+                 : "no speed of the master keeps the slave's " + quantity + " limit here";
+  return f;
+}
+
+}  // namespace
+
+Report feasibility(const Cam& cam, const Limits& slave, const MasterRange& master) {
+  require_positive("velocity", master.velocity);
+  require_valid(slave);
+  Report report;
+  for (const auto& [quantity, limit] : {std::pair{"velocity", &Limits::velocity},
+                                        {"acceleration", &Limits::acceleration},
+                                        {"jerk", &Limits::jerk}}) {
+    if (!(slave.*limit)) continue;
+    Limits one;
+    one.*limit = slave.*limit;
+    report.findings.push_back(finding(cam, quantity, one, master));
+  }
+  sort(report);
+  return report;
+}
+
+}  // namespace jounce
