@@ -1,4 +1,5 @@
 #include "jounce/gear/gear.hpp"
+#include "jounce/io/detail/sync_gear.hpp"
 #include "jounce/io/sync_spec.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -16,6 +17,22 @@ SyncCam made(const GearSpec& spec) {
 
 std::optional<double> period(const GearSpec& spec) {
   return spec.master_period;
+}
+
+SyncCam made(const GearCourse& spec) {
+  return detail::made_gear(spec);
+}
+
+SyncCam made(const GearInPosPart& spec) {
+  return detail::made_gear(spec);
+}
+
+std::optional<double> period(const GearCourse&) {
+  return std::nullopt;
+}
+
+std::optional<double> period(const GearInPosPart&) {
+  return std::nullopt;
 }
 
 /// What is said of the whole stands under [follow].

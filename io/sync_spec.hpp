@@ -7,6 +7,8 @@
 #include "jounce/gear/flying_shear.hpp"
 #include "jounce/gear/follow_plan.hpp"
 #include "jounce/gear/follow_start.hpp"
+#include "jounce/gear/gear_course.hpp"
+#include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/gear/indexer.hpp"
 #include "jounce/gear/rotary_knife.hpp"
 #include "jounce/gear/sync_cam.hpp"
@@ -22,6 +24,12 @@ struct GearSpec {
   double master_period = 1;  ///< m: of the table, which goes on from where it ends
 };
 
+/// kind = "gear", engage = "position": MC_GearInPos. With engage = "distance" it is a GearCourse.
+struct GearInPosPart {
+  GearInPosSpec gear;
+  double master_start = 0, master_end = 0;  ///< m: as far as the cam goes
+};
+
 /// kind = "follow": tables as a controller takes them, or what they are to do.
 struct FollowPart {
   std::variant<FollowSpec, FollowPlan> slave;
@@ -29,8 +37,8 @@ struct FollowPart {
 };
 
 /// Kinds "knife", "shear" and "indexer" are what their generators take.
-using SyncSpec =
-    std::variant<GearSpec, FollowPart, RotaryKnifeSpec, FlyingShear, Indexer>;
+using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
+                              FlyingShear, Indexer>;
 
 /// The cam of such a spec. Throws InputError with the document's keys.
 SyncCam sync_cam_of(const SyncSpec& spec);

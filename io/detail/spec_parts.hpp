@@ -12,8 +12,8 @@ namespace jounce::detail {
 /// start, [[segment]] with what is free into spec.optimize, periodic, slave_period, boundaries.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 
-/// [gear].
-GearSpec read_gear(TomlReader gear, const Units& units);
+/// [gear]: by its `engage` one of GearSpec, GearCourse, GearInPosPart.
+SyncSpec read_gear(TomlReader gear, const Units& units);
 
 /// [follow] with [[segment]] or [[follow.table]], or [[point]] and [[zone]].
 FollowPart read_follow(TomlReader& top, const Units& units);
