@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "jounce/profiles/splice.hpp"
@@ -174,6 +175,34 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
   }
 }
 
+/// The same limits for an axis that goes `ratio` times as far; of positions none.
+Bounds scaled(const Bounds& b, double ratio) {
+  const auto both = [&](double min, double max) {
+    return ratio < 0 ? std::pair{ratio * max, ratio * min} : std::pair{ratio * min, ratio * max};
+  };
+  Bounds all;
+  std::tie(all.velocity_min, all.velocity_max) = both(b.velocity_min, b.velocity_max);
+  std::tie(all.acceleration_min, all.acceleration_max) =
+      both(b.acceleration_min, b.acceleration_max);
+  std::tie(all.jerk_min, all.jerk_max) = both(b.jerk_min, b.jerk_max);
+  return all;
+}
+
+/// Under sync = "phase" an axis without limits of its own goes along with the first one that has
+/// some (line follow, PMC600 manual 6.3): it gets those, times the ratio of their ways.
+std::vector<AxisMove> with_followers(const AxesSpec& axes) {
+  std::vector<AxisMove> all = axes.axes;
+  const auto limited = [](const AxisMove& axis) { return !(axis.bounds == Bounds{}); };
+  const auto leader = std::find_if(all.begin(), all.end(), limited);
+  if (axes.sync != Sync::phase || leader == all.end()) return all;
+  const double way = leader->to.position - leader->from.position;
+  for (AxisMove& axis : all) {
+    const double ratio = (axis.to.position - axis.from.position) / way;
+    if (!limited(axis) && way != 0) axis.bounds = scaled(leader->bounds, ratio == 0 ? 1 : ratio);
+  }
+  return all;
+}
+
 }  // namespace
 
 Trajectory moving_at_ends(const Trajectory& motion) {
@@ -209,7 +238,8 @@ QueueMotion motion_of(const QueueSpec& spec) {
 std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   if (!axes.points.empty()) return through_points(axes);
   std::vector<Profile> profiles(axes.axes.size());
-  const Synchronised all = synchronise(axes.axes, axes.sync, profiles, axes.duration);
+  const std::vector<AxisMove> moves = with_followers(axes);
+  const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) throw InputError(key_of(all.axis), "", explain(all.status));
   if (!(all.duration > 0))
     throw InputError("axis", "", "all are where they shall go: nothing moves");

@@ -3,6 +3,7 @@
 
 #include "jounce/io/make.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 
 namespace jounce {
 namespace {
@@ -20,6 +21,83 @@ TEST(GearSpec, MakesALineThatGoesOnFromWhereItEnds) {
   EXPECT_EQ(cam.jet(360e9 + 90)[0], -480e9 - 120);
   EXPECT_EQ(made.segments, std::vector<std::string>{"1 gear"});
   ASSERT_EQ(made.zones.size(), 1U);
+}
+
+TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
+  const Made made = make(parse_spec(
+      spec("[gear]\nengage = \"distance\"\nnumerator = 1\ndenominator = 2\ndistance = 100\n"
+           "engage_at = 10\nmaster_end = 1000\nslave_start = 7\n"
+           "[[gear.change]]\nat = 500\nnumerator = 2\ndistance = 40\nlaw = \"poly345\"\n"
+           "[[gear.shift]]\nat = 700\nshift = -3\ndistance = 100\n"),
+      "g"));
+  const Cam& cam = std::get<Cam>(made.curve);
+  EXPECT_EQ(cam.jet(10)[0], 7);
+  EXPECT_NEAR(cam.jet(110)[0], 7 + 25, 1e-12);
+  EXPECT_NEAR(cam.jet(540)[0], 7 + 25 + 195 + 50, 1e-12);
+  EXPECT_NEAR(cam.jet(1000)[0], 277 + 2 * 460 - 3, 1e-11);
+  EXPECT_EQ(made.segments, (std::vector<std::string>{"1 hold", "2 clutch", "3 gear", "4 clutch",
+                                                     "5 gear", "6 phase", "7 gear"}));
+  EXPECT_EQ(made.zones.size(), 3U);
+}
+
+TEST(GearSpec, EngagesAtPositions) {
+  const std::string text =
+      "[gear]\nengage = \"position\"\nnumerator = 1\ndenominator = 2\n"
+      "master_sync_position = 5000\nslave_sync_position = 2000\nmaster_end = 10000\n";
+  const Made made = make(parse_spec(spec(text + "master_start_distance = 4000\n"), "g"));
+  const Cam& cam = std::get<Cam>(made.curve);
+  EXPECT_EQ(cam.jet(1000)[0], 0);
+  EXPECT_NEAR(cam.jet(5000)[0], 2000, 1e-12);
+  EXPECT_NEAR(cam.jet(10000)[0], 4500, 1e-12);
+  ASSERT_EQ(made.zones.size(), 1U);
+  EXPECT_EQ(made.zones[0].from, 5000);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    make(parse_spec(spec(text), "g.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
+  const std::string position =
+      "[gear]\nengage = \"position\"\nnumerator = 1\nmaster_sync_position = 500\n"
+      "slave_sync_position = 100\nmaster_start_distance = 400\navoid_reversal = true\n";
+  EXPECT_THAT(
+      refusal(position + "master_end = 900\n"),
+      testing::AllOf(testing::StartsWith("g.toml:10:18: gear.avoid_reversal"),
+                     testing::HasSubstr("777"), testing::HasSubstr("to 250 instead of 400")));
+  EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 30\n"), testing::StrEq(""));
+  EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 1\n"),
+              testing::HasSubstr("776"));
+  const std::string distance = "[gear]\nengage = \"distance\"\nnumerator = 1\nmaster_end = 100\n";
+  EXPECT_THAT(refusal(distance + "distance = -1\n"),
+              testing::StartsWith("g.toml:8:12: gear.distance = -1: must not be negative"));
+  EXPECT_THAT(refusal(distance + "distance = 10\n[[gear.change]]\nat = 5\nnumerator = 2\n"
+                                 "distance = 1\n"),
+              testing::StartsWith("g.toml:10:6: gear.change[1].at = 5: must not lie before 10"));
+  EXPECT_THAT(refusal(distance + "distance = 10\nmaster_period = 3\n"),
+              testing::HasSubstr("master_period"));
+}
+
+TEST(AxesSpec, WithoutLimitsOfItsOwnAnAxisFollowsOnTheLine) {
+  const std::string head =
+      "jounce = 1\nkind = \"axes\"\nsync = \"phase\"\nunits = { position = \"pulse\" }\n"
+      "[[axis]]\nname = \"m\"\nfrom = 0\nto = 4000\nvelocity = 2000\nacceleration = 4000\n";
+  const auto both = make_axes(parse_spec(head + "[[axis]]\nname = \"s\"\nfrom = 10\nto = "
+                                                "-1990\n[[axis]]\nname = \"z\"\nfrom = 5\nto = 5\n",
+                                         "a"));
+  const auto& master = std::get<Trajectory>(both[0].curve);
+  const auto& slave = std::get<Trajectory>(both[1].curve);
+  EXPECT_NEAR(slave.end(), 2.5, 1e-12);  // PMC600 manual 6.3, example 6.7
+  EXPECT_EQ(slave.end(), master.end());
+  EXPECT_NEAR(extrema(slave, 1).min.value, -1000, 1e-9);
+  for (int i = 0; i <= 100; ++i)
+    EXPECT_NEAR(slave.at(i * 0.025).position, 10 - master.at(i * 0.025).position / 2, 1e-9);
+  EXPECT_EQ(std::get<Trajectory>(both[2].curve).at(1).position, 5);
 }
 
 TEST(GearSpec, RefusesADenominatorOfNought) {
