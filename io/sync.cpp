@@ -6,6 +6,21 @@
 namespace jounce {
 namespace {
 
+/// A generator names its own fields: here they stand under `table`, and a slave's limits under [limits.slave].
+template <class Make>
+SyncCam in_document(const std::string& table, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    const bool limit = error.key().starts_with("limits.");
+    std::string rule = error.rule();
+    if (const auto at = rule.rfind("limits."); at != std::string::npos)
+      rule.insert(at + 7, "slave.");
+    throw InputError(limit ? "limits.slave." + error.key().substr(7) : table + error.key(),
+                     error.value(), rule);
+  }
+}
+
 SyncCam made(const GearSpec& spec) {
   const Gear gear = Gear::ratio(spec.numerator, spec.denominator);
   const double travel = spec.master_period * static_cast<double>(gear.numerator()) /
@@ -57,26 +72,11 @@ std::optional<double> period(const FollowPart& spec) {
 }
 
 SyncCam made(const RotaryKnifeSpec& spec) {
-  return rotary_knife(spec);
+  return in_document("knife.", [&] { return rotary_knife(spec); });
 }
 
 std::optional<double> period(const RotaryKnifeSpec& spec) {
   return spec.cut_length;
-}
-
-/// A generator names its own fields: here they stand under `table`, and a slave's limits under [limits.slave].
-template <class Make>
-SyncCam in_document(const std::string& table, const Make& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    const bool limit = error.key().starts_with("limits.");
-    std::string rule = error.rule();
-    if (const auto at = rule.rfind("limits."); at != std::string::npos)
-      rule.insert(at + 7, "slave.");
-    throw InputError(limit ? "limits.slave." + error.key().substr(7) : table + error.key(),
-                     error.value(), rule);
-  }
 }
 
 SyncCam made(const FlyingShear& spec) {
