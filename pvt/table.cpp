@@ -8,9 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "jounce/profiles/detail/coefficients.hpp"
-#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/pvt/detail/piece.hpp"
 
 namespace jounce {
 namespace {
@@ -94,24 +93,24 @@ double Table::advance() const {
   return outside_ == Outside::advance ? columns_.p.back() - columns_.p.front() : 0;
 }
 
-/// evaluate(segment(i), ...), without the segment.
+template <int degree>
+[[gnu::always_inline]] inline Jet jet_in(const detail::KnotColumns& t, std::size_t i, double at) {
+  const detail::Piece<degree> f = detail::piece<degree>(t, i);
+  const double s = detail::place(f, at, t.x[i + 1]);
+  return {position(f, s), velocity(f, s), acceleration(f, s), jerk(f, s)};
+}
+
 [[gnu::always_inline]] inline Jet Table::inside(std::size_t i, double at) const {
-  const auto& [x, p, v, a] = columns_;
-  const std::size_t k = i + 1;
-  const double length = x[k] - x[i];
-  const double s = std::clamp((at - x[i]) / length, 0.0, 1.0);
-  const auto evaluated = [&]<std::size_t n>(const std::array<double, n>& c) {
-    return detail::over_length(detail::horner<n - 1>(c, s), length);
-  };
+  const detail::KnotColumns t = detail::knots_of(columns_);
   switch (rule_) {
     case Rule::linear:
-      return evaluated(detail::line_coefficients(p[i], p[k]));
+      return jet_in<1>(t, i, at);
     case Rule::cubic_hermite:
-      return evaluated(detail::cubic_coefficients(length, p[i], v[i], p[k], v[k]));
+      return jet_in<3>(t, i, at);
     case Rule::quintic_hermite:
       break;
   }
-  return evaluated(detail::quintic_coefficients(length, p[i], v[i], a[i], p[k], v[k], a[k]));
+  return jet_in<5>(t, i, at);
 }
 
 template <class Over>

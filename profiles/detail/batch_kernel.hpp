@@ -24,17 +24,6 @@ struct Kernels {
 };
 extern const Kernels kernels_anywhere, kernels_avx2, kernels_avx512;
 
-template <class Real>
-JOUNCE_INLINE Real load(const double* from) {
-  Real x;
-  __builtin_memcpy(&x, from, sizeof x);
-  return x;
-}
-template <class Real>
-JOUNCE_INLINE void store(double* to, Real x) {
-  __builtin_memcpy(to, &x, sizeof x);
-}
-
 /// Whether the question was sound and the answer is one: no NaN passes a comparison.
 template <class Real>
 JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velocity, Real ends,
@@ -101,9 +90,6 @@ JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Mask<Real> good = (D > 0) & answered(r, distance, velocity, every<Real>(0), total);
   store(b.settled + i, good ? every<Real>(1) : every<Real>(0));
 }
-
-template <class Real>
-constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
 
 template <class Real>
 JOUNCE_INLINE void each_way(Block& block) {

@@ -21,6 +21,20 @@ template <class Real>
 using Mask = decltype(Real{} < Real{});
 
 template <class Real>
+constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
+
+template <class Real>
+JOUNCE_INLINE Real load(const double* from) {
+  Real x;
+  __builtin_memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class Real>
+JOUNCE_INLINE void store(double* to, Real x) {
+  __builtin_memcpy(to, &x, sizeof x);
+}
+
+template <class Real>
 JOUNCE_INLINE Real every(double x) {  // in every lane
   return Real{} + x;
 }

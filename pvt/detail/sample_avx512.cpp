@@ -1,0 +1,19 @@
+#include "jounce/pvt/detail/sample_kernel.hpp"
+
+namespace jounce::detail {
+namespace {
+
+void listed(const KnotColumns& t, Rule rule, Listed at, std::size_t first, std::size_t last,
+            Samples out) {
+  sample_table<Vector8>(t, rule, at, first, last, out);
+}
+void uniform(const KnotColumns& t, Rule rule, Uniform at, std::size_t first, std::size_t last,
+             Samples out) {
+  sample_table<Vector8>(t, rule, at, first, last, out);
+}
+
+}  // namespace
+
+const SampleKernels sample_avx512{listed, uniform};
+
+}  // namespace jounce::detail
