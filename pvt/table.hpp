@@ -75,6 +75,11 @@ class Table {
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
+  /// The interval that x in [start, end) lies in, counted from 0.
+  [[nodiscard]] std::size_t interval(double x) const {
+    return index_.find(columns_.x, x, Side::right);
+  }
+
   /// The interval between knots i and i + 1 as a segment.
   [[nodiscard]] Segment segment(std::size_t i) const;
 

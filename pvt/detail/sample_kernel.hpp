@@ -12,13 +12,18 @@ struct Listed {
   const double* x;
 
   [[nodiscard]] JOUNCE_INLINE double at(std::size_t k) const { return x[k]; }
+  /// Samples k, k + 1, ... in vectors one after another.
   template <class Real>
-  [[nodiscard]] JOUNCE_INLINE Real vector(std::size_t k) const {
-    return load<Real>(x + k);
-  }
-  /// A guess of the first sample not before `end`, where the interval before had `n` samples.
-  [[nodiscard]] JOUNCE_INLINE std::size_t guess(std::size_t k, std::size_t n, double) const {
-    return k + n;
+  struct Stream {
+    const double* next;
+
+    JOUNCE_INLINE Stream(const Listed& at, std::size_t k) : next(at.x + k) {}
+    [[nodiscard]] JOUNCE_INLINE Real get() const { return load<Real>(next); }
+    JOUNCE_INLINE void advance() { next += lanes<Real>; }
+  };
+  /// About how many samples lie between sample k and `end`, if they are as dense as the n before k.
+  [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t n, double end) const {
+    return (end - x[k]) / (x[k] - x[k - n]) * static_cast<double>(static_cast<long long>(n));
   }
 };
 struct Uniform {
@@ -28,13 +33,19 @@ struct Uniform {
     return start + static_cast<double>(static_cast<long long>(k)) * step;
   }
   template <class Real>
-  [[nodiscard]] JOUNCE_INLINE Real vector(std::size_t k) const {
-    constexpr double count[8]{0, 1, 2, 3, 4, 5, 6, 7};
-    return start + (load<Real>(count) + static_cast<double>(static_cast<long long>(k))) * step;
-  }
-  [[nodiscard]] JOUNCE_INLINE std::size_t guess(std::size_t k, std::size_t, double end) const {
-    const double n = (end - start) / step;  // at least k, to rounding
-    return n < 0x1p62 ? static_cast<std::size_t>(static_cast<long long>(n)) + 1 : k;
+  struct Stream {
+    Real start, step, k;  // k: whole numbers, exact
+
+    JOUNCE_INLINE Stream(const Uniform& at, std::size_t first)
+        : start(every<Real>(at.start)), step(every<Real>(at.step)) {
+      constexpr double count[8]{0, 1, 2, 3, 4, 5, 6, 7};
+      k = load<Real>(count) + static_cast<double>(static_cast<long long>(first));
+    }
+    [[nodiscard]] JOUNCE_INLINE Real get() const { return start + k * step; }
+    JOUNCE_INLINE void advance() { k += static_cast<double>(lanes<Real>); }
+  };
+  [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t, double end) const {
+    return (end - at(k)) / step;
   }
 };
 
@@ -84,33 +95,50 @@ JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std
   return low;
 }
 
-template <class Real, int degree, class Instants>
-JOUNCE_INLINE void sample_at(const Piece<degree>& f, const Instants& at, std::size_t k,
-                             const Samples& out) {
-  Real x;
-  if constexpr (lanes<Real> == 1)
-    x = at.at(k);
-  else
-    x = at.template vector<Real>(k);
+/// The first sample after k, at most `last`, that is not before `end`; n: samples in the interval
+/// before. Mostly the guess is right within one, whichever way: then without a branch.
+template <class Instants>
+JOUNCE_INLINE std::size_t run_end(const Instants& at, std::size_t k, std::size_t last, double end,
+                                  std::size_t n) {
+  const auto before = [&](std::size_t i) __attribute__((always_inline)) {
+    return at.at(i) < end;
+  };
+  const double ahead = at.ahead(k, n, end);
+  const double room = static_cast<double>(static_cast<long long>(last - k));
+  if (!(ahead < room)) return first_after(before, k + 1, last, last);
+  const std::size_t guess = k + 1 + static_cast<std::size_t>(static_cast<long long>(ahead));
+  if (guess >= k + 3 && guess + 2 < last && before(guess - 2) && !before(guess + 1)) [[likely]]
+    return guess - 1 + static_cast<std::size_t>(before(guess - 1)) +
+           static_cast<std::size_t>(before(guess));
+  return first_after(before, k + 1, last, guess);
+}
+
+template <class Real, int degree>
+JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, const Samples& out) {
   const Real s = (x - f.x0) * f.per_length;
   store(out.p + k, position(f, s));
   store(out.v + k, velocity(f, s));
   store(out.a + k, acceleration(f, s));
 }
 
-/// Samples [first, last) of one interval. The last vector ends with the last sample, over some that
-/// are done already: they become what they are.
+/// Samples [first, last) of one interval: a vector at each end, and between them those that fill whole
+/// vectors of the first column, whose stores then cross no cache line. Where they overlap, samples
+/// become again what they are.
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
                               std::size_t last, const Samples& out) {
   constexpr std::size_t n = lanes<Real>;
+  using Stream = typename Instants::template Stream<Real>;
   if (last - first < n) {
-    for (std::size_t k = first; k < last; ++k) sample_at<double>(f, at, k, out);
+    for (std::size_t k = first; k < last; ++k) sample_at<double>(f, at.at(k), k, out);
     return;
   }
-  std::size_t k = first;
-  for (; k + n <= last; k += n) sample_at<Real>(f, at, k, out);
-  if (k < last) sample_at<Real>(f, at, last - n, out);
+  sample_at(f, Stream(at, first).get(), first, out);
+  std::size_t k =
+      first + n - (reinterpret_cast<std::uintptr_t>(out.p + first) / sizeof(double)) % n;
+  Stream x(at, k);
+  for (; k + n <= last; k += n, x.advance()) sample_at(f, x.get(), k, out);
+  sample_at(f, Stream(at, last - n).get(), last - n, out);
 }
 
 template <class Real, int degree, class Instants>
@@ -124,9 +152,7 @@ JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::
         [&](std::size_t i) __attribute__((always_inline)) { return t.x[i] <= x; }, knot, t.size - 1,
         knot);
     const double end = t.x[knot];
-    const std::size_t next = first_after(
-        [&](std::size_t i) __attribute__((always_inline)) { return at.at(i) < end; }, k + 1, last,
-        at.guess(k, n, end));
+    const std::size_t next = run_end(at, k, last, end, n);
     sample_run<Real>(piece<degree>(t, knot - 1), at, k, next, out);
     n = next - k;
     k = next;
