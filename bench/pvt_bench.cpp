@@ -4,6 +4,7 @@
 // Position, velocity and acceleration each (a single query of Jounce's gives the third derivative
 // as well). Results: docs/performance.md, "Tables".
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -13,6 +14,7 @@
 #include <benchmark/benchmark.h>
 
 #include "jounce/profiles/detail/lanes.hpp"
+#include "jounce/pvt/check.hpp"
 #include "jounce/pvt/cursor.hpp"
 #include "jounce/pvt/detail/sample_kernel.hpp"
 #include "jounce/pvt/table.hpp"
@@ -265,6 +267,82 @@ void boost_quintic(State& state, Order order) {
 BENCHMARK_CAPTURE(boost_quintic, ascending, ascending)->Arg(1000);
 BENCHMARK_CAPTURE(boost_quintic, random, random_order)->Arg(1000)->Arg(1'000'000);
 #endif
+
+// ---- checking: no peer does ----------------------------------------------------------------------
+
+/// A million intervals of a motion that swings at many frequencies, as a controller records one.
+Table recorded(Rule rule) {
+  Columns columns;
+  constexpr std::size_t n = 1'000'000;
+  constexpr double tau = 6.283185307179586;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double x = static_cast<double>(i) * 1e-3;
+    Jet f{};
+    for (const double w : {tau / 1000, tau / 13.7, tau / 0.731}) {
+      f[0] += std::sin(w * x) / w;
+      f[1] += std::cos(w * x);
+      f[2] -= std::sin(w * x) * w;
+    }
+    columns.x.push_back(x);
+    columns.p.push_back(f[0]);
+    if (rule != Rule::linear) columns.v.push_back(f[1]);
+    if (rule == Rule::quintic_hermite) columns.a.push_back(f[2]);
+  }
+  return {Axis::time, rule, Outside::hold, std::move(columns)};
+}
+
+/// Positions at random, velocities too: every interval swings as it likes.
+Table wild(Rule rule) {
+  return table(1'000'000, rule);
+}
+
+void extrema_of_a_million(State& state, Table (*make)(Rule), Rule rule) {
+  const Table f = make(rule);
+  for (auto _ : state) benchmark::DoNotOptimize(extrema(f));
+}
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_linear, recorded, Rule::linear)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_cubic, recorded, Rule::cubic_hermite)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_quintic, recorded, Rule::quintic_hermite)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(extrema_of_a_million, wild_cubic, wild, Rule::cubic_hermite)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(extrema_of_a_million, wild_quintic, wild, Rule::quintic_hermite)
+    ->Unit(benchmark::kMillisecond);
+
+/// Limits on everything, which it keeps.
+void verdict_on_a_million(State& state, Table (*make)(Rule), Rule rule) {
+  const Table f = make(rule);
+  const Limits limits{.position_min = -1e6,
+                      .position_max = 1e6,
+                      .velocity = 1e6,
+                      .acceleration = 1e9,
+                      .jerk = 1e12};
+  for (auto _ : state) benchmark::DoNotOptimize(check(f, limits));
+}
+BENCHMARK_CAPTURE(verdict_on_a_million, recorded_cubic, recorded, Rule::cubic_hermite)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(verdict_on_a_million, recorded_quintic, recorded, Rule::quintic_hermite)
+    ->Unit(benchmark::kMillisecond);
+
+void continuity_of_a_million(State& state) {
+  const Table f = recorded(Rule::cubic_hermite);
+  for (auto _ : state) benchmark::DoNotOptimize(check_continuity(f, 1));
+}
+BENCHMARK(continuity_of_a_million)->Unit(benchmark::kMillisecond);
+
+/// The way of a curve: made of the table, then every segment searched.
+void verdict_through_a_curve(State& state) {
+  const Table f = recorded(Rule::cubic_hermite);
+  const Limits limits{.position_min = -1e6,
+                      .position_max = 1e6,
+                      .velocity = 1e6,
+                      .acceleration = 1e9,
+                      .jerk = 1e12};
+  for (auto _ : state) benchmark::DoNotOptimize(check(f.curve<OverTime>(), limits));
+}
+BENCHMARK(verdict_through_a_curve)->Unit(benchmark::kMillisecond);
 
 // ---- building ----------------------------------------------------------------------------------
 

@@ -55,12 +55,16 @@ const Extremum& Range::peak() const {
   return std::abs(min.value) > std::abs(max.value) ? min : max;
 }
 
+Range segment_range(const Segment& f, double start, double end, int order) {
+  assert(order >= 0 && order <= 3);
+  Segment g = f;
+  for (int k = 0; k < order; ++k) g = derivative(g);
+  return range_on(g, derivative(g), start, end);
+}
+
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order) {
-  assert(order >= 0 && order <= 3);
-  Segment g = f.segments()[segment];
-  for (int k = 0; k < order; ++k) g = derivative(g);
-  return range_on(g, derivative(g), f.breaks()[segment], f.breaks()[segment + 1]);
+  return segment_range(f.segments()[segment], f.breaks()[segment], f.breaks()[segment + 1], order);
 }
 
 template <class Over>

@@ -40,6 +40,9 @@ Ranges extrema(const Curve<Over>& f);
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
+/// The same of a segment that lies between `start` and `end` on its axis.
+Range segment_range(const Segment& f, double start, double end, int order);
+
 /// All four orders for one segment of the curve, by index, and for several from `first` up to `last`.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);

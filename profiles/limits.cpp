@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "jounce/profiles/detail/limit_check.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-/// One bound on one derivative: the curve must stay on `inner` side of `limit`.
-struct Bound {
-  std::size_t order;
-  std::string rule;
-  double limit;
-  bool upper;
-  double scale;  // what a margin of 1 means
-};
+using detail::Bound;
 
 std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
                              double stroke) {
@@ -57,22 +52,7 @@ double margin_of(const Bound& bound, double value) {
 /// A limit that is met exactly is met: what is left is the rounding of the evaluation.
 bool is_broken(const Bound& bound, double value) {
   const double room = bound.upper ? bound.limit - value : value - bound.limit;
-  return room < -1e-12 * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
-}
-
-Finding finding_of(const Bound& bound, const Extremum& worst, const char* quantity,
-                   std::size_t segment) {
-  const bool broken = is_broken(bound, worst.value);
-  return {bound.rule,
-          "",
-          quantity,
-          worst.where,
-          worst.value,
-          bound.limit,
-          margin_of(bound, worst.value),
-          broken,
-          segment,
-          broken ? advice(bound.order) : ""};
+  return room < -detail::forgiven * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
 }
 
 /// A peak on a break belongs to both segments beside it: told of the first.
@@ -121,66 +101,104 @@ void sort(Report& report) {
                    });
 }
 
-template <class Over>
-Report check(const Curve<Over>& f, const Limits& limits) {
-  require_valid(limits);
-  const bool one_end = limits.position_min.has_value() != limits.position_max.has_value();
-  const Range travel = one_end ? extrema(f, 0) : Range{};
-  const auto bounds = bounds_of(limits, Over::names, travel.max.value - travel.min.value);
-  std::vector<std::optional<Finding>> closest(bounds.size());
-  std::vector<std::optional<Finding>> broken(bounds.size());  // the last of each
-  Report report;
-  for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    Range range;
-    for (std::size_t b = 0; b < bounds.size(); ++b) {
-      const auto order = bounds[b].order;
-      if (b == 0 || order != bounds[b - 1].order)
-        range = segment_range(f, i, static_cast<int>(order));
-      const Extremum& worst = worst_of(bounds[b], range);
-      if (is_broken(bounds[b], worst.value)) {
-        if (is_told(broken[b], worst, f.breaks()[i])) continue;
-        broken[b] = finding_of(bounds[b], worst, Over::names[order], i);
-        report.findings.push_back(*broken[b]);
-      } else if (!closest[b] || margin_of(bounds[b], worst.value) < closest[b]->margin) {
-        closest[b] = finding_of(bounds[b], worst, Over::names[order], i);
-      }
-    }
+namespace detail {
+
+LimitCheck::LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke)
+    : names_(names),
+      bounds_(bounds_of(limits, names, stroke)),
+      closest_(bounds_.size()),
+      broken_(bounds_.size()) {}
+
+Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst,
+                               std::size_t segment) const {
+  const bool broken = is_broken(bound, worst.value);
+  return {bound.rule,
+          "",
+          names_[bound.order],
+          worst.where,
+          worst.value,
+          bound.limit,
+          margin_of(bound, worst.value),
+          broken,
+          segment,
+          broken ? advice(bound.order) : ""};
+}
+
+void LimitCheck::consider(std::size_t b, const Range& range, double start, std::size_t segment) {
+  const Bound& bound = bounds_[b];
+  const Extremum& worst = worst_of(bound, range);
+  if (is_broken(bound, worst.value)) {
+    if (is_told(broken_[b], worst, start)) return;
+    broken_[b] = finding_of(bound, worst, segment);
+    report_.findings.push_back(*broken_[b]);
+  } else if (!closest_[b] || margin_of(bound, worst.value) < closest_[b]->margin) {
+    closest_[b] = finding_of(bound, worst, segment);
   }
+}
+
+std::optional<double> LimitCheck::closest(std::size_t bound) const {
+  return closest_[bound] ? std::optional(closest_[bound]->value) : std::nullopt;
+}
+
+Report LimitCheck::report() && {
   // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.
-  for (const auto& candidate : closest) {
+  for (const auto& candidate : closest_) {
     if (!candidate) continue;
     const auto same =
-        std::find_if(report.findings.begin(), report.findings.end(),
+        std::find_if(report_.findings.begin(), report_.findings.end(),
                      [&](const Finding& other) { return other.rule == candidate->rule; });
-    if (same == report.findings.end())
-      report.findings.push_back(*candidate);
+    if (same == report_.findings.end())
+      report_.findings.push_back(*candidate);
     else if (!same->broken && candidate->margin < same->margin)
       *same = *candidate;
+  }
+  sort(report_);
+  return std::move(report_);
+}
+
+Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
+                         const std::array<const char*, 4>& names, int order, double tolerance) {
+  Report report;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
+    const auto& range = ranges[k];
+    const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
+    // Below the rounding of the values themselves nothing can be called a step.
+    const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
+    const double step = std::abs(jumps[k].step);
+    const double margin = limit > 0 ? (limit - step) / limit : -step;
+    report.findings.push_back({std::string("continuity/") + names[k], "",
+                               std::string("step of ") + names[k], jumps[k].where, step, limit,
+                               margin, step > limit, std::nullopt,
+                               step > limit ? "make both sides of the joint agree" : ""});
   }
   sort(report);
   return report;
 }
 
+}  // namespace detail
+
+template <class Over>
+Report check(const Curve<Over>& f, const Limits& limits) {
+  require_valid(limits);
+  const Range travel = detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
+  detail::LimitCheck found(limits, Over::names, travel.max.value - travel.min.value);
+  const auto& bounds = found.bounds();
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    Range range;
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+      if (b == 0 || bounds[b].order != bounds[b - 1].order)
+        range = segment_range(f, i, static_cast<int>(bounds[b].order));
+      found.consider(b, range, f.breaks()[i], i);
+    }
+  }
+  return std::move(found).report();
+}
+
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
-  const Ranges ranges = extrema(f);
-  Report report;
-  for (int k = 0; k <= order; ++k) {
-    const auto& range = ranges[static_cast<std::size_t>(k)];
-    const char* name = Over::names[static_cast<std::size_t>(k)];
-    const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
-    // Below the rounding of the values themselves nothing can be called a step.
-    const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
-    const Jump jump = largest_jump(f, k);
-    const double step = std::abs(jump.step);
-    const double margin = limit > 0 ? (limit - step) / limit : -step;
-    report.findings.push_back({std::string("continuity/") + name, "",
-                               std::string("step of ") + name, jump.where, step, limit, margin,
-                               step > limit, std::nullopt,
-                               step > limit ? "make both sides of the joint agree" : ""});
-  }
-  sort(report);
-  return report;
+  std::array<Jump, 4> jumps;
+  for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
+  return detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                            \

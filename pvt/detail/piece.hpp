@@ -60,6 +60,31 @@ JOUNCE_INLINE void differentiate(const double* c, double per_length, int first, 
   for (int k = first; k < n; ++k) slope[k] = static_cast<double>(k + 1) * c[k + 1] * per_length;
 }
 
+/// (2) and (3), h = p1 - p0.
+template <class Real>
+JOUNCE_INLINE void cubic_coefficients(Real length, Real p0, Real h, Real v0, Real v1, Real* c) {
+  const Real m0 = v0 * length;
+  const Real m1 = v1 * length;
+  c[0] = p0;
+  c[1] = m0;
+  c[2] = 3 * h - 2 * m0 - m1;
+  c[3] = -2 * h + m0 + m1;
+}
+template <class Real>
+JOUNCE_INLINE void quintic_coefficients(Real length, Real p0, Real h, Real v0, Real a0, Real v1,
+                                        Real a1, Real* c) {
+  const Real m0 = v0 * length;
+  const Real m1 = v1 * length;
+  const Real k0 = a0 * length * length;
+  const Real k1 = a1 * length * length;
+  c[0] = p0;
+  c[1] = m0;
+  c[2] = k0 / 2;
+  c[3] = 10 * h - 6 * m0 - 4 * m1 - (3 * k0 - k1) / 2;
+  c[4] = -15 * h + 8 * m0 + 7 * m1 + (3 * k0 - 2 * k1) / 2;
+  c[5] = 6 * h - 3 * (m0 + m1) - (k0 - k1) / 2;
+}
+
 /// (1) to (4) for the interval between knots i and i + 1.
 template <int degree>
 JOUNCE_INLINE Piece<degree> piece(const KnotColumns& t, std::size_t i) {
@@ -68,34 +93,23 @@ JOUNCE_INLINE Piece<degree> piece(const KnotColumns& t, std::size_t i) {
   const double h = t.p[i + 1] - t.p[i];
   f.x0 = t.x[i];
   f.per_length = 1 / length;
-  f.p[0] = t.p[i];
   if constexpr (degree == 1) {
+    f.p[0] = t.p[i];
     f.p[1] = h;
     f.v[0] = h * f.per_length;
     f.a[0] = f.j[0] = 0;
-    return f;
   } else {
-    const double m0 = t.v[i] * length;
-    const double m1 = t.v[i + 1] * length;
-    f.p[1] = m0;
+    if constexpr (degree == 3)
+      cubic_coefficients(length, t.p[i], h, t.v[i], t.v[i + 1], f.p);
+    else
+      quintic_coefficients(length, t.p[i], h, t.v[i], t.a[i], t.v[i + 1], t.a[i + 1], f.p);
     f.v[0] = t.v[i];
-    if constexpr (degree == 3) {
-      f.p[2] = 3 * h - 2 * m0 - m1;
-      f.p[3] = -2 * h + m0 + m1;
-    } else {
-      const double k0 = t.a[i] * length * length;
-      const double k1 = t.a[i + 1] * length * length;
-      f.p[2] = k0 / 2;
-      f.p[3] = 10 * h - 6 * m0 - 4 * m1 - (3 * k0 - k1) / 2;
-      f.p[4] = -15 * h + 8 * m0 + 7 * m1 + (3 * k0 - 2 * k1) / 2;
-      f.p[5] = 6 * h - 3 * (m0 + m1) - (k0 - k1) / 2;
-      f.a[0] = t.a[i];
-    }
+    if constexpr (degree == 5) f.a[0] = t.a[i];
     differentiate<degree>(f.p, f.per_length, 1, f.v);
     differentiate<degree - 1>(f.v, f.per_length, degree == 5 ? 1 : 0, f.a);
     differentiate<degree - 2>(f.a, f.per_length, 0, f.j);
-    return f;
   }
+  return f;
 }
 
 /// s of a place in an interval that ends at x1: held at its ends, which it meets exactly.
