@@ -6,6 +6,7 @@
 
 #include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
+#include "jounce/io/samples_csv.hpp"
 #include "jounce/io/units.hpp"
 
 #include "input.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::string rule;
   std::string tolerance;
   std::size_t intervals = 0;
+  std::string every;
   std::string master_unit;
   std::string position_unit;
   bool periodic = false;
@@ -95,12 +97,21 @@ Converted convert(const Input& input, const Options& options) {
   return result;
 }
 
+/// The values at every step of a controller's cycle, for other programs to read.
+std::string samples_of(const TableFile& file, const Options& options) {
+  if (format_of(options) || options.to == "json" || options.output.ends_with(".json"))
+    throw InputError("--every", options.every, "writes samples, as CSV and nothing else");
+  return samples_csv(file, quantity(options.every, file.units.x));
+}
+
 std::string text_of(const TableFile& file, const Options& options) {
-  if (const auto format = format_of(options)) return exchange_text(*format, file);
+  const auto format = format_of(options);
+  if (format && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
     if (unit->empty())
       throw InputError(option, "", "is missing: the file does not say what it counts in");
+  if (!options.every.empty()) return samples_of(file, options);
   return options.to == "json"  ? to_json(file)
          : options.to == "csv" ? to_csv(file)
                                : table_text(options.output, file);
@@ -109,6 +120,8 @@ std::string text_of(const TableFile& file, const Options& options) {
 /// What the format cannot say of this table.
 std::vector<std::string> losses(const Options& options, const Input& input) {
   std::vector<std::string> all;
+  if (!options.every.empty())
+    all.emplace_back("samples: what lies between them is not in the file");
   if (input.spec) all.emplace_back("laws and limits stay in the spec");
   const auto format = format_of(options);
   if (!format) return all;
@@ -210,6 +223,9 @@ void add_convert(CLI::App& app, Work& work) {
   verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
       ->excludes("--tolerance");
+  verb->add_option("--every", options->every,
+                   "Not a table but its values: position and two derivatives at every step of the "
+                   "first column, such as \"1 ms\", as CSV");
   verb->add_option(
       "--master-unit", options->master_unit,
       "Unit of the first column: what a file without units counts in, or what to convert to");

@@ -11,6 +11,7 @@
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/io/sync_check.hpp"
+#include "jounce/pvt/check.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -68,24 +69,25 @@ double allowed_error(const Input& input, const Range& travel) {
 
 /// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
 /// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic.
-template <class Over>
-double rounding_of_knots(const Curve<Over>& table, const Finding& finding) {
+double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
   constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
-  const auto name = std::find(Over::names.begin(), Over::names.end(), finding.quantity);
-  const auto order = static_cast<std::size_t>(name - Over::names.begin());
+  const auto& names = table.axis() == Axis::time ? OverTime::names : OverMaster::names;
+  const auto name = std::find(names.begin(), names.end(), finding.quantity);
+  const auto order = static_cast<std::size_t>(name - names.begin());
   if (order >= factors.size() || !finding.segment) return 0;
-  const double d =
-      std::numeric_limits<double>::epsilon() * std::abs(extrema(table, 0).peak().value);
-  return 2 * factors[order] * d /
-         std::pow(table.segments()[*finding.segment].length, static_cast<double>(order));
+  const auto& x = table.columns().x;
+  const double length = x[*finding.segment + 1] - x[*finding.segment];
+  return 2 * factors[order] * std::numeric_limits<double>::epsilon() * largest_position /
+         std::pow(length, static_cast<double>(order));
 }
 
 /// Limits that the table alone breaks, between the knots, by more than the rounding of its knots.
-template <class Over>
-Report check_table(const Curve<Over>& table, const Limits& limits, const Report& of_curve) {
+Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
   Report report = check(table, limits);
+  const double largest_position = std::abs(extrema(table)[0].peak().value);
   std::erase_if(report.findings, [&](const Finding& f) {
-    return !f.broken || std::abs(f.value - f.limit) <= rounding_of_knots(table, f) ||
+    return !f.broken ||
+           std::abs(f.value - f.limit) <= rounding_of_knots(table, largest_position, f) ||
            std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
                        [&](const Finding& g) { return g.broken && g.rule == f.rule; });
   });
@@ -98,11 +100,12 @@ Report check_table(const Curve<Over>& table, const Limits& limits, const Report&
 
 template <class Over>
 Report check_curve(const Curve<Over>& curve, const Input& input, int continuity) {
-  Report report = check(curve, input.limits);
+  const Table& table = input.table.table;
+  Report report = input.error ? check(curve, input.limits) : check(table, input.limits);
   const auto add = [&](const Report& part) {
     report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
   };
-  add(check_continuity(curve, continuity));
+  add(input.error ? check_continuity(curve, continuity) : check_continuity(table, continuity));
   if (!input.error) return report;
   const double allowed = std::max(allowed_error(input, extrema(curve, 0)),
                                   1e-14 * std::abs(extrema(curve, 0).peak().value));
@@ -120,7 +123,7 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
                              {},
                              {}});
   // Where the curve keeps a limit, its table may still break it between the knots.
-  add(check_table(input.table.table.curve<Over>(), input.limits, report));
+  add(check_table(table, input.limits, report));
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
@@ -164,7 +165,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
     couple(coupling, position, tick);
   } else {
     const Trajectory trajectory = time_->curve<OverTime>();
-    ranges_ = extrema(trajectory);
+    ranges_ = extrema(*time_);
     survey_steps(trajectory, tick);
   }
   first_ = follow(master(0), 0);
