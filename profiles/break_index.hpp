@@ -39,6 +39,10 @@ class BreakIndex {
     return side == Side::right ? find<Side::right>(breaks, x) : find<Side::left>(breaks, x);
   }
 
+  /// The first interval that reaches into x's cell, so at most the one that x lies in, and seldom far
+  /// from it: known before any break is read, for what should be fetched meanwhile.
+  [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
+
  private:
   template <Side side>
   [[nodiscard]] static bool passed(double x, double at) {

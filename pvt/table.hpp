@@ -90,6 +90,7 @@ class Table {
  private:
   [[nodiscard]] Jet at_end_or_outside(double x, Side side) const;
   [[nodiscard]] Jet inside(std::size_t interval, double at) const;
+  void fetch(std::size_t interval) const;
 
   Axis axis_;
   Rule rule_;

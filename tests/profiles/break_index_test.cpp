@@ -100,6 +100,22 @@ TEST(BreakIndex, CountsRandomBreaksAtRandomPositions) {
   }
 }
 
+TEST(BreakIndex, NamesNoIntervalTooLateBeforehand) {
+  testing::Random random(21);
+  std::vector<double> breaks{-5};
+  for (int i = 0; i < 1000; ++i) breaks.push_back(breaks.back() + random.log_uniform(0.01, 10));
+  const BreakIndex index(breaks);
+  for (int i = 0; i < 10000; ++i) {
+    const double x = random.uniform(breaks.front(), breaks.back());
+    const std::size_t found = index.find(breaks, x, Side::right);
+    ASSERT_LE(index.near(x), found) << x;
+    // At most as far off as breaks fit into one cell, half a mean interval.
+    const double cell = (breaks.back() - breaks.front()) / 2000;
+    ASSERT_LE(breaks[found] - breaks[index.near(x)], cell + 10) << x;
+  }
+  EXPECT_EQ(BreakIndex(std::vector<double>{0, 1}).near(0.5), 0U);
+}
+
 TEST(BreakIndex, AnswersAnIntervalForWhatIsNoNumber) {
   const auto breaks = evenly(0, 1, 20);
   const BreakIndex index(breaks);
