@@ -58,14 +58,24 @@ void append(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
 }
 
+/// Those of `part` that bear this rule.
+void append(Report& all, Report part, const char* rule) {
+  std::erase_if(part.findings, [&](const Finding& f) { return f.rule != rule; });
+  append(all, std::move(part));
+}
+
 Report warnings(const PtSpec& spec) {
-  const Outside outside = spec.loops == 1 ? spec.outside : Outside::advance;
+  const auto pass = [&](Outside outside) {
+    return pt<OverTime>(spec.points, spec.start_velocity, outside);
+  };
+  const Outside outside = spec.loops == 0 ? Outside::advance : spec.outside;
   Report report = check_pt<OverTime>(spec.points, spec.start_velocity, outside);
-  append(report, overshoot(pt<OverTime>(spec.points, spec.start_velocity, outside)));
+  append(report, overshoot(pass(outside)));
   if (spec.loops > 1) {
-    Report end = velocity_steps(made(spec));
-    std::erase_if(end.findings, [](const Finding& f) { return f.rule != "pt/end_velocity"; });
-    append(report, std::move(end));
+    std::erase_if(report.findings, [](const Finding& f) { return f.rule == "pt/end_velocity"; });
+    append(report, velocity_steps(made(spec)), "pt/end_velocity");
+    if (spec.points.front().type != PtType::continued)
+      append(report, velocity_steps(pass(Outside::advance)), "pt/wrap");
   }
   return report;
 }

@@ -96,6 +96,11 @@ TEST(PtSpec, WarnsInTheOrderOfWhatIsWorst) {
   EXPECT_THAT(rules(googol(moving)), ElementsAre("pt/velocity_step", "pt/end_velocity"));
   EXPECT_THAT(rules(googol(moving + "outside = \"refuse\"\n")), ElementsAre("pt/end_velocity"));
   EXPECT_THAT(rules(googol(moving + "loops = 0\n")), ElementsAre());
+  EXPECT_THAT(rules(googol(moving + "loops = 3\n")),
+              ElementsAre("pt/velocity_step", "pt/end_velocity"));
+  const std::string ramp =
+      "point = [{time = 10, position = 20}]\n[pt]\n";  // 0 to 4, again and again
+  EXPECT_THAT(rules(googol(ramp + "loops = 3\n")), ElementsAre("pt/end_velocity", "pt/wrap"));
 }
 
 TEST(PtSpec, RefusesExample74AsPrinted) {
