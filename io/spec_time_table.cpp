@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,7 +42,9 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
   PtSpec spec;
   spec.googol = googol;
   const bool increments = pt.optional_flag("increments").value_or(false);
-  spec.loops = pt.optional_count("loops").value_or(1);
+  const std::int64_t loops = pt.optional_whole("loops").value_or(1);
+  if (loops < 0) pt.fail("loops", std::to_string(loops), "must be at least 1, or 0: without end");
+  spec.loops = static_cast<std::size_t>(loops);
   std::span<const std::string> permitted = types;
   if (googol) {
     permitted = permitted.first(3);

@@ -13,8 +13,7 @@ int main() {
   // Equal increments from rest: the velocity is not what it looks like.
   const std::vector<PtPoint> points{{10, 10}, {20, 20}, {30, 30}, {40, 40}, {50, 45, PtType::stop}};
   for (const PtRate& rate : pt_rates<OverTime>(points))
-    std::printf("%g..%g ", rate.start, rate.end);
-  std::printf("\n");
+    std::printf("from %g to %g\n", rate.start, rate.end);
   for (const Finding& f : check_pt<OverTime>(points, 0, Outside::hold).findings)
     std::printf("%s: %g at %g\n", f.rule.c_str(), f.value, f.where);
 
@@ -29,3 +28,14 @@ int main() {
   for (const Finding& f : overshoot(hmpl.curve<OverTime>()).findings)
     std::printf("segment %zu: %.1f, beyond %g\n", *f.segment + 1, f.value, f.limit);
 }
+
+// > from 0 to 2
+// > from 2 to 0
+// > from 0 to 2
+// > from 2 to 0
+// > from 1 to 0
+// > pt/oscillation: 2 at 10
+// > pt/velocity_step: 1 at 40
+// > 4.5 s, to 35000, fastest 27293
+// > segment 1: -188.7, beyond 0
+// > segment 2: 244.2, beyond 153.333
