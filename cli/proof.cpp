@@ -42,9 +42,11 @@ Played played(const Input& input, const std::string& log) {
 
 Proof prove(const Input& input, const std::string& log, std::size_t drive_samples) {
   // A table of straight lines steps in velocity: its rule says so. Where the table is all there is, so
-  // does the curve.
+  // does the curve; and of a time table, whose segments begin at velocities of their own.
   const WitnessOptions of_table{.velocity_steps = input.table.table.rule() == Rule::linear};
-  const WitnessOptions of_curve{.velocity_steps = of_table.velocity_steps && !input.error};
+  const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);
+  const WitnessOptions of_curve{.velocity_steps =
+                                    time_table || (of_table.velocity_steps && !input.error)};
   Proof proof{std::visit([&](const auto& curve) { return witness(curve, of_curve); }, input.curve),
               witness(input.table.table, of_table),
               std::nullopt,
