@@ -19,8 +19,9 @@ struct FollowEnd {
 /// A follow table: PT over master travel. The slave's ratio (its speed over its master's) is linear
 /// within a segment, so its position is quadratic; the rules of the types are those of PtType.
 struct FollowTable {
-  std::vector<PtPoint> segments;  ///< cumulative from the table's origin: x is the master's travel
-  std::int64_t loops = 1;         ///< passes; below 1: for ever
+  std::vector<PtPoint> segments =
+      {};                  ///< cumulative from the table's origin: x is the master's travel
+  std::int64_t loops = 1;  ///< passes; below 1: for ever
   std::optional<FollowEnd> end = {};
 };
 
@@ -51,7 +52,7 @@ struct FollowTable {
 /// for no table, a table played for ever before another one, more than 1e6 segments in all passes.
 /// Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
-  std::vector<FollowTable> tables;
+  std::vector<FollowTable> tables = {};
   double start_ratio = 0;  ///< of the slave to its master before: u/m
 };
 

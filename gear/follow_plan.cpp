@@ -257,9 +257,10 @@ Rest rest_of(const Gap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
   const double a = std::abs(g.r0) / k;
   const double b = std::abs(g.r1) / k;
-  if (!whole || (a > 0 && a < 1) || (b > 0 && b < 1)) return {a, b, 0};
-  const double p = std::floor(a);
-  const double q = std::floor(b);
+  // Of an end at rest a unit leads to the ratio c.
+  const double p = a > 0 ? std::floor(a) : 1;
+  const double q = b > 0 ? std::floor(b) : 1;
+  if (!whole || p < 1 || q < 1 || p + q >= g.length) return {a, b, 0};
   return {p, q, (2 * g.travel - g.r0 * p - g.r1 * q) / (2 * g.length - p - q)};  // (5)
 }
 

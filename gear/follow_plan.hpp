@@ -52,8 +52,8 @@ enum class FollowForm { smooth, table };
 /// start's in a periodic plan, or a zone's position follows from nothing.
 /// Source: Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
 struct FollowPlan {
-  std::vector<FollowPoint> points;
-  std::vector<FollowZone> zones;
+  std::vector<FollowPoint> points = {};
+  std::vector<FollowZone> zones = {};
   bool periodic = false;
   std::optional<double> start_ratio = {};  ///< left out: that of a zone at 0, or else 0
   FollowForm form = FollowForm::smooth;
