@@ -19,8 +19,8 @@ struct FollowEnd {
 /// A follow table: PT over master travel. The slave's ratio (its speed over its master's) is linear
 /// within a segment, so its position is quadratic; the rules of the types are those of PtType.
 struct FollowTable {
-  std::vector<PtPoint> segments =
-      {};                  ///< cumulative from the table's origin: x is the master's travel
+  /// Cumulative from the table's origin: x is the master's travel.
+  std::vector<PtPoint> segments = {};
   std::int64_t loops = 1;  ///< passes; below 1: for ever
   std::optional<FollowEnd> end = {};
 };
