@@ -70,9 +70,9 @@ std::int64_t shown(const FollowTable& table, const FollowPass& first) {
 
 namespace detail {
 
-std::string rounded(double x) {
+std::string rounded(double x, int digits) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", x);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
   return text.data();
 }
 
@@ -153,7 +153,7 @@ SyncCam follow(const FollowSpec& spec) {
     for (const Segment& f : cam.segments()) segments.push_back(scaled(f, 1, pass.slave));
     for (const PtPoint& point : table.segments)
       names.push_back(table_name(spec, pass.table) + name(point.type) + " to " +
-                      number(pass.master + point.x));
+                      detail::place(pass.master + point.x));
     ratios.insert(ratios.end(), pass.ratios.begin(), pass.ratios.end());
   }
   Cam cam(std::move(segments), 0, outside_of(spec, passes));

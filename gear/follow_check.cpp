@@ -92,13 +92,14 @@ class Inspection {
 
   void inspect(const FollowPass& pass, double before) {
     const auto& segments = spec_.tables[pass.table].segments;
-    bool chained = false;  // follows from a reversal told already
+    if (segments.front().type != PtType::continued) chained_ = false;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const PtRate& ratio = pass.ratios[i];
       const double master = i > 0 ? segments[i - 1].x : 0;
       step(pass, i, pass.master + master, before, ratio.start);
       const bool anew = segments[i].type == PtType::even || segments[i].type == PtType::stop;
-      chained = reversal(pass, i, chained && !anew) || (chained && !anew);
+      if (anew) chained_ = false;
+      reversal(pass, i);
       before = ratio.end;
     }
   }
@@ -131,20 +132,17 @@ class Inspection {
            "begins";
   }
 
-  /// Whether one is told.
-  bool reversal(const FollowPass& pass, std::size_t i, bool chained) {
+  void reversal(const FollowPass& pass, std::size_t i) {
     const auto [start, end] = pass.ratios[i];
     const double slave = travel_of(spec_.tables[pass.table], i).slave;
-    const auto against = [&](double ratio) {
-      return counts(ratio) && (slave == 0 || std::signbit(ratio) != std::signbit(slave));
-    };
-    if (chained || !against(end)) return false;
+    const bool against = counts(end) && (slave == 0 || std::signbit(end) != std::signbit(slave));
+    if (chained_ || !against) return;
     const double where = pass.master + spec_.tables[pass.table].segments[i].x;
     Finding f = finding("follow/reversal", first_ + i, where, end);
     f.quantity = "geo_velocity";
     f.advice = advice(spec_, pass.table, i, start);
     add(std::move(f));
-    return true;
+    chained_ = true;
   }
 
   /// Where the last pass ends with `ratio`.
@@ -257,6 +255,7 @@ class Inspection {
   const FollowSpec& spec_;
   std::vector<FollowPass> passes_;
   double peak_ = 0;
+  bool chained_ = false;   ///< what comes follows from a reversal that is told already
   std::size_t first_ = 0;  ///< the cam's segment with which the pass begins
   Report report_;
   std::vector<std::size_t> places_;  ///< of each finding

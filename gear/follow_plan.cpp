@@ -355,7 +355,7 @@ SyncCam smooth(const FollowPlan& plan) {
   for (const std::size_t i : origin) {
     const CamSegment& segment = spec.segments[i];
     names.push_back((segment.name.empty() ? name(segment.law) : segment.name) +
-                    (" to " + number(segment.end.master)));
+                    (" to " + detail::place(segment.end.master)));
   }
   const bool starts_in_step = !plan.periodic && *spec.start.geo_velocity != 0;
   return {starts_in_step ? with(cam, Outside::refuse) : cam, std::move(names), zones_of(plan)};

@@ -23,7 +23,10 @@ std::vector<FollowPass> follow_passes(const FollowSpec& spec);
 /// Whether the cam repeats: one table, for ever, the same in every pass.
 bool repeats(const FollowSpec& spec, const std::vector<FollowPass>& passes);
 
-/// For people: six digits.
-std::string rounded(double x);
+/// For people: six digits, or all that count of a position.
+std::string rounded(double x, int digits = 6);
+inline std::string place(double x) {
+  return rounded(x, 12);
+}
 
 }  // namespace jounce::detail

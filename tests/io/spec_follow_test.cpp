@@ -50,7 +50,7 @@ TEST(FollowSpecFile, UnitsAreConverted) {
 TEST(FollowSpecFile, APlanIsSmoothOrATable) {
   const std::string plan =
       "periodic = true\n[[zone]]\nfrom = 0\nto = 90\nratio = 0.5\n"
-      "[[point]]\nmaster = 360\nslave = 100\n";
+      "[[point]]\nmaster = 360\nslave = 120\n";
   const Made smooth = make(parse_spec(spec("[follow]\n" + plan), "f"));
   EXPECT_TRUE(check_continuity(std::get<Cam>(smooth.curve), 2).ok());
   const Spec table = parse_spec(spec("[follow]\nform = \"table\"\n" + plan), "f");
@@ -64,7 +64,7 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
     return spec(
         "[follow]\npass = " + std::string(pass) +
         "\n[[segment]]\nmaster = 100\nslave = 50\n[[segment]]\nmaster = 200\nslave = "
-        "100\ntype = \"stop\"\n[master]\nvelocity = 50\nacceleration = 1\ndistance = 200\n");
+        "100\ntype = \"stop\"\n[master]\nvelocity = 50\nacceleration = 1\ndistance = 2000\n");
   };
   const Report begins = check_follow(parse_spec(text("{ position = 50000 }"), "f"));
   ASSERT_EQ(begins.findings.size(), 1U);
