@@ -155,6 +155,11 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
     std::erase_if(odd.findings, [&](const Finding& f) {
       return f.rule == std::string("joint/") + OverMaster::names[static_cast<std::size_t>(k)];
     });
+  const bool told =
+      std::any_of(report.findings.begin(), report.findings.end(),
+                  [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
+  if (told)  // with what to do about it
+    std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   append(report, std::move(odd));
   append(report, certificates(*cam));
   if (has_slave_limits(input) && input.spec->master)

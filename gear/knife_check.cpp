@@ -20,6 +20,8 @@ Finding reversal(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f, const
   finding.rule = "knife/reversal";
   finding.quantity = "geo_velocity";
   finding.where = least.where;
+  const auto after = std::upper_bound(cam.breaks().begin(), cam.breaks().end() - 1, least.where);
+  finding.segment = static_cast<std::size_t>(after - cam.breaks().begin()) - 1;
   finding.value = std::abs(least.value) <= rounding * peak ? 0 : least.value;
   finding.margin = finding.value / peak;
   finding.broken = finding.value < 0;

@@ -40,7 +40,7 @@ std::vector<SyncFigure> figures_of(const Kind&, const Spec&) {
 std::string runs_at(const RotaryKnifeSpec& knife, const RotaryKnifeFigures& f) {
   if (f.dwell > 0) return "the knife stops between the cuts";
   return fmt::format("rho {}; the blade runs at {} times the web in the middle", rounded(f.rho),
-                     rounded(f.surface_ratio * 1)) +
+                     rounded(f.surface_ratio)) +
          (knife.speed_ratio == 1 ? "" : fmt::format(", {} in step", number(knife.speed_ratio)));
 }
 
