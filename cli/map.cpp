@@ -30,7 +30,8 @@ struct Map {
   CutLimits limits;
   std::vector<CutSpeed> speeds;
   std::vector<LimitChange> changes;
-  std::optional<double> shortest;  ///< at the line's own speed
+  double running = 0;              ///< the line's speed: of [master], or the most it does
+  std::optional<double> shortest;  ///< at that speed
   double per_minute = 60;          ///< cuts in a minute of one in a time unit
 };
 
@@ -76,13 +77,14 @@ Map map_of(const Options& options) {
   const CutLimits limits = limits_of(spec, options);
   std::vector<CutSpeed> speeds = cut_length_map(cuts.cams, grid(from, to, options.steps), limits);
   std::vector<LimitChange> changes = limit_changes(cuts.cams, speeds, limits);
+  const double running =
+      spec.master ? std::min(spec.master->velocity, limits.line_speed) : limits.line_speed;
   std::optional<double> shortest;
-  if (std::isfinite(limits.line_speed))
-    shortest =
-        shortest_length(cuts.cams, limits, limits.line_speed, cuts.shortest, cuts.synchronous);
+  if (std::isfinite(running))
+    shortest = shortest_length(cuts.cams, limits, running, cuts.shortest, cuts.synchronous);
   const double per_minute = 60 / seconds_per_unit(spec);
-  return {std::move(spec),    std::move(cuts), limits,    std::move(speeds),
-          std::move(changes), shortest,        per_minute};
+  return {std::move(spec),    std::move(cuts), limits,   std::move(speeds),
+          std::move(changes), running,         shortest, per_minute};
 }
 
 /// "acceleration" as people would say it.
@@ -102,8 +104,8 @@ std::string csv_of(const Map& map) {
   for (const auto& [length, name] : map.cuts.marks)
     text += fmt::format("# {}: {} {}\n", name, number(length), m);
   if (map.shortest)
-    text += fmt::format("# shortest at {} {}: {} {}\n", number(map.limits.line_speed),
-                        speed_unit(map.spec), number(*map.shortest), m);
+    text += fmt::format("# shortest at {} {}: {} {}\n", number(map.running), speed_unit(map.spec),
+                        number(*map.shortest), m);
   for (const LimitChange& change : map.changes)
     text += fmt::format("# from {} {}: {}\n", number(change.length), m, told(change.after));
   text +=
@@ -161,7 +163,7 @@ std::vector<Marker> markers_of(const Map& map) {
     markers.push_back({length, at.speed, fmt::format("{} {}", name, rounded(length)),
                        fmt::format("{}: {} {}", name, number(length), map.spec.units.x)});
   };
-  if (map.shortest) add(*map.shortest, "shortest");
+  if (map.shortest) add(*map.shortest, fmt::format("shortest at {}:", rounded(map.running)));
   for (const auto& mark : map.cuts.marks) add(mark.length, mark.name);
   return markers;
 }
@@ -216,8 +218,7 @@ void add_map(CLI::App& app, Work& work) {
   CLI::App* verb =
       add_verb(app, "map", "How fast the line may run for each cut length, and what limits it",
                "jounce map knife.toml --from 100 --to 1000 -o map.png");
-  verb->add_option("FILE", options->file, "Spec of a knife or a shear; - is standard input")
-      ->required();
+  verb->add_option("FILE", options->file, "Spec of a knife; - is standard input")->required();
   verb->add_option("--from", options->from, "Shortest cut; by default all that is of interest");
   verb->add_option("--to", options->to, "Longest cut");
   verb->add_option("--steps", options->steps, "Lengths, both ends included")

@@ -35,8 +35,7 @@ CutLengths cut_lengths(const Spec& spec) {
   if (const auto* sync = std::get_if<SyncSpec>(&spec.subject))
     if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
       return std::move(*found);
-  throw spec.document.located(
-      InputError("kind", "", "has no cut length; a knife has, and a shear"));
+  throw spec.document.located(InputError("kind", "", "has no map of cut lengths; a knife has"));
 }
 
 }  // namespace jounce
