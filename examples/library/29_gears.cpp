@@ -55,4 +55,9 @@ int main() {
               (1000 - master.at(0.2).position) / 2);
 }
 
-// > two macs
+// > two masters: 1302083333312 counts
+// > clutch: 25000 pulses, engaged
+// > feasible/acceleration: broken, master up to 63.2456 pulse/ms
+// > feasible/velocity: kept, master up to 120 pulse/ms
+// > gear in pos: at master 10000 slave 4500; rho 1, better a distance of 6666.67 to 10000
+// > gear in: 450 of 470

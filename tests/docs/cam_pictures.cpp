@@ -1,4 +1,4 @@
-// cam_pictures FOLDER: draws the pictures of docs/cam that no verb draws; the tests compare.
+// cam_pictures FOLDER: draws the pictures of docs/cam and docs/gear that no verb draws; the tests compare.
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -7,7 +7,9 @@
 #include "jounce/cam/algebra.hpp"
 #include "jounce/cam/design.hpp"
 #include "jounce/cam/inverse.hpp"
+#include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/plot/figure.hpp"
+#include "jounce/profiles/s_curve.hpp"
 
 using namespace jounce;
 
@@ -77,6 +79,26 @@ Figure algebra() {
   return figure;
 }
 
+/// PMC600 manual 6.1, example 6.2 in a loop: the slave engages once, and stays in sync.
+Figure engagement() {
+  const GearInPos gear = gear_in_pos({.numerator = 1,
+                                      .denominator = 2,
+                                      .master_sync_position = 5000,
+                                      .slave_sync_position = 2000,
+                                      .master_start_distance = 4000});
+  TrapezoidSpec travel{.to = 10000, .velocity = 10000, .acceleration = 40000};
+  const Trajectory there = trapezoid(travel).curve();
+  const Trajectory master = concatenated(there, reversed(there));
+  const GearedInPos slave(gear, master);
+  Figure figure{.title = "PMC600 6.2 over time, master there and back", .x_label = "time [s]"};
+  figure.panels = {{.y_label = "position [pulse]",
+                    .series = {series("master", master, 0, 1e9), series("slave", slave, 0, 1e9)}},
+                   {.y_label = "velocity [pulse/s]",
+                    .series = {series("master", master, 1, 1e9), series("slave", slave, 1, 1e9)}}};
+  figure.knots = {*slave.in_sync()};
+  return figure;
+}
+
 void write(const std::string& file, const Figure& figure) {
   std::ofstream(file) << svg(figure);
 }
@@ -87,4 +109,5 @@ int main(int, char** arguments) {
   const std::string folder = arguments[1];
   write(folder + "/cam_inverse.svg", inverse());
   write(folder + "/cam_algebra.svg", algebra());
+  write(folder + "/gear-in-pos-time.svg", engagement());
 }
