@@ -27,7 +27,7 @@ TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
   const Made made = make(parse_spec(
       spec("[gear]\nengage = \"distance\"\nnumerator = 1\ndenominator = 2\ndistance = 100\n"
            "engage_at = 10\nmaster_end = 1000\nslave_start = 7\n"
-           "[[gear.change]]\nat = 500\nnumerator = 2\ndistance = 40\nlaw = \"poly345\"\n"
+           "[[gear.change]]\nat = 500\nnumerator = 2\ndistance = 40\nlaw = \"345\"\n"
            "[[gear.shift]]\nat = 700\nshift = -3\ndistance = 100\n"),
       "g"));
   const Cam& cam = std::get<Cam>(made.curve);
