@@ -23,13 +23,6 @@ void one_by_one(const Table& table, const auto& at, std::size_t first, std::size
   }
 }
 
-/// Neither branches nor stops early: vector code, a fraction of what the samples cost.
-bool ascends(std::span<const double> x) {
-  int descents = 0;
-  for (std::size_t k = 1; k < x.size(); ++k) descents |= static_cast<int>(!(x[k - 1] <= x[k]));
-  return descents == 0;
-}
-
 template <class Instants>
 std::size_t first_not_before(const Instants& at, double bound, std::size_t low, std::size_t high) {
   return detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
@@ -66,8 +59,9 @@ void Table::sample(std::span<const double> x, std::span<double> p, std::span<dou
   assert(p.size() == x.size() && v.size() == x.size() && a.size() == x.size());
   const detail::Listed at{x.data()};
   const Samples out{p.data(), v.data(), a.data()};
-  if (!ascends(x)) return one_by_one(*this, at, 0, x.size(), out);
-  sample_block(*this, at, x.size(), out, detail::sample_kernels().listed);
+  const detail::SampleKernels& kernels = detail::sample_kernels();
+  if (!kernels.ascends(x.data(), x.size())) return one_by_one(*this, at, 0, x.size(), out);
+  sample_block(*this, at, x.size(), out, kernels.listed);
 }
 
 void Table::sample(const Grid& grid, std::span<double> p, std::span<double> v,

@@ -12,8 +12,12 @@ void uniform(const KnotColumns& t, Rule rule, Uniform at, std::size_t first, std
   sample_table<Vector4>(t, rule, at, first, last, out);
 }
 
+bool ascends(const double* x, std::size_t size) {
+  return all_ascend<Vector4>(x, size);
+}
+
 }  // namespace
 
-const SampleKernels sample_avx2{listed, uniform};
+const SampleKernels sample_avx2{listed, uniform, ascends};
 
 }  // namespace jounce::detail

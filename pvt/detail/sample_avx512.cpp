@@ -12,8 +12,12 @@ void uniform(const KnotColumns& t, Rule rule, Uniform at, std::size_t first, std
   sample_table<Vector8>(t, rule, at, first, last, out);
 }
 
+bool ascends(const double* x, std::size_t size) {
+  return all_ascend<Vector8>(x, size);
+}
+
 }  // namespace
 
-const SampleKernels sample_avx512{listed, uniform};
+const SampleKernels sample_avx512{listed, uniform, ascends};
 
 }  // namespace jounce::detail

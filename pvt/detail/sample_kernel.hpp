@@ -60,6 +60,7 @@ struct Samples {
 struct SampleKernels {
   void (*listed)(const KnotColumns&, Rule, Listed, std::size_t first, std::size_t last, Samples);
   void (*uniform)(const KnotColumns&, Rule, Uniform, std::size_t first, std::size_t last, Samples);
+  bool (*ascends)(const double* x, std::size_t size);  ///< false where one is no number
 };
 extern const SampleKernels sample_anywhere, sample_avx2, sample_avx512;
 
@@ -157,6 +158,19 @@ JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::
     n = next - k;
     k = next;
   }
+}
+
+/// Every pair of neighbours, without stopping early.
+template <class Real>
+JOUNCE_INLINE bool all_ascend(const double* x, std::size_t size) {
+  Mask<Real> good = Real{} <= Real{};
+  std::size_t k = 0;
+  for (; k + lanes<Real> < size; k += lanes<Real>)
+    good &= load<Real>(x + k) <= load<Real>(x + k + 1);
+  bool all = true;
+  for (std::size_t i = 0; i < lanes<Real>; ++i) all &= good[i] != 0;
+  for (; k + 1 < size; ++k) all &= x[k] <= x[k + 1];
+  return all;
 }
 
 template <class Real, class Instants>

@@ -133,6 +133,16 @@ void expect_kernel(const detail::SampleKernels& kernels) {
     kernels.uniform(columns, table.rule(), {table.start(), step}, 0, n,
                     {out.p.data(), out.v.data(), out.a.data()});
     expect_jets(table, x, out.p.data(), out.v.data(), out.a.data(), "uniform");
+    EXPECT_TRUE(kernels.ascends(x.data(), n));
+    if (n > 1) {  // two that change places, and one that is no number, wherever they are
+      auto turned = x;
+      const auto k = static_cast<std::size_t>(random.below(static_cast<int>(n) - 1));
+      std::swap(turned[k], turned[k + 1]);
+      EXPECT_FALSE(kernels.ascends(turned.data(), n)) << k << " of " << n;
+      turned = x;
+      turned[k] = std::nan("");
+      EXPECT_FALSE(kernels.ascends(turned.data(), n)) << k << " of " << n;
+    }
     out = Block(n);
     kernels.listed(columns, table.rule(), {x.data()}, 0, n,
                    {out.p.data(), out.v.data(), out.a.data()});
