@@ -28,6 +28,7 @@ int main() {
   googol::FollowFifos axis;
   axis.prf_follow(0);
   axis.set_follow_master(1);
+  axis.set_follow_loop(0);
   for (const PtPoint& p : {PtPoint{20000, 10000}, {40000, 30000}, {60000, 46000}})
     axis.follow_data(p, 0);
   axis.follow_start(0, 0, 0);
@@ -46,3 +47,16 @@ int main() {
   const auto t = begin_of({FollowEvent::pass, 50000}, master, 0);
   if (t) std::printf("begins at %g ms\n", *t);
 }
+
+// > to  1000, 1000 type 1
+// > to  5000, 4000 type 0
+// > to  9000, 7000 type 0
+// > to 10000, 8000 type 1
+// > follow/reversal -0.855 at 260000
+// > follow/wrap_ratio 2.055 at 380000
+// > switch: done
+// > master  30000 slave  20000 ratio 1.00
+// > master  60000 slave  46000 ratio 0.60
+// > master  90000 slave  72000 ratio 1.00
+// > master 120000 slave  98000 ratio 0.60
+// > begins at 1025 ms
