@@ -59,10 +59,10 @@ TEST(KnifeSpec, MakesTheSameKnifeWhateverItsUnit) {
 TEST(KnifeSpec, NumbersThePiecesOfALawOnce) {
   const Made made =
       make(spec("deg", "cut_length = 4.71\nsync_angle = 10\nlaw = \"modified_sine\"\n"));
-  ASSERT_EQ(made.segments.size(), 5U);
+  ASSERT_EQ(made.segments.size(), 6U);  // a modified sine has four pieces
   EXPECT_EQ(made.segments[1], "2 recovery");
-  EXPECT_EQ(made.segments[3], "2 recovery");
-  EXPECT_EQ(made.segments[4], "3 sync");
+  EXPECT_EQ(made.segments[4], "2 recovery");
+  EXPECT_EQ(made.segments[5], "3 sync");
 }
 
 TEST(KnifeSpec, RefusesInTheDocumentsWords) {

@@ -129,9 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml: jounce: is missing: a spec begins with `jounce = 1`, the version of its "
             "format"},
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
-            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, move, queue, "
-            "axes, pvt, "
-            "axis"},
+            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, follow, "
+            "knife, shear, indexer, move, queue, axes, pvt, pt, axis"},
         Bad{cam, "\"deg\"", "\"degrees\"",
             "a.toml:3:20: units.master = \"degrees\": is not a unit that Jounce knows, such as mm, "
             "deg, rev, pulse, s, ms"},
