@@ -113,7 +113,7 @@ TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {
   const Result map = run("map " + knife + " --from 2 --to 10 --steps 9 --line-speed 60");
   EXPECT_EQ(map.status, 0) << map.err;
   EXPECT_THAT(map.out, HasSubstr("\ncut_length [in],line_speed [in/s],cuts [1/min],limit\n2,"));
-  EXPECT_THAT(map.out, HasSubstr("# longest without a stop: 19.89675347273535"));
+  EXPECT_THAT(map.out, HasSubstr("# longest without a stop: 19.8967534727353"));
   EXPECT_THAT(map.out, HasSubstr("# shortest at 20 in/s: 4.5800"));
   EXPECT_EQ(run("map " + knife + " -o map.svg").status, 0);
   EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("longest without a stop 19.8968"));
