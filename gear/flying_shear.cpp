@@ -1,8 +1,10 @@
 #include "jounce/gear/flying_shear.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "jounce/gear/detail/rest_to_rest.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
@@ -56,6 +58,16 @@ SyncCam flying_shear(const FlyingShear& shear) {
   return {Cam(std::move(build.segments), 0, Outside::wrap),
           std::move(build.names),
           {{begin, end, "sync"}}};
+}
+
+std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length) {
+  if (!shear.sync_time && !shear.sync_length)
+    throw InputError("sync_time", "", "is missing: a map of cut lengths needs it, or sync_length");
+  shear.cut_length = cut_length;
+  const double fastest = greatest_line_speed(shear).value;
+  if (!(fastest > 0)) return std::nullopt;
+  shear.line_speed = std::min(shear.line_speed, fastest);
+  return flying_shear(shear);
 }
 
 }  // namespace jounce

@@ -78,6 +78,11 @@ struct ShearBound {
 ShearPlan shear_plan(const FlyingShear& shear);
 SyncCam flying_shear(const FlyingShear& shear);
 
+/// The shear for another cut length, made for the fastest line that this allows, `line_speed` at the
+/// most: what a cut-length map asks for. Nothing where no speed works. Throws InputError where the sync is
+/// left to the stroke: at the fastest line nothing would be left of it.
+std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
+
 /// The shortest piece that can be cut at `line_speed`; cut_length is not looked at. Infinite where no length helps.
 /// Where the sync is left to the stroke, only longer pieces can be cut: at the bound nothing is left of it. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);

@@ -1,6 +1,7 @@
 #include "jounce/io/cut_lengths.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "jounce/profiles/error.hpp"
 
@@ -26,6 +27,23 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   all.marks = {{f.synchronous, "synchronous"}, {f.longest, "longest without a stop"}};
   all.from = std::max(f.sync_length, 0.25 * f.synchronous);
   all.to = 1.25 * f.longest;
+  return all;
+}
+
+/// A shear gets faster with every length: the line's own speed ends it.
+std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
+  (void)fastest_shear(spec, spec.cut_length);  // what is missing, is missing for every length
+  const double least = least_cut_length(spec).value;
+  const double scale = std::isfinite(least) ? least : spec.cut_length;
+  CutLengths all;
+  all.cams = [spec](double length) -> std::optional<Cam> {
+    const auto made = fastest_shear(spec, length);
+    return made ? std::optional(made->cam) : std::nullopt;
+  };
+  all.shortest = 0.01 * scale;
+  all.synchronous = 100 * scale;
+  all.from = 0.25 * scale;
+  all.to = 2 * scale;
   return all;
 }
 

@@ -363,6 +363,30 @@ TEST(FlyingShear, TheFastestLineIsMetAndNotPassed) {
   EXPECT_EQ(found, 100);
 }
 
+TEST(FlyingShear, OfAnotherLengthRunsAsFastAsItCan) {
+  FlyingShear shear = case_2();
+  shear.limits.velocity = 2;
+  double before = 0;
+  for (const double length : {0.2, 0.4, 0.6, 0.8, 0.95}) {
+    const auto made = fastest_shear(shear, length);
+    ASSERT_TRUE(made) << length;
+    EXPECT_EQ(made->cam.end(), length);
+    shear.cut_length = length;
+    const double speed = greatest_master_velocity(made->cam, shear.limits).value;
+    EXPECT_NEAR(speed / greatest_line_speed(shear).value, 1, 1e-9) << length;
+    EXPECT_GT(speed, before);  // longer is faster
+    before = speed;
+  }
+  const auto slow = fastest_shear(shear, 2);  // the line is no faster than it is
+  EXPECT_NEAR(peak(*slow, "accelerate", 2), 10, 1e-9);
+  shear.stroke = 0.1;
+  EXPECT_NEAR(extrema(fastest_shear(shear, 1)->cam, 0).max.value, 0.1, 1e-12);
+  shear.acceleration_length = 0.6;
+  EXPECT_FALSE(fastest_shear(shear, 1));
+  shear.sync_time.reset();
+  EXPECT_THROW(fastest_shear(shear, 1), InputError);
+}
+
 TEST(FlyingShear, ScalesWithItsUnits) {
   // m and s against mm and ms: the same cycle to rounding.
   FlyingShear shear = case_2();
