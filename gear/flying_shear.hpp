@@ -69,7 +69,8 @@ struct ShearPlan {
 };
 
 /// How far a quantity can go, and what binds there: "sync velocity", "ramp acceleration", "ramp
-/// jerk", "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut length"; "" if nothing.
+/// jerk", "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
+/// length"; "" if nothing.
 struct ShearBound {
   double value = 0;
   std::string quantity = {};
@@ -79,16 +80,18 @@ ShearPlan shear_plan(const FlyingShear& shear);
 SyncCam flying_shear(const FlyingShear& shear);
 
 /// The shear for another cut length, made for the fastest line that this allows, `line_speed` at the
-/// most: what a cut-length map asks for. Nothing where no speed works. Throws InputError where the sync is
-/// left to the stroke: at the fastest line nothing would be left of it.
+/// most: what a cut-length map asks for. Nothing where no speed works. Throws InputError where the
+/// sync is left to the stroke: at the fastest line nothing would be left of it.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 
-/// The shortest piece that can be cut at `line_speed`; cut_length is not looked at. Infinite where no length helps.
-/// Where the sync is left to the stroke, only longer pieces can be cut: at the bound nothing is left of it. Exact: closed form.
+/// The shortest piece that can be cut at `line_speed`; cut_length is not looked at. Infinite where no
+/// length helps. Where the sync is left to the stroke, only longer pieces can be cut: at the bound
+/// nothing is left of it. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
 /// The fastest line for which `cut_length` can be made, whatever `line_speed` says. Infinite where
-/// nothing limits it; 0 where no speed helps. Bisected to the last digit: every demand grows with the speed.
+/// nothing limits it; 0 where no speed helps. Bisected to the last digit: every demand grows with the
+/// speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce
