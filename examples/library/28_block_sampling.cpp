@@ -32,3 +32,7 @@ int main() {
   const Finding& worst = report.findings.front();
   std::printf("%zu broken; worst %.1f mm at %.3f s\n", report.broken(), worst.value, worst.where);
 }
+
+// > at 1 s: -173.3335 mm, -135.0002 mm/s, 500.000 mm/s^2
+// > 11001 of 11001 equal to the bit
+// > 6 broken; worst 596.1 mm at 4.588 s
