@@ -56,12 +56,12 @@ Polygon permitted(const Demand& demand, Gap v0, Gap v1) {
   return polygon;
 }
 
-std::optional<Gap> shadow(const Polygon& polygon, double Corner::*axis, Gap within) {
+std::optional<Gap> shadow(const Polygon& polygon, Gap within) {
   if (polygon.size == 0) return std::nullopt;
   Gap gap{within.hi, within.lo};
   for (std::size_t i = 0; i < polygon.size; ++i) {
-    gap.lo = std::min(gap.lo, polygon.corners[i].*axis);
-    gap.hi = std::max(gap.hi, polygon.corners[i].*axis);
+    gap.lo = std::min(gap.lo, polygon.corners[i].v1);
+    gap.hi = std::max(gap.hi, polygon.corners[i].v1);
   }
   return Gap{std::max(gap.lo, within.lo), std::min(gap.hi, within.hi)};
 }
@@ -69,11 +69,19 @@ std::optional<Gap> shadow(const Polygon& polygon, double Corner::*axis, Gap with
 }  // namespace
 
 std::optional<Gap> reached(const Demand& demand, Gap from, Gap to) {
-  return shadow(permitted(demand, from, to), &Corner::v1, to);
+  return shadow(permitted(demand, from, to), to);
 }
 
-std::optional<Gap> leading_to(const Demand& demand, Gap from, double v1) {
-  return shadow(permitted(demand, from, {v1, v1}), &Corner::v0, from);
+Gap leading_to(const Demand& demand, Gap from, double v1) {
+  Gap gap = from;
+  for (const HalfPlane& plane : demand.planes()) {
+    const double room = plane.c - plane.b * v1;
+    if (plane.a > 0) gap.hi = std::min(gap.hi, room / plane.a);
+    if (plane.a < 0) gap.lo = std::max(gap.lo, room / plane.a);
+  }
+  if (gap.lo <= gap.hi) return gap;
+  const double middle = std::clamp(gap.hi + (gap.lo - gap.hi) / 2, from.lo, from.hi);
+  return {middle, middle};
 }
 
 }  // namespace jounce::detail

@@ -25,7 +25,7 @@ struct HalfPlane {
 /// What one piece demands of the velocities at its ends: all of some half planes.
 class Demand {
  public:
-  static constexpr std::size_t most = 24;
+  static constexpr std::size_t most = 28;
 
   void add(HalfPlane plane) {
     assert(size_ < most);
@@ -41,8 +41,9 @@ class Demand {
 /// The velocities v1 in `to` that some v0 in `from` permits; nothing if there is none.
 std::optional<Gap> reached(const Demand& demand, Gap from, Gap to);
 
-/// The velocities v0 in `from` that permit v1.
-std::optional<Gap> leading_to(const Demand& demand, Gap from, double v1);
+/// The velocities v0 in `from` that permit v1, which reached() found: where rounding leaves none, the
+/// one that misses least.
+Gap leading_to(const Demand& demand, Gap from, double v1);
 
 /// A way through the gaps that every piece's demand permits, and the pieces without one.
 struct Corridor {
@@ -77,8 +78,8 @@ void follow(const Corridor& corridor, const DemandOf& demand_of, std::span<doubl
     Gap gap = corridor.gaps[i];
     if (closed != corridor.closed.rend() && *closed == i)
       ++closed;
-    else if (const auto left = leading_to(demand_of(i), gap, v[i + 1]))
-      gap = *left;
+    else
+      gap = leading_to(demand_of(i), gap, v[i + 1]);
     v[i] = nearest(gap, v[i]);
   }
 }

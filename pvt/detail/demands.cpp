@@ -52,10 +52,12 @@ const std::vector<HalfPlane>& region() {
   return planes;
 }
 
-/// sign v >= -limit at every place of the piece; at its ends the gaps see to that.
+/// sign v >= -limit at every place of the piece.
 void add_velocity(Demand& demand, double limit, double sign, double chord) {
   const double d = limit + sign * chord;
   const double slack = rounding * limit;
+  demand.add({-sign, 0, limit + slack});
+  demand.add({0, -sign, limit + slack});
   for (const HalfPlane& plane : region())
     demand.add({sign * plane.a, sign * plane.b,
                 plane.c * d - (plane.a + plane.b) * limit +
