@@ -143,6 +143,9 @@ Report check_coupling(const Spec& spec, const Cam& cam) {
 Report check_all(const Input& input, int continuity) {
   Report report = std::visit(
       [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
+  if (input.spec)
+    report.findings.insert(report.findings.end(), input.spec->fill.findings.begin(),
+                           input.spec->fill.findings.end());
   if (input.spec && input.spec->disc) {
     const Report disc = check_disc(*input.spec, std::get<Cam>(input.curve));
     report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <cmath>
 #include <utility>
 
+#include "jounce/optimize/spline_times.hpp"
 #include "jounce/profiles/splice.hpp"
 #include "jounce/profiles/via.hpp"
 
@@ -162,15 +164,32 @@ std::string key_of(std::size_t axis) {
   return "axis[" + std::to_string(axis + 1) + "]";
 }
 
+/// Without a limit in one direction there is none: the spline's times are found for magnitudes.
+std::optional<double> magnitude_of(double least, double greatest) {
+  const double limit = std::min(-least, greatest);
+  return std::isfinite(limit) ? std::optional(limit) : std::nullopt;
+}
+
+std::vector<Trajectory> in_shortest_times(const AxesSpec& axes) {
+  SplineTimesSpec spec{.points = axes.points};
+  for (const AxisMove& axis : axes.axes)
+    spec.limits.push_back(
+        {.velocity = magnitude_of(axis.bounds.velocity_min, axis.bounds.velocity_max),
+         .acceleration = magnitude_of(axis.bounds.acceleration_min, axis.bounds.acceleration_max),
+         .jerk = magnitude_of(axis.bounds.jerk_min, axis.bounds.jerk_max)});
+  return spline_times(spec).joints;
+}
+
 std::vector<Trajectory> through_points(const AxesSpec& axes) {
   ViaSpec spec{{}, axes.points};
   for (const AxisMove& axis : axes.axes) spec.axes.push_back(axis.bounds);
   try {
-    return via(spec).axes;
+    return axes.shortest_times ? in_shortest_times(axes) : via(spec).axes;
   } catch (const InputError& error) {  // axes[1] and points[2] are [[axis]] and [[point]]
     std::string key = error.key();
     if (key.starts_with("axes")) key.replace(0, 4, "axis");
     if (key.starts_with("points")) key.replace(0, 6, "point");
+    if (key.starts_with("limits")) key.replace(0, 6, "axis");
     throw renamed(error, key);
   }
 }

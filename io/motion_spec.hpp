@@ -122,6 +122,7 @@ struct AxesSpec {
   double duration = 0;                      ///< the least; 0: as short as it can be
   std::vector<AxisMove> axes;               ///< with points, only the bounds count
   std::vector<std::vector<double>> points;  ///< through these; then without `sync`
+  bool shortest_times = false;              ///< a spline through them with the best times, not via()
 };
 
 // ---- [[then]]: what is done to a motion, one after another -----------------------------------

@@ -165,6 +165,14 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("warning/"))
     return of_warning(finding, with_unit(finding.value, labels.unit_of(finding)),
                       place(finding, labels));
+  if (finding.rule == "fill/limits")
+    return fmt::format("no velocities keep the limits from {} to the next knot, {} later",
+                       place(finding, labels), with_unit(finding.value, labels.units.x));
+  if (finding.rule.starts_with("fill/"))
+    return fmt::format("{} {} at the knots of {} leaves no room for {}", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
+                       finding.rule == "fill/convex" ? "the bend of the data"
+                                                     : "a way without turning back");
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));

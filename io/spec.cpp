@@ -89,7 +89,7 @@ void read_cam(TomlReader& top, Spec& spec) {
 
 void read_pvt(TomlReader& top, Spec& spec) {
   if (!spec.table.rule) spec.table.rule = Rule::cubic_hermite;
-  spec.subject = detail::read_knots(top, spec.units, *spec.table.rule);
+  spec.subject = detail::read_knots(top, spec, *spec.table.rule);
 }
 
 void read_axis(TomlReader& top, Spec& spec) {

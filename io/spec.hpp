@@ -108,6 +108,7 @@ struct Spec {
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
   AxisSwitches switches;  ///< of kinds "axis" and "cam"
+  Report fill;            ///< of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;

@@ -61,6 +61,7 @@ std::vector<std::vector<double>> read_points(TomlReader& top, const std::vector<
 AxesSpec read_axes(TomlReader& top, Spec& spec) {
   AxesSpec axes;
   const bool through_points = top.has("point");
+  if (through_points) axes.shortest_times = wants_shortest_times(top);
   if (!through_points) {
     if (const auto sync = top.optional_choice("sync", syncs)) axes.sync = static_cast<Sync>(*sync);
     axes.duration = top.optional_number("duration", spec.units.x).value_or(0);

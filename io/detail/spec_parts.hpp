@@ -48,7 +48,7 @@ std::span<const ProfileReader> controller_profiles();
 
 /// [move], [[knot]], [axis].
 MoveSpec read_move(TomlReader move, const Units& units);
-Table read_knots(TomlReader& top, const Units& units, Rule rule);
+Table read_knots(TomlReader& top, Spec& spec, Rule rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 
 /// [pt], [[point]].
@@ -63,6 +63,9 @@ void require_unit(const char* key, const std::string& given, const std::string& 
 
 /// [start], [dynamics], [[command]].
 QueueSpec read_queue(TomlReader& top, const Units& units);
+
+/// times = "shortest", of knots and of points.
+bool wants_shortest_times(TomlReader& top);
 
 /// [[axis]] into spec.axes; sync and duration, or [[point]].
 AxesSpec read_axes(TomlReader& top, Spec& spec);

@@ -1,0 +1,115 @@
+#include <utility>
+#include <vector>
+
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
+#include "jounce/optimize/spline_times.hpp"
+#include "jounce/pvt/controllers.hpp"
+#include "jounce/pvt/fill.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> fillings{"natural",      "clamped",      "periodic",
+                                        "not_a_knot",   "monotone",     "shape_preserving",
+                                        "minimum_jerk", "within_limits"};
+const std::vector<std::string> objectives{"shortest"};
+
+/// A derivative of a knot; left out only where `velocities` says how to find it.
+std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
+                                    bool may_be_missing) {
+  if (!may_be_missing && !knot.has(key))
+    knot.fail(key, "",
+              "is missing: give it, or say at the top how to find it: velocities = \"natural\"");
+  return knot.optional_number(key, unit);
+}
+
+FillSpec read_fill(TomlReader& top, const Units& units, Rule rule) {
+  FillSpec fill;
+  const auto filling = top.optional_choice("velocities", fillings);
+  if (filling) fill.filling = *filling_named(fillings[*filling]);
+  fill.rule = rule;
+  fill.outside = read_outside(top, true);
+  for (TomlReader& knot : top.tables("knot")) {
+    fill.x.push_back(knot.number("time", units.x));
+    fill.p.push_back(knot.number("position", units.position));
+    if (rule != Rule::linear)
+      fill.v.push_back(derivative_of(knot, "velocity", rate_unit(units.position, units.x, 1),
+                                     filling.has_value()));
+    if (rule == Rule::quintic_hermite)
+      fill.a.push_back(derivative_of(knot, "acceleration", rate_unit(units.position, units.x, 2),
+                                     filling.has_value()));
+    knot.finish();
+  }
+  if (filling && rule == Rule::linear)
+    top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has none");
+  return fill;
+}
+
+Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
+  FillSpec fill = read_fill(top, spec.units, rule);
+  if (rule == Rule::linear)
+    return Table(Axis::time, rule, fill.outside, {std::move(fill.x), std::move(fill.p), {}, {}});
+  fill.limits = spec.limits;
+  try {
+    Filled made = filled(fill);
+    spec.fill = std::move(made.report);
+    return std::move(made.table);
+  } catch (const InputError& error) {
+    if (error.key() != "rule") throw;
+    throw InputError("table.rule", error.value(), error.rule());
+  }
+}
+
+/// The knots of a cubic spline, exactly: cubics are quintics too.
+Table table_of(const Trajectory& spline, Rule rule) {
+  Columns columns;
+  for (const double x : spline.breaks()) {
+    const Jet jet = spline.jet(x, x == spline.end() ? Side::left : Side::right);
+    columns.x.push_back(x);
+    columns.p.push_back(jet[0]);
+    columns.v.push_back(jet[1]);
+    if (rule == Rule::quintic_hermite) columns.a.push_back(jet[2]);
+  }
+  return Table(Axis::time, rule, Outside::hold, std::move(columns));
+}
+
+void refuse_beside_times(TomlReader& reader, const char* key) {
+  if (reader.has(key)) reader.fail(key, "", "is what times = \"shortest\" finds: leave it out");
+}
+
+Table shortest_table(TomlReader& top, const Spec& spec, Rule rule) {
+  if (rule == Rule::linear)
+    top.fail("times", "\"shortest\"",
+             "are those of a spline: the rule must be cubic_hermite or quintic_hermite");
+  refuse_beside_times(top, "velocities");
+  SplineTimesSpec times;
+  times.limits = {spec.limits};
+  for (TomlReader& knot : top.tables("knot")) {
+    times.points.push_back({knot.number("position", spec.units.position)});
+    for (const char* key : {"time", "velocity", "acceleration"}) refuse_beside_times(knot, key);
+    knot.finish();
+  }
+  try {
+    return table_of(spline_times(times).joints.front(), rule);
+  } catch (const InputError& error) {
+    const bool of_limits = error.key().starts_with("limits");
+    throw InputError(of_limits ? "limits" : "knot", error.value(), error.rule());
+  }
+}
+
+}  // namespace
+
+bool wants_shortest_times(TomlReader& top) {
+  return top.optional_choice("times", objectives).has_value();
+}
+
+Table read_knots(TomlReader& top, Spec& spec, Rule rule) {
+  static const std::vector<std::string> controllers{"himc"};
+  Table table =
+      wants_shortest_times(top) ? shortest_table(top, spec, rule) : filled_table(top, spec, rule);
+  if (top.optional_choice("controller", controllers)) himc::require_pvt(table.columns());
+  return table;
+}
+
+}  // namespace jounce::detail
