@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "jounce/optimize/spline_times.hpp"
