@@ -323,9 +323,12 @@ TEST(Fill, ShapePreservingKeepsConvexDataConvexWhereCubicsCan) {
       named += is_named ? 1 : 0;
       const Range bend = segment_range(f, i, 2);
       if (left && right && !is_named && spec.x.size() > 2) {
-        // What rounds is the chord of the knots' positions.
-        const double rounding = 1e-14 * spec.p[i + 1] / (spec.x[i + 1] - spec.x[i]);
-        EXPECT_GE(bend.min.value * (spec.x[i + 1] - spec.x[i]), -rounding) << printed(spec) << i;
+        // a h is 6 d less velocities: six roundings of the chord, and two to evaluate.
+        const double h = spec.x[i + 1] - spec.x[i];
+        const double chord_rounding =
+            4 * std::numeric_limits<double>::epsilon() *
+            ((std::abs(spec.p[i]) + std::abs(spec.p[i + 1])) / h + 2 * std::abs(chord(i)));
+        EXPECT_GE(bend.min.value * h, -8 * chord_rounding) << printed(spec) << i;
       }
     }
   }
