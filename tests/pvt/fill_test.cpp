@@ -82,8 +82,8 @@ TEST(Fill, MinimumJerkIsTheQuinticSpline) {
     const auto expect = [&](const char* which) {
       SCOPED_TRACE(which);
       const Columns found = filled(spec).table.columns();
-      // Stiffness of an interval goes with length^-5: neighbours of 1 : 64 and less lose nothing,
-      // 1 : 3000 (and 1 : 1000 in a row) half of the digits of an acceleration.
+      // Stiffness of an interval goes with length^-5: what differs five-fold loses nothing,
+      // 1 : 65000 half of the digits of an acceleration.
       const double tolerance = name == "hmpl" ? 1e-13 : 1e-7;
       expect_near(found.v, table[which][0], tolerance);
       expect_near(found.a, table[which][1], tolerance);
