@@ -79,8 +79,9 @@ struct Filled {
 /// where it stays (Fritsch and Butland 1984). shape_preserving: the same, and a piece between
 /// knots where the data turn one way turns that way (unless "fill/convex" names it; C1 cubics cannot
 /// always); second order. minimum_jerk: the least integral of jerk^2 over all curves through what is
-/// given (Schoenberg 1964; a piece is stiff as its length^-5: intervals of 1 : 65000 side by side cost half of the digits); in a cubic table the same velocities. within_limits: ends left open are at
-/// rest; a piece not named keeps the limits, exactly.
+/// given (Schoenberg 1964); in a cubic table the same velocities. A piece is stiff as its length^-5:
+/// intervals of 1 : 65000 side by side cost half of the digits. within_limits: ends left open are at
+/// rest; a piece not named keeps the limits, to a relative 1e-13.
 ///
 /// With Rule::quintic_hermite, whatever chose the velocities, accelerations left out make the integral
 /// of jerk^2 least under these velocities. (within_limits then holds of the cubic; `check` tells.)
