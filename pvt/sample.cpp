@@ -30,16 +30,13 @@ Columns columns_at(const Curve<Over>& f, Rule rule, std::vector<double> knots) {
     if (rule == Rule::quintic_hermite) columns.a.push_back(jet[2]);
   }
   columns.x = std::move(knots);
-  if (f.outside() == Outside::wrap) close_period(columns.p);
-  if (repeats(f.outside()))
-    for (auto* column : {&columns.v, &columns.a}) close_period(*column);
   return columns;
 }
 
 /// The exact error of the table: the difference is a curve of the same kind (a Hermite piece minus
 /// a segment keeps the segment's sines), so its extrema are exact too.
 template <class Over>
-SampleError certified(const Curve<Over>& f, const Table& table) {
+SampleError error_of(const Curve<Over>& f, const Table& table) {
   const auto difference = sum(table.curve<Over>(), scaled(with(f, table.outside()), -1));
   const Ranges ranges = extrema(difference);
   return {std::abs(ranges[0].peak().value), ranges[0].peak().where,
@@ -90,9 +87,17 @@ Sampled sample(const Curve<Over>& f, Rule rule, const std::vector<double>& knots
   if (knots.front() != f.start() || knots.back() != f.end())
     throw InputError("knots", number(knots.front()) + " to " + number(knots.back()),
                      "must span the curve, " + number(f.start()) + " to " + number(f.end()));
+  return certified(f, rule, columns_at(f, rule, knots));
+}
+
+template <class Over>
+Sampled certified(const Curve<Over>& f, Rule rule, Columns columns) {
+  if (f.outside() == Outside::wrap) close_period(columns.p);
+  if (repeats(f.outside()))
+    for (auto* column : {&columns.v, &columns.a}) close_period(*column);
   constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
-  Table table(axis, rule, f.outside(), columns_at(f, rule, knots));
-  const SampleError error = certified(f, table);
+  Table table(axis, rule, f.outside(), std::move(columns));
+  const SampleError error = error_of(f, table);
   return {std::move(table), error};
 }
 
@@ -146,6 +151,7 @@ Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::si
 #define JOUNCE_INSTANTIATE(Over)                                                 \
   template Sampled sample(const Curve<Over>&, Rule, const std::vector<double>&); \
   template Sampled sample(const Curve<Over>&, Rule, std::size_t);                \
+  template Sampled certified(const Curve<Over>&, Rule, Columns);                 \
   template Sampled sample_within(const Curve<Over>&, Rule, double, std::size_t);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

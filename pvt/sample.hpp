@@ -23,6 +23,11 @@ struct Sampled {
 template <class Over>
 Sampled sample(const Curve<Over>& f, Rule rule, const std::vector<double>& knots);
 
+/// The table of these columns, which span the curve, and its error. Where the curve repeats, a column
+/// that ends on what it begins with but for rounding ends on exactly that.
+template <class Over>
+Sampled certified(const Curve<Over>& f, Rule rule, Columns columns);
+
 /// `intervals` >= 1 equal ones.
 template <class Over>
 Sampled sample(const Curve<Over>& f, Rule rule, std::size_t intervals);
