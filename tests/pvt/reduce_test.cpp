@@ -54,15 +54,67 @@ SampleError seen(const Table& table, const Curve<Over>& f, int points = 20000) {
   return worst;
 }
 
-TEST(Reduced, TakesFewerKnotsThanEqualIntervalsOnTheCycloid) {
+/// How many intervals a cycloid of stroke 1 needs when every one of them has the greatest error. An interval of
+/// length h errs by h^k |f^(k)| / C at most, so their number is the integral of (|f^(k)| / (C tolerance))^(1/k),
+/// with |f^(k)| = (2 pi)^(k-1) |sin 2 pi z| (k even), whose root integrates to a beta function.
+double intervals_of_cycloid(double k, double c, double tolerance) {
+  const double two_pi = 2 * std::acos(-1.0);
+  const double m = 1 / k;
+  const double mean = std::tgamma((m + 1) / 2) / (std::sqrt(two_pi / 2) * std::tgamma(m / 2 + 1));
+  return std::pow(std::pow(two_pi, k - 1) / (c * tolerance), m) * mean;
+}
+
+TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
   // Equal intervals to 1e-6 of the stroke: 887, 29, 8 (see sample_test.cpp).
-  const std::size_t equal[] = {887, 29, 8};
-  for (const Rule rule : all_rules) {
-    const Reduced made = reduced(cycloid(), {.rule = rule, .tolerance = 1e-6});
-    EXPECT_LE(made.error.position, 1e-6);
-    EXPECT_LT(made.table.size() - 1, equal[static_cast<int>(rule)]) << name(rule);
-    EXPECT_EQ(made.bound, Bound::tolerance);
-    std::printf("%s %zu %g\n", name(rule), made.table.size() - 1, made.error.position);
+  const double divisor[] = {8, 384, 46080};
+  const std::size_t known[] = {677, 25, 7};
+  for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8})
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Reduced made = reduced(cycloid(), {.rule = all_rules[i], .tolerance = tolerance});
+      const double fewest =
+          intervals_of_cycloid(2.0 * static_cast<double>(i) + 2, divisor[i], tolerance);
+      EXPECT_LE(made.error.position, tolerance);
+      if (tolerance <= 1e-6) {  // where the formula, of short intervals, holds
+        EXPECT_NEAR(static_cast<double>(made.table.size() - 1), fewest, 1.1)
+            << name(all_rules[i]) << " " << tolerance << " " << fewest;
+      }
+      if (tolerance == 1e-6) {
+        EXPECT_EQ(made.table.size() - 1, known[i]);
+      }
+      EXPECT_EQ(made.bound, Bound::tolerance);
+    }
+}
+
+TEST(Reduced, SharesOneErrorAmongItsIntervals) {
+  const Reduced made = reduced(cycloid(), {.rule = Rule::cubic_hermite, .tolerance = 1e-6});
+  const auto& x = made.table.columns().x;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double e =
+        detail::share(cycloid(), Rule::cubic_hermite, detail::knot_at(cycloid(), x[i], Side::right),
+                      detail::knot_at(cycloid(), x[i + 1], Side::left),
+                      {made.error.position * (1 + 1e-9), 1e300});
+    EXPECT_GT(e, 0.75) << i;
+    EXPECT_NEAR(x[i] + x[x.size() - 1 - i], 1, 0.01) << "a symmetric curve: nearly symmetric knots";
+  }
+}
+
+TEST(Reduced, HasNoKnotThatCanBeLeftOut) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    const Cam cam = testing::random_cam(random, false);
+    if (stroke_of(cam) == 0) continue;  // a dwell alone
+    const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
+    for (const Rule rule : all_rules) {
+      const Columns all = reduced(cam, {.rule = rule, .tolerance = tolerance}).table.columns();
+      const std::size_t step = 1 + all.x.size() / 50;
+      for (std::size_t i = 1; i + 1 < all.x.size(); i += step) {
+        Columns less = all;
+        for (auto* column : {&less.x, &less.p, &less.v, &less.a})
+          if (!column->empty()) column->erase(column->begin() + static_cast<std::ptrdiff_t>(i));
+        EXPECT_GT(certified(cam, rule, less).error.position, tolerance * (1 - 1e-9))
+            << name(rule) << " seed " << seed << " knot " << i;
+      }
+    }
   }
 }
 
@@ -82,6 +134,170 @@ TEST(Reduced, KeepsItsToleranceOnRandomCams) {
       EXPECT_LE(made.table.size(), equal) << which;
     }
   }
+}
+
+TEST(Reduced, KeepsTheVelocityToo) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Random random(seed);
+    const Cam cam = testing::random_cam(random, true);
+    const double v = extrema(cam, 1).peak().value;
+    const double jump = std::abs(largest_jump(cam, 1).step);
+    const double allowed = jump + std::abs(v) * random.log_uniform(1e-3, 1e-1);
+    for (const Rule rule : all_rules) {
+      const Reduced made = reduced(cam, {.rule = rule, .velocity_tolerance = allowed});
+      EXPECT_LE(made.error.velocity, allowed * (1 + 1e-9)) << name(rule) << " seed " << seed;
+      EXPECT_GE(made.error.velocity * (1 + 1e-9), seen(made.table, cam, 5000).velocity * (1 - 1e-9))
+          << name(rule) << " seed " << seed;
+      if (made.table.size() > 2) {
+        EXPECT_EQ(made.bound, Bound::velocity_tolerance);
+      }
+    }
+  }
+}
+
+TEST(Reduced, MakesTheBestOfSoManyKnots) {
+  for (const Rule rule : all_rules) {
+    double before = 1;
+    for (const std::size_t most : {5u, 9u, 17u, 33u}) {
+      const Reduced made = reduced(cycloid(), {.rule = rule, .most = most});
+      EXPECT_LE(made.table.size(), most);
+      EXPECT_EQ(made.bound, Bound::most);
+      EXPECT_LT(made.error.position, before);
+      EXPECT_LE(made.error.position, 1.01 * sample(cycloid(), rule, most - 1).error.position);
+      before = made.error.position;
+      // With a hundredth less, it takes more.
+      const Reduced again = reduced(cycloid(), {.rule = rule, .tolerance = before * 0.97});
+      EXPECT_GT(again.table.size(), most) << name(rule);
+    }
+  }
+}
+
+TEST(Reduced, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
+  const Trajectory move =
+      s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  const Reduced made = reduced(move, {.rule = Rule::cubic_hermite, .tolerance = 1e-12});
+  EXPECT_EQ(made.table.size(), move.breaks().size());
+  EXPECT_LT(made.error.position, 1e-13);
+}
+
+TEST(Reduced, MergesTheKnotsOfATable) {
+  const Table fine = sample(cycloid(), Rule::cubic_hermite, std::size_t{100'000}).table;
+  const Cam exact = fine.curve<OverMaster>();
+  EXPECT_EQ(reduced(exact, {.rule = Rule::cubic_hermite, .tolerance = 1e-6}).table.size(), 26u);
+  EXPECT_EQ(reduced(exact, {.rule = Rule::linear, .tolerance = 1e-6}).table.size(), 678u);
+  EXPECT_EQ(reduced(exact, {.rule = Rule::quintic_hermite, .tolerance = 1e-6}).table.size(), 8u);
+}
+
+TEST(Reduced, KeepsStraightLinesOfATableAsTheyAre) {
+  const Cam zigzag(
+      {line(1, 0, 1), line(1, 1, 2), line(1, 2, 0), line(0.5, 0, -1), line(0.5, -1, -2)});
+  const Reduced made = reduced(zigzag, {.rule = Rule::linear, .tolerance = 1e-9});
+  EXPECT_EQ(made.table.columns().x, (std::vector<double>{0, 2, 4}));
+  EXPECT_EQ(made.table.columns().p, (std::vector<double>{0, 2, -2}));
+}
+
+TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Random random(seed);
+    const Outside outside = random.below(2) == 0 ? Outside::advance : Outside::wrap;
+    const double period = 1000 + random.below(5000);
+    const double travel = outside == Outside::wrap ? 0 : 500 + random.below(4000);
+    const double middle = random.uniform(-3000, 3000);
+    std::vector<Segment> segments;
+    const double first = std::floor(period * random.uniform(0.2, 0.8)) + 0.25;  // off the steps
+    for (Segment f : testing::random_rise(random, false, first, 0.3, middle)) segments.push_back(f);
+    for (Segment f : testing::random_rise(random, false, period - first, middle, 0.3 + travel))
+      segments.push_back(f);
+    const Cam cam(segments, 0, outside);
+    for (const Rule rule : all_rules) {
+      const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
+      const Reduced made =
+          reduced(cam, {.rule = rule, .tolerance = 20, .spacing = 3, .x_step = 1, .p_step = 1});
+      const Columns& c = made.table.columns();
+      double sum = 0;
+      for (std::size_t i = 0; i < c.x.size(); ++i) {
+        EXPECT_EQ(c.x[i], std::round(c.x[i])) << which;
+        EXPECT_EQ(c.p[i], std::round(c.p[i])) << which;
+        if (i == 0) continue;
+        EXPECT_GE(c.x[i] - c.x[i - 1], 3) << which;
+        sum += c.p[i] - c.p[i - 1];
+      }
+      EXPECT_EQ(sum, travel) << which;
+      EXPECT_EQ(c.x.back(), period) << which;
+      EXPECT_LE(made.error.position, 20) << which;
+      EXPECT_GE(made.error.position * (1 + 1e-9), seen(made.table, cam, 5000).position) << which;
+    }
+  }
+}
+
+TEST(Reduced, WritesMillisecondsAsTheyAreRead) {
+  const Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 21}).curve();
+  ASSERT_EQ(move.outside(), Outside::hold);
+  const Reduced made =
+      reduced(move, {.tolerance = 1e-3, .x_step = 1e-3, .p_step = 0.01, .v_step = 0.1});
+  const Columns& c = made.table.columns();
+  for (std::size_t i = 0; i < c.x.size(); ++i) {
+    EXPECT_EQ(c.x[i], std::round(c.x[i] * 1000) / 1000);
+    EXPECT_EQ(c.p[i], std::round(c.p[i] * 100) / 100);
+    EXPECT_EQ(c.v[i], std::round(c.v[i] * 10) / 10);
+  }
+  EXPECT_GT(c.x.back(), move.end()) << "it holds until the next millisecond";
+  EXPECT_LT(c.x.back(), move.end() + 1e-3);
+  EXPECT_LE(made.error.position, 1e-3);
+}
+
+TEST(Reduced, TakesTheErrorOfAFitOffItsTolerance) {
+  Fitted<OverMaster> fit{cycloid(), {2e-4, 1e-3}};
+  const Reduced made = reduced(fit, {.tolerance = 1e-3});
+  EXPECT_LE(made.error.position, 1e-3);
+  EXPECT_GT(made.error.position, 2e-4);
+  EXPECT_GE(made.error.velocity, 1e-3);
+  EXPECT_THROW(reduced(fit, {.tolerance = 2e-4}), InputError);
+}
+
+/// What the error says.
+template <class Over>
+std::string refusal(const Curve<Over>& f, const Target& target) {
+  try {
+    (void)reduced(f, target);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The number behind "tolerance = " in a refusal.
+double offered(const std::string& text) {
+  const std::string key = "tolerance = ";
+  const auto at = text.rfind(key);
+  return at == std::string::npos ? 0 : std::stod(text.substr(at + key.size()));
+}
+
+TEST(Reduced, SaysWhatWouldDo) {
+  const Target few{.rule = Rule::cubic_hermite, .tolerance = 1e-6, .most = 16};
+  const std::string text = refusal(cycloid(), few);
+  EXPECT_NE(text.find("needs 26 knots"), std::string::npos) << text;
+  const double enough = offered(text);
+  EXPECT_LE(reduced(cycloid(), {.tolerance = enough, .most = 16}).table.size(), 16u) << text;
+  EXPECT_NE(refusal(cycloid(), {.tolerance = enough * 0.97, .most = 16}), "");
+
+  const Target coarse{.rule = Rule::linear, .tolerance = 1e-3, .spacing = 0.1};
+  const std::string spaced = refusal(cycloid(), coarse);
+  EXPECT_EQ(
+      refusal(cycloid(), {.rule = Rule::linear, .tolerance = offered(spaced), .spacing = 0.1}), "")
+      << spaced;
+}
+
+TEST(Reduced, RefusesWhatCannotBe) {
+  const Cam sawtooth({line(1, 0, 1), line(1, 0, 1)});
+  EXPECT_NE(refusal(sawtooth, {.tolerance = 1e-3}).find("at 1"), std::string::npos);
+  EXPECT_NE(refusal(cycloid(), {}), "");
+  EXPECT_NE(refusal(cycloid(), {.tolerance = 0.0}), "");
+  EXPECT_NE(refusal(cycloid(), {.most = 1}), "");
+  EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .spacing = -1}), "");
+  EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .x_step = 0.3}), "") << "1 is no multiple";
+  const Cam drifting({line(10, 0, 2.5)}, 0, Outside::advance);
+  EXPECT_NE(refusal(drifting, {.tolerance = 1, .p_step = 1}).find("drift"), std::string::npos);
 }
 
 }  // namespace
