@@ -130,7 +130,7 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
 /// The knots of a PVT spec are its table, unless operators make it another.
 Sampled table_of(const Spec& spec, const Trajectory& curve, const AxisPart& part) {
   const auto* knots = std::get_if<Table>(&spec.subject);
-  if (knots != nullptr && spec.then.empty()) return {*knots, {}};
+  if (knots != nullptr && spec.then.empty()) return {*knots, {}, {}};
   return sampled(curve, part.table);
 }
 

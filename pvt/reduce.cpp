@@ -66,7 +66,7 @@ class Reduction {
               target.velocity_tolerance.value_or(inf)};
   }
 
-  Reduced run() {
+  Sampled run() {
     const bool any = target_.tolerance || target_.velocity_tolerance;
     const std::size_t most = target_.most.value_or(many);
     Attempt found = attempt(1, most);
@@ -163,7 +163,7 @@ class Reduction {
     return knots;
   }
 
-  [[nodiscard]] Reduced made(const std::vector<Knot>& knots) const {
+  [[nodiscard]] Sampled made(const std::vector<Knot>& knots) const {
     Columns columns;
     for (const Knot& knot : knots) {
       columns.x.push_back(detail::rounded_to(knot.x, target_.x_step));
@@ -172,8 +172,8 @@ class Reduction {
       if (target_.rule == Rule::quintic_hermite) columns.a.push_back(knot.jet[2]);
     }
     Sampled made = certified(f_, target_.rule, std::move(columns));
-    const Bound bound = bound_of(made);
-    return {std::move(made.table), made.error, bound};
+    made.bound = bound_of(made);
+    return made;
   }
 
   [[nodiscard]] Bound bound_of(const Sampled& made) const {
@@ -290,14 +290,14 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
 }  // namespace
 
 template <class Over>
-Reduced reduced(const Curve<Over>& f, const Target& target) {
+Sampled reduced(const Curve<Over>& f, const Target& target) {
   require_valid(target);
   const Curve<Over> whole = on_steps(f, target);
   return Reduction<Over>(whole, target).run();
 }
 
 template <class Over>
-Reduced reduced(const Fitted<Over>& f, const Target& target) {
+Sampled reduced(const Fitted<Over>& f, const Target& target) {
   Target rest = target;
   const auto take_off = [](const char* key, std::optional<double>& tolerance, double error) {
     if (tolerance && !(*tolerance > error))
@@ -307,29 +307,15 @@ Reduced reduced(const Fitted<Over>& f, const Target& target) {
   };
   take_off("tolerance", rest.tolerance, f.error[0]);
   take_off("velocity_tolerance", rest.velocity_tolerance, f.error[1]);
-  Reduced made = reduced(f.curve, rest);
+  Sampled made = reduced(f.curve, rest);
   made.error.position += f.error[0];
   made.error.velocity += f.error[1];
   return made;
 }
 
-const char* name(Bound bound) {
-  switch (bound) {
-    case Bound::none:
-      return "nothing";
-    case Bound::tolerance:
-      return "tolerance";
-    case Bound::velocity_tolerance:
-      return "velocity_tolerance";
-    case Bound::most:
-      break;
-  }
-  return "most";
-}
-
 #define JOUNCE_INSTANTIATE(Over)                               \
-  template Reduced reduced(const Curve<Over>&, const Target&); \
-  template Reduced reduced(const Fitted<Over>&, const Target&);
+  template Sampled reduced(const Curve<Over>&, const Target&); \
+  template Sampled reduced(const Fitted<Over>&, const Target&);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

@@ -10,7 +10,7 @@ namespace jounce {
 
 /// Tables of as few knots as do: a curve, or a table of too many knots, for what a controller holds.
 ///
-///     Reduced table = reduced(cam, {.rule = Rule::cubic_hermite, .tolerance = 1e-3});
+///     Sampled table = reduced(cam, {.rule = Rule::cubic_hermite, .tolerance = 1e-3});
 ///     table.table.size();            // knots: as few as keep the cam within a micrometre
 ///     table.error.velocity;          // certified, like table.error.position
 ///     reduced(cam, {.rule = Rule::linear, .most = 17, .x_step = 1});       // the best of 17 points
@@ -47,20 +47,6 @@ struct Target {
   double v_step = 0;  ///< velocities likewise
 };
 
-/// Why the table has no fewer knots.
-enum class Bound {
-  none,                ///< two knots do
-  tolerance,           ///< of the position
-  velocity_tolerance,  ///< of the velocity
-  most,                ///< it has the error that this number of knots can have
-};
-
-struct Reduced {
-  Table table;
-  SampleError error;
-  Bound bound = Bound::none;
-};
-
 /// The table of fewest knots for the target.
 ///
 /// **Rounding.** Positions are rounded where they are, not their increments, so that no error
@@ -73,14 +59,11 @@ struct Reduced {
 /// A tolerance below the rounding of the curve's numbers (1e-15 of the sum of a segment's terms)
 /// counts as that rounding.
 template <class Over>
-Reduced reduced(const Curve<Over>& f, const Target& target);
+Sampled reduced(const Curve<Over>& f, const Target& target);
 
 /// The same for what was fitted first: its error is taken off the tolerances, and added to the
 /// table's. Throws InputError for a tolerance that the fit alone uses up.
 template <class Over>
-Reduced reduced(const Fitted<Over>& f, const Target& target);
-
-/// "tolerance", "velocity_tolerance", "most", "nothing".
-const char* name(Bound bound);
+Sampled reduced(const Fitted<Over>& f, const Target& target);
 
 }  // namespace jounce

@@ -98,7 +98,21 @@ Sampled certified(const Curve<Over>& f, Rule rule, Columns columns) {
   constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
   Table table(axis, rule, f.outside(), std::move(columns));
   const SampleError error = error_of(f, table);
-  return {std::move(table), error};
+  return {std::move(table), error, {}};
+}
+
+const char* name(Bound bound) {
+  switch (bound) {
+    case Bound::none:
+      return "none";
+    case Bound::tolerance:
+      return "tolerance";
+    case Bound::velocity_tolerance:
+      return "velocity_tolerance";
+    case Bound::most:
+      break;
+  }
+  return "most";
 }
 
 template <class Over>

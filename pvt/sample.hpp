@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "jounce/profiles/curve.hpp"
 #include "jounce/pvt/table.hpp"
 
@@ -12,9 +14,21 @@ struct SampleError {
   double velocity = 0;  ///< max |table' - curve'|, unit of the first derivative
 };
 
+/// Why a table has as many knots as it has.
+enum class Bound {
+  none,                ///< two knots do
+  tolerance,           ///< of the position
+  velocity_tolerance,  ///< of the velocity
+  most,                ///< its error is what so many knots can have
+};
+
+/// "none", "tolerance", "velocity_tolerance", "most".
+const char* name(Bound bound);
+
 struct Sampled {
   Table table;
   SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
+  std::optional<Bound> bound = {};  ///< of a table of fewest knots: reduce.hpp
 };
 
 /// The table through the curve at the given knots (strictly ascending, first and last at the ends

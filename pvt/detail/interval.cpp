@@ -12,8 +12,9 @@
 //
 //   (1)  a value of the difference anywhere is no more than its maximum: a few in the interval show
 //        most of those that are too long;
-//   (2)  a polynomial lies within the hull of its Bernstein coefficients: a piece whose hull is
-//        within the greatest error found so far adds nothing;
+//   (2)  a segment is at most the sum of the magnitudes of its terms, a polynomial within the hull of
+//        its Bernstein coefficients: a piece for which either is within the greatest error found so
+//        far adds nothing;
 //   (3)  otherwise the error of the piece is the greatest of its values at its ends and where its
 //        derivative vanishes.
 namespace jounce::detail {
@@ -43,19 +44,20 @@ bool hull_within(const Segment& d, double bound) {
   return within;
 }
 
-/// (3), with slope the derivative of d.
-double exact_peak(const Segment& d, const Segment& slope) {
+/// (3).
+double exact_peak(const Segment& d) {
   double peak = std::max(std::abs(value(d, 0)), std::abs(value(d, 1)));
   thread_local std::vector<double> critical;
-  roots(slope, 2e-16 * magnitude(d) / d.length, critical);
+  roots(derivative(d), 2e-16 * magnitude(d) / d.length, critical);
   for (const double s : critical) peak = std::max(peak, std::abs(value(d, s)));
   return peak;
 }
 
 /// The greater of `worst` and what d, a difference, makes of its tolerance.
-double raised(double worst, const Segment& d, const Segment& slope, double tolerance) {
-  if (hull_within(d, worst * tolerance)) return worst;
-  return std::max(worst, exact_peak(d, slope) / tolerance);
+double raised(double worst, const Segment& d, double tolerance) {
+  const double bound = worst * tolerance;
+  if (magnitude(d) <= bound || hull_within(d, bound)) return worst;
+  return std::max(worst, exact_peak(d) / tolerance);
 }
 
 /// (1).
@@ -102,10 +104,9 @@ double share(const Curve<Over>& f, Rule rule, const Knot& a, const Knot& b,
     const Segment here = cut(table, t0, t1);
     there.length = here.length;
     const auto d = sum(here, scaled(there, -1));  // a polynomial adds no sine
-    const Segment slope = derivative(*d);
-    worst = raised(worst, *d, slope, tolerances.position);
+    worst = raised(worst, *d, tolerances.position);
     if (std::isfinite(tolerances.velocity))
-      worst = raised(worst, slope, derivative(slope), tolerances.velocity);
+      worst = raised(worst, derivative(*d), tolerances.velocity);
   }
   return worst;
 }

@@ -70,12 +70,12 @@ TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
   const std::size_t known[] = {677, 25, 7};
   for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8})
     for (std::size_t i = 0; i < 3; ++i) {
-      const Reduced made = reduced(cycloid(), {.rule = all_rules[i], .tolerance = tolerance});
+      const Sampled made = reduced(cycloid(), {.rule = all_rules[i], .tolerance = tolerance});
       const double fewest =
           intervals_of_cycloid(2.0 * static_cast<double>(i) + 2, divisor[i], tolerance);
       EXPECT_LE(made.error.position, tolerance);
       if (tolerance <= 1e-6) {  // where the formula, of short intervals, holds
-        EXPECT_NEAR(static_cast<double>(made.table.size() - 1), fewest, 1.1)
+        EXPECT_NEAR(static_cast<double>(made.table.size() - 1), fewest, 1.1 + 1e-4 * fewest)
             << name(all_rules[i]) << " " << tolerance << " " << fewest;
       }
       if (tolerance == 1e-6) {
@@ -86,7 +86,7 @@ TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
 }
 
 TEST(Reduced, SharesOneErrorAmongItsIntervals) {
-  const Reduced made = reduced(cycloid(), {.rule = Rule::cubic_hermite, .tolerance = 1e-6});
+  const Sampled made = reduced(cycloid(), {.rule = Rule::cubic_hermite, .tolerance = 1e-6});
   const auto& x = made.table.columns().x;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     const double e =
@@ -125,7 +125,7 @@ TEST(Reduced, KeepsItsToleranceOnRandomCams) {
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-7, 1e-2);
     for (const Rule rule : all_rules) {
       const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
-      const Reduced made = reduced(cam, {.rule = rule, .tolerance = tolerance});
+      const Sampled made = reduced(cam, {.rule = rule, .tolerance = tolerance});
       EXPECT_LE(made.error.position, tolerance * (1 + 1e-9)) << which;
       const SampleError points = seen(made.table, cam);
       EXPECT_LE(points.position, made.error.position * (1 + 1e-9) + 1e-15 * magnitude_of(cam))
@@ -144,7 +144,7 @@ TEST(Reduced, KeepsTheVelocityToo) {
     const double jump = std::abs(largest_jump(cam, 1).step);
     const double allowed = jump + std::abs(v) * random.log_uniform(1e-3, 1e-1);
     for (const Rule rule : all_rules) {
-      const Reduced made = reduced(cam, {.rule = rule, .velocity_tolerance = allowed});
+      const Sampled made = reduced(cam, {.rule = rule, .velocity_tolerance = allowed});
       EXPECT_LE(made.error.velocity, allowed * (1 + 1e-9)) << name(rule) << " seed " << seed;
       EXPECT_GE(made.error.velocity * (1 + 1e-9), seen(made.table, cam, 5000).velocity * (1 - 1e-9))
           << name(rule) << " seed " << seed;
@@ -159,14 +159,14 @@ TEST(Reduced, MakesTheBestOfSoManyKnots) {
   for (const Rule rule : all_rules) {
     double before = 1;
     for (const std::size_t most : {5u, 9u, 17u, 33u}) {
-      const Reduced made = reduced(cycloid(), {.rule = rule, .most = most});
+      const Sampled made = reduced(cycloid(), {.rule = rule, .most = most});
       EXPECT_LE(made.table.size(), most);
       EXPECT_EQ(made.bound, Bound::most);
       EXPECT_LT(made.error.position, before);
       EXPECT_LE(made.error.position, 1.01 * sample(cycloid(), rule, most - 1).error.position);
       before = made.error.position;
       // With a hundredth less, it takes more.
-      const Reduced again = reduced(cycloid(), {.rule = rule, .tolerance = before * 0.97});
+      const Sampled again = reduced(cycloid(), {.rule = rule, .tolerance = before * 0.97});
       EXPECT_GT(again.table.size(), most) << name(rule);
     }
   }
@@ -175,7 +175,7 @@ TEST(Reduced, MakesTheBestOfSoManyKnots) {
 TEST(Reduced, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
   const Trajectory move =
       s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
-  const Reduced made = reduced(move, {.rule = Rule::cubic_hermite, .tolerance = 1e-12});
+  const Sampled made = reduced(move, {.rule = Rule::cubic_hermite, .tolerance = 1e-12});
   EXPECT_EQ(made.table.size(), move.breaks().size());
   EXPECT_LT(made.error.position, 1e-13);
 }
@@ -191,7 +191,7 @@ TEST(Reduced, MergesTheKnotsOfATable) {
 TEST(Reduced, KeepsStraightLinesOfATableAsTheyAre) {
   const Cam zigzag(
       {line(1, 0, 1), line(1, 1, 2), line(1, 2, 0), line(0.5, 0, -1), line(0.5, -1, -2)});
-  const Reduced made = reduced(zigzag, {.rule = Rule::linear, .tolerance = 1e-9});
+  const Sampled made = reduced(zigzag, {.rule = Rule::linear, .tolerance = 1e-9});
   EXPECT_EQ(made.table.columns().x, (std::vector<double>{0, 2, 4}));
   EXPECT_EQ(made.table.columns().p, (std::vector<double>{0, 2, -2}));
 }
@@ -211,7 +211,7 @@ TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
     const Cam cam(segments, 0, outside);
     for (const Rule rule : all_rules) {
       const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
-      const Reduced made =
+      const Sampled made =
           reduced(cam, {.rule = rule, .tolerance = 20, .spacing = 3, .x_step = 1, .p_step = 1});
       const Columns& c = made.table.columns();
       double sum = 0;
@@ -233,7 +233,7 @@ TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
 TEST(Reduced, WritesMillisecondsAsTheyAreRead) {
   const Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 21}).curve();
   ASSERT_EQ(move.outside(), Outside::hold);
-  const Reduced made =
+  const Sampled made =
       reduced(move, {.tolerance = 1e-3, .x_step = 1e-3, .p_step = 0.01, .v_step = 0.1});
   const Columns& c = made.table.columns();
   for (std::size_t i = 0; i < c.x.size(); ++i) {
@@ -248,7 +248,7 @@ TEST(Reduced, WritesMillisecondsAsTheyAreRead) {
 
 TEST(Reduced, TakesTheErrorOfAFitOffItsTolerance) {
   Fitted<OverMaster> fit{cycloid(), {2e-4, 1e-3}};
-  const Reduced made = reduced(fit, {.tolerance = 1e-3});
+  const Sampled made = reduced(fit, {.tolerance = 1e-3});
   EXPECT_LE(made.error.position, 1e-3);
   EXPECT_GT(made.error.position, 2e-4);
   EXPECT_GE(made.error.velocity, 1e-3);
