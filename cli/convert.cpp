@@ -10,6 +10,7 @@
 #include "jounce/io/units.hpp"
 
 #include "input.hpp"
+#include "target_options.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -21,7 +22,7 @@ struct Options {
   std::string axis;
   std::string to;
   std::string rule;
-  std::string tolerance;
+  TargetOptions target;
   std::size_t intervals = 0;
   std::string every;
   std::string master_unit;
@@ -46,7 +47,7 @@ Rule rule_for(const Options& options, const Table& table) {
   if (const auto format = format_of(options)) return rule_of(*format);
   for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})
     if (options.rule == name(rule)) return rule;
-  return table.rule();
+  return rule_of(options.target).value_or(table.rule());
 }
 
 /// What the file does not say, or what is wanted instead of what it says.
@@ -77,9 +78,9 @@ TableFile in_units(TableFile file, const Options& options) {
 Sampled sampled(const Input& input, Rule rule, const Options& options) {
   return std::visit(
       [&](const auto& curve) {
-        if (!options.tolerance.empty())
-          return sample_within(curve, rule,
-                               quantity(options.tolerance, input.labels.units.position));
+        if (options.target.any())
+          return cli::reduced(
+              curve, target_of(options.target, input.table.table.axis(), rule, input.labels.units));
         return options.intervals > 0 ? sample(curve, rule, options.intervals)
                                      : sample(curve, rule, input.table.table.columns().x);
       },
@@ -89,9 +90,9 @@ Sampled sampled(const Input& input, Rule rule, const Options& options) {
 Converted convert(const Input& input, const Options& options) {
   const Rule rule = rule_for(options, input.table.table);
   Converted result{input.table, input.error};
-  if (rule != input.table.table.rule() || !options.tolerance.empty() || options.intervals > 0) {
-    auto [table, error] = sampled(input, rule, options);
-    result = {{std::move(table), input.table.units, input.table.provenance}, error};
+  if (rule != input.table.table.rule() || options.target.any() || options.intervals > 0) {
+    Sampled made = sampled(input, rule, options);
+    result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
   }
   result.file = in_units(std::move(result.file), options);
   return result;
@@ -218,11 +219,11 @@ void add_convert(CLI::App& app, Work& work) {
   verb->add_option("--rule", options->rule,
                    "For csv and json: linear, cubic_hermite, quintic_hermite; by default as it is")
       ->check(CLI::IsMember({"linear", "cubic_hermite", "quintic_hermite"}));
-  verb->add_option("--tolerance", options->tolerance,
-                   "New knots, as few as keep the position within this; by default the knots stay");
-  verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
-      ->excludes("--tolerance");
+  const auto target = add_target_options(verb, options->target);
+  CLI::Option* intervals =
+      verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+  for (CLI::Option* option : target) intervals->excludes(option);
   verb->add_option("--every", options->every,
                    "Not a table but its values: position and two derivatives at every step of the "
                    "first column, such as \"1 ms\", as CSV");

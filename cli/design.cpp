@@ -43,6 +43,10 @@ nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
   if (input.error) {
     summary["error"] = input.error->position;
     summary["error_where"] = input.error->where;
+    if (input.binding) {
+      summary["error_velocity"] = input.error->velocity;
+      summary["binding"] = name(*input.binding);
+    }
   }
   for (const Residual& r : input.residuals)
     summary["residuals"].push_back({{"frequency", r.mode.frequency},
@@ -50,6 +54,19 @@ nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
                                     {"before", r.before},
                                     {"after", r.after}});
   return summary;
+}
+
+/// What the fewest knots cost the velocity, and why there are no fewer.
+std::string fewest_text(const Input& input) {
+  const std::string rate = input.labels.over_master ? std::string(OverMaster::names[1])
+                                                    : std::string(OverTime::names[1]);
+  const char* why =
+      *input.binding == Binding::none        ? "two knots do"
+      : *input.binding == Binding::most      ? "the error is the least that so many knots have"
+      : *input.binding == Binding::tolerance ? "the position's tolerance allows no fewer"
+                                             : "the velocity's tolerance allows no fewer";
+  return fmt::format("{}: {} {} at the most (certified); {}", rate, rounded(input.error->velocity),
+                     input.labels.unit_of(rate), why);
 }
 
 void print_text(std::FILE* out, const Input& input) {
@@ -61,6 +78,7 @@ void print_text(std::FILE* out, const Input& input) {
     fmt::print(out, "error against the exact curve: {} {} at the most (certified), at {} {}\n",
                rounded(input.error->position), units.position, rounded(input.error->where),
                units.x);
+  if (input.error && input.binding) fmt::print(out, "{}\n", fewest_text(input));
   for (const Residual& r : input.residuals)
     fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without the operators {} {}\n",
                rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,

@@ -26,6 +26,7 @@ struct Input {
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};
+  std::optional<Binding> binding = {};  ///< of a table of fewest knots
 };
 
 /// Everything that can be checked without integration: limits and joints of the curve, the table's

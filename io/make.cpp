@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
 #include "jounce/io/detail/motion.hpp"
+#include "jounce/io/table_target.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/optimize/least_peak.hpp"
 #include "jounce/pvt/warnings.hpp"
@@ -20,15 +22,35 @@ Rule rule_for(const Curve<Over>& curve, const TableOptions& options) {
   return !check_continuity(curve, 2).ok() ? Rule::cubic_hermite : Rule::quintic_hermite;
 }
 
+/// A billionth of the stroke is finer than any encoder of today resolves.
 template <class Over>
-Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
-  const Rule rule = rule_for(curve, options);
-  if (options.intervals) return sample(curve, rule, *options.intervals);
+double fine(const Curve<Over>& curve) {
   const Range travel = extrema(curve, 0);
   const double stroke = travel.max.value - travel.min.value;
-  // A billionth of the stroke is finer than any encoder of today resolves.
-  const double tolerance = options.tolerance.value_or(1e-9 * (stroke > 0 ? stroke : 1));
-  return sample_within(curve, rule, tolerance);
+  return 1e-9 * (stroke > 0 ? stroke : 1);
+}
+
+/// The table of fewest knots. Its errors name the keys of [table].
+template <class Over>
+Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options) {
+  target.rule = rule_for(curve, options);
+  target.tolerance = options.tolerance;
+  if (!target.tolerance && !target.velocity_tolerance && !target.most)
+    target.tolerance = fine(curve);
+  try {
+    return reduced(curve, target);
+  } catch (const InputError& error) {
+    constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
+    throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
+  }
+}
+
+template <class Over>
+Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
+  if (options.target) return fewest(curve, *options.target, options);
+  const Rule rule = rule_for(curve, options);
+  if (options.intervals) return sample(curve, rule, *options.intervals);
+  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve));
 }
 
 std::string numbered(std::size_t i, const std::string& name) {

@@ -68,7 +68,9 @@ void require_version(TomlReader& top) {
 /// What belongs to the one axis of a spec.
 void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
-  spec.table = detail::read_table_options(top, spec.units, knots_are_the_table);
+  spec.table =
+      detail::read_table_options(top, spec.units, knots_are_the_table,
+                                 kind.runs == Kind::over_master ? Axis::master : Axis::time);
   Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
   spec.limits = detail::read_limits(top, spec.units, slave, spec.time_unit);
   spec.drive = detail::read_drive(top, spec.units);

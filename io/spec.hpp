@@ -17,7 +17,7 @@
 #include "jounce/io/time_table.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
-#include "jounce/pvt/table.hpp"
+#include "jounce/pvt/reduce.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce {
@@ -29,6 +29,8 @@ struct TableOptions {
   std::optional<Rule> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
   std::optional<std::size_t> intervals;  ///< equal ones, instead of a tolerance
+  /// knots = "fewest": what else is asked of them; rule and tolerance are those above.
+  std::optional<Target> target = {};
 };
 
 /// How the master runs when a cam is played: a trapezoidal move from 0.

@@ -19,7 +19,7 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
   return unit;
 }
 
-TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished) {
+TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Axis axis) {
   TableOptions options;
   auto table = owner.optional_table("table");
   if (!table) return options;
@@ -37,6 +37,7 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
     table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
   if (options.tolerance && options.intervals)
     table->fail("intervals", "", "either a tolerance or a number of intervals, not both");
+  read_target(*table, units, axis, options);
   table->finish();
   return options;
 }

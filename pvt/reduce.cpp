@@ -172,16 +172,16 @@ class Reduction {
       if (target_.rule == Rule::quintic_hermite) columns.a.push_back(knot.jet[2]);
     }
     Sampled made = certified(f_, target_.rule, std::move(columns));
-    made.bound = bound_of(made);
+    made.binding = binding_of(made);
     return made;
   }
 
-  [[nodiscard]] Bound bound_of(const Sampled& made) const {
-    if (made.table.size() == 2) return Bound::none;
-    if (!target_.tolerance && !target_.velocity_tolerance) return Bound::most;
+  [[nodiscard]] Binding binding_of(const Sampled& made) const {
+    if (made.table.size() == 2) return Binding::none;
+    if (!target_.tolerance && !target_.velocity_tolerance) return Binding::most;
     const bool velocity =
         made.error.velocity / asked_.velocity > made.error.position / asked_.position;
-    return velocity ? Bound::velocity_tolerance : Bound::tolerance;
+    return velocity ? Binding::velocity_tolerance : Binding::tolerance;
   }
 
   // ---- what to say of a target that cannot be met

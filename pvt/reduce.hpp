@@ -18,7 +18,7 @@ namespace jounce {
 ///     reduced(composed_within(cam, camshaft, 1e-6), {.tolerance = 1e-3});  // what fits no segment
 ///
 /// **Vocabulary.** A *target* is what the table is for: its rule, how far it may stray from the curve,
-/// and what the controller's knots can be. A *bound* is which of these made it as long as it is.
+/// and what the controller's knots can be. A *binding* target is which of these made it as long as it is.
 ///
 /// **Certified.** The error is the exact maximum of |table - curve| and of |table' - curve'|, what the
 /// rounding of the knots does to them included: extrema of the difference, none sampled.

@@ -101,15 +101,15 @@ Sampled certified(const Curve<Over>& f, Rule rule, Columns columns) {
   return {std::move(table), error, {}};
 }
 
-const char* name(Bound bound) {
-  switch (bound) {
-    case Bound::none:
+const char* name(Binding binding) {
+  switch (binding) {
+    case Binding::none:
       return "none";
-    case Bound::tolerance:
+    case Binding::tolerance:
       return "tolerance";
-    case Bound::velocity_tolerance:
+    case Binding::velocity_tolerance:
       return "velocity_tolerance";
-    case Bound::most:
+    case Binding::most:
       break;
   }
   return "most";

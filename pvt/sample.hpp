@@ -15,7 +15,7 @@ struct SampleError {
 };
 
 /// Why a table has as many knots as it has.
-enum class Bound {
+enum class Binding {
   none,                ///< two knots do
   tolerance,           ///< of the position
   velocity_tolerance,  ///< of the velocity
@@ -23,12 +23,12 @@ enum class Bound {
 };
 
 /// "none", "tolerance", "velocity_tolerance", "most".
-const char* name(Bound bound);
+const char* name(Binding binding);
 
 struct Sampled {
   Table table;
   SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
-  std::optional<Bound> bound = {};  ///< of a table of fewest knots: reduce.hpp
+  std::optional<Binding> binding = {};  ///< of a table of fewest knots: reduce.hpp
 };
 
 /// The table through the curve at the given knots (strictly ascending, first and last at the ends

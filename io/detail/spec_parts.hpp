@@ -79,7 +79,10 @@ Dynamics read_dynamics(MotionFields& fields, bool with_velocity = true);
 
 /// [table], [limits], and [drive] with [drive.limits] where there is one: of the document, or of
 /// one axis. A table that already is one (`finished`) has a rule only.
-TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished = false);
+TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished = false,
+                                Axis axis = Axis::time);
+/// The keys of [table] that ask for the fewest knots.
+void read_target(TomlReader& table, const Units& units, Axis axis, TableOptions& options);
 Limits read_limits(TomlReader& owner, const Units& units);
 /// Of a cam: per master unit, and [limits.slave] over time.
 Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,

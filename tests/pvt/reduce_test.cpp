@@ -81,7 +81,7 @@ TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
       if (tolerance == 1e-6) {
         EXPECT_EQ(made.table.size() - 1, known[i]);
       }
-      EXPECT_EQ(made.bound, Bound::tolerance);
+      EXPECT_EQ(made.binding, Binding::tolerance);
     }
 }
 
@@ -149,7 +149,7 @@ TEST(Reduced, KeepsTheVelocityToo) {
       EXPECT_GE(made.error.velocity * (1 + 1e-9), seen(made.table, cam, 5000).velocity * (1 - 1e-9))
           << name(rule) << " seed " << seed;
       if (made.table.size() > 2) {
-        EXPECT_EQ(made.bound, Bound::velocity_tolerance);
+        EXPECT_EQ(made.binding, Binding::velocity_tolerance);
       }
     }
   }
@@ -161,7 +161,7 @@ TEST(Reduced, MakesTheBestOfSoManyKnots) {
     for (const std::size_t most : {5u, 9u, 17u, 33u}) {
       const Sampled made = reduced(cycloid(), {.rule = rule, .most = most});
       EXPECT_LE(made.table.size(), most);
-      EXPECT_EQ(made.bound, Bound::most);
+      EXPECT_EQ(made.binding, Binding::most);
       EXPECT_LT(made.error.position, before);
       EXPECT_LE(made.error.position, 1.01 * sample(cycloid(), rule, most - 1).error.position);
       before = made.error.position;

@@ -1,0 +1,103 @@
+#include "target_options.hpp"
+
+#include "jounce/io/units.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// The option for a member of Target.
+std::string option_of(const std::string& member) {
+  if (member == "velocity_tolerance") return "--velocity-tolerance";
+  if (member == "x_step") return "--resolution";
+  if (member == "p_step") return "--position-resolution";
+  if (member == "v_step") return "--velocity-resolution";
+  return "--" + member;
+}
+
+std::optional<double> number_of(const char* member, const std::string& text,
+                                const std::string& unit) {
+  if (text.empty()) return std::nullopt;
+  try {
+    const double value = quantity(text, unit);
+    require_positive(member, value);
+    return value;
+  } catch (const InputError& error) {
+    throw InputError(option_of(member), text, error.rule());
+  }
+}
+
+}  // namespace
+
+bool TargetOptions::any() const {
+  if (most) return true;
+  for (const std::string* option : {&controller, &tolerance, &velocity_tolerance, &spacing,
+                                    &resolution, &position_resolution, &velocity_resolution})
+    if (!option->empty()) return true;
+  return false;
+}
+
+std::vector<CLI::Option*> add_target_options(CLI::App* verb, TargetOptions& options) {
+  std::vector<std::string> names;
+  for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
+  return {verb->add_option("--controller", options.controller,
+                           "New knots, the best that this controller's table holds")
+              ->check(CLI::IsMember(names)),
+          verb->add_option(
+              "--tolerance", options.tolerance,
+              "New knots, as few as keep the position within this; by default the knots stay"),
+          verb->add_option("--velocity-tolerance", options.velocity_tolerance,
+                           "The same for the first derivative"),
+          verb->add_option(
+              "--most", options.most,
+              "At most so many new knots; without a tolerance, the best table that has them"),
+          verb->add_option("--spacing", options.spacing, "New knots are at least so far apart"),
+          verb->add_option("--resolution", options.resolution,
+                           "New knots at whole multiples of this, such as 1ms"),
+          verb->add_option("--position-resolution", options.position_resolution,
+                           "Their positions rounded to whole multiples of this, such as 1pulse"),
+          verb->add_option("--velocity-resolution", options.velocity_resolution,
+                           "Their velocities likewise")};
+}
+
+std::optional<Rule> rule_of(const TargetOptions& options) {
+  const ControllerTable* controller = controller_table(options.controller);
+  return controller ? std::optional(controller->rule) : std::nullopt;
+}
+
+Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units& units) {
+  Target target;
+  if (const ControllerTable* controller = controller_table(options.controller)) {
+    if (controller->axis != axis)
+      throw InputError("--controller", options.controller,
+                       std::string("is a table over ") + name(controller->axis));
+    if (controller->rule != rule)
+      throw InputError("--controller", options.controller,
+                       std::string("plays a ") + name(controller->rule) + " table");
+    target = jounce::target_of(*controller, units);
+  }
+  const std::string rate = rate_unit(units.position, units.x, 1);
+  target.rule = rule;
+  target.tolerance = number_of("tolerance", options.tolerance, units.position);
+  target.velocity_tolerance = number_of("velocity_tolerance", options.velocity_tolerance, rate);
+  if (options.most) target.most = options.most;
+  target.spacing = number_of("spacing", options.spacing, units.x).value_or(0);
+  target.x_step = number_of("x_step", options.resolution, units.x).value_or(target.x_step);
+  target.p_step = number_of("p_step", options.position_resolution, units.position).value_or(0);
+  target.v_step = number_of("v_step", options.velocity_resolution, rate).value_or(0);
+  return target;
+}
+
+template <class Over>
+Sampled reduced(const Curve<Over>& f, const Target& target) {
+  try {
+    return jounce::reduced(f, target);
+  } catch (const InputError& error) {
+    throw InputError(option_of(error.key()), error.value(), error.rule());
+  }
+}
+
+template Sampled reduced(const Curve<OverTime>&, const Target&);
+template Sampled reduced(const Curve<OverMaster>&, const Target&);
+
+}  // namespace jounce::cli

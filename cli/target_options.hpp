@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "jounce/io/table_target.hpp"
+
+namespace jounce::cli {
+
+/// The options that ask for new knots, as few as do: the keys of [table], with units where wanted.
+struct TargetOptions {
+  std::string controller;
+  std::string tolerance;
+  std::string velocity_tolerance;
+  std::optional<std::size_t> most;
+  std::string spacing;
+  std::string resolution;
+  std::string position_resolution;
+  std::string velocity_resolution;
+
+  [[nodiscard]] bool any() const;
+};
+
+/// Returns what was added.
+std::vector<CLI::Option*> add_target_options(CLI::App* verb, TargetOptions& options);
+
+/// The rule that a controller's table has; nothing where none is named.
+std::optional<Rule> rule_of(const TargetOptions& options);
+
+/// What the options ask for, in these units. Throws InputError that names the option.
+Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units& units);
+
+/// The table of fewest knots. Throws InputError that names the option.
+template <class Over>
+Sampled reduced(const Curve<Over>& f, const Target& target);
+
+}  // namespace jounce::cli

@@ -1,0 +1,60 @@
+#include "jounce/io/table_target.hpp"
+
+#include <array>
+
+#include "jounce/io/units.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+// Googol: a FIFO holds 32 or 1024 PT segments, 16 or 512 follow segments (GTS manual 7.4, 7.6); times
+// and master positions are `long`. Velocity changes linearly in a NORMAL segment, so that a table of
+// ours is one of EVEN segments: straight lines. Their origin is a knot more.
+// HMPL: 50 points of time, position and velocity (MovePVT, 5.2.8).
+// SEW: 1024 points in a curve point table (MOVI-C).
+constexpr std::array known{
+    ControllerTable{"googol_pt", Axis::time, Rule::linear, 33, "ms"},
+    ControllerTable{"googol_pt_1024", Axis::time, Rule::linear, 1025, "ms"},
+    ControllerTable{"googol_follow", Axis::master, Rule::linear, 17, "pulse"},
+    ControllerTable{"googol_follow_512", Axis::master, Rule::linear, 513, "pulse"},
+    ControllerTable{"hmpl_pvt", Axis::time, Rule::cubic_hermite, 50, ""},
+    ControllerTable{"sew", Axis::master, Rule::linear, 1024, ""},
+};
+
+}  // namespace
+
+std::span<const ControllerTable> controller_tables() {
+  return known;
+}
+
+const ControllerTable* controller_table(const std::string& name) {
+  for (const ControllerTable& each : known)
+    if (each.name == name) return &each;
+  return nullptr;
+}
+
+Target target_of(const ControllerTable& controller, const Units& units) {
+  Target target{.rule = controller.rule, .most = controller.most};
+  if (*controller.step == '\0') return target;
+  try {
+    target.x_step = conversion(controller.step, units.x);
+  } catch (const InputError&) {
+    throw InputError(
+        "controller", std::string("\"") + controller.name + '"',
+        std::string("counts in whole ") + controller.step + ", which are no " + units.x);
+  }
+  return target;
+}
+
+std::string spec_key(Axis axis, const std::string& member) {
+  const bool over_time = axis == Axis::time;
+  if (member == "x_step") return over_time ? "time_resolution" : "master_resolution";
+  if (member == "p_step") return "position_resolution";
+  const std::string velocity = over_time ? "velocity" : "geo_velocity";
+  if (member == "v_step") return velocity + "_resolution";
+  if (member == "velocity_tolerance") return velocity + "_tolerance";
+  return member;
+}
+
+}  // namespace jounce

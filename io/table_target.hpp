@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "jounce/io/hash.hpp"
+#include "jounce/pvt/reduce.hpp"
+
+/// What a table is for, in the words of specs and of the command line.
+///
+///     Target target = target_of(*controller_table("googol_follow"), {"pulse", "pulse"});
+///     target.tolerance = 0.5;
+///     Sampled table = reduced(cam, target);
+namespace jounce {
+
+/// What a controller's memory holds: numbers that its manual states.
+struct ControllerTable {
+  const char* name;
+  Axis axis;
+  Rule rule;
+  std::size_t most;  ///< knots, the one that the table begins with included
+  const char*
+      step;  ///< the unit whose whole numbers the first column takes; "" where any number does
+};
+
+/// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (EVEN segments), hmpl_pvt, sew.
+std::span<const ControllerTable> controller_tables();
+
+/// By name; null where there is none.
+const ControllerTable* controller_table(const std::string& name);
+
+/// Its target in these units. Throws InputError "controller" where they do not measure what the
+/// controller counts in.
+Target target_of(const ControllerTable& controller, const Units& units);
+
+/// How a spec calls a member of Target, by its name in reduce.hpp: over the master, velocities are
+/// "geo_velocity..."; x_step is "time_resolution" or "master_resolution".
+std::string spec_key(Axis axis, const std::string& member);
+
+}  // namespace jounce
