@@ -34,7 +34,7 @@ using detail::inf;
 using detail::Knot;
 using detail::Tolerances;
 
-constexpr std::size_t many = 10'000'000;
+constexpr std::size_t many = 1'000'000;
 /// Above so many knots a last interval that is too short changes the others by too little.
 constexpr std::size_t worth_levelling = 200;
 constexpr std::size_t worth_keeping = 4;  ///< nodes of a layer
@@ -215,12 +215,15 @@ class Reduction {
   [[noreturn]] void refuse(const Attempt& failed) const {
     const std::string table = std::string("a ") + name(target_.rule) + " table";
     const std::string where = " at " + number(failed.knots.back().x);
+    if (!failed.stuck && !target_.most)
+      throw InputError(target_.tolerance ? "tolerance" : "velocity_tolerance",
+                       target_.tolerance ? asked_.position : asked_.velocity,
+                       "needs more than " + std::to_string(many) + " knots in " + table);
     if (!failed.stuck) {
       const Attempt enough = attempt(1, many);
-      const double scale = target_.tolerance || target_.velocity_tolerance
-                               ? scale_for(target_.most.value_or(many))
-                               : 0;
-      throw InputError("most", std::to_string(target_.most.value_or(many)),
+      const bool any = target_.tolerance || target_.velocity_tolerance;
+      const double scale = any ? scale_for(*target_.most) : 0;
+      throw InputError("most", std::to_string(*target_.most),
                        (enough.reaches ? table + " needs " + std::to_string(enough.knots.size()) +
                                              " knots within the tolerance"
                                        : "are too few knots") +

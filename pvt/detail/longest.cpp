@@ -39,6 +39,13 @@ template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side) {
   Knot knot = knot_at(f, x, side);
   knot.jet[0] = rounded_to(knot.jet[0], target.p_step);
+  // A period closes on its first knot, whichever way that one was rounded.
+  if (target.p_step > 0 && repeats(f.outside()) && x == f.end()) {
+    const double first = f.jet(f.start())[0];
+    const double travel = f.jet(x, Side::left)[0] - first;
+    if (is_whole(travel, target.p_step))
+      knot.jet[0] = rounded_to(rounded_to(first, target.p_step) + travel, target.p_step);
+  }
   knot.jet[1] = rounded_to(knot.jet[1], target.v_step);
   return knot;
 }

@@ -230,6 +230,16 @@ TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
   }
 }
 
+TEST(Reduced, ClosesAPeriodThatBeginsBetweenTwoCounts) {
+  const double first = 0.5;  // rounds up, and what is a hair less rounds down
+  const double last = std::nextafter(first, 0);
+  const Cam cam({quintic(50, first, 0, 0, 40, 0, 0), quintic(50, 40, 0, 0, last, 0, 0)}, 0,
+                Outside::wrap);
+  const Columns c = reduced(cam, {.tolerance = 1, .x_step = 1, .p_step = 1}).table.columns();
+  EXPECT_EQ(c.p.front(), 1);
+  EXPECT_EQ(c.p.back(), 1);
+}
+
 TEST(Reduced, WritesMillisecondsAsTheyAreRead) {
   const Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 21}).curve();
   ASSERT_EQ(move.outside(), Outside::hold);
