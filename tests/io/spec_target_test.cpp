@@ -14,7 +14,9 @@ namespace {
 using testing::HasSubstr;
 
 std::string cam_with(const std::string& table) {
-  return "jounce = 1\nkind = \"cam\"\nunits = { position = \"mm\", master = \"pulse\" }\n"
+  return "jounce = 1\nkind = \"cam\"\nperiodic = true\nunits = { position = \"mm\", master = "
+         "\"pulse\" "
+         "}\n[start]\nmaster = 0\nslave = 0\n"
          "[[segment]]\nlaw = \"modified_sine\"\nend = { master = 5000, slave = 50 }\n"
          "[[segment]]\nlaw = \"modified_sine\"\nend = { master = 10000, slave = 0 }\n[table]\n" +
          table;
@@ -77,7 +79,7 @@ TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")), HasSubstr("\"fewest\" knots"));
   EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("not both"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
-              HasSubstr("a.toml:12:8: table.most = 5: a quintic_hermite table needs"));
+              HasSubstr("a.toml:16:8: table.most = 5: a quintic_hermite table needs"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-3\nmaster_resolution = 3\n")),
               HasSubstr("table.master_resolution = 3: the"));
 }
