@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "jounce/io/detail/point_file.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
 
@@ -14,6 +15,10 @@ const std::array<std::string, 2> forms{"smooth", "table"};
 void read_segments(TomlReader& owner, const Units& units, bool increments,
                    std::vector<PtPoint>& points) {
   constexpr std::size_t most = 1'000'000;
+  if (const auto file = read_point_file(owner, "segment", {"master", "slave", "type"})) {
+    points = pt_points(*file, {"master", units.x}, {"slave", units.position}, increments, types);
+    return;
+  }
   PtPoint at;
   for (TomlReader& segment : owner.tables("segment")) {
     const double master = segment.number("master", units.x);
@@ -52,9 +57,11 @@ FollowSpec read_tables(TomlReader& top, TomlReader& follow, const Units& units,
                        const std::string& ratio) {
   FollowSpec spec;
   spec.start_ratio = follow.optional_number("start_ratio", ratio).value_or(0);
-  if (top.has("segment")) spec.tables.push_back(read_table(follow, top, units));
-  if (top.has("segment") && follow.has("table"))
-    top.fail("segment", "", "is of one table: with [[follow.table]] put its segments into each");
+  const bool one = top.has("segment") || top.has("points");
+  if (one) spec.tables.push_back(read_table(follow, top, units));
+  if (one && follow.has("table"))
+    top.fail(top.has("segment") ? "segment" : "points", "",
+             "is of one table: with [[follow.table]] put its segments into each");
   for (TomlReader& table : follow.tables("table")) {
     spec.tables.push_back(read_table(table, table, units));
     table.finish();

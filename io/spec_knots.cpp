@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/io/detail/point_file.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/optimize/spline_times.hpp"
@@ -24,32 +25,66 @@ std::optional<double> derivative_of(TomlReader& knot, const char* key, const std
   return knot.optional_number(key, unit);
 }
 
-FillSpec read_fill(TomlReader& top, const Units& units, Rule rule) {
+void read_rows(TomlReader& top, const Units& units, FillSpec& fill, bool may_be_missing) {
+  for (TomlReader& knot : top.tables("knot")) {
+    fill.x.push_back(knot.number("time", units.x));
+    fill.p.push_back(knot.number("position", units.position));
+    if (fill.rule != Rule::linear)
+      fill.v.push_back(
+          derivative_of(knot, "velocity", rate_unit(units.position, units.x, 1), may_be_missing));
+    if (fill.rule == Rule::quintic_hermite)
+      fill.a.push_back(derivative_of(knot, "acceleration", rate_unit(units.position, units.x, 2),
+                                     may_be_missing));
+    knot.finish();
+  }
+}
+
+void take_columns(const Points& points, const Units& units, FillSpec& fill, bool may_be_missing) {
+  const auto derivative = [&](const char* name, int order, auto& values) {
+    if (may_be_missing && points.find(name) == nullptr)
+      values.resize(points.size());
+    else
+      for (const double v : points.in_unit(name, rate_unit(units.position, units.x, order)))
+        values.push_back(v);
+  };
+  fill.x = points.in_unit("time", units.x);
+  fill.p = points.in_unit("position", units.position);
+  if (fill.rule != Rule::linear) derivative("velocity", 1, fill.v);
+  if (fill.rule == Rule::quintic_hermite) derivative("acceleration", 2, fill.a);
+}
+
+std::optional<Points> knots_file(TomlReader& top, Rule rule) {
+  switch (rule) {
+    case Rule::linear:
+      return read_point_file(top, "knot", {"time", "position"});
+    case Rule::cubic_hermite:
+      return read_point_file(top, "knot", {"time", "position", "velocity"});
+    case Rule::quintic_hermite:
+      break;
+  }
+  return read_point_file(top, "knot", {"time", "position", "velocity", "acceleration"});
+}
+
+FillSpec read_fill(TomlReader& top, const Units& units, Rule rule,
+                   const std::optional<Points>& points) {
   FillSpec fill;
   const auto filling = top.optional_choice("velocities", fillings);
   if (filling) fill.filling = *filling_named(fillings[*filling]);
   fill.rule = rule;
   fill.outside = read_outside(top, true);
-  for (TomlReader& knot : top.tables("knot")) {
-    fill.x.push_back(knot.number("time", units.x));
-    fill.p.push_back(knot.number("position", units.position));
-    if (rule != Rule::linear)
-      fill.v.push_back(derivative_of(knot, "velocity", rate_unit(units.position, units.x, 1),
-                                     filling.has_value()));
-    if (rule == Rule::quintic_hermite)
-      fill.a.push_back(derivative_of(knot, "acceleration", rate_unit(units.position, units.x, 2),
-                                     filling.has_value()));
-    knot.finish();
-  }
+  if (points)
+    take_columns(*points, units, fill, filling.has_value());
+  else
+    read_rows(top, units, fill, filling.has_value());
   if (filling && rule == Rule::linear)
     top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has none");
   return fill;
 }
 
-Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
-  FillSpec fill = read_fill(top, spec.units, rule);
-  if (rule == Rule::linear)
-    return Table(Axis::time, rule, fill.outside, {std::move(fill.x), std::move(fill.p), {}, {}});
+Table made_of(FillSpec fill, Spec& spec) {
+  if (fill.rule == Rule::linear)
+    return Table(Axis::time, fill.rule, fill.outside,
+                 {std::move(fill.x), std::move(fill.p), {}, {}});
   fill.limits = spec.limits;
   try {
     Filled made = filled(fill);
@@ -59,6 +94,13 @@ Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
     if (error.key() != "rule") throw;
     throw InputError("table.rule", error.value(), error.rule());
   }
+}
+
+Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
+  const std::optional<Points> points = knots_file(top, rule);
+  FillSpec fill = read_fill(top, spec.units, rule, points);
+  if (!points) return made_of(std::move(fill), spec);
+  return placed_in(*points, [&] { return made_of(fill, spec); });
 }
 
 /// The knots of a cubic spline, exactly: cubics are quintics too.
@@ -83,6 +125,7 @@ Table shortest_table(TomlReader& top, const Spec& spec, Rule rule) {
     top.fail("times", "\"shortest\"",
              "are those of a spline: the rule must be cubic_hermite or quintic_hermite");
   refuse_beside_times(top, "velocities");
+  refuse_beside_times(top, "points");
   SplineTimesSpec times;
   times.limits = {spec.limits};
   for (TomlReader& knot : top.tables("knot")) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/io/detail/point_file.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
 
@@ -20,6 +21,8 @@ const std::vector<std::string> position_rules{"cubic", "linear"};
 /// A point counts from the table's origin, or (increments) from the point before.
 std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool increments,
                                  std::span<const std::string> permitted) {
+  if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
+    return pt_points(*file, {"time", units.x}, {"position", units.position}, increments, permitted);
   std::vector<PtPoint> points;
   PtPoint before;
   for (TomlReader& reader : top.tables("point")) {

@@ -47,6 +47,7 @@ class TomlReader {
   std::vector<double> numbers(const char* key, std::span<const std::string> units);
   std::vector<std::string> texts(const char* key);
 
+  [[nodiscard]] const Document& document() const { return *document_; }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;

@@ -1,0 +1,108 @@
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/io/make.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// A folder with a spec and the points beside it.
+class PointFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) /
+              ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Spec spec(const std::string& head, const std::string& points) {
+    write_file((folder_ / "points.csv").string(), points);
+    write_file((folder_ / "spec.toml").string(), "jounce = 1\n" + head);
+    return read_spec((folder_ / "spec.toml").string());
+  }
+
+  std::string complaint(const std::string& head, const std::string& points) {
+    try {
+      (void)make(spec(head, points));
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      return text.substr(text.rfind('/', text.find(": ")) + 1);
+    }
+    return "none";
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+const std::string pvt =
+    "kind = \"pvt\"\nunits = { position = \"mm\", time = \"s\" }\npoints = \"points.csv\"\n";
+
+TEST_F(PointFile, HoldsTheKnotsOfAPvtTable) {
+  const Spec made =
+      spec(pvt, "time [ms];position [mm];velocity [m/s]\n0;0;0\n500;2,5;0,01\n1000;5;0\n");
+  const Columns& columns = std::get<Table>(made.subject).columns();
+  EXPECT_THAT(columns.x, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(columns.p, ElementsAre(0, 2.5, 5));
+  EXPECT_THAT(columns.v, ElementsAre(0, 10, 0));
+}
+
+TEST_F(PointFile, MayLeaveOutWhatIsFilledIn) {
+  const Spec made =
+      spec(pvt + "velocities = \"monotone\"\n", "time [s],position [mm]\n0,0\n1,2\n2,3\n");
+  const Columns& columns = std::get<Table>(made.subject).columns();
+  ASSERT_EQ(columns.v.size(), 3U);
+  EXPECT_GT(columns.v[1], 0);
+  EXPECT_THAT(complaint(pvt, "time [s],position [mm]\n0,0\n1,2\n"),
+              "points.csv:1: velocity: is missing: the columns are time, position");
+}
+
+TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
+  EXPECT_THAT(complaint(pvt, "time [s],position,velocity\n0,0,0\n\n2,1,0\n1,2,0\n"),
+              ::testing::StartsWith("points.csv:5: time = 1: must be greater than 2"));
+  EXPECT_THAT(complaint(pvt, "time [s],position,speed\n0,0,0\n"),
+              "points.csv:1: speed: is no column here; there may be time, position, velocity");
+  EXPECT_THAT(complaint(pvt + "knot = []\n", "time,position,velocity\n0,0,0\n"),
+              "spec.toml:4:10: points = \"points.csv\": goes without [[knot]]");
+  EXPECT_THAT(complaint(pvt, "time [mm],position,velocity\n0,0,0\n1,1,0\n"),
+              ::testing::StartsWith("points.csv:1: time = mm:"));
+}
+
+const std::string pt =
+    "kind = \"pt\"\nunits = { position = \"pulse\", time = \"ms\" }\npoints = \"points.csv\"\n";
+
+TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
+  const std::string keys = pt + "[pt]\nincrements = true\n";
+  const Made made =
+      make(spec(keys, "time,position,type\n1024,1024,normal\n1024,2048,0\n1024,1024,stop\n"));
+  const auto& curve = std::get<Trajectory>(made.curve);
+  EXPECT_EQ(curve.end(), 3072);
+  EXPECT_EQ(curve.jet(1024)[1], 2);
+  EXPECT_EQ(curve.jet(3072, Side::left)[0], 4096);
+  EXPECT_EQ(complaint(keys, "time,position,type\n1024,1024,sideways\n"),
+            "points.csv:2: type = sideways: must be one of normal, even, stop, continue, or its "
+            "number from 0");
+  EXPECT_EQ(complaint(pt + "[pt]\n", "time,position\n5,1\n4,2\n"),
+            "points.csv:3: time = 4: must be greater than 5");
+}
+
+TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
+  const Spec made = spec(
+      "kind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\n"
+      "points = \"points.csv\"\n",
+      "master,slave,type\n20000,10000,normal\n40000,30000,normal\n60000,40000,normal\n");
+  const Cam cam = sync_cam_of(std::get<SyncSpec>(made.subject)).cam;
+  EXPECT_EQ(cam.jet(20000)[1], 1);
+  EXPECT_EQ(cam.jet(60000, Side::left)[0], 40000);
+}
+
+}  // namespace
+}  // namespace jounce
