@@ -153,25 +153,18 @@ Report check_coupling(const Spec& spec, const Cam& cam) {
 Report check_all(const Input& input, int continuity) {
   Report report = std::visit(
       [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
-  if (input.spec)
-    report.findings.insert(report.findings.end(), input.spec->fill.findings.begin(),
-                           input.spec->fill.findings.end());
-  if (input.spec && input.spec->disc) {
-    const Report disc = check_disc(*input.spec, std::get<Cam>(input.curve));
-    report.findings.insert(report.findings.end(), disc.findings.begin(), disc.findings.end());
-  }
   if (input.spec) {
-    const Report sync = check_sync(*input.spec);
-    report.findings.insert(report.findings.end(), sync.findings.begin(), sync.findings.end());
-  }
-  if (input.spec && input.spec->coupling) {
-    const Report coupling = check_coupling(*input.spec, std::get<Cam>(input.curve));
-    report.findings.insert(report.findings.end(), coupling.findings.begin(),
-                           coupling.findings.end());
-  }
-  if (input.spec) {
-    const Report table = table_warnings(*input.spec);
-    report.findings.insert(report.findings.end(), table.findings.begin(), table.findings.end());
+    const Spec& spec = *input.spec;
+    const auto add = [&](const Report& part) {
+      report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
+    };
+    add(spec.fill);
+    add(check_sync(spec));
+    add(table_warnings(spec));
+    if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
+    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve)));
+    if (spec.compare && spec.compare->axis == input.axis)
+      add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
   }
   sort(report);
   return report;

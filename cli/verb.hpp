@@ -30,6 +30,7 @@ void add_validate(CLI::App& app, Work& work);
 void add_contour(CLI::App& app, Work& work);
 void add_plot(CLI::App& app, Work& work);
 void add_map(CLI::App& app, Work& work);
+void add_events(CLI::App& app, Work& work);
 void add_report(CLI::App& app, Work& work);
 void add_stream(CLI::App& app, Work& work);
 void add_stop(CLI::App& app, Work& work);

@@ -14,6 +14,7 @@ namespace {
 struct Context {
   std::vector<Limits> limits;
   double unit = 1;  ///< s
+  std::vector<std::string> names = {};
 };
 
 using Motions = std::vector<Trajectory>;
@@ -79,6 +80,28 @@ void apply(const ChangeSpec& c, const Context&, Motions& motions) {
   motions.front() = changed(motions.front(), c);
 }
 
+/// The axis of that name; without a name `otherwise`.
+std::size_t axis_named(const std::string& name, const char* key, const Context& context,
+                       std::optional<std::size_t> otherwise) {
+  if (name.empty() && otherwise) return *otherwise;
+  const auto at = std::find(context.names.begin(), context.names.end(), name);
+  if (name.empty() || at == context.names.end())
+    throw InputError(key, name, "must name one of the spec's axes");
+  return static_cast<std::size_t>(at - context.names.begin());
+}
+
+void apply(const CompensateSpec& s, const Context& context, Motions& motions) {
+  const Compensation table(s.table);
+  const std::optional<std::size_t> only =
+      motions.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
+  const std::size_t axis = axis_named(s.axis, "axis", context, only);
+  std::vector<Trajectory> references;
+  for (const std::string& name : s.references)
+    references.push_back(motions[axis_named(name, "reference.axis", context, axis)]);
+  const double tolerance = s.tolerance.value_or(1e-9 * (table.peak() > 0 ? table.peak() : 1));
+  motions[axis] = compensated(motions[axis], table, references, tolerance).curve;
+}
+
 /// Generators name their own fields: "t" and "target" are `time` and `to` of the operator, the
 /// limits and the axes are the document's.
 std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
@@ -96,8 +119,11 @@ std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
 
 void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
            std::vector<Trajectory>& motions) {
-  Context context{{}, unit};
-  for (const AxisPart& part : parts) context.limits.push_back(part.limits);
+  Context context{{}, unit, {}};
+  for (const AxisPart& part : parts) {
+    context.limits.push_back(part.limits);
+    context.names.push_back(part.name);
+  }
   for (std::size_t k = 0; k < then.size(); ++k) {
     try {
       std::visit([&](const auto& spec) { apply(spec, context, motions); }, then[k]);

@@ -18,6 +18,7 @@
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/profiles/shaper.hpp"
 #include "jounce/profiles/synchronise.hpp"
+#include "jounce/pvt/compensation.hpp"
 
 /// What a spec says of motions over time: one struct a `profile`, each with what its generator in
 /// `profiles/` takes. Numbers are in the spec's units, unless a controller's own are named.
@@ -144,8 +145,17 @@ struct ChangeSpec {
   std::optional<double> abort = {};  ///< of superimposed
 };
 
+/// A correction of one axis by where axes are; those of several are named.
+struct CompensateSpec {
+  CompensationSpec table;
+  std::string axis = {};                    ///< that is corrected; "": the only one
+  std::vector<std::string> references = {};  ///< one a grid axis; "": the corrected one itself
+  std::optional<double> tolerance = {};     ///< where no segment holds it exactly
+};
+
 /// ShaperSpec and NotchSpec count in Hz, whatever the spec's unit of time.
 using Operator =
-    std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec, ChangeSpec>;
+    std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec, ChangeSpec,
+                 CompensateSpec>;
 
 }  // namespace jounce

@@ -86,6 +86,15 @@ std::string of_table(const Finding& f, const std::string& value, const std::stri
   return fmt::format("{} is {} at {}", f.quantity, value, where);
 }
 
+/// What would keep an output from firing as it is meant.
+std::string of_compare(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "compare/missed")
+    return fmt::format("{} of {} points fire", rounded(f.value), rounded(f.limit));
+  if (f.rule == "compare/merged")
+    return fmt::format("points come {} apart at {}, and the pulse lasts longer", value, where);
+  return fmt::format("the output is up to {} late, at {}", value, where);
+}
+
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
   return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
@@ -125,6 +134,7 @@ std::string rounded(double value) {
 }
 
 std::string Labels::unit_of(const std::string& quantity) const {
+  if (quantity == "time") return units.x;
   const auto& names = over_master ? OverMaster::names : OverTime::names;
   for (std::size_t k = 0; k < names.size(); ++k)
     if (quantity == names[k] || quantity == std::string("step of ") + names[k])
@@ -173,6 +183,9 @@ std::string sentence(const Finding& finding, const Labels& labels) {
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
                        finding.rule == "fill/convex" ? "the bend of the data"
                                                      : "a way without turning back");
+  if (finding.rule.starts_with("compare/") && finding.rule != "compare/speed")
+    return of_compare(finding, with_unit(finding.value, labels.unit_of(finding)),
+                      place(finding, labels));
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));

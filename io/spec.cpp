@@ -148,7 +148,10 @@ void read_body(TomlReader& top, Spec& spec) {
   if (kind.name != std::string_view("axes")) read_one_axis(top, spec, kind);
   kind.read(top, spec);
   if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
-  if (kind.runs == Kind::over_time) spec.then = detail::read_then(top, spec.units);
+  if (kind.runs == Kind::over_time) {
+    spec.then = detail::read_then(top, spec.units);
+    spec.compare = detail::read_compare(top, spec);
+  }
   top.finish();
 }
 

@@ -17,6 +17,7 @@
 #include "jounce/io/time_table.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits.hpp"
+#include "jounce/pvt/position_compare.hpp"
 #include "jounce/pvt/reduce.hpp"
 #include "jounce/validate/drive.hpp"
 
@@ -87,6 +88,13 @@ struct AxisPart {
   std::optional<DriveSpec> drive;
 };
 
+/// An output that is fired along the motion of one axis: [compare] and [compare.device].
+struct CompareSpec {
+  std::string axis = {};  ///< of several
+  PositionCompare compare;
+  CompareDevice device;  ///< in the spec's unit of time
+};
+
 /// A whole spec file: what to make, for which axis, within which limits.
 struct Spec {
   static constexpr int version = 1;  ///< the `jounce = 1` of the file
@@ -110,6 +118,7 @@ struct Spec {
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
   AxisSwitches switches;  ///< of kinds "axis" and "cam"
+  std::optional<CompareSpec> compare;  ///< of a motion over time
   Report fill;            ///< of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -77,6 +78,30 @@ Operator read_move_superimposed(MotionFields& f) {
   return c;
 }
 
+Operator read_compensation(MotionFields& f) {
+  static const std::vector<std::string> rules{"linear", "cubic"};
+  TomlReader& then = f.reader();
+  const std::string& unit = f.units().position;
+  CompensateSpec s;
+  if (const auto rule = then.optional_choice("rule", rules))
+    s.table.rule = static_cast<GridRule>(*rule);
+  s.axis = then.optional_text("axis").value_or("");
+  s.tolerance = f.optional("tolerance", 0);
+  s.table.most = f.optional("most", 0).value_or(s.table.most);
+  std::size_t points = 1;
+  for (TomlReader& reference : then.tables("reference")) {
+    GridAxis axis{reference.number("base", unit), reference.number("interval", unit),
+                  reference.optional_count("count").value_or(0)};
+    s.table.axes.push_back(axis);
+    s.references.push_back(reference.optional_text("axis").value_or(""));
+    points *= std::min<std::size_t>(axis.count, 1'000'000);
+    reference.finish();
+  }
+  s.table.values = then.numbers(
+      "values", std::vector<std::string>(std::min<std::size_t>(points, 1'000'000), unit));
+  return s;
+}
+
 struct OperatorReader {
   const char* name;
   Operator (*read)(MotionFields& fields);
@@ -89,7 +114,8 @@ constexpr std::array operators{OperatorReader{"moving_average", read_moving_aver
                                OperatorReader{"new_target", read_new_target},
                                OperatorReader{"new_velocity", read_new_velocity},
                                OperatorReader{"move_additive", read_move_additive},
-                               OperatorReader{"move_superimposed", read_move_superimposed}};
+                               OperatorReader{"move_superimposed", read_move_superimposed},
+                               OperatorReader{"compensation", read_compensation}};
 
 }  // namespace
 

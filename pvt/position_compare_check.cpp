@@ -83,7 +83,6 @@ Report check(const PositionCompare& compare, const Trajectory& motion,
                                .segment = {},
                                .advice = "the pulses of " + point(all.events[i - 1].point) +
                                          " and the next are one: shorten them",
-                               .unit = "s",
                                .where_unit = {},
                                .severity = Severity::warning});
     break;

@@ -70,6 +70,9 @@ bool wants_shortest_times(TomlReader& top);
 /// [[axis]] into spec.axes; sync and duration, or [[point]].
 AxesSpec read_axes(TomlReader& top, Spec& spec);
 
+/// [compare] with [compare.device], where there is one.
+std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec);
+
 /// [[then]].
 std::vector<Operator> read_then(TomlReader& top, const Units& units);
 

@@ -1,0 +1,112 @@
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/profiles/composed.hpp"
+
+#include "input.hpp"
+#include "json.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// A change of one output along the spec's motion.
+struct Event {
+  double time = 0;
+  std::string output;
+  bool on = false;
+};
+
+/// Those of [compare].
+std::vector<Event> of_compare(const CompareSpec& compare, const Trajectory& motion) {
+  std::vector<Event> events;
+  for (const OutputEdge& edge : compared(compare.compare, motion).edges)
+    events.push_back({edge.time, "compare", edge.on});
+  return events;
+}
+
+/// Those of a cam's [[switch]] while its [master] runs, times in units of `unit` seconds.
+std::vector<Event> of_switches(const Spec& spec, const Cam& cam, double unit) {
+  const Trajectory master = make_master(spec);
+  const bool of_master = spec.switches.of == SwitchesOf::master;
+  const SwitchTimes times =
+      switch_times(spec.switches.table, of_master ? master : composed(cam, master));
+  const auto named = [](int track) { return "track " + std::to_string(track); };
+  std::vector<Event> events;
+  for (int track = 1; track <= CamSwitchSpec::most_tracks; ++track)
+    if ((times.outputs >> static_cast<unsigned>(track - 1) & 1U) != 0)
+      events.push_back({master.start() / unit, named(track), true});
+  for (const SwitchEdge& edge : times.edges)
+    events.push_back({edge.time / unit, named(edge.track), edge.on});
+  return events;
+}
+
+struct Events {
+  std::vector<Event> all;
+  std::string unit;  ///< of time
+};
+
+Events events_of(const std::string& file) {
+  const std::vector<Input> axes = load_axes(file);
+  if (!axes.front().spec)
+    throw InputError("FILE", file, "is a table: outputs stand in a spec's [compare] or [[switch]]");
+  const Spec& spec = *axes.front().spec;
+  if (spec.compare)
+    for (const Input& axis : axes)
+      if (axis.axis == spec.compare->axis)
+        return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit};
+  if (spec.over_master() && !spec.switches.table.switches.empty())
+    return {of_switches(spec, std::get<Cam>(axes.front().curve), seconds_per_unit(spec)),
+            spec.time_unit};
+  throw spec.document.located(
+      InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
+}
+
+struct Options {
+  std::string file;
+  std::string output = "-";
+  bool json = false;
+};
+
+std::string json_of(const Events& events) {
+  nlohmann::ordered_json document{{"unit", events.unit},
+                                  {"events", nlohmann::ordered_json::array()}};
+  for (const Event& event : events.all)
+    document["events"].push_back(
+        {{"time", event.time}, {"output", event.output}, {"on", event.on}});
+  return document.dump(2) + "\n";
+}
+
+std::string csv_of(const Events& events) {
+  std::string text = fmt::format("time [{}],output,on\n", events.unit);
+  for (const Event& event : events.all)
+    text += fmt::format("{},{},{}\n", number(event.time), event.output, event.on ? 1 : 0);
+  return text;
+}
+
+int run(const Options& options) {
+  require_other_file(options.file, options.output);
+  const Events events = events_of(options.file);
+  write_file(options.output, options.json ? json_of(events) : csv_of(events));
+  return fine;
+}
+
+}  // namespace
+
+void add_events(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = add_verb(app, "events", "When outputs switch along the motion, exactly",
+                            "jounce events scan.toml -o events.csv");
+  verb->add_option("FILE", options->file,
+                   "Spec of a motion with [compare], or of a cam with [[switch]] and [master]; "
+                   "- is standard input")
+      ->required();
+  verb->add_option("-o,--output", options->output, "CSV to write; - is standard output");
+  verb->add_flag("--json", options->json, "For machines");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
+
+namespace jounce::detail {
+namespace {
+
+constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareMode::greater,
+                           CompareMode::fifo_time, CompareMode::linear, CompareMode::fifo_level};
+const std::vector<std::string> mode_names{"equal",     "less",   "greater",
+                                          "fifo_time", "linear", "fifo_level"};
+
+/// position; or start, increment and count; or [[compare.point]].
+std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, CompareMode mode) {
+  if (mode == CompareMode::linear)
+    return evenly(compare.number("start", units.position),
+                  compare.number("increment", units.position),
+                  std::min<std::size_t>(compare.optional_count("count").value_or(1), 10'000'000));
+  if (mode != CompareMode::fifo_time && mode != CompareMode::fifo_level)
+    return {{compare.number("position", units.position)}};
+  std::vector<ComparePoint> points;
+  for (TomlReader& point : compare.tables("point")) {
+    points.push_back({point.number("position", units.position)});
+    if (mode == CompareMode::fifo_level)
+      points.back().level = point.optional_flag("level").value_or(true);
+    point.finish();
+  }
+  if (points.empty())
+    compare.fail("point", "", "is missing: [[compare.point]] with a position each");
+  return points;
+}
+
+}  // namespace
+
+std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
+  auto compare = top.optional_table("compare");
+  if (!compare) return std::nullopt;
+  CompareSpec read;
+  read.axis = compare->optional_text("axis").value_or("");
+  const std::vector<AxisPart> parts = spec.parts();
+  const auto known = std::any_of(parts.begin(), parts.end(),
+                                 [&](const AxisPart& part) { return part.name == read.axis; });
+  if (!known) compare->fail("axis", '"' + read.axis + '"', "must name one of the spec's axes");
+  PositionCompare& c = read.compare;
+  c.mode = modes[compare->choice("mode", mode_names)];
+  c.points = read_points(*compare, spec.units, c.mode);
+  if (c.mode == CompareMode::fifo_time || c.mode == CompareMode::linear) {
+    c.pulse = compare->number("pulse", spec.time_unit);
+    if (!(c.pulse > 0)) compare->fail("pulse", number(c.pulse), "must be greater than 0");
+  }
+  if (auto device = compare->optional_table("device")) {
+    const std::string frequency = rate_unit("", spec.time_unit, 1);
+    for (const auto& [key, unit, value] :
+         {std::tuple{"sampling_frequency", frequency, &read.device.sampling_frequency},
+          {"latency", spec.time_unit, &read.device.latency}}) {
+      *value = device->optional_number(key, unit).value_or(0);
+      if (!(*value >= 0)) device->fail(key, number(*value), "must not be negative");
+    }
+    device->finish();
+  }
+  compare->finish();
+  return read;
+}
+
+}  // namespace jounce::detail
