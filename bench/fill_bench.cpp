@@ -12,6 +12,7 @@
 #include <gsl/gsl_interp.h>
 #endif
 #ifdef JOUNCE_BENCH_BOOST
+#include <math.h>  // Boost 1.74's pchip.hpp says isnan without std::
 #include <boost/math/interpolators/pchip.hpp>
 #endif
 

@@ -148,6 +148,17 @@ Report check_coupling(const Spec& spec, const Cam& cam) {
   return check(coupling, {.position = start}, {cam.start(), 0, 0, 0});
 }
 
+/// A step that the check of continuity has found already is not told twice.
+Report unless_broken(Report warnings, const Report& found) {
+  std::erase_if(warnings.findings, [&](const Finding& w) {
+    return w.rule == "pt/velocity_step" &&
+           std::any_of(found.findings.begin(), found.findings.end(), [&](const Finding& f) {
+             return f.broken && f.rule == "continuity/velocity" && f.where == w.where;
+           });
+  });
+  return warnings;
+}
+
 }  // namespace
 
 Report check_all(const Input& input, int continuity) {
@@ -160,7 +171,7 @@ Report check_all(const Input& input, int continuity) {
     };
     add(spec.fill);
     add(check_sync(spec));
-    add(table_warnings(spec));
+    add(unless_broken(table_warnings(spec), report));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve)));
     if (spec.compare && spec.compare->axis == input.axis)

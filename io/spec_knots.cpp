@@ -96,11 +96,14 @@ Table made_of(FillSpec fill, Spec& spec) {
   }
 }
 
-Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
+Table filled_table(TomlReader& top, Spec& spec, Rule rule, bool himc) {
   const std::optional<Points> points = knots_file(top, rule);
   FillSpec fill = read_fill(top, spec.units, rule, points);
-  if (!points) return made_of(std::move(fill), spec);
-  return placed_in(*points, [&] { return made_of(fill, spec); });
+  const auto table = [&] {
+    if (himc) himc::require_pvt(fill.x);
+    return made_of(fill, spec);
+  };
+  return points ? placed_in(*points, table) : table();
 }
 
 /// The knots of a cubic spline, exactly: cubics are quintics too.
@@ -149,9 +152,10 @@ bool wants_shortest_times(TomlReader& top) {
 
 Table read_knots(TomlReader& top, Spec& spec, Rule rule) {
   static const std::vector<std::string> controllers{"himc"};
-  Table table =
-      wants_shortest_times(top) ? shortest_table(top, spec, rule) : filled_table(top, spec, rule);
-  if (top.optional_choice("controller", controllers)) himc::require_pvt(table.columns());
+  const bool himc = top.optional_choice("controller", controllers).has_value();
+  if (!wants_shortest_times(top)) return filled_table(top, spec, rule, himc);
+  Table table = shortest_table(top, spec, rule);
+  if (himc) himc::require_pvt(table.columns().x);
   return table;
 }
 

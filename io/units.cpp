@@ -35,11 +35,11 @@ class System {
     define("deg", pi / 180, "rad"), define("rev", 2 * pi, "rad");
     define("arcmin", pi / 10800, "rad"), define("arcsec", pi / 648000, "rad");
     define("count", 1, "pulse"), define("inc", 1, "pulse");
-    define("ms", 1e-3, "s"), define("us", 1e-6, "s"), define("min", 60, "s"),
+    define("ms", 1e-3, "s"), define("us", 1e-6, "s"), define("ns", 1e-9, "s"), define("min", 60, "s"),
         define("h", 3600, "s");
     define("g", 1e-3, "kg");
     define("N", 1, "kg.m/s^2"), define("J", 1, "N.m"), define("W", 1, "J/s"),
-        define("Hz", 1, "1/s");
+        define("Hz", 1, "1/s"), define("kHz", 1e3, "Hz"), define("MHz", 1e6, "Hz");
     define("rpm", 1, "rev/min");
   }
 
@@ -77,8 +77,8 @@ Unit require_unit(std::string_view text) {
   Unit unit = units().parse(text);
   if (!unit)
     throw InputError("unit", std::string(text),
-                     "is not a unit that Jounce knows (m mm um cm in, rad deg rev, pulse, s ms us "
-                     "min, kg g, N, J, W, Hz, rpm and their products)");
+                     "is not a unit that Jounce knows (m mm um cm in, rad deg rev, pulse, s ms us ns "
+                     "min, kg g, N, J, W, Hz kHz MHz, rpm and their products)");
   return unit;
 }
 

@@ -32,8 +32,7 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
                          std::to_string(points.size()));
 }
 
-void himc::require_pvt(const Columns& columns) {
-  const std::vector<double>& x = columns.x;
+void himc::require_pvt(std::span<const double> x) {
   if (x.size() > pvt_points)
     throw InputError("knot", std::to_string(x.size()) + " knots",
                      "HIMC's MovePVT takes at most 50");

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "jounce/pvt/pt.hpp"
-#include "jounce/pvt/table.hpp"
 
 /// What the controllers take of the time tables. Each throws InputError that names the point and the
 /// controller's error where it has one.
@@ -25,6 +24,6 @@ inline constexpr std::size_t pvt_points = 50;
 
 /// MovePVT (HMPL manual 5.2.8): at most 50 points, times from 0 and ascending (error 0x83aa08b6).
 /// Limits of velocity (08a2) and acceleration (08ac) are those of the spec, which `check` holds exactly.
-void require_pvt(const Columns& columns);
+void require_pvt(std::span<const double> times);
 
 }  // namespace jounce::himc

@@ -579,7 +579,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n[limits]\n"
                   "velocity = 1\n[[axis]]\nname = \"x\"\nto = 1\nvelocity = 1\nacceleration = 1\n",
                   "a.toml:4:2: limits = a table: is not a key that belongs here; known: axis, "
-                  "duration, jounce, kind, name, point, sync, then, units"},
+                  "compare, duration, jounce, kind, name, point, sync, then, units"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1, 2] }]\n",
@@ -592,7 +592,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(s_curve_lines, "[[then]]\noperator = \"shape\""),
                   "a.toml:12:12: then[1].operator = \"shape\": did you mean \"shaper\"? It must be "
                   "one of moving_average, shaper, notch, retime, override, new_target, "
-                  "new_velocity, move_additive, move_superimposed"},
+                  "new_velocity, move_additive, move_superimposed, "
+                  "compensation"},
         BadMotion{move_spec(s_curve_lines, "[[then]]\noperator = \"moving_average\"\nwindow = 0"),
                   "a.toml:13:10: then[1].window = 0: must be greater than 0"},
         BadMotion{move_spec(s_curve_lines,

@@ -202,7 +202,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
             "a.toml: knots = 1: a table needs at least two"},
         Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
-            "a.toml:6:1: knot[1].acceleration: is missing"},
+            "a.toml:6:1: knot[1].acceleration: is missing: give it, or say at the top how to find it: "
+            "velocities = \"natural\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
             "a.toml: knots = 1: a table needs at least two"}));
 

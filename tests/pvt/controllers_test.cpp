@@ -20,10 +20,10 @@ std::string message(const Call& call) {
   return "";
 }
 
-Columns knots(std::size_t n) {
-  Columns columns;
-  for (std::size_t i = 0; i < n; ++i) columns.x.push_back(static_cast<double>(i));
-  return columns;
+std::vector<double> times(std::size_t n) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < n; ++i) all.push_back(static_cast<double>(i));
+  return all;
 }
 
 TEST(Googol, TimesAreWholeMilliseconds) {
@@ -52,19 +52,19 @@ TEST(Googol, OnlyOneFifoCanBeRepeated) {
 }
 
 TEST(Himc, TakesFiftyPoints) {
-  EXPECT_EQ(message([] { himc::require_pvt(knots(50)); }), "");
-  EXPECT_EQ(message([] { himc::require_pvt(knots(51)); }),
+  EXPECT_EQ(message([] { himc::require_pvt(times(50)); }), "");
+  EXPECT_EQ(message([] { himc::require_pvt(times(51)); }),
             "knot = 51 knots: HIMC's MovePVT takes at most 50");
 }
 
 TEST(Himc, TimesBeginAtZeroAndAscend) {
-  Columns columns = knots(5);
-  columns.x[3] = 2;
-  EXPECT_EQ(message([&] { himc::require_pvt(columns); }),
+  std::vector<double> x = times(5);
+  x[3] = 2;
+  EXPECT_EQ(message([&] { himc::require_pvt(x); }),
             "knot[4].time = 2: must be greater than 2, the knot before (HIMC error 0x83aa08b6, PVT "
             "time sequence)");
-  columns.x[0] = 0.5;
-  EXPECT_EQ(message([&] { himc::require_pvt(columns); }),
+  x[0] = 0.5;
+  EXPECT_EQ(message([&] { himc::require_pvt(x); }),
             "knot[1].time = 0.5: must be 0 (HIMC error 0x83aa08b6, PVT time sequence)");
 }
 
