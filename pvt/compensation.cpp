@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/detail/grid_cell.hpp"
+#include "jounce/pvt/fill.hpp"
 
 // Within a cell the grid's coordinates are s_j = (x_j - start_j) / interval_j and
 //
@@ -17,9 +18,7 @@
 //
 //   (2)  f0 + d0 s + (3 (f1 - f0) - 2 d0 - d1) s^2 + (2 (f0 - f1) + d0 + d1) s^3,
 //
-// taken along each reference in turn. The slopes of the natural spline on an even grid solve
-//
-//   (3)  2 d_0 + d_1 = 3 (f_1 - f_0),   d_i-1 + 4 d_i + d_i+1 = 3 (f_i+1 - f_i-1),   likewise at the end.
+// taken along each reference in turn; the slopes are those of the natural spline.
 
 namespace jounce {
 namespace {
@@ -56,23 +55,17 @@ void require_valid(const CompensationSpec& spec) {
   }
 }
 
-/// (3) for `count` values `stride` apart, by elimination.
+/// The slopes of the natural spline through `count` values `stride` apart, by s.
 void natural_slopes(const double* f, double* d, std::size_t count, std::size_t stride) {
-  const auto at = [stride](auto* p, std::size_t i) -> auto& {
-    return p[i * stride];
-  };
-  const std::size_t last = count - 1;
-  std::vector<double> upper(count);
-  double pivot = 2;
+  std::vector<double> x(count);
+  std::vector<double> p(count);
+  std::vector<double> v(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1;
-    const std::size_t after = std::min(i + 1, last);
-    const double right = 3 * (at(f, after) - at(f, before)) - (i == 0 ? 0 : at(d, before));
-    if (i > 0) pivot = (i == last ? 2 : 4) - upper[before];
-    upper[i] = 1 / pivot;
-    at(d, i) = right / pivot;
+    x[i] = static_cast<double>(i);
+    p[i] = f[i * stride];
   }
-  for (std::size_t i = last; i-- > 0;) at(d, i) -= upper[i] * at(d, i + 1);
+  spline_velocities(x, p, Filling::natural, v);
+  for (std::size_t i = 0; i < count; ++i) d[i * stride] = v[i];
 }
 
 /// (2), or a straight line: power coefficients by s from what both ends have.
