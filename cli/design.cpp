@@ -48,6 +48,7 @@ nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
       summary["binding"] = name(*input.binding);
     }
   }
+  summary["broken"] = check_all(input).broken();
   for (const Residual& r : input.residuals)
     summary["residuals"].push_back({{"frequency", r.mode.frequency},
                                     {"damping", r.mode.damping},
@@ -83,6 +84,9 @@ void print_text(std::FILE* out, const Input& input) {
     fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without the operators {} {}\n",
                rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,
                rounded(r.before), units.position);
+  // The table is what was asked for; that it steps, turns back or breaks a limit is not kept quiet.
+  if (const Report report = check_all(input); !report.ok())
+    fmt::print(out, "jounce check: {}\n", one_line(report, input.labels));
   fmt::print(out, "sha256 {}\n", hex(content_hash(table, units)));
 }
 

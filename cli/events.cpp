@@ -18,13 +18,19 @@ struct Event {
   double time = 0;
   std::string output;
   bool on = false;
+  double position = 0;  ///< then, of what the output stands on
 };
+
+/// A motion that is over stays where it ended.
+double position_at(const Trajectory& motion, double time) {
+  return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
+}
 
 /// Those of [compare].
 std::vector<Event> of_compare(const CompareSpec& compare, const Trajectory& motion) {
   std::vector<Event> events;
   for (const OutputEdge& edge : compared(compare.compare, motion).edges)
-    events.push_back({edge.time, "compare", edge.on});
+    events.push_back({edge.time, "compare", edge.on, position_at(motion, edge.time)});
   return events;
 }
 
@@ -32,21 +38,23 @@ std::vector<Event> of_compare(const CompareSpec& compare, const Trajectory& moti
 std::vector<Event> of_switches(const Spec& spec, const Cam& cam, double unit) {
   const Trajectory master = make_master(spec);
   const bool of_master = spec.switches.of == SwitchesOf::master;
-  const SwitchTimes times =
-      switch_times(spec.switches.table, of_master ? master : composed(cam, master));
+  const Trajectory position = of_master ? master : composed(cam, master);
+  const SwitchTimes times = switch_times(spec.switches.table, position);
   const auto named = [](int track) { return "track " + std::to_string(track); };
   std::vector<Event> events;
   for (int track = 1; track <= CamSwitchSpec::most_tracks; ++track)
     if ((times.outputs >> static_cast<unsigned>(track - 1) & 1U) != 0)
-      events.push_back({master.start() / unit, named(track), true});
+      events.push_back(
+          {master.start() / unit, named(track), true, position_at(position, master.start())});
   for (const SwitchEdge& edge : times.edges)
-    events.push_back({edge.time / unit, named(edge.track), edge.on});
+    events.push_back(
+        {edge.time / unit, named(edge.track), edge.on, position_at(position, edge.time)});
   return events;
 }
 
 struct Events {
   std::vector<Event> all;
-  std::string unit;  ///< of time
+  std::string time, position;  ///< their units
 };
 
 Events events_of(const std::string& file) {
@@ -57,10 +65,12 @@ Events events_of(const std::string& file) {
   if (spec.compare)
     for (const Input& axis : axes)
       if (axis.axis == spec.compare->axis)
-        return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit};
+        return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit,
+                axis.labels.units.position};
   if (spec.over_master() && !spec.switches.table.switches.empty())
     return {of_switches(spec, std::get<Cam>(axes.front().curve), seconds_per_unit(spec)),
-            spec.time_unit};
+            spec.time_unit,
+            spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position};
   throw spec.document.located(
       InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
 }
@@ -72,18 +82,23 @@ struct Options {
 };
 
 std::string json_of(const Events& events) {
-  nlohmann::ordered_json document{{"unit", events.unit},
+  nlohmann::ordered_json document{{"time", events.time},
+                                  {"position", events.position},
                                   {"events", nlohmann::ordered_json::array()}};
   for (const Event& event : events.all)
-    document["events"].push_back(
-        {{"time", event.time}, {"output", event.output}, {"on", event.on}});
+    document["events"].push_back({{"time", event.time},
+                                  {"output", event.output},
+                                  {"on", event.on},
+                                  {"position", event.position}});
   return document.dump(2) + "\n";
 }
 
 std::string csv_of(const Events& events) {
-  std::string text = fmt::format("time [{}],output,on\n", events.unit);
+  std::string text =
+      fmt::format("time [{}],output,on,position [{}]\n", events.time, events.position);
   for (const Event& event : events.all)
-    text += fmt::format("{},{},{}\n", number(event.time), event.output, event.on ? 1 : 0);
+    text += fmt::format("{},{},{},{}\n", number(event.time), event.output, event.on ? 1 : 0,
+                        number(event.position));
   return text;
 }
 

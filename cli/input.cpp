@@ -148,13 +148,18 @@ Report check_coupling(const Spec& spec, const Cam& cam) {
   return check(coupling, {.position = start}, {cam.start(), 0, 0, 0});
 }
 
-/// A step that the check of continuity has found already is not told twice.
-Report unless_broken(Report warnings, const Report& found) {
+/// A step of the velocity that the check of continuity has found is told once, with the advice of the
+/// warning, which knows more of tables.
+Report merged(Report warnings, Report& found) {
   std::erase_if(warnings.findings, [&](const Finding& w) {
-    return w.rule == "pt/velocity_step" &&
-           std::any_of(found.findings.begin(), found.findings.end(), [&](const Finding& f) {
-             return f.broken && f.rule == "continuity/velocity" && f.where == w.where;
-           });
+    if (w.rule != "pt/velocity_step" && w.rule != "pt/end_velocity") return false;
+    const auto same =
+        std::find_if(found.findings.begin(), found.findings.end(), [&](const Finding& f) {
+          return f.broken && f.rule == "continuity/velocity" && f.where == w.where;
+        });
+    if (same == found.findings.end()) return false;
+    same->advice = w.advice;
+    return true;
   });
   return warnings;
 }
@@ -171,7 +176,7 @@ Report check_all(const Input& input, int continuity) {
     };
     add(spec.fill);
     add(check_sync(spec));
-    add(unless_broken(table_warnings(spec), report));
+    add(merged(table_warnings(spec), report));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve)));
     if (spec.compare && spec.compare->axis == input.axis)

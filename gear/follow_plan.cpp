@@ -85,6 +85,10 @@ class Knots {
       require_finite(key("point", i, "master").c_str(), p.master);
       require_finite(key("point", i, "slave").c_str(), p.slave);
       require_finite(key("point", i, "ratio").c_str(), p.ratio.value_or(0));
+      if (i > 0 && !(p.master > plan_.points[i - 1].master))
+        throw InputError(
+            key("point", i, "master"), p.master,
+            "must be greater than " + number(plan_.points[i - 1].master) + ", the point before");
     }
     for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
       const FollowZone& z = plan_.zones[i];
@@ -94,6 +98,10 @@ class Knots {
       require_finite(key("zone", i, "slave").c_str(), z.slave.value_or(0));
       if (!(z.to > z.from))
         throw InputError(key("zone", i, "to"), z.to, "must be greater than " + number(z.from));
+      if (i > 0 && !(z.from >= plan_.zones[i - 1].to))
+        throw InputError(
+            key("zone", i, "from"), z.from,
+            "must be at least " + number(plan_.zones[i - 1].to) + ", where the one before ends");
     }
   }
 

@@ -171,7 +171,10 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
   const double last = gear.curve->end();
   if (!(from <= first))
     throw InputError("master_start", from,
-                     "must not lie behind the engagement's begin, " + number(first));
+                     "is past " + number(first) +
+                         ", where the engagement begins (master_sync_position less "
+                         "master_start_distance): begin there, or shorten the start distance to " +
+                         number(std::abs(last - from)));
   if (!(to >= last))
     throw InputError("master_end", to, "must not lie before the engagement's end, " + number(last));
   SyncCam made{*gear.curve};

@@ -14,12 +14,20 @@ constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareM
 const std::vector<std::string> mode_names{"equal",     "less",   "greater",
                                           "fifo_time", "linear", "fifo_level"};
 
+/// How many points a line has, 1 to 1e7.
+std::int64_t count_of(TomlReader& compare) {
+  const std::int64_t count = compare.whole("count");
+  if (count < 1 || count > 10'000'000)
+    compare.fail("count", std::to_string(count), "must be 1 to 1e7");
+  return count;
+}
+
 /// position; or start, increment and count; or [[compare.point]].
 std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, CompareMode mode) {
   if (mode == CompareMode::linear)
     return evenly(compare.number("start", units.position),
                   compare.number("increment", units.position),
-                  std::min<std::size_t>(compare.optional_count("count").value_or(1), 10'000'000));
+                  static_cast<std::size_t>(count_of(compare)));
   if (mode != CompareMode::fifo_time && mode != CompareMode::fifo_level)
     return {{compare.number("position", units.position)}};
   std::vector<ComparePoint> points;

@@ -19,9 +19,10 @@ const std::vector<std::string> objectives{"shortest"};
 /// A derivative of a knot; left out only where `velocities` says how to find it.
 std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
                                     bool may_be_missing) {
+  if (!knot.has(key)) knot.refuse_misspelt(key);
   if (!may_be_missing && !knot.has(key))
     knot.fail(key, "",
-              "is missing: give it, or say at the top how to find it: velocities = \"natural\"");
+              "is missing: give it, or say at the top how to find it: velocities = \"clamped\"");
   return knot.optional_number(key, unit);
 }
 
@@ -41,11 +42,17 @@ void read_rows(TomlReader& top, const Units& units, FillSpec& fill, bool may_be_
 
 void take_columns(const Points& points, const Units& units, FillSpec& fill, bool may_be_missing) {
   const auto derivative = [&](const char* name, int order, auto& values) {
-    if (may_be_missing && points.find(name) == nullptr)
+    if (points.find(name) == nullptr) {
+      if (!may_be_missing)
+        throw InputError(name, "",
+                         "is missing: give the column, or say in the spec how to find "
+                         "it: velocities = \"clamped\"")
+            .at(points.document, 1);
       values.resize(points.size());
-    else
+    } else {
       for (const double v : points.in_unit(name, rate_unit(units.position, units.x, order)))
         values.push_back(v);
+    }
   };
   fill.x = points.in_unit("time", units.x);
   fill.p = points.in_unit("position", units.position);

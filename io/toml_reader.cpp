@@ -55,8 +55,25 @@ const toml::node* TomlReader::find(const char* key) {
 
 const toml::node& TomlReader::require(const char* key) {
   const toml::node* node = find(key);
-  if (node == nullptr) fail(key, "", "is missing");
-  return *node;
+  if (node != nullptr) return *node;
+  refuse_misspelt(key);
+  fail(key, "", "is missing");
+}
+
+void TomlReader::refuse_misspelt(const char* key) const {
+  const std::string wanted = key;
+  for (const auto& [other, node] : *table_)
+    if (!known_.contains(std::string(other.str())) &&
+        !nearest(other.str(), std::span(&wanted, 1)).empty())
+      throw unknown(other, node, wanted);
+}
+
+InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
+                               const std::string& meant) const {
+  const auto at = place(key.source());
+  return InputError(path(key.str()), shown(node),
+                    "is not a key that belongs here: did you mean " + meant + "?")
+      .at(document_->name, at.line, at.column);
 }
 
 double TomlReader::read_number(const toml::node& node, const std::string& key,
@@ -75,7 +92,10 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
   if (!node.is_number())
     throw error(shown(node),
                 "must be a number in " + unit + ", or a quantity such as \"12.5 " + unit + '"');
-  const double value = *node.value<double>();
+  // Not value<double>(): that has none for a whole number beyond 2^53.
+  const auto whole = node.value_exact<std::int64_t>();
+  const double value =
+      whole ? static_cast<double>(*whole) : node.value_exact<double>().value_or(NAN);
   if (!std::isfinite(value)) throw error(shown(node), "must be a finite number");
   return value;
 }
@@ -222,12 +242,11 @@ void TomlReader::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
+    if (const std::string hint = nearest(key.str(), known); !hint.empty())
+      throw unknown(key, node, hint);
     const auto at = place(key.source());
-    const std::string hint = nearest(key.str(), known);
-    throw InputError(
-        path(key.str()), shown(node),
-        "is not a key that belongs here" +
-            (hint.empty() ? "; known: " + join(known) : ": did you mean " + hint + "?"))
+    throw InputError(path(key.str()), shown(node),
+                     "is not a key that belongs here; known: " + join(known))
         .at(document_->name, at.line, at.column);
   }
 }

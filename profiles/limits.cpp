@@ -32,13 +32,19 @@ std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*,
   return bounds;
 }
 
-const char* advice(std::size_t order) {
-  constexpr std::array texts{
+const char* advice(const char* quantity, std::size_t order) {
+  constexpr std::array of_cams{
       "the curve overshoots between its knots: move them, or lower the velocities there",
       "lengthen the segment, or take a law with a lower velocity coefficient",
       "lengthen the segment, or take a law with a lower acceleration coefficient",
       "lengthen the segment, or take a law with a lower jerk coefficient"};
-  return texts[order];
+  constexpr std::array of_motions{
+      "move the target or the points inside, or lower the velocities beside it",
+      "give it more time, or a lower velocity", "give it more time, or a lower acceleration",
+      "give it more time, or a lower jerk"};
+  const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
+                                   std::string_view(quantity)) != OverTime::names.end();
+  return over_time ? of_motions[order] : of_cams[order];
 }
 
 const Extremum& worst_of(const Bound& bound, const Range& range) {
@@ -121,7 +127,7 @@ Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst,
           margin_of(bound, worst.value),
           broken,
           segment,
-          broken ? advice(bound.order) : ""};
+          broken ? advice(names_[1], bound.order) : ""};
 }
 
 void LimitCheck::consider(std::size_t b, const Range& range, double start, std::size_t segment) {

@@ -123,6 +123,8 @@ std::vector<OutputEdge> edges_of(const PositionCompare& compare,
 std::vector<ComparePoint> evenly(double start, double increment, std::size_t count) {
   require_finite("start", start);
   require_finite("increment", increment);
+  if (increment == 0 && count > 1)
+    throw InputError("increment", increment, "must not be 0: the points would all be one");
   std::vector<ComparePoint> points;
   for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i)
     points.push_back({start + static_cast<double>(i) * increment, true});

@@ -51,12 +51,17 @@ class TomlReader {
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
+  /// Throws InputError where a key that nobody has read is `key` but for a slip of the pen: before
+  /// saying that it is missing.
+  void refuse_misspelt(const char* key) const;
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   void finish();
 
  private:
   const toml::node* find(const char* key);
   const toml::node& require(const char* key);
+  [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
+                                   const std::string& meant) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);
 
   const toml::table* table_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -97,7 +98,8 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
 }
 
 TEST_F(Cli, EveryStartingSpecIsGood) {
-  for (const char* kind : {"cam", "knife", "move", "queue", "axes", "pvt"}) {
+  for (const char* kind : {"cam", "follow", "gear", "indexer", "knife", "shear", "move", "queue",
+                           "axes", "pvt", "pt"}) {
     const std::string file = std::string(kind) + ".toml";
     EXPECT_EQ(run(std::string("new ") + kind + " -o " + file).status, 0);
     const Result check = run("check " + file);
@@ -106,6 +108,36 @@ TEST_F(Cli, EveryStartingSpecIsGood) {
   }
   EXPECT_EQ(run("new axis -o axis.toml").status, 0);
   EXPECT_EQ(run("new lathe").status, 2);
+}
+
+TEST_F(Cli, DesignDoesNotKeepQuietOfWhatCheckFinds) {
+  const Result broken = run("design " + cam + " -o broken.csv");
+  EXPECT_EQ(broken.status, 0);  // the table is what was asked for
+  EXPECT_THAT(broken.out, HasSubstr("jounce check: 2 findings; the worst: geo_velocity"));
+  EXPECT_THAT(run("design " + cam + " -o broken.csv --json").out, HasSubstr("\"broken\":2"));
+}
+
+TEST_F(Cli, EventsSayWhenOutputsSwitch) {
+  const std::string scan = examples + "position-compare/scan.toml";
+  const Result events = run("events " + scan);
+  EXPECT_EQ(events.status, 0) << events.err;
+  EXPECT_THAT(events.out, ::testing::StartsWith("time [s],output,on,position [mm]\n"));
+  EXPECT_EQ(std::count(events.out.begin(), events.out.end(), '\n'), 23);  // 11 pulses, both edges
+  EXPECT_THAT(run("events " + scan + " --json").out, HasSubstr("\"output\": \"compare\""));
+  EXPECT_EQ(run("check " + scan).status, 0);
+  EXPECT_THAT(run("events " + examples + "spring-coiler/cam.toml").err,
+              HasSubstr("compare: is missing"));
+}
+
+TEST_F(Cli, EventsAreThoseOfACamsSwitchesToo) {
+  const std::string switched = slurp(cam) +
+                               "\n[[switch]]\ntrack = 2\nfirst_on_position = 90\n"
+                               "last_on_position = 180\n";
+  std::ofstream(folder / "cam.toml") << switched;
+  const Result events = run("events cam.toml");
+  EXPECT_EQ(events.status, 0) << events.err;
+  EXPECT_THAT(events.out, HasSubstr(",track 2,1,"));
+  EXPECT_EQ(std::count(events.out.begin(), events.out.end(), '\n'), 7);  // three periods
 }
 
 TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {

@@ -62,7 +62,8 @@ TEST_F(PointFile, MayLeaveOutWhatIsFilledIn) {
   ASSERT_EQ(columns.v.size(), 3U);
   EXPECT_GT(columns.v[1], 0);
   EXPECT_THAT(complaint(pvt, "time [s],position [mm]\n0,0\n1,2\n"),
-              "points.csv:1: velocity: is missing: the columns are time, position");
+              "points.csv:1: velocity: is missing: give the column, or say in the spec how to find "
+              "it: velocities = \"clamped\"");
 }
 
 TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {

@@ -36,7 +36,7 @@ TEST(KnotsSpec, FillsInNothingSilently) {
   EXPECT_THAT(
       complaint(spec(three_knots)),
       ::testing::HasSubstr("knot[1].velocity: is missing: give it, or say at the top how to "
-                           "find it: velocities = \"natural\""));
+                           "find it: velocities = \"clamped\""));
 }
 
 TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {

@@ -129,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml: jounce: is missing: a spec begins with `jounce = 1`, the version of its "
             "format"},
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
-            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, follow, "
+            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, "
+            "follow, "
             "knife, shear, indexer, move, queue, axes, pvt, pt, axis"},
         Bad{cam, "\"deg\"", "\"degrees\"",
             "a.toml:3:20: units.master = \"degrees\": is not a unit that Jounce knows, such as mm, "
@@ -202,8 +203,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
             "a.toml: knots = 1: a table needs at least two"},
         Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
-            "a.toml:6:1: knot[1].acceleration: is missing: give it, or say at the top how to find it: "
-            "velocities = \"natural\""},
+            "a.toml:6:1: knot[1].acceleration: is missing: give it, or say at the top how to find "
+            "it: "
+            "velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
             "a.toml: knots = 1: a table needs at least two"}));
 
@@ -286,6 +288,17 @@ TEST(Spec, TheSwitchesOfAPeriodicCamHaveItsPeriod) {
   const Spec periodic =
       parse_spec(replaced(with_switch, "start =", "periodic = true\nstart ="), "a.toml");
   EXPECT_EQ(periodic.switches.table.period, 180);
+}
+
+TEST(Spec, ReadsWholeNumbersThatNoDoubleHolds) {
+  const std::string text =
+      "jounce = 1\nkind = \"move\"\nunits = { position = \"pulse\" }\n[move]\n"
+      "profile = \"trapezoid\"\nto = 9007199254740993\nvelocity = 10000000000000001\n"
+      "acceleration = 1000\n";
+  const Spec spec = parse_spec(text, "big.toml");
+  const auto& trapezoid = std::get<TrapezoidSpec>(std::get<MoveSpec>(spec.subject));
+  EXPECT_EQ(trapezoid.to, 9007199254740992.0);
+  EXPECT_EQ(trapezoid.velocity, 1e16);
 }
 
 }  // namespace
