@@ -34,7 +34,7 @@ std::string file_of(const std::string& path, const std::string& axis, std::size_
   return path.substr(0, end) + "-" + axis + path.substr(end);
 }
 
-nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
+nlohmann::ordered_json json_of(const Input& input, const Report& report, const std::string& file) {
   const Table& table = input.table.table;
   nlohmann::ordered_json summary{{"table", file},
                                  {"knots", table.size()},
@@ -48,7 +48,7 @@ nlohmann::ordered_json json_of(const Input& input, const std::string& file) {
       summary["binding"] = name(*input.binding);
     }
   }
-  summary["broken"] = check_all(input).broken();
+  summary["broken"] = report.broken();
   for (const Residual& r : input.residuals)
     summary["residuals"].push_back({{"frequency", r.mode.frequency},
                                     {"damping", r.mode.damping},
@@ -70,7 +70,7 @@ std::string fewest_text(const Input& input) {
                      input.labels.unit_of(rate), why);
 }
 
-void print_text(std::FILE* out, const Input& input) {
+void print_text(std::FILE* out, const Input& input, const Report& report) {
   const Table& table = input.table.table;
   const Units& units = input.labels.units;
   fmt::print(out, "{}: {} knots, {}, from {} to {} {}\n", input.name, table.size(),
@@ -85,8 +85,7 @@ void print_text(std::FILE* out, const Input& input) {
                rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,
                rounded(r.before), units.position);
   // The table is what was asked for; that it steps, turns back or breaks a limit is not kept quiet.
-  if (const Report report = check_all(input); !report.ok())
-    fmt::print(out, "jounce check: {}\n", one_line(report, input.labels));
+  if (!report.ok()) fmt::print(out, "jounce check: {}\n", one_line(report, input.labels));
   fmt::print(out, "sha256 {}\n", hex(content_hash(table, units)));
 }
 
@@ -105,17 +104,22 @@ void add_files(const Input& input, const Options& options, std::size_t axes,
 int run(const Options& options) {
   const std::vector<Input> inputs = load_axes(options.spec, options.axis);
   std::vector<Output> files;
-  for (const Input& input : inputs) add_files(input, options, inputs.size(), files);
+  std::vector<Report> reports;
+  for (const Input& input : inputs) {
+    add_files(input, options, inputs.size(), files);
+    reports.push_back(check_all(input));
+  }
   require_other_file(options.spec, options.output);
   write_files(files);
   std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
   AxisDocuments documents;
-  for (const Input& input : inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Input& input = inputs[i];
+    const std::string file = file_of(options.output, input.axis, inputs.size());
     if (options.json)
-      documents.emplace_back(input.axis,
-                             json_of(input, file_of(options.output, input.axis, inputs.size())));
+      documents.emplace_back(input.axis, json_of(input, reports[i], file));
     else
-      print_text(out, input);
+      print_text(out, input, reports[i]);
   }
   if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump());
   return fine;
