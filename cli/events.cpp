@@ -55,6 +55,7 @@ std::vector<Event> of_switches(const Spec& spec, const Cam& cam, double unit) {
 struct Events {
   std::vector<Event> all;
   std::string time, position;  ///< their units
+  bool complete = true;        ///< whether every point fires, and the device keeps up
 };
 
 Events events_of(const std::string& file) {
@@ -66,11 +67,13 @@ Events events_of(const std::string& file) {
     for (const Input& axis : axes)
       if (axis.axis == spec.compare->axis)
         return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit,
-                axis.labels.units.position};
+                axis.labels.units.position,
+                check(spec.compare->compare, std::get<Trajectory>(axis.curve), spec.compare->device)
+                    .ok()};
   if (spec.over_master() && !spec.switches.table.switches.empty())
     return {of_switches(spec, std::get<Cam>(axes.front().curve), seconds_per_unit(spec)),
             spec.time_unit,
-            spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position};
+            spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position, true};
   throw spec.document.located(
       InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
 }
@@ -106,7 +109,7 @@ int run(const Options& options) {
   require_other_file(options.file, options.output);
   const Events events = events_of(options.file);
   write_file(options.output, options.json ? json_of(events) : csv_of(events));
-  return fine;
+  return events.complete ? fine : finding;
 }
 
 }  // namespace

@@ -173,11 +173,13 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<AxisPart> parts = spec.parts();
   const Motions before = motions_of(spec);
   std::vector<Trajectory> curves = before.curves;
-  detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
+  const std::vector<Jet> fits = detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
     Sampled table = table_of(spec, curves[i], parts[i]);
+    table.error.position += fits[i][0];
+    table.error.velocity += fits[i][1];
     all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
                    std::move(table), residuals_of(spec, before.curves[i], curves[i])});
   }

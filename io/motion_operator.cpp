@@ -15,6 +15,7 @@ struct Context {
   std::vector<Limits> limits;
   double unit = 1;  ///< s
   std::vector<std::string> names = {};
+  std::vector<Jet> error = {};  ///< of the motions: what fits may differ
 };
 
 using Motions = std::vector<Trajectory>;
@@ -90,8 +91,19 @@ std::size_t axis_named(const std::string& name, const char* key, const Context& 
   return static_cast<std::size_t>(at - context.names.begin());
 }
 
-void apply(const CompensateSpec& s, const Context& context, Motions& motions) {
-  const Compensation table(s.table);
+/// The table's axes are the document's references.
+Compensation made_of(const CompensateSpec& s) {
+  try {
+    return Compensation(s.table);
+  } catch (const InputError& error) {
+    std::string key = error.key();
+    if (key.starts_with("axes")) key.replace(0, 4, "reference");
+    throw renamed(error, key);
+  }
+}
+
+void apply(const CompensateSpec& s, Context& context, Motions& motions) {
+  const Compensation table = made_of(s);
   const std::optional<std::size_t> only =
       motions.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
   const std::size_t axis = axis_named(s.axis, "axis", context, only);
@@ -99,7 +111,10 @@ void apply(const CompensateSpec& s, const Context& context, Motions& motions) {
   for (const std::string& name : s.references)
     references.push_back(motions[axis_named(name, "reference.axis", context, axis)]);
   const double tolerance = s.tolerance.value_or(1e-9 * (table.peak() > 0 ? table.peak() : 1));
-  motions[axis] = compensated(motions[axis], table, references, tolerance).curve;
+  Fitted<OverTime> corrected = compensated(motions[axis], table, references, tolerance);
+  motions[axis] = std::move(corrected.curve);
+  for (std::size_t k = 0; k < corrected.error.size(); ++k)
+    context.error[axis][k] += corrected.error[k];
 }
 
 /// Generators name their own fields: "t" and "target" are `time` and `to` of the operator, the
@@ -108,6 +123,7 @@ std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
   const std::string then = "then[" + std::to_string(k + 1) + "]";
   if (key == "t") key = "time";
   if (key == "target") key = "to";
+  if (key == "axis") return then + ".axis";
   if (key.starts_with("axis[") && axes > 1) return key;
   if (key.starts_with("axis[1].")) key.erase(0, 8);
   if (key.starts_with("axis")) return then;
@@ -117,12 +133,13 @@ std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
 
 }  // namespace
 
-void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
-           std::vector<Trajectory>& motions) {
-  Context context{{}, unit, {}};
+std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
+                       std::vector<Trajectory>& motions) {
+  Context context{{}, unit, {}, {}};
   for (const AxisPart& part : parts) {
     context.limits.push_back(part.limits);
     context.names.push_back(part.name);
+    context.error.emplace_back();
   }
   for (std::size_t k = 0; k < then.size(); ++k) {
     try {
@@ -131,6 +148,7 @@ void apply(std::span<const Operator> then, std::span<const AxisPart> parts, doub
       throw renamed(error, key_in_document(error.key(), k, motions.size()));
     }
   }
+  return context.error;
 }
 
 }  // namespace jounce::detail

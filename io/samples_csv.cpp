@@ -31,16 +31,15 @@ std::string names_line(const TableFile& file) {
   return text;
 }
 
-/// As many instants start + k step as do not pass the end, where rounding may put the last a hair
-/// before or behind it.
+/// As many instants start + k step as lie before the end, and the end.
 std::size_t rows_of(const Table& table, double step) {
   require_positive("every", step);
-  const double steps = std::floor(table.length() / step * (1 + 1e-12));
+  const double steps = std::ceil(table.length() / step * (1 - 1e-12));
   if (!(steps < most_rows)) throw InputError("every", step, "makes more than 100 million rows");
   return static_cast<std::size_t>(steps) + 1;
 }
 
-/// Instants of the rows: the last within rounding of the end is the end.
+/// Instants of the rows: the last is the end, wherever the steps fall.
 double instant(const Table& table, double step, std::size_t k) {
   return std::min(table.start() + static_cast<double>(k) * step, table.end());
 }

@@ -149,7 +149,7 @@ void read_body(TomlReader& top, Spec& spec) {
   kind.read(top, spec);
   if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
   if (kind.runs == Kind::over_time) {
-    spec.then = detail::read_then(top, spec.units);
+    spec.then = detail::read_then(top, spec);
     spec.compare = detail::read_compare(top, spec);
   }
   top.finish();

@@ -50,12 +50,13 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   CompareSpec read;
   read.axis = compare->optional_text("axis").value_or("");
   const std::vector<AxisPart> parts = spec.parts();
-  const auto known = std::any_of(parts.begin(), parts.end(),
-                                 [&](const AxisPart& part) { return part.name == read.axis; });
-  if (!known) compare->fail("axis", '"' + read.axis + '"', "must name one of the spec's axes");
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [&](const AxisPart& each) { return each.name == read.axis; });
+  if (part == parts.end())
+    compare->fail("axis", '"' + read.axis + '"', "must name one of the spec's axes");
   PositionCompare& c = read.compare;
   c.mode = modes[compare->choice("mode", mode_names)];
-  c.points = read_points(*compare, spec.units, c.mode);
+  c.points = read_points(*compare, part->units, c.mode);
   if (c.mode == CompareMode::fifo_time || c.mode == CompareMode::linear) {
     c.pulse = compare->number("pulse", spec.time_unit);
     if (!(c.pulse > 0)) compare->fail("pulse", number(c.pulse), "must be greater than 0");

@@ -135,7 +135,9 @@ Table shortest_table(TomlReader& top, const Spec& spec, Rule rule) {
     top.fail("times", "\"shortest\"",
              "are those of a spline: the rule must be cubic_hermite or quintic_hermite");
   refuse_beside_times(top, "velocities");
-  refuse_beside_times(top, "points");
+  if (top.has("points"))
+    top.fail("points", "",
+             "has times: for times = \"shortest\" give [[knot]] with a position each");
   SplineTimesSpec times;
   times.limits = {spec.limits};
   for (TomlReader& knot : top.tables("knot")) {
@@ -146,8 +148,9 @@ Table shortest_table(TomlReader& top, const Spec& spec, Rule rule) {
   try {
     return table_of(spline_times(times).joints.front(), rule);
   } catch (const InputError& error) {
-    const bool of_limits = error.key().starts_with("limits");
-    throw InputError(of_limits ? "limits" : "knot", error.value(), error.rule());
+    const bool of_limits = error.key().starts_with("limits[1]");
+    throw InputError(of_limits ? "limits" + error.key().substr(9) : "knot", error.value(),
+                     error.rule());
   }
 }
 

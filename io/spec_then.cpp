@@ -78,27 +78,46 @@ Operator read_move_superimposed(MotionFields& f) {
   return c;
 }
 
-Operator read_compensation(MotionFields& f) {
+/// The unit of the axis of that name; of the only one, or of the spec, where there is none.
+const std::string& unit_of(const std::string& axis, std::span<const AxisPart> parts) {
+  const auto named = std::find_if(parts.begin(), parts.end(),
+                                  [&](const AxisPart& part) { return part.name == axis; });
+  return (named == parts.end() ? parts.front() : *named).units.position;
+}
+
+/// One point at least, and no more than a spec holds.
+std::size_t count_of(TomlReader& reference) {
+  const std::size_t count = reference.optional_count("count").value_or(0);
+  if (count < 2 || count > 1'000'000)
+    reference.fail("count", std::to_string(count), "must be from 2 to 1e6");
+  return count;
+}
+
+/// Values in the unit of the corrected axis, the grid in those of its references.
+Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
   static const std::vector<std::string> rules{"linear", "cubic"};
   TomlReader& then = f.reader();
-  const std::string& unit = f.units().position;
   CompensateSpec s;
+  s.axis = then.optional_text("axis").value_or("");
+  const std::string& unit = unit_of(s.axis, parts);
   if (const auto rule = then.optional_choice("rule", rules))
     s.table.rule = static_cast<GridRule>(*rule);
-  s.axis = then.optional_text("axis").value_or("");
-  s.tolerance = f.optional("tolerance", 0);
-  s.table.most = f.optional("most", 0).value_or(s.table.most);
+  s.tolerance = then.optional_number("tolerance", unit);
+  s.table.most = then.optional_number("most", unit).value_or(s.table.most);
+  if (!(s.table.most > 0)) then.fail("most", number(s.table.most), "must be greater than 0");
   std::size_t points = 1;
   for (TomlReader& reference : then.tables("reference")) {
-    GridAxis axis{reference.number("base", unit), reference.number("interval", unit),
-                  reference.optional_count("count").value_or(0)};
-    s.table.axes.push_back(axis);
     s.references.push_back(reference.optional_text("axis").value_or(""));
-    points *= std::min<std::size_t>(axis.count, 1'000'000);
+    const std::string& own = s.references.back().empty() ? s.axis : s.references.back();
+    const std::string& grid = unit_of(own, parts);
+    s.table.axes.push_back(
+        {reference.number("base", grid), reference.number("interval", grid), count_of(reference)});
+    points *= s.table.axes.back().count;
+    if (points > 1'000'000) then.fail("reference", "", "makes a grid of more than 1e6 points");
     reference.finish();
   }
-  s.table.values = then.numbers(
-      "values", std::vector<std::string>(std::min<std::size_t>(points, 1'000'000), unit));
+  if (s.references.empty()) then.fail("reference", "", "is missing: the grid's axes, one to three");
+  s.table.values = then.numbers("values", std::vector<std::string>(points, unit));
   return s;
 }
 
@@ -114,18 +133,21 @@ constexpr std::array operators{OperatorReader{"moving_average", read_moving_aver
                                OperatorReader{"new_target", read_new_target},
                                OperatorReader{"new_velocity", read_new_velocity},
                                OperatorReader{"move_additive", read_move_additive},
-                               OperatorReader{"move_superimposed", read_move_superimposed},
-                               OperatorReader{"compensation", read_compensation}};
+                               OperatorReader{"move_superimposed", read_move_superimposed}};
 
 }  // namespace
 
-std::vector<Operator> read_then(TomlReader& top, const Units& units) {
+std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
   std::vector<std::string> names;
   for (const OperatorReader& each : operators) names.emplace_back(each.name);
+  names.emplace_back("compensation");
+  const std::vector<AxisPart> parts = spec.parts();
   std::vector<Operator> all;
   for (TomlReader& then : top.tables("then")) {
-    MotionFields fields(then, units);
-    all.push_back(operators[then.choice("operator", names)].read(fields));
+    MotionFields fields(then, spec.units);
+    const std::size_t chosen = then.choice("operator", names);
+    all.push_back(chosen < operators.size() ? operators[chosen].read(fields)
+                                            : read_compensation(fields, parts));
     then.finish();
   }
   return all;

@@ -27,6 +27,10 @@ std::string point_key(std::size_t i, std::size_t joint) {
 void require_points(const Points& points) {
   if (points.size() < 2)
     throw InputError("points", std::to_string(points.size()) + " points", "must be at least two");
+  constexpr std::size_t most = 60;  // half a minute; the effort grows with the cube
+  if (points.size() > most)
+    throw InputError("points", std::to_string(points.size()) + " points",
+                     "are too many: times are sought for up to " + std::to_string(most));
   bool moves = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].empty() || points[i].size() != points[0].size())
@@ -51,9 +55,9 @@ void require_limits(const SplineTimesSpec& spec) {
   for (std::size_t j = 0; j < joints; ++j) {
     const Limits& l = spec.limits[j];
     require_valid(l);
-    if (shortest && !l.velocity && !l.acceleration && !l.jerk)
-      throw InputError("limits[" + std::to_string(j + 1) + "]", "",
-                       "needs velocity, acceleration or jerk: without, there is no shortest time");
+    if (shortest && !l.jerk)  // the accelerations at the ends would rise in no time
+      throw InputError("limits[" + std::to_string(j + 1) + "].jerk", "",
+                       "is missing: the shortest times of splines are those within a jerk limit");
   }
 }
 

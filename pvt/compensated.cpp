@@ -11,6 +11,7 @@
 #include "jounce/profiles/roots.hpp"
 #include "jounce/pvt/compensation.hpp"
 #include "jounce/pvt/detail/grid_cell.hpp"
+#include "jounce/pvt/table.hpp"
 
 // Between two breaks of any of the curves, and two passages of grid lines, all references stay in one
 // cell, whose polynomial takes theirs: a polynomial of the product of the degrees. Where that does not
@@ -119,11 +120,22 @@ std::vector<double> cuts(const Trajectory& motion, const Compensation& compensat
   return kept;
 }
 
+void require_one_pass(const Trajectory& motion, const std::string& key) {
+  if (motion.outside() == Outside::advance)
+    throw InputError(
+        key, name(motion.outside()),
+        "goes on from pass to pass, which the grid does not: take as many passes as it "
+        "runs");
+}
+
 void require_references(const Trajectory& motion, const Compensation& compensation,
                         std::span<const Trajectory> references) {
   if (references.size() != compensation.references())
     throw InputError("references", std::to_string(references.size()),
                      "the grid has " + std::to_string(compensation.references()));
+  require_one_pass(motion, "motion");
+  for (std::size_t j = 0; j < references.size(); ++j)
+    require_one_pass(references[j], "references[" + std::to_string(j + 1) + "]");
   const double scale = std::max(std::abs(motion.start()), std::abs(motion.end()));
   for (std::size_t j = 0; j < references.size(); ++j)
     if (!detail::same_place(references[j].start(), motion.start(), scale) ||

@@ -88,7 +88,8 @@ class Compensation {
 };
 
 /// The motion as the axis is told it: motion + c(references), all over the same interval; a reference
-/// may be the motion itself. Exact where the product of degrees fits a segment (a linear table of one
+/// may be the motion itself. None may advance from period to period (Outside::advance): the correction of
+/// the next one is another. Exact where the product of degrees fits a segment (a linear table of one
 /// reference, up to degree 11; of two or three, the sum of their degrees), else within `tolerance` > 0
 /// with a certified error, as in fitted.hpp. Policy outside: the motion's. Throws InputError where
 /// intervals differ by more than rounding, a number of references is wrong, and as

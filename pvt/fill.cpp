@@ -275,6 +275,19 @@ std::string advice_for(double stretch, double length) {
              : "no time is enough: other velocities must be given";
 }
 
+/// The limits less what the rounding of a piece's positions makes of its acceleration and jerk.
+Limits less_rounding(const FillSpec& spec, std::size_t i, double h) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double rounding = epsilon * std::max(std::abs(spec.p[i]), std::abs(spec.p[i + 1]));
+  Limits limits = spec.limits;
+  const auto lower = [](std::optional<double>& limit, double by) {
+    if (limit) *limit -= std::min(by, *limit / 2);
+  };
+  lower(limits.acceleration, 24 * rounding / (h * h));
+  lower(limits.jerk, 48 * rounding / (h * h * h));
+  return limits;
+}
+
 void keep_limits(const FillSpec& spec, const Pieces& pieces, std::span<double> v, Report& report) {
   const double bound = far_beyond(spec, pieces);
   std::vector<detail::Gap> gaps(v.size(), {-bound, bound});
@@ -282,7 +295,8 @@ void keep_limits(const FillSpec& spec, const Pieces& pieces, std::span<double> v
   fix(spec.v, gaps);
   spline(spec, spec.v, Filling::clamped, v);
   const auto demand = [&](std::size_t i) {
-    return detail::within_limits(spec.limits, pieces.length[i], pieces.chord[i]);
+    const double h = pieces.length[i];
+    return detail::within_limits(less_rounding(spec, i, h), h, pieces.chord[i]);
   };
   const std::vector<detail::Gap> before = gaps;
   const detail::Corridor way = detail::corridor(std::move(gaps), demand);

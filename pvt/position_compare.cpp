@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/roots.hpp"
+#include "jounce/pvt/table.hpp"
 
 namespace jounce {
 namespace {
@@ -34,6 +35,12 @@ void require_valid(const PositionCompare& compare) {
     require_positive("pulse", compare.pulse);
   else if (compare.pulse != 0)
     throw InputError("pulse", compare.pulse, "goes with pulses: this mode sets a level");
+}
+
+void require_one_pass(const Trajectory& motion) {
+  if (repeats(motion.outside()))
+    throw InputError("motion", name(motion.outside()),
+                     "has no last pass: compare over as many passes as it runs");
 }
 
 /// A walk along a motion that only goes forward: from one point's instant to the next one's.
@@ -133,6 +140,7 @@ std::vector<ComparePoint> evenly(double start, double increment, std::size_t cou
 
 Compared compared(const PositionCompare& compare, const Trajectory& motion) {
   require_valid(compare);
+  require_one_pass(motion);
   Compared all;
   all.events = events_of(compare, motion);
   all.edges = edges_of(compare, all.events);

@@ -66,8 +66,8 @@ struct Compared {
       edges;  ///< off at first; the end of the last pulse may lie after the motion
 };
 
-/// Fires a compare along a known motion. Exact: crossings are isolated, not sampled. Throws
-/// InputError, counting from 1 ("points[3].position"), for no points or several where one is meant,
+/// Fires a compare along a known motion. Crossings are isolated, not sampled: exact to the rounding of
+/// the position. Throws InputError for a motion that repeats without end, and, counting from 1 ("points[3].position"), for no points or several where one is meant,
 /// a number that is not finite, and a pulse that is missing or goes with a mode that has none.
 Compared compared(const PositionCompare& compare, const Trajectory& motion);
 

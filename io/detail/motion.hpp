@@ -24,9 +24,10 @@ QueueMotion motion_of(const QueueSpec& queue);
 std::vector<Trajectory> motions_of(const AxesSpec& axes);
 
 /// The motions behind the operators, one after another; all axes together. A unit of time has
-/// `unit` seconds.
-void apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
-           std::vector<Trajectory>& motions);
+/// `unit` seconds. Answers how far each motion may be, with its derivatives, from what the operators
+/// say: where they had to be fitted.
+std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
+                       std::vector<Trajectory>& motions);
 
 /// A motion that may begin or end moving, which is what was asked for: where it does, it does not
 /// hold outside (nothing stands still there) but refuses.

@@ -74,7 +74,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec);
 std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec);
 
 /// [[then]].
-std::vector<Operator> read_then(TomlReader& top, const Units& units);
+std::vector<Operator> read_then(TomlReader& top, const Spec& spec);
 
 /// velocity, acceleration, deceleration, jerk, deceleration_jerk. Without `with_velocity` the
 /// velocity is the value of something else.

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,6 +57,53 @@ TEST(SpecCompensation, CorrectsTheMotion) {
   const auto curve = std::get<Trajectory>(make(spec).curve);
   EXPECT_NEAR(curve.jet(curve.end(), Side::left)[0], 30.2, 1e-12);
   EXPECT_EQ(curve.jet(0)[0], 0);
+}
+
+const std::string two_axes =
+    "jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\", time = \"s\" }\n"
+    "[[axis]]\nname = \"x\"\nto = 90\nvelocity = 100\nacceleration = 1000\n"
+    "[[axis]]\nname = \"y\"\nunit = \"cm\"\nto = 9\nvelocity = 10\nacceleration = 100\n";
+
+TEST(SpecCompensation, CountsInTheAxesOwnUnits) {
+  const Spec spec =
+      parse_spec(two_axes +
+                     "[[then]]\noperator = \"compensation\"\naxis = \"y\"\n"
+                     "reference = [{ base = \"0 mm\", interval = \"30 mm\", count = 4 }]\n"
+                     "values = [\"0 mm\", \"1 mm\", \"1 mm\", \"0.5 mm\"]\n",
+                 "c.toml");
+  const auto curve = std::get<Trajectory>(make_axes(spec).at(1).curve);
+  EXPECT_NEAR(curve.jet(curve.end(), Side::left)[0], 9.05, 1e-12);
+  EXPECT_NEAR(curve.jet(curve.end() / 2)[0], 4.5 + 0.1, 1e-12);
+}
+
+TEST(SpecCompare, CountsInTheAxisOwnUnit) {
+  const Spec spec = parse_spec(two_axes +
+                                   "[compare]\naxis = \"y\"\nmode = \"equal\"\n"
+                                   "position = \"50 mm\"\n",
+                               "c.toml");
+  EXPECT_EQ(spec.compare->compare.points.at(0).position, 5);
+}
+
+TEST(SpecCompensation, TellsWhatItsFitMayDiffer) {
+  const std::string plate =
+      two_axes +
+      "[[then]]\noperator = \"compensation\"\naxis = \"x\"\nrule = \"cubic\"\n"
+      "tolerance = 0.01\nreference = [{ base = 0, interval = 45, count = 3 }, "
+      "{ axis = \"y\", base = 0, interval = 4.5, count = 3 }]\n"
+      "values = [0, 1, 0, 1, 0, 1, 0, 2, 0]\n";
+  const Made rough = std::move(make_axes(parse_spec(plate, "c.toml")).front());
+  std::string finer = plate;
+  finer.replace(finer.find("tolerance = 0.01"), 16, "tolerance = 1e-9");
+  const Made fine = std::move(make_axes(parse_spec(finer, "c.toml")).front());
+  const auto& exact = std::get<Trajectory>(fine.curve);
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = exact.end() * i / 1000;
+    worst = std::max(worst, std::abs(rough.sampled.table.jet(std::min(t, rough.sampled.table.end()),
+                                                             Side::left)[0] -
+                                     exact.jet(t, Side::left)[0]));
+  }
+  EXPECT_LE(worst, rough.sampled.error.position + 1e-9);
 }
 
 TEST(SpecCompensation, NamesWhatIsWrong) {

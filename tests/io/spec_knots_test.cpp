@@ -80,7 +80,8 @@ TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
       ::testing::HasSubstr("knot[1].time: is what times = \"shortest\" finds: leave it out"));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nknot = [{ position = 0 }, { position = 1 }]\n")),
-      ::testing::HasSubstr("limits: needs velocity, acceleration or jerk"));
+      ::testing::HasSubstr(
+          "limits.jerk: is missing: the shortest times of splines are those within a jerk limit"));
 }
 
 TEST(KnotsSpec, AxesThroughPointsShareTheBestTimes) {

@@ -245,6 +245,14 @@ TEST(Compensated, FollowsTwoAndThreeAxes) {
   expect_composed(compensated(x, deep, {{x, y, x}}, 1e-9), x, deep, {x, y, x}, 1e-9);
 }
 
+TEST(Compensated, RefusesWhatGoesOnFromPassToPass) {
+  const Compensation c(line_of_five());
+  const Trajectory once = move(0, 100);
+  const Trajectory on = with(once, Outside::advance);
+  EXPECT_THROW(compensated(on, c, {{once}}, 1e-9), InputError);
+  EXPECT_THROW(compensated(once, c, {{on}}, 1e-9), InputError);
+}
+
 TEST(Compensated, RefusesReferencesOfAnotherLength) {
   const Compensation c(line_of_five());
   EXPECT_THROW(compensated(move(0, 100), c, {{move(0, 50)}}, 1e-9), InputError);

@@ -181,6 +181,8 @@ TEST(PositionCompare, NamesWhatIsMissing) {
   EXPECT_THROW(compared({.mode = CompareMode::equal, .points = {{1}}, .pulse = 1}, motion),
                InputError);
   EXPECT_THROW(compared({.points = {{std::nan("")}}, .pulse = 1}, motion), InputError);
+  EXPECT_THROW(compared(pulses_at({5}), with(motion, Outside::advance)), InputError);
+  EXPECT_THROW(evenly(1, 0, 2), InputError);
 }
 
 // ---- in a plane: PMC600 manual 9.4 -----------------------------------------------------------
