@@ -45,8 +45,45 @@ MasterRates rates_of(const Input& input) {
   return {input.spec->master->acceleration.value_or(0), 0};
 }
 
+/// Whether the master's own acceleration breaks a limit of the slave even as it starts: a slower
+/// master would not help.
+bool accelerates_too_fast(const Cam& cam, const Input& input) {
+  const double given = rates_of(input).acceleration;
+  const double most = greatest_master_acceleration(cam, input.spec->slave, 0).value;
+  return given > most && greatest_master_velocity(cam, input.spec->slave).value > 0;
+}
+
+/// What it may be at the master's speed, if anything: otherwise at none.
+MasterLimit master_acceleration(const Cam& cam, const Input& input) {
+  const Limits& slave = input.spec->slave;
+  const MasterLimit running =
+      greatest_master_acceleration(cam, slave, input.spec->master->velocity);
+  return running.value > 0 ? running : greatest_master_acceleration(cam, slave, 0);
+}
+
+Finding acceleration_finding(const Cam& cam, const Input& input) {
+  const MasterLimit limit = master_acceleration(cam, input);
+  Finding f;
+  f.rule = "limit/master_acceleration";
+  f.quantity = "master_acceleration";
+  f.where = limit.where;
+  f.value = rates_of(input).acceleration;
+  f.limit = limit.value;
+  f.margin = limit.value > 0 ? 1 - f.value / limit.value : -f.value;
+  f.broken = true;
+  f.unit = master_unit(input, 2);
+  f.advice =
+      fmt::format("the slave's {} limit binds at any speed: [master] acceleration: at most {}",
+                  limit.quantity, rounded(limit.value));
+  const double steady = greatest_master_velocity(cam, input.spec->slave).value;
+  if (input.spec->master->velocity > steady)
+    f.advice += fmt::format("; and velocity at most {} even without it", rounded(steady));
+  return f;
+}
+
 /// Whether the spec's master is slow enough for the slave.
 Finding master_finding(const Cam& cam, const Input& input) {
+  if (accelerates_too_fast(cam, input)) return acceleration_finding(cam, input);
   const double speed = input.spec->master->velocity;
   const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates_of(input));
   Finding f;
@@ -86,10 +123,18 @@ std::string rise_line(const Rise& rise, const Labels& labels) {
 
 std::string fastest_line(const Cam& cam, const Input& input) {
   const MasterRates rates = rates_of(input);
+  if (rates.acceleration > 0 && accelerates_too_fast(cam, input)) {
+    const MasterLimit most = master_acceleration(cam, input);
+    return fmt::format(
+        "  fastest acceleration of the master {} {}: the slave's {} limit, at {} {}\n",
+        rounded(most.value), master_unit(input, 2), most.quantity, rounded(most.where),
+        input.labels.units.x);
+  }
   const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates);
   if (std::isinf(limit.value)) return "";
   std::string line =
       fmt::format("  fastest master {} {}", rounded(limit.value), master_unit(input, 1));
+  if (is_made_for_a_speed(*input.spec)) line += " for this table";
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
                         master_unit(input, 2));

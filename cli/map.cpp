@@ -75,28 +75,29 @@ Map map_of(const Options& options) {
   const double to = option("--to", options.to, spec.units.x, cuts.to);
   if (!(to > from)) throw InputError("--to", to, "must be greater than --from, " + number(from));
   const CutLimits limits = limits_of(spec, options);
-  std::vector<CutSpeed> speeds = cut_length_map(cuts.cams, grid(from, to, options.steps), limits);
-  std::vector<LimitChange> changes = limit_changes(cuts.cams, speeds, limits);
+  const CutSpeedOfLength fastest = [&](double length) { return cuts.fastest(length, limits); };
+  std::vector<CutSpeed> speeds = cut_length_map(fastest, grid(from, to, options.steps));
+  std::vector<LimitChange> changes = limit_changes(fastest, speeds);
   const double running =
       spec.master ? std::min(spec.master->velocity, limits.line_speed) : limits.line_speed;
   std::optional<double> shortest;
-  if (std::isfinite(running))
-    shortest = shortest_length(cuts.cams, limits, running, cuts.shortest, cuts.synchronous);
+  if (std::isfinite(running)) shortest = cuts.shortest(running, limits);
   const double per_minute = 60 / seconds_per_unit(spec);
   return {std::move(spec),    std::move(cuts), limits,   std::move(speeds),
           std::move(changes), running,         shortest, per_minute};
 }
 
-/// "acceleration" as people would say it.
+/// The one short word that table, legend and strip have for it.
 std::string told(const std::string& limit) {
-  if (limit == "line_speed") return "line";
-  if (limit == "length") return "no cut";
-  return limit.empty() ? "none" : "slave " + limit;
+  return limit.empty() ? "none" : limit;
 }
 
+/// No number where nothing limits the speed, or no cut can be made.
 std::string finite(double value) {
-  return std::isfinite(value) ? number(value) : "";
+  return std::isfinite(value) && value > 0 ? number(value) : "";
 }
+
+constexpr const char* needs_dwell = "turns back: needs dwell";
 
 std::string csv_of(const Map& map) {
   const std::string& m = map.spec.units.x;
@@ -104,15 +105,17 @@ std::string csv_of(const Map& map) {
   for (const auto& [length, name] : map.cuts.marks)
     text += fmt::format("# {}: {} {}\n", name, number(length), m);
   if (map.shortest)
-    text += fmt::format("# shortest at {} {}: {} {}\n", number(map.running), speed_unit(map.spec),
+    text += fmt::format("# shortest at {} {}: {} {}\n", rounded(map.running), speed_unit(map.spec),
                         number(*map.shortest), m);
+  if (map.cuts.turns_back < map.speeds.back().length)
+    text += fmt::format("# reversal: {}\n", needs_dwell);
   for (const LimitChange& change : map.changes)
     text += fmt::format("# from {} {}: {}\n", number(change.length), m, told(change.after));
   text +=
       fmt::format("cut_length [{}],line_speed [{}],cuts [1/min],limit\n", m, speed_unit(map.spec));
   for (const CutSpeed& s : map.speeds)
     text += fmt::format("{},{},{},{}\n", number(s.length), finite(s.speed),
-                        finite(s.speed / s.length * map.per_minute), s.limit);
+                        finite(s.speed / s.length * map.per_minute), told(s.limit));
   return text;
 }
 
@@ -121,7 +124,7 @@ std::vector<CutSpeed> points_of(const Map& map) {
   std::vector<CutSpeed> all = map.speeds;
   const auto add = [&](double length) {
     if (length > all.front().length && length < map.speeds.back().length)
-      all.push_back(fastest_cut(map.cuts.cams, length, map.limits));
+      all.push_back(map.cuts.fastest(length, map.limits));
   };
   for (const LimitChange& change : map.changes) {
     add(change.length * (1 - 1e-9));
@@ -149,7 +152,8 @@ std::vector<Series> lines_of(const std::vector<CutSpeed>& points, double per_min
       own->y.push_back(std::nan(""));
     }
     own->x.push_back(p.length);
-    own->y.push_back(rate ? p.speed / p.length * per_minute : p.speed);
+    const double shown = p.speed > 0 ? p.speed : std::nan("");  // no line where there is no cut
+    own->y.push_back(rate ? shown / p.length * per_minute : shown);
   }
   return all;
 }
@@ -158,8 +162,8 @@ std::vector<Marker> markers_of(const Map& map) {
   std::vector<Marker> markers;
   const auto add = [&](double length, const std::string& name) {
     if (length < map.speeds.front().length || length > map.speeds.back().length) return;
-    const CutSpeed at = fastest_cut(map.cuts.cams, length, map.limits);
-    if (!std::isfinite(at.speed)) return;
+    const CutSpeed at = map.cuts.fastest(length, map.limits);
+    if (!std::isfinite(at.speed) || at.speed == 0) return;
     markers.push_back({length, at.speed, fmt::format("{} {}", name, rounded(length)),
                        fmt::format("{}: {} {}", name, number(length), map.spec.units.x)});
   };
@@ -188,6 +192,9 @@ Figure figure_of(const Map& map) {
   figure.title = map.spec.name.empty() ? map.spec.document.name : map.spec.name;
   figure.x_label = "cut length [" + map.spec.units.x + "]";
   figure.strips = {strip_of(map)};
+  if (const double end = map.speeds.back().length; map.cuts.turns_back < end)
+    figure.strips.push_back(
+        {{std::max(map.cuts.turns_back, map.speeds.front().length), end, needs_dwell}});
   Panel speed;
   speed.y_label = "line speed [" + speed_unit(map.spec) + "]";
   speed.series = lines_of(points, map.per_minute, false);
@@ -218,13 +225,15 @@ void add_map(CLI::App& app, Work& work) {
   CLI::App* verb =
       add_verb(app, "map", "How fast the line may run for each cut length, and what limits it",
                "jounce map knife.toml --from 100 --to 1000 -o map.png");
-  verb->add_option("FILE", options->file, "Spec of a knife; - is standard input")->required();
+  verb->add_option("FILE", options->file, "Spec of a knife or a shear; - is standard input")
+      ->required();
   verb->add_option("--from", options->from, "Shortest cut; by default all that is of interest");
   verb->add_option("--to", options->to, "Longest cut");
   verb->add_option("--steps", options->steps, "Lengths, both ends included")
       ->check(CLI::Range(std::size_t{2}, std::size_t{100000}));
-  verb->add_option("--line-speed", options->line_speed,
-                   "What the line itself does; by default the velocity of [master]");
+  verb->add_option(
+      "--line-speed", options->line_speed,
+      "What the line itself does; by default the velocity of [master], or a shear's line_speed");
   verb->add_option("-o,--output", options->output,
                    ".csv, .svg or .png; - is CSV on standard output");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });

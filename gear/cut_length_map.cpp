@@ -22,6 +22,10 @@ double boundary(double from, double to, Above&& above) {
   return to;
 }
 
+CutSpeedOfLength speeds_of(const CamOfLength& cams, const CutLimits& limits) {
+  return [&](double length) { return fastest_cut(cams, length, limits); };
+}
+
 }  // namespace
 
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits) {
@@ -33,19 +37,24 @@ CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& li
   const MasterLimit slave = greatest_master_velocity(*cam, limits.slave);
   if (slave.value < limits.line_speed) return {length, slave.value, slave.quantity, slave.where};
   const bool endless = std::isinf(limits.line_speed);
-  return {length, limits.line_speed, endless ? "" : "line_speed", 0};
+  return {length, limits.line_speed, endless ? "" : "line", 0};
+}
+
+std::vector<CutSpeed> cut_length_map(const CutSpeedOfLength& fastest,
+                                     std::span<const double> lengths) {
+  std::vector<CutSpeed> map;
+  map.reserve(lengths.size());
+  for (const double length : lengths) map.push_back(fastest(length));
+  return map;
 }
 
 std::vector<CutSpeed> cut_length_map(const CamOfLength& cams, std::span<const double> lengths,
                                      const CutLimits& limits) {
-  std::vector<CutSpeed> map;
-  map.reserve(lengths.size());
-  for (const double length : lengths) map.push_back(fastest_cut(cams, length, limits));
-  return map;
+  return cut_length_map(speeds_of(cams, limits), lengths);
 }
 
-std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
-                                       const CutLimits& limits) {
+std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
+                                       std::span<const CutSpeed> map) {
   std::vector<LimitChange> changes;
   for (std::size_t i = 0; i + 1 < map.size(); ++i) {
     double from = map[i].length;
@@ -53,7 +62,7 @@ std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const 
     while (before != map[i + 1].limit) {  // one or more changes between two neighbours
       std::string after;
       const double at = boundary(from, map[i + 1].length, [&](double length) {
-        const std::string limit = fastest_cut(cams, length, limits).limit;
+        const std::string limit = fastest(length).limit;
         if (limit == before) return false;
         after = limit;
         return true;
@@ -65,6 +74,11 @@ std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const 
     }
   }
   return changes;
+}
+
+std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
+                                       const CutLimits& limits) {
+  return limit_changes(speeds_of(cams, limits), map);
 }
 
 std::optional<double> shortest_length(const CamOfLength& cams, const CutLimits& limits,

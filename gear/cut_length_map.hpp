@@ -38,14 +38,19 @@ struct CutLimits {
 struct CutSpeed {
   double length = 0;  ///< m
   double speed = 0;   ///< m/s; 0 where there is no cam, infinite where nothing limits
-  std::string limit =
-      {};            ///< "velocity", "acceleration", "jerk" of the slave; "line_speed"; "length"
-                     ///< where there is no cam; "" where nothing limits
+  /// "velocity", "acceleration", "jerk" of the slave; "line"; "length" where there is no cam; "" where
+  /// nothing limits. Kinds with a rule of their own add to these: "reversal", "stroke".
+  std::string limit = {};
   double where = 0;  ///< m: the place of the cam at which it is met
 };
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
+/// The same where it is known without a cam: of a shear that is made anew for every speed.
+using CutSpeedOfLength = std::function<CutSpeed(double length)>;
+
 /// The same for every length, in their order.
+std::vector<CutSpeed> cut_length_map(const CutSpeedOfLength& fastest,
+                                     std::span<const double> lengths);
 std::vector<CutSpeed> cut_length_map(const CamOfLength& cams, std::span<const double> lengths,
                                      const CutLimits& limits);
 
@@ -57,6 +62,8 @@ struct LimitChange {
 };
 /// Between the map's neighbours whose limits differ; a limit that comes and goes between two of them
 /// is not seen.
+std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
+                                       std::span<const CutSpeed> map);
 std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
                                        const CutLimits& limits);
 

@@ -80,7 +80,7 @@ ShearPlan shear_plan(const FlyingShear& shear);
 SyncCam flying_shear(const FlyingShear& shear);
 
 /// The shear for another cut length, made for the fastest line that this allows, `line_speed` at the
-/// most: what a cut-length map asks for. Nothing where no speed works. Throws InputError where the
+/// most. Nothing where no speed works. Throws InputError where the
 /// sync is left to the stroke: at the fastest line nothing would be left of it.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/io/detail/in_document.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -13,35 +14,68 @@ std::optional<CutLengths> lengths_of(const Kind&) {
   return std::nullopt;
 }
 
-std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
-  const RotaryKnifeFigures f = figures(spec);
-  CutLengths all;
-  all.cams = [spec, shortest = f.sync_length](double length) -> std::optional<Cam> {
-    if (!(length > shortest)) return std::nullopt;
+CamOfLength cams_of(const RotaryKnifeSpec& spec, double sync_length) {
+  return [spec, sync_length](double length) -> std::optional<Cam> {
+    if (!(length > sync_length)) return std::nullopt;
     RotaryKnifeSpec other = spec;
     other.cut_length = length;
     return rotary_knife(other).cam;
   };
-  all.shortest = f.sync_length;
-  all.synchronous = f.synchronous;
+}
+
+std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
+  const RotaryKnifeFigures f = figures(spec);
+  const CamOfLength cams = cams_of(spec, f.sync_length);
+  CutLengths all;
+  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);  // at the longest it does not
+  all.fastest = [cams, back = all.turns_back](double length, const CutLimits& limits) -> CutSpeed {
+    if (length > back) return {length, 0, "reversal", 0};
+    return fastest_cut(cams, length, limits);
+  };
+  all.shortest = [cams, f](double speed, const CutLimits& limits) {
+    return shortest_length(cams, limits, speed, f.sync_length, f.synchronous);
+  };
   all.marks = {{f.synchronous, "synchronous"}, {f.longest, "longest without a stop"}};
   all.from = std::max(f.sync_length, 0.25 * f.synchronous);
   all.to = 1.25 * f.longest;
   return all;
 }
 
+/// "return acceleration" -> "acceleration"
+std::string limit_of(const ShearBound& bound) {
+  return bound.quantity.substr(bound.quantity.find(' ') + 1);
+}
+
+CutSpeed fastest_shear_at(FlyingShear shear, double length, const CutLimits& limits) {
+  shear.cut_length = length;
+  shear.limits = limits.slave;
+  const ShearBound most = greatest_line_speed(shear);
+  if (most.value < limits.line_speed) return {length, most.value, limit_of(most), 0};
+  return {length, limits.line_speed, std::isinf(limits.line_speed) ? "" : "line", 0};
+}
+
+std::optional<double> shortest_shear(FlyingShear shear, double speed, const CutLimits& limits) {
+  shear.line_speed = speed;
+  shear.limits = limits.slave;
+  const double least = least_cut_length(shear).value;
+  return std::isfinite(least) ? std::optional(least) : std::nullopt;
+}
+
 /// A shear gets faster with every length: the line's own speed ends it.
 std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
-  (void)fastest_shear(spec, spec.cut_length);  // what is missing, is missing for every length
-  const double least = least_cut_length(spec).value;
+  if (!spec.sync_time && !spec.sync_length)
+    throw InputError("shear.sync_time", "",
+                     "is missing: a map of cut lengths needs it, or sync_length (of a sync that is "
+                     "left to the stroke nothing remains at the fastest line)");
+  const double least = detail::in_document("shear.", [&] { return least_cut_length(spec).value; });
   const double scale = std::isfinite(least) ? least : spec.cut_length;
   CutLengths all;
-  all.cams = [spec](double length) -> std::optional<Cam> {
-    const auto made = fastest_shear(spec, length);
-    return made ? std::optional(made->cam) : std::nullopt;
+  all.fastest = [spec](double length, const CutLimits& limits) {
+    return fastest_shear_at(spec, length, limits);
   };
-  all.shortest = 0.01 * scale;
-  all.synchronous = 100 * scale;
+  all.shortest = [spec](double speed, const CutLimits& limits) {
+    return shortest_shear(spec, speed, limits);
+  };
   all.from = 0.25 * scale;
   all.to = 2 * scale;
   return all;
@@ -50,10 +84,15 @@ std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
 }  // namespace
 
 CutLengths cut_lengths(const Spec& spec) {
-  if (const auto* sync = std::get_if<SyncSpec>(&spec.subject))
-    if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
-      return std::move(*found);
-  throw spec.document.located(InputError("kind", "", "has no map of cut lengths; a knife has"));
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  try {
+    if (sync != nullptr)
+      if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
+        return std::move(*found);
+    throw InputError("kind", "", "has no map of cut lengths; knives and shears have one");
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
 }
 
 }  // namespace jounce

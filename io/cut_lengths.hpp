@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,22 +11,29 @@
 
 namespace jounce {
 
-/// The cams that a spec of cuts makes over its cut length, all else as it says; and the lengths that
-/// mean something, master unit.
+/// What a spec of cuts does over its cut length, all else as it says: how fast the line may run for
+/// each; and the lengths that mean something, master unit.
+///
+/// A knife's cam has no speed of its own. A shear's run-up and return follow from the line's speed:
+/// it is made anew for every one.
 struct CutLengths {
-  CamOfLength cams;
-  double shortest = 0;     ///< below it (or at it) there is no cam
-  double synchronous = 0;  ///< where the slave is fastest for its limits: shorter cuts get slower
+  /// The limit is "length" or "reversal", and the speed 0, where no such cut can be made.
+  std::function<CutSpeed(double length, const CutLimits&)> fastest;
+  /// The shortest cut at that speed, where there is one: of a knife, of those up to the synchronous.
+  std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
   struct Mark {
     double length = 0;
     std::string name = {};  ///< "synchronous", "longest without a stop"
   };
   std::vector<Mark> marks = {};
-  double from = 0;  ///< a range that shows all of them
+  double turns_back =
+      std::numeric_limits<double>::infinity();  ///< longer cuts need a dwell, which is not set
+  double from = 0;                              ///< a range that shows all of them
   double to = 0;
 };
 
-/// Throws InputError, placed in the document, for a kind that has no cut length.
+/// Throws InputError, placed in the document, for a kind that has no cut length, and for a shear
+/// whose sync is left to the stroke: at its fastest line nothing would be left of it.
 CutLengths cut_lengths(const Spec& spec);
 
 }  // namespace jounce

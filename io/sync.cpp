@@ -1,4 +1,5 @@
 #include "jounce/gear/gear.hpp"
+#include "jounce/io/detail/in_document.hpp"
 #include "jounce/io/detail/sync_gear.hpp"
 #include "jounce/io/sync_spec.hpp"
 #include "jounce/profiles/error.hpp"
@@ -6,20 +7,7 @@
 namespace jounce {
 namespace {
 
-/// A generator names its own fields: here they stand under `table`, and a slave's limits under [limits.slave].
-template <class Make>
-SyncCam in_document(const std::string& table, const Make& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    const bool limit = error.key().starts_with("limits.");
-    std::string rule = error.rule();
-    if (const auto at = rule.rfind("limits."); at != std::string::npos)
-      rule.insert(at + 7, "slave.");
-    throw InputError(limit ? "limits.slave." + error.key().substr(7) : table + error.key(),
-                     error.value(), rule);
-  }
-}
+using detail::in_document;
 
 SyncCam made(const GearSpec& spec) {
   const Gear gear = Gear::ratio(spec.numerator, spec.denominator);

@@ -1,10 +1,13 @@
 #include "jounce/io/sync_check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "jounce/io/cut_lengths.hpp"
+#include "jounce/io/make.hpp"
 #include "jounce/io/report_text.hpp"
 #include "jounce/io/sync_follow.hpp"
 #include "jounce/io/units.hpp"
@@ -32,6 +35,27 @@ Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
   return report;
 }
 
+/// A sync that stroke and return leave may be as good as none: as no cut is made in it.
+Report findings_of(const FlyingShear& shear, const Spec& spec) {
+  if (shear.sync_time || shear.sync_length) return {};
+  const ShearPlan plan = shear_plan(shear);
+  const double millisecond = 1e-3 / seconds_per_unit(spec);
+  Finding f;
+  f.rule = "shear/sync";
+  f.quantity = "sync";
+  f.unit = spec.units.x;
+  f.where = plan.accelerate;
+  f.segment = 1;
+  f.value = plan.sync;
+  f.limit = std::max(0.01 * shear.cut_length, millisecond * shear.line_speed);
+  f.margin = f.value / f.limit - 1;
+  f.severity = Severity::warning;
+  const bool far = plan.stroke >= *shear.stroke * (1 - 1e-9);
+  f.advice = far ? "the stroke leaves no more: lengthen it, or slow the line down"
+                 : "the return leaves no more: cut longer pieces, or slow the line down";
+  return f.value < f.limit ? Report{{f}} : Report{};
+}
+
 template <class Kind>
 std::vector<SyncFigure> figures_of(const Kind&, const Spec&) {
   return {};
@@ -44,17 +68,20 @@ std::string runs_at(const RotaryKnifeSpec& knife, const RotaryKnifeFigures& f) {
          (knife.speed_ratio == 1 ? "" : fmt::format(", {} in step", number(knife.speed_ratio)));
 }
 
+std::string speed_unit(const Spec& spec) {
+  return rate_unit(spec.units.x, spec.time_unit, 1);
+}
+
 /// Of the line that the spec's master is.
 void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   if (!spec.master) return;
   const CutLengths cuts = cut_lengths(spec);
   const double line = spec.master->velocity;
-  const std::string per_time = rate_unit(spec.units.x, spec.time_unit, 1);
   const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
-  if (const auto least = shortest_length(cuts.cams, limits, line, cuts.shortest, cuts.synchronous))
+  if (const auto least = cuts.shortest(line, limits))
     all.push_back({"shortest cut", *least, spec.units.x,
-                   fmt::format("at {} {}: the slave's {} limit", rounded(line), per_time,
-                               fastest_cut(cuts.cams, *least, limits).limit)});
+                   fmt::format("at {} {}: the slave's {} limit", rounded(line), speed_unit(spec),
+                               cuts.fastest(*least, limits).limit)});
 }
 
 std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spec) {
@@ -71,6 +98,38 @@ std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spe
     all.push_back({"contact angle", f.contact_angle, u, "before the bottom the blade touches"});
   if (f.dwell > 0) all.push_back({"dwell", f.dwell, m, "while the knife stands"});
   add_speeds(all, spec);
+  return all;
+}
+
+/// "return acceleration" -> "the slave's acceleration limit, on its return"
+std::string told(const ShearBound& bound) {
+  const std::string& q = bound.quantity;
+  const std::string limit = "the slave's " + q.substr(q.find(' ') + 1) + " limit";
+  if (q == "stroke") return "the stroke";
+  if (q == "cut length" || q == "return length") return "no line is left for the return";
+  if (q.starts_with("sync")) return limit + ", in step";
+  return limit + (q.starts_with("ramp") ? ", as it runs up" : ", on its return");
+}
+
+std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
+  const ShearPlan plan = shear_plan(shear);
+  const ShearBound least = least_cut_length(shear);
+  const ShearBound most = greatest_line_speed(shear);
+  const std::string& m = spec.units.x;
+  const std::string speed = rounded(shear.line_speed) + " " + speed_unit(spec);
+  const bool left = !shear.sync_time && !shear.sync_length;
+  const std::string none = left ? "; nothing is left of the sync there" : "";
+  std::vector<SyncFigure> all{
+      {"in step", plan.sync, m,
+       fmt::format("{} {} at {}{}", rounded(plan.sync / shear.line_speed), spec.time_unit, speed,
+                   left ? ", as long as stroke and return allow" : "")}};
+  if (std::isfinite(least.value))
+    all.push_back(
+        {"shortest cut", least.value, m, fmt::format("at {}: {}{}", speed, told(least), none)});
+  if (std::isfinite(most.value))
+    all.push_back({"fastest line", most.value, speed_unit(spec),
+                   fmt::format("with a table made for it, of {} {}: {}{}",
+                               rounded(shear.cut_length), m, told(most), none)});
   return all;
 }
 
@@ -96,10 +155,18 @@ std::vector<SyncFigure> sync_figures(const Spec& spec) {
 }
 
 bool is_sync_rule(const std::string& rule) {
-  return rule.starts_with("knife/");
+  return rule.starts_with("knife/") || rule.starts_with("shear/");
+}
+
+bool is_made_for_a_speed(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  return sync != nullptr && std::holds_alternative<FlyingShear>(*sync);
 }
 
 std::string sync_sentence(const Finding& f, const std::string& where) {
+  if (f.rule == "shear/sync")
+    return fmt::format("the carriage is in step for {} {} alone, from {}: less than {} {}",
+                       rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
   if (f.rule == "knife/reversal")
     return f.broken ? fmt::format("the knife turns back at {}", where)
                     : fmt::format("the knife never turns back; it is slowest at {}", where);

@@ -21,7 +21,11 @@ struct SyncFigure {
 };
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
-/// What a finding of check_sync says, for the reports: the rules "knife/...".
+/// Whether the slave's cam follows from one speed of the master (a shear's does): for another speed
+/// another cam would do.
+bool is_made_for_a_speed(const Spec& spec);
+
+/// What a finding of check_sync says, for the reports: the rules "knife/..." and "shear/...".
 bool is_sync_rule(const std::string& rule);
 std::string sync_sentence(const Finding& finding, const std::string& where);
 

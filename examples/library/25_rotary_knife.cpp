@@ -31,5 +31,5 @@ int main() {
 // > a cut turns the knife by 6.283185 rad
 // > 2.00 in: 6.5030 in/s, acceleration
 // > 4.71 in: 20.0846 in/s, velocity
-// > 9.42 in: 60.0000 in/s, line_speed
+// > 9.42 in: 60.0000 in/s, line
 // > shortest at 20 in/s: 4.695499 in

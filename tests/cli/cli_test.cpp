@@ -153,6 +153,61 @@ TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {
   EXPECT_EQ(run("map " + examples + "pmc600-cam/cam.toml").status, 2);
 }
 
+TEST_F(Cli, MapShowsWhereAKnifeWithoutADwellTurnsBack) {
+  std::string knife = slurp(examples + "rotary-knife/knife.toml");
+  knife.erase(knife.find("dwell = true"), 12);
+  write("knife.toml", knife);
+  const Result map = run("map knife.toml --from 5 --to 25 --steps 3");
+  EXPECT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(map.out, HasSubstr("# reversal: turns back: needs dwell\n"));
+  EXPECT_THAT(map.out, HasSubstr("# from 19.8967534727"));
+  EXPECT_THAT(map.out, HasSubstr("\n25,,,reversal\n"));
+  EXPECT_EQ(run("map knife.toml -o map.svg").status, 0);
+  EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("turns back: needs dwell"));
+}
+
+TEST_F(Cli, MapAndCheckOfAShearAgree) {
+  const std::string shear = examples + "flying-shear/shear.toml";
+  const Result map = run("map " + shear + " --line-speed 3000 --from 500 --to 9000 --steps 3");
+  EXPECT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(map.out, HasSubstr("# shortest at 1000 mm/s: 966.4246"));
+  EXPECT_THAT(map.out, HasSubstr("\n9000,1114.37"));  // beyond the spec's line
+  EXPECT_THAT(map.out, HasSubstr(",stroke\n"));
+  const Result check = run("check " + shear);
+  EXPECT_THAT(check.out, HasSubstr("  shortest cut         966.425 mm: at 1000 mm/s: "));
+  EXPECT_THAT(check.out, HasSubstr("  fastest line         1019.76 mm/s"));
+  EXPECT_THAT(check.out, HasSubstr("  fastest master 1000 mm/s for this table: "));
+}
+
+TEST_F(Cli, CheckSaysWhenTheMastersOwnAccelerationIsTooMuch) {
+  const std::string gear = R"(jounce = 1
+kind = "gear"
+units = { position = "mm", master = "mm" }
+gear = { numerator = 5, master_period = 100 }
+limits = { slave = { acceleration = 5000 } }
+)";
+  write("fast.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 2000 }\n");
+  const Result fast = run("check fast.toml");
+  EXPECT_EQ(fast.status, 1);
+  EXPECT_THAT(fast.out, HasSubstr("master_acceleration 2000 mm/s^2"));
+  EXPECT_THAT(fast.out, HasSubstr("[master] acceleration: at most 1000"));
+  EXPECT_THAT(fast.out, HasSubstr("fastest acceleration of the master 1000 mm/s^2"));
+  EXPECT_THAT(fast.out, Not(HasSubstr("slow the master down")));
+  write("both.toml", R"(jounce = 1
+kind = "follow"
+units = { position = "mm", master = "mm" }
+follow = {}
+zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
+point = [{ master = 300, slave = 1000 }]
+master = { velocity = 500, distance = 300, acceleration = 2000 }
+limits = { slave = { acceleration = 5000 } }
+)");  // f'' is 0.075 at the most: 5000 / 0.075 = 258.199^2
+  EXPECT_THAT(run("check both.toml").out,
+              HasSubstr("at most 1000; and velocity at most 258.199 even without it"));
+  write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
+  EXPECT_EQ(run("check good.toml").status, 0);
+}
+
 TEST_F(Cli, PlotShowsACamOverTheTimeOfItsMaster) {
   const Result plot = run("plot " + examples + "rotary-knife/knife.toml --over time");
   EXPECT_EQ(plot.status, 0) << plot.err;

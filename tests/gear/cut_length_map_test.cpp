@@ -82,7 +82,7 @@ TEST(CutLengthMap, NamesTheLimitThatIsMet) {
     } else if (fastest.limit == "jerk") {
       EXPECT_NEAR(std::max(std::abs(f[3]), std::abs(left[3])) * v * v * v, 12000, 1e-6);
     } else {
-      EXPECT_EQ(fastest.limit, "line_speed");
+      EXPECT_EQ(fastest.limit, "line");
       EXPECT_EQ(fastest.speed, 30);
     }
   }

@@ -105,11 +105,24 @@ TEST(KnifeSpec, TellsTheShortestCutAtTheLinesSpeed) {
   EXPECT_NEAR(all.back().value, b + 1.5 * 10 * pi / 180, 1e-11);
 }
 
+TEST(CutLengths, OfAKnifeThatTurnsBackAreNone) {
+  const std::string knife = "cut_length = 4.71\nsync_angle = 10\n";
+  const CutLengths cuts = cut_lengths(spec("deg", knife));
+  const CutLimits limits{{.velocity = 14400}};
+  const double longest = cuts.marks[1].length;
+  EXPECT_EQ(cuts.fastest(longest, limits).limit, "velocity");
+  const CutSpeed beyond = cuts.fastest(longest * (1 + 1e-9), limits);
+  EXPECT_EQ(beyond.limit, "reversal");
+  EXPECT_EQ(beyond.speed, 0);
+  const CutLengths stops = cut_lengths(spec("deg", knife + "dwell = true\n"));
+  EXPECT_EQ(stops.fastest(30, limits).limit, "velocity");
+}
+
 TEST(CutLengths, AreOfKindsThatCut) {
   const CutLengths cuts = cut_lengths(spec("deg", "cut_length = 4.71\nsync_angle = 10\n"));
-  EXPECT_FALSE(cuts.cams(cuts.shortest));
-  ASSERT_TRUE(cuts.cams(30));
-  EXPECT_EQ(cuts.cams(30)->end(), 30);
+  const CutLimits limits{{.velocity = 14400}};
+  EXPECT_EQ(cuts.fastest(1.5 * pi / 18, limits).limit, "length");  // the web in step
+  EXPECT_EQ(cuts.fastest(4.71, limits).limit, "velocity");
   ASSERT_EQ(cuts.marks.size(), 2U);
   EXPECT_NEAR(cuts.marks[1].length, 19.896753472735, 1e-11);
   EXPECT_THROW(

@@ -1,9 +1,13 @@
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/io/cut_lengths.hpp"
 #include "jounce/io/make.hpp"
+#include "jounce/io/sync_check.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -111,6 +115,74 @@ TEST(IndexerSpec, SaysWhatDoesNotFit) {
                       "units = { position = \"deg\", master = \"ms\" }\n"
                       "[indexer]\ndistance = 45\ncycle = 2000\nmotion = 400\ncount = 8\n"),
               StartsWith("s.toml:7:10: indexer.motion = 400: must be at most 250"));
+}
+
+const SyncFigure& figure(const std::vector<SyncFigure>& all, const std::string& name) {
+  for (const SyncFigure& each : all)
+    if (each.name == name) return each;
+  throw InputError("figure", name, "is missing");
+}
+
+TEST(ShearSpec, TellsTheShortestCutAndTheFastestLine) {
+  const Spec read = parse_spec(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.15"), "s");
+  const auto all = sync_figures(read);
+  // Run-up and braking 187.5 mm each; the return of S = 337.5 mm at 10 m/s^2 with 3-4-5.
+  const double back = 1000 * std::sqrt(10 / std::sqrt(3.0) * 337.5 / 10000);
+  EXPECT_NEAR(figure(all, "shortest cut").value, 525 + back, 1e-9);
+  EXPECT_EQ(figure(all, "shortest cut").meaning,
+            "at 1000 mm/s: the slave's acceleration limit, on its return");
+  // L / v = 0.15 + 2 r v / a + sqrt(Ca (r v / a + 0.15) v / a), all in seconds.
+  const double v = figure(all, "fastest line").value;
+  const double ramp = 1.875 * v / 10000;
+  EXPECT_NEAR(1000 / v,
+              0.15 + 2 * ramp + std::sqrt(10 / std::sqrt(3.0) * (ramp + 0.15) * v / 10000), 1e-12);
+  EXPECT_GT(v, 1000);
+  EXPECT_EQ(figure(all, "in step").value, 150);
+  EXPECT_EQ(figure(all, "in step").meaning, "0.15 s at 1000 mm/s");
+  EXPECT_TRUE(is_made_for_a_speed(read));
+}
+
+TEST(ShearSpec, WarnsOfASyncThatIsAsGoodAsNone) {
+  const auto of = [](const std::string& stroke) {
+    return parse_spec(spec("cut_length = 1000\nline_speed = 1000\nstroke = " + stroke), "s");
+  };
+  const Report little = check_sync(of("192"));  // of which run-up and braking take 187.5
+  ASSERT_EQ(little.findings.size(), 1U);
+  EXPECT_TRUE(little.ok());
+  const Finding& f = little.findings[0];
+  EXPECT_EQ(f.severity, Severity::warning);
+  EXPECT_NEAR(f.value, 4.5, 1e-9);
+  EXPECT_EQ(f.limit, 10);
+  EXPECT_EQ(f.advice, "the stroke leaves no more: lengthen it, or slow the line down");
+  EXPECT_EQ(sync_sentence(f, "187.5 mm"),
+            "the carriage is in step for 4.5 mm alone, from 187.5 mm: less than 10 mm");
+  EXPECT_THAT(figure(sync_figures(of("192")), "in step").meaning,
+              StartsWith("0.0045 s at 1000 mm/s"));
+  EXPECT_TRUE(check_sync(of("250")).findings.empty());
+}
+
+TEST(ShearSpec, IsMappedForEverySpeedAnew) {
+  const Spec read = parse_spec(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.15"), "s");
+  const CutLengths cuts = cut_lengths(read);
+  const CutLimits limits{read.slave, 1200};
+  EXPECT_NEAR(*cuts.shortest(1000, limits), figure(sync_figures(read), "shortest cut").value, 1e-9);
+  EXPECT_EQ(cuts.fastest(1e4, limits).limit, "line");
+  const CutSpeed faster = cuts.fastest(1100, limits);  // than the spec's own line
+  EXPECT_GT(faster.speed, 1050);
+  EXPECT_EQ(faster.limit, "acceleration");
+  EXPECT_NEAR(*cuts.shortest(faster.speed, limits), 1100, 1e-9);
+  EXPECT_EQ(cuts.fastest(1e5, {read.slave, 1e9}).limit, "velocity");  // in step, at 2000 mm/s
+  EXPECT_FALSE(cuts.shortest(2001, limits));
+}
+
+TEST(ShearSpec, AMapNeedsItsSyncSaid) {
+  try {
+    (void)cut_lengths(
+        parse_spec(spec("cut_length = 1000\nline_speed = 1000\nstroke = 400"), "s.toml"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith("s.toml:4:1: shear.sync_time: is missing"));
+  }
 }
 
 }  // namespace
