@@ -10,6 +10,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/pvt/detail/longest.hpp"
+#include "jounce/pvt/detail/stretches.hpp"
 #include "jounce/pvt/detail/whole_steps.hpp"
 
 // An interval's error depends on its two knots alone. So a table with each interval as long as
@@ -24,7 +25,8 @@
 //
 //   (2)  beside the farthest knot the breaks next to it are gone on with,
 //
-// the few farthest of each number of knots. What can still be left out at the end is left out. With all
+// the few farthest of each number of knots. Knots that must be (detail/stretches.cpp) part the curve
+// into such problems, one behind the other. What can still be left out at the end is left out. With all
 // tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
 // table of n knots, and bisection finds it.
 namespace jounce {
@@ -32,6 +34,7 @@ namespace {
 
 using detail::inf;
 using detail::Knot;
+using detail::Stretch;
 using detail::Tolerances;
 
 constexpr std::size_t many = 1'000'000;
@@ -56,7 +59,8 @@ struct Node {
 template <class Over>
 class Reduction {
  public:
-  Reduction(const Curve<Over>& f, const Target& target) : f_(f), target_(target) {
+  Reduction(const Curve<Over>& f, const Target& target)
+      : f_(f), target_(target), stretches_(detail::kept_stretches(f, target)) {
     for (const Segment& segment : f.segments()) floor_ = std::max(floor_, magnitude(segment));
     floor_ *= 1e-15;
     const Range travel = extrema(f, 0);
@@ -89,6 +93,7 @@ class Reduction {
   /// layers, the i-th of all tables worth going on with; see (2).
   [[nodiscard]] Attempt attempt(double scale, std::size_t most) const {
     const Tolerances allowed = tolerances(scale);
+    const std::vector<Stretch> kept = kept_within(allowed);
     std::vector<Node> nodes{
         {detail::held_at(f_, target_, f_.start(), Side::right), 0, f_.length()}};
     std::size_t first = 0;  // of the last layer
@@ -96,7 +101,8 @@ class Reduction {
       const std::size_t last = nodes.size();
       for (std::size_t i = first; i < last; ++i) {
         const Node node = nodes[i];
-        for (const Knot& next : detail::followers(f_, target_, node.knot, allowed, node.length))
+        for (const Knot& next :
+             detail::followers(f_, target_, node.knot, allowed, kept, node.length))
           nodes.push_back({next, i, next.x - node.knot.x});
       }
       if (nodes.size() == last) return {path(nodes, first), scale, false, true};
@@ -105,6 +111,21 @@ class Reduction {
       if (nodes[first].knot.x >= f_.end()) return {path(nodes, first), scale, true, false};
     }
     return {path(nodes, first), scale, false, false};
+  }
+
+  [[nodiscard]] Knot first_knot() const {
+    if (!stretches_.empty() && stretches_.front().begin.x == f_.start())
+      return stretches_.front().begin;
+    return detail::held_at(f_, target_, f_.start(), Side::right);
+  }
+
+  /// All dwells, and the straight lines that the rounding of their ends bends by no more than this.
+  [[nodiscard]] std::vector<Stretch> kept_within(const Tolerances& allowed) const {
+    std::vector<Stretch> kept = stretches_;
+    std::erase_if(kept, [&](const Stretch& each) {
+      return !each.dwell && detail::share(f_, target_.rule, each.begin, each.end, allowed) > 1;
+    });
+    return kept;
   }
 
   /// Of the nodes from `first` on, the few farthest, in this order.
@@ -151,11 +172,15 @@ class Reduction {
 
   /// The knots without those that two intervals as one do without.
   [[nodiscard]] std::vector<Knot> needed(std::vector<Knot> knots, const Tolerances& allowed) const {
+    std::vector<double> fixed;
+    for (const Stretch& each : kept_within(allowed))
+      fixed.insert(fixed.end(), {each.begin.x, each.end.x});
     for (std::size_t before = 0; before != knots.size();) {
       before = knots.size();
       std::vector<Knot> kept{knots.front()};
       for (std::size_t i = 1; i + 1 < knots.size(); ++i)
-        if (detail::share(f_, target_.rule, kept.back(), knots[i + 1], allowed) > 1)
+        if (std::binary_search(fixed.begin(), fixed.end(), knots[i].x) ||
+            detail::share(f_, target_.rule, kept.back(), knots[i + 1], allowed) > 1)
           kept.push_back(knots[i]);
       kept.push_back(knots.back());
       knots = std::move(kept);
@@ -212,6 +237,12 @@ class Reduction {
     return 0;
   }
 
+  [[nodiscard]] std::string lines() const {
+    const std::size_t n = stretches_.size();
+    return ": it keeps " + std::to_string(n) +
+           (n == 1 ? " dwell or straight line" : " dwells or straight lines");
+  }
+
   [[noreturn]] void refuse(const Attempt& failed) const {
     const std::string table = std::string("a ") + name(target_.rule) + " table";
     const std::string where = " at " + number(failed.knots.back().x);
@@ -223,9 +254,9 @@ class Reduction {
       const Attempt enough = attempt(1, many);
       const bool any = target_.tolerance || target_.velocity_tolerance;
       const double scale = any ? scale_for(*target_.most) : 0;
+      const std::string count = table + " needs " + std::to_string(enough.knots.size()) + " knots";
       throw InputError("most", std::to_string(*target_.most),
-                       (enough.reaches ? table + " needs " + std::to_string(enough.knots.size()) +
-                                             " knots within the tolerance"
+                       (enough.reaches ? count + (any ? " within the tolerance" : lines())
                                        : "are too few knots") +
                            (scale > 0 ? "; so many do with " + tolerances_times(scale) : ""));
     }
@@ -247,6 +278,7 @@ class Reduction {
 
   const Curve<Over>& f_;
   const Target& target_;
+  std::vector<Stretch> stretches_;  ///< intervals of the table
   Tolerances asked_;
   double floor_ = 0;  ///< of the position tolerance: the rounding of the curve
 };

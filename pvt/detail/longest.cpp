@@ -21,6 +21,11 @@
 //   (2)  the longest that keeps, unrounded, the tolerance plus p_step / 2
 //
 // does, and the knots within are tried from there down.
+//
+// No interval goes beyond the next knot that must be, the limit. Before a dwell or a straight line that
+// the curve enters with a step of a derivative, the last interval must be short:
+//
+//   (3)  an interval that ends just before the limit ends where the limit can be reached from.
 namespace jounce::detail {
 
 int order(Rule rule) {
@@ -55,15 +60,16 @@ namespace {
 template <class Over>
 class Search {
  public:
-  Search(const Curve<Over>& f, Rule rule, const Knot& a, const Tolerances& tolerances)
-      : f_(f), rule_(rule), a_(a), tolerances_(tolerances) {}
+  Search(const Curve<Over>& f, Rule rule, const Knot& a, const Knot& limit,
+         const Tolerances& tolerances)
+      : f_(f), rule_(rule), a_(a), limit_(limit), tolerances_(tolerances) {}
 
   std::optional<Knot> run(double guess) {
     double h = guess;
     for (int i = 0; i < 200 && h > 1e-13 * (std::abs(a_.x) + f_.length()); ++i) {
-      const double x = a_.x + h < f_.end() ? a_.x + h : f_.end();
+      const double x = a_.x + h < limit_.x ? a_.x + h : limit_.x;
       const double e = tried(x);
-      if (x == f_.end() && e <= 1) return best_;
+      if (x == limit_.x && e <= 1) return best_;
       if (e >= 1 - 1e-4 && e <= 1) break;
       if (hi_ < inf && hi_ - lo() <= 1e-6 * (hi_ - a_.x)) break;
       h = next(x - a_.x, e, i);
@@ -76,7 +82,7 @@ class Search {
 
   /// The share up to x, which is the new end of the bracket on its side of 1.
   double tried(double x) {
-    const Knot b = knot_at(f_, x, Side::right);
+    const Knot b = knot_at(f_, x, x == limit_.x ? limit_.side : Side::right);
     const double e = share(f_, rule_, a_, b, tolerances_);
     if (e <= 1)
       best_ = b;
@@ -107,7 +113,7 @@ class Search {
     if (above == breaks.begin()) return best_;
     const double x = *(above - 1);
     const bool near = x > lo() || lo() - x <= 1e-3 * (lo() - a_.x);
-    if (!near || x <= a_.x || x == lo()) return best_;
+    if (!near || x <= a_.x || x == lo() || x == limit_.x) return best_;
     for (const Side side : {Side::right, Side::left}) {
       const Knot b = knot_at(f_, x, side);
       if (share(f_, rule_, a_, b, tolerances_) <= 1) return b;
@@ -118,6 +124,7 @@ class Search {
   const Curve<Over>& f_;
   Rule rule_;
   const Knot& a_;
+  const Knot& limit_;
   const Tolerances& tolerances_;
   double hi_ = inf;  ///< the least end that is known to be too far
   std::optional<Knot> best_;
@@ -131,16 +138,14 @@ bool steps_at(const Curve<Over>& f, double x) {
   return !std::equal(left.begin(), left.begin() + 3, f.jet(x, Side::right).begin());
 }
 
-/// Whether a knot may be at x after one at a: by their distance, and that from the end.
-template <class Over>
-bool may_be(const Curve<Over>& f, const Target& target, double a, double x) {
+/// Whether a knot may be at x after one at a: by their distance, and that from the limit.
+bool may_be(const Target& target, double a, double x, double limit) {
   const double least = target.spacing * (1 - 1e-12);
-  return x > a && x - a >= least && (x >= f.end() || f.end() - x >= least);
+  return x > a && x - a >= least && (x == limit || limit - x >= least);
 }
 
 /// Places where the next knot may be, `reach` and before it, farthest first; at most some thousands.
-template <class Over>
-std::vector<double> places(const Curve<Over>& f, const Target& target, double a, double reach) {
+std::vector<double> places(const Target& target, double a, double reach, double limit) {
   constexpr double many = 4096;
   std::vector<double> all;
   if (target.x_step > 0) {
@@ -149,40 +154,76 @@ std::vector<double> places(const Curve<Over>& f, const Target& target, double a,
     const double stride = std::max(1.0, std::floor((last - first) / many));
     for (double k = last; k >= first; k -= stride) {
       const double x = steps(k, target.x_step);
-      all.push_back(f.end() - x <= 1e-6 * target.x_step ? f.end() : x);
+      all.push_back(limit - x <= 1e-6 * target.x_step ? limit : x);
     }
   } else if (target.p_step > 0 || target.v_step > 0) {
     for (double i = 0; i < 512; ++i) all.push_back(reach - (reach - a) * i / 512);
   } else {
-    all = {reach, std::min(reach, f.end() - target.spacing)};
+    all = {reach, std::min(reach, limit - target.spacing)};
   }
-  std::erase_if(all, [&](double x) { return !may_be(f, target, a, x); });
+  std::erase_if(all, [&](double x) { return !may_be(target, a, x, limit); });
   return all;
+}
+
+/// The stretch that the next knot after one at x is for; null behind the last.
+const Stretch* stretch_behind(const std::vector<Stretch>& stretches, double x) {
+  const auto at =
+      std::upper_bound(stretches.begin(), stretches.end(), x,
+                       [](double place, const Stretch& each) { return place < each.end.x; });
+  return at == stretches.end() ? nullptr : &*at;
+}
+
+/// The knot that the intervals from x on must not pass.
+template <class Over>
+Knot limit_behind(const Curve<Over>& f, const Target& target, const Stretch* stretch, double x) {
+  if (stretch == nullptr) return held_at(f, target, f.end(), Side::left);
+  return x < stretch->begin.x ? stretch->begin : stretch->end;
 }
 
 template <class Over>
 class Followers {
  public:
-  Followers(const Curve<Over>& f, const Target& target, const Knot& a, const Tolerances& tolerances)
-      : f_(f), target_(target), a_(a), tolerances_(tolerances) {}
+  Followers(const Curve<Over>& f, const Target& target, const Knot& a, const Tolerances& tolerances,
+            const Stretch* stretch)
+      : f_(f),
+        target_(target),
+        a_(a),
+        limit_(limit_behind(f, target, stretch, a.x)),
+        is_line_(stretch != nullptr && a.x >= stretch->begin.x),
+        tolerances_(tolerances) {}
 
   std::vector<Knot> run(double guess) {
+    if (is_line_ && share(f_, target_.rule, a_, limit_, tolerances_) <= 1) return {limit_};
     const bool rounds = target_.p_step > 0 || target_.v_step > 0;
+    const bool anywhere = !rounds && target_.x_step == 0 && target_.spacing == 0;
     const Knot from = rounds ? knot_at(f_, a_.x, a_.side) : a_;
     const Tolerances wide{tolerances_.position + target_.p_step / 2, tolerances_.velocity};  // (2)
-    const auto reach = Search<Over>(f_, target_.rule, from, wide).run(guess);
+    const auto reach = Search<Over>(f_, target_.rule, from, limit_, wide).run(guess);
     if (!reach) return {};
-    if (rounds || target_.x_step > 0 || target_.spacing > 0)
-      add_first_of(places(f_, target_, a_.x, reach->x));
-    else
-      all_ = {*reach};
+    const double last = from_where_the_limit_is_reached(reach->x);
+    if (!anywhere || last < reach->x) add_first_of(places(target_, a_.x, last, limit_.x));
+    if (anywhere && all_.empty()) all_ = {reach->x == limit_.x ? limit_ : *reach};
     if (!all_.empty()) add_breaks_near(all_.front().x);
     return std::move(all_);
   }
 
  private:
+  /// (3): `reach`, or less.
+  [[nodiscard]] double from_where_the_limit_is_reached(double reach) const {
+    const double whole = limit_.x - a_.x;
+    if (reach == limit_.x || limit_.x - reach > 1e-3 * whole) return reach;
+    for (double h = whole / 2; h > limit_.x - reach; h /= 2) {
+      const Knot from = knot_at(f_, limit_.x - h, Side::right);
+      if (share(f_, target_.rule, from, limit_, tolerances_) <= 1) return from.x;
+    }
+    return reach;
+  }
+
   /// The knot at x, if it keeps the tolerances: with what the curve has to the right, or to the left.
   std::optional<Knot> keeping(double x) {
+    if (x == limit_.x)
+      return share(f_, target_.rule, a_, limit_, tolerances_) <= 1 ? std::optional(limit_)
+                                                                   : std::nullopt;
     for (const Side side : {Side::right, Side::left}) {
       if (side == Side::left && !steps_at(f_, x)) continue;
       const Knot b = held_at(f_, target_, x, side);
@@ -206,7 +247,8 @@ class Followers {
   }
 
   void add_break(double x) {
-    if (!may_be(f_, target_, a_.x, x) || (target_.x_step > 0 && !is_whole(x, target_.x_step)))
+    if (x > limit_.x || !may_be(target_, a_.x, x, limit_.x) ||
+        (target_.x_step > 0 && !is_whole(x, target_.x_step)))
       return;
     if (const auto b = keeping(x)) all_.insert(x > all_.front().x ? all_.begin() : all_.end(), *b);
   }
@@ -214,6 +256,8 @@ class Followers {
   const Curve<Over>& f_;
   const Target& target_;
   const Knot& a_;
+  Knot limit_;
+  bool is_line_;  ///< what the curve is up to the limit
   const Tolerances& tolerances_;
   std::vector<Knot> all_;
 };
@@ -222,15 +266,17 @@ class Followers {
 
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
-                            const Tolerances& tolerances, double guess) {
-  return Followers<Over>(f, target, a, tolerances).run(guess);
+                            const Tolerances& tolerances, const std::vector<Stretch>& stretches,
+                            double guess) {
+  const Stretch* stretch = stretch_behind(stretches, a.x);
+  return Followers<Over>(f, target, a, tolerances, stretch).run(guess);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                                                       \
   template Knot knot_at(const Curve<Over>&, double, Side);                             \
   template Knot held_at(const Curve<Over>&, const Target&, double, Side);              \
   template std::vector<Knot> followers(const Curve<Over>&, const Target&, const Knot&, \
-                                       const Tolerances&, double);
+                                       const Tolerances&, const std::vector<Stretch>&, double);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

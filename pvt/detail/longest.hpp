@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "jounce/pvt/detail/interval.hpp"
+#include "jounce/pvt/detail/stretches.hpp"
 #include "jounce/pvt/reduce.hpp"
 
 namespace jounce::detail {
@@ -17,11 +18,12 @@ Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
 /// The knots that may follow a, so that the interval keeps the tolerances: first the farthest that the
 /// target allows, then breaks of the curve near it, from which the next interval may reach farther.
-/// None where nothing can follow. `guess` > 0 is a length to try first, such as that of the interval
+/// None beyond the next end of a stretch, which must be a knot. None at all where nothing can follow. `guess` > 0 is a length to try first, such as that of the interval
 /// before.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
-                            const Tolerances& tolerances, double guess);
+                            const Tolerances& tolerances, const std::vector<Stretch>& stretches,
+                            double guess);
 
 /// Which power of its length the error of an interval goes with: 2, 4, 6.
 int order(Rule rule);

@@ -33,6 +33,43 @@ double stroke_of(const Cam& f) {
   return travel.max.value - travel.min.value;
 }
 
+/// Whether a straight segment of the curve ends or begins at x.
+bool ends_a_line(const Cam& f, double x) {
+  for (std::size_t i = 0; i < f.segments().size(); ++i)
+    if (f.segments()[i].sines == 0 && f.segments()[i].degree <= 1 &&
+        (f.breaks()[i] == x || f.breaks()[i + 1] == x))
+      return true;
+  return false;
+}
+
+/// The interval of the table that begins at x; its number of knots where none does.
+std::size_t interval_from(const Table& table, double x) {
+  const auto& all = table.columns().x;
+  const auto at = std::find(all.begin(), all.end(), x);
+  return static_cast<std::size_t>(at - all.begin());
+}
+
+/// One interval of the table, which stands still at p.
+void expect_dwell(const Table& table, double from, double to, double p, const std::string& which) {
+  const Columns& c = table.columns();
+  const std::size_t i = interval_from(table, from);
+  ASSERT_LT(i + 1, c.x.size()) << which;
+  EXPECT_EQ(c.x[i + 1], to) << which;
+  for (const double s : {0.0, 0.3, 0.5, 0.9}) {
+    const Jet jet = table.jet(from + s * (to - from));
+    EXPECT_EQ(jet[0], p) << which;
+    EXPECT_EQ(jet[1], 0) << which;
+    EXPECT_EQ(jet[2], 0) << which;
+  }
+}
+
+/// Up within 12000, a dwell until 20000, down until 30000.
+Cam up_and_down(double dwell = 12000, double end_of_dwell = 20000) {
+  return Cam({quintic(dwell, 0, 0, 0, 50000, 0, 0), line(end_of_dwell - dwell, 50000, 50000),
+              quintic(30000 - end_of_dwell, 50000, 0, 0, 0, 0, 0)},
+             0, Outside::wrap);
+}
+
 /// What the rounding of its numbers is measured against.
 double magnitude_of(const Cam& f) {
   double all = 0;
@@ -108,6 +145,7 @@ TEST(Reduced, HasNoKnotThatCanBeLeftOut) {
       const Columns all = reduced(cam, {.rule = rule, .tolerance = tolerance}).table.columns();
       const std::size_t step = 1 + all.x.size() / 50;
       for (std::size_t i = 1; i + 1 < all.x.size(); i += step) {
+        if (ends_a_line(cam, all.x[i])) continue;  // a knot that must be
         Columns less = all;
         for (auto* column : {&less.x, &less.p, &less.v, &less.a})
           if (!column->empty()) column->erase(column->begin() + static_cast<std::ptrdiff_t>(i));
@@ -274,6 +312,93 @@ std::string refusal(const Curve<Over>& f, const Target& target) {
     return error.what();
   }
   return "";
+}
+
+TEST(Reduced, KeepsADwell) {
+  const Target targets[] = {{.most = 32},
+                            {.tolerance = 500},
+                            {.tolerance = 0.7, .x_step = 1, .p_step = 1},
+                            {.most = 32, .x_step = 1, .p_step = 1},
+                            {.most = 32, .x_step = 1, .p_step = 1, .v_step = 1e-3},
+                            {.most = 32, .spacing = 500},
+                            {.velocity_tolerance = 0.5}};
+  for (const Rule rule : all_rules)
+    for (std::size_t i = 0; i < std::size(targets); ++i) {
+      Target target = targets[i];
+      target.rule = rule;
+      const Sampled made = reduced(up_and_down(), target);
+      expect_dwell(made.table, 12000, 20000, 50000,
+                   std::string(name(rule)) + " target " + std::to_string(i));
+    }
+}
+
+TEST(Reduced, MovesTheEndsOfADwellInwardsToTheGrid) {
+  for (const Rule rule : all_rules) {
+    const Sampled made = reduced(up_and_down(12000.4, 19999.7),
+                                 {.rule = rule, .most = 32, .x_step = 1, .p_step = 1});
+    expect_dwell(made.table, 12001, 19999, 50000, name(rule));
+  }
+}
+
+TEST(Reduced, KeepsTheDwellsOfRandomCamsThatEnterThemWithSteps) {
+  const auto stands = [](const Segment& f) { return f.sines == 0 && f.degree <= 1 && f.c[1] == 0; };
+  int dwells = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Random random(seed);
+    const Cam cam = testing::random_cam(random, true);
+    const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
+    for (const Rule rule : all_rules) {
+      const Sampled made = reduced(cam, {.rule = rule, .tolerance = tolerance});
+      EXPECT_LE(made.error.position, tolerance * (1 + 1e-9)) << seed;
+      for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+        const Segment& segment = cam.segments()[i];
+        if (!stands(segment)) continue;
+        if (i > 0 && stands(cam.segments()[i - 1])) continue;
+        std::size_t last = i;  // dwells in a row are one
+        while (last + 1 < cam.segments().size() && stands(cam.segments()[last + 1])) ++last;
+        ++dwells;
+        expect_dwell(made.table, cam.breaks()[i], cam.breaks()[last + 1], segment.c[0],
+                     std::string(name(rule)) + " seed " + std::to_string(seed));
+      }
+    }
+  }
+  EXPECT_GT(dwells, 60);
+}
+
+TEST(Reduced, KeepsAnAxisInSync) {
+  const Cam cam(
+      {quintic(100, 0, 0, 0, 100, 2, 0), line(200, 100, 500), quintic(100, 500, 2, 0, 600, 0, 0)});
+  for (const Rule rule : all_rules)
+    for (const double step : {0.0, 1.0}) {
+      const Sampled made =
+          reduced(cam, {.rule = rule, .tolerance = 2, .x_step = step, .p_step = step});
+      const std::size_t i = interval_from(made.table, 100);
+      ASSERT_LT(i + 1, made.table.size()) << name(rule);
+      EXPECT_EQ(made.table.columns().x[i + 1], 300) << name(rule);
+      for (const double x : {101.0, 150.0, 222.0, 299.0}) {
+        EXPECT_NEAR(made.table.jet(x)[0], 100 + 2 * (x - 100), 1e-10) << name(rule);
+        EXPECT_NEAR(made.table.jet(x)[1], 2, 1e-12) << name(rule);
+      }
+    }
+}
+
+TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
+  const std::string text =
+      refusal(up_and_down(), {.rule = Rule::linear, .most = 3, .x_step = 1, .p_step = 1});
+  EXPECT_NE(text.find("needs 4 knots: it keeps 1 dwell"), std::string::npos) << text;
+  EXPECT_EQ(refusal(up_and_down(), {.rule = Rule::linear, .most = 4, .x_step = 1, .p_step = 1}),
+            "");
+}
+
+TEST(Reduced, TakesTheStepsOfARecordingForNoDwells) {
+  Columns recorded;  // a motion of 200 counts, every count for some samples
+  for (int i = 0; i <= 2000; ++i) {
+    recorded.x.push_back(i);
+    recorded.p.push_back(std::round(200 * cycloid().jet(i / 2000.0)[0]));
+  }
+  const Table table(Axis::master, Rule::linear, Outside::hold, recorded);
+  const Sampled made = reduced(table.curve<OverMaster>(), {.rule = Rule::linear, .tolerance = 2});
+  EXPECT_LT(made.table.size(), 25u);
 }
 
 /// The number behind "tolerance = " in a refusal.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "jounce/pvt/detail/interval.hpp"
+#include "jounce/pvt/reduce.hpp"
+
+namespace jounce::detail {
+
+/// Where the curve is one straight line, which a reduced table keeps: from knot to knot.
+struct Stretch {
+  Knot begin;
+  Knot end;
+  bool dwell = false;  ///< stands still
+};
+
+/// The dwells and straight lines that the target's table keeps exactly, in their order (see
+/// stretches.cpp). Their knots are on the target's steps, never outside of the stretch, and have its
+/// rate; those of a dwell have one position and stand still.
+template <class Over>
+std::vector<Stretch> kept_stretches(const Curve<Over>& f, const Target& target);
+
+}  // namespace jounce::detail
