@@ -15,6 +15,18 @@ std::string option_of(const std::string& member) {
   return "--" + member;
 }
 
+/// What to do where pulses are given for a length or an angle.
+std::string instead_of_pulses(const std::string& member, const std::string& text,
+                              const std::string& unit) {
+  if (unit.empty()) return "";
+  try {
+    (void)quantity(text, "pulse");
+  } catch (const InputError&) {
+    return "";
+  }
+  return "; say how much a pulse is, such as " + option_of(member) + " \"0.001 " + unit + '"';
+}
+
 std::optional<double> number_of(const char* member, const std::string& text,
                                 const std::string& unit) {
   if (text.empty()) return std::nullopt;
@@ -23,7 +35,7 @@ std::optional<double> number_of(const char* member, const std::string& text,
     require_positive(member, value);
     return value;
   } catch (const InputError& error) {
-    throw InputError(option_of(member), text, error.rule());
+    throw InputError(option_of(member), text, error.rule() + instead_of_pulses(member, text, unit));
   }
 }
 
@@ -67,6 +79,7 @@ std::optional<Rule> rule_of(const TargetOptions& options) {
 
 Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units& units) {
   Target target;
+  const auto x_step = number_of("x_step", options.resolution, units.x);
   if (const ControllerTable* controller = controller_table(options.controller)) {
     if (controller->axis != axis)
       throw InputError("--controller", options.controller,
@@ -74,7 +87,7 @@ Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units
     if (controller->rule != rule)
       throw InputError("--controller", options.controller,
                        std::string("plays a ") + name(controller->rule) + " table");
-    target = jounce::target_of(*controller, units);
+    target = jounce::target_of(*controller, units, x_step, "--resolution");
   }
   const std::string rate = rate_unit(units.position, units.x, 1);
   target.rule = rule;
@@ -82,7 +95,7 @@ Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units
   target.velocity_tolerance = number_of("velocity_tolerance", options.velocity_tolerance, rate);
   if (options.most) target.most = options.most;
   target.spacing = number_of("spacing", options.spacing, units.x).value_or(0);
-  target.x_step = number_of("x_step", options.resolution, units.x).value_or(target.x_step);
+  target.x_step = x_step.value_or(target.x_step);
   target.p_step = number_of("p_step", options.position_resolution, units.position).value_or(0);
   target.v_step = number_of("v_step", options.velocity_resolution, rate).value_or(0);
   return target;

@@ -42,8 +42,9 @@ Number number_at(const char* begin, const char* end, char point) {
   }
   std::array<char, 400> text;  // more than any double needs
   const auto length = std::min<std::ptrdiff_t>(end - begin, std::ssize(text));
-  std::transform(begin, begin + length, text.begin(),
-                 [](char c) { return c == ',' ? '.' : c == '.' ? ',' : c; });
+  std::transform(begin, begin + length, text.begin(), [](char c) {
+    return c == ',' ? '.' : c == '.' ? ',' : c;
+  });
   const auto [to, error] = std::from_chars(text.data(), text.data() + length, value);
   return {value, error == std::errc() ? begin + (to - text.data()) : begin};
 }
@@ -53,8 +54,13 @@ class Reader {
   Reader(std::string_view text, Points& points)
       : at_(text.data()), end_(text.data() + text.size()), points_(points) {}
 
+  /// The first line, where there is one.
+  void read_names() {
+    if (next_line()) read_header();
+  }
+
   void read() {
-    while (!header_ && next_line()) read_header();
+    read_names();
     if (!header_) fail("", "", "holds no points: the first line names the columns");
     first_row_ = at_;
     reserve();
@@ -238,6 +244,22 @@ Points parse_points(std::string_view text, const std::string& document) {
   points.document = document;
   Reader(text, points).read();
   return points;
+}
+
+bool begins_as_points(std::string_view text) {
+  Points points;
+  try {
+    Reader(text, points).read_names();
+  } catch (const InputError&) {
+    return false;
+  }
+  const auto is_name = [](const PointColumn& column) {
+    return std::all_of(column.name.begin(), column.name.end(), [](unsigned char c) {
+      return std::isalpha(c) != 0 || c == '_' || c == ' ';
+    });
+  };
+  return points.columns.size() > 1 &&
+         std::all_of(points.columns.begin(), points.columns.end(), is_name);
 }
 
 Points read_points(const std::string& path) {

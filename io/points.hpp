@@ -46,4 +46,7 @@ struct Points {
 Points read_points(const std::string& path);
 Points parse_points(std::string_view text, const std::string& document);
 
+/// Whether the text begins as points do: two or more columns, each named by letters.
+bool begins_as_points(std::string_view text);
+
 }  // namespace jounce

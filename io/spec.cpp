@@ -7,6 +7,7 @@
 
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/file.hpp"
+#include "jounce/io/points.hpp"
 #include "jounce/io/units.hpp"
 
 namespace jounce {
@@ -161,6 +162,12 @@ toml::table parse_toml(const Document& document) {
   try {
     return toml::parse(std::string_view(document.text), std::string_view(document.name));
   } catch (const toml::parse_error& error) {
+    if (begins_as_points(document.text))
+      throw InputError("", "",
+                       "is a table of points: name it in a spec, of kind pvt for points over time: "
+                       "points = \"" +
+                           document.name + '"')
+          .at(document.name, 1);
     const auto at = error.source().begin;
     throw InputError("", "", "is not TOML: " + std::string(error.description()))
         .at(document.name, static_cast<int>(at.line), static_cast<int>(at.column));

@@ -11,15 +11,18 @@ std::optional<double> positive(TomlReader& table, const std::string& key, const 
   return value;
 }
 
-/// The controller's own numbers, and its rule unless the spec names one.
+/// The controller's own numbers, and its rule unless the spec names one; with the resolution of the
+/// first column.
 Target read_controller(TomlReader& table, const Units& units, Axis axis, TableOptions& options) {
+  const std::string resolution = spec_key(axis, "x_step");
+  const auto x_step = positive(table, resolution, units.x);
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const ControllerTable& each : controller_tables()) all.emplace_back(each.name);
     return all;
   }();
   const auto choice = table.optional_choice("controller", names);
-  if (!choice) return {};
+  if (!choice) return {.x_step = x_step.value_or(0)};
   const ControllerTable& controller = controller_tables()[*choice];
   const std::string word = '"' + names[*choice] + '"';
   if (controller.axis != axis)
@@ -28,7 +31,7 @@ Target read_controller(TomlReader& table, const Units& units, Axis axis, TableOp
     table.fail("controller", word, std::string("plays a ") + name(controller.rule) + " table");
   options.rule = controller.rule;
   try {
-    return target_of(controller, units);
+    return target_of(controller, units, x_step, resolution);
   } catch (const InputError& error) {
     table.fail("controller", error.value(), error.rule());
   }
@@ -48,7 +51,6 @@ void read_target(TomlReader& table, const Units& units, Axis axis, TableOptions&
   target.velocity_tolerance = positive(table, key("velocity_tolerance"), rate);
   if (const auto most = table.optional_count("most")) target.most = *most;
   target.spacing = positive(table, "spacing", units.x).value_or(0);
-  target.x_step = positive(table, key("x_step"), units.x).value_or(target.x_step);
   target.p_step = positive(table, key("p_step"), units.position).value_or(0);
   target.v_step = positive(table, key("v_step"), rate).value_or(0);
   if (!wanted && knots.value_or(0) == 0) return;

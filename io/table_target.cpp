@@ -34,15 +34,17 @@ const ControllerTable* controller_table(const std::string& name) {
   return nullptr;
 }
 
-Target target_of(const ControllerTable& controller, const Units& units) {
-  Target target{.rule = controller.rule, .most = controller.most};
-  if (*controller.step == '\0') return target;
+Target target_of(const ControllerTable& controller, const Units& units,
+                 std::optional<double> x_step, const std::string& key) {
+  Target target{.rule = controller.rule, .most = controller.most, .x_step = x_step.value_or(0)};
+  if (*controller.step == '\0' || x_step) return target;
   try {
     target.x_step = conversion(controller.step, units.x);
   } catch (const InputError&) {
-    throw InputError(
-        "controller", std::string("\"") + controller.name + '"',
-        std::string("counts in whole ") + controller.step + ", which are no " + units.x);
+    throw InputError("controller", std::string("\"") + controller.name + '"',
+                     std::string("counts in whole ") + controller.step + ", which are no " +
+                         units.x + "; " + key + " says how much one is, such as \"0.01 " + units.x +
+                         '"');
   }
   return target;
 }

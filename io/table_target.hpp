@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -30,9 +31,11 @@ std::span<const ControllerTable> controller_tables();
 /// By name; null where there is none.
 const ControllerTable* controller_table(const std::string& name);
 
-/// Its target in these units. Throws InputError "controller" where they do not measure what the
-/// controller counts in.
-Target target_of(const ControllerTable& controller, const Units& units);
+/// Its target in these units. `x_step`, in units.x: how much one of what the controller counts in is,
+/// such as 0.01 deg a pulse. Throws InputError "controller" where the units do not measure what it
+/// counts in and there is no x_step; the rule asks for it by the name `key`.
+Target target_of(const ControllerTable& controller, const Units& units,
+                 std::optional<double> x_step = {}, const std::string& key = "x_step");
 
 /// How a spec calls a member of Target, by its name in reduce.hpp: over the master, velocities are
 /// "geo_velocity..."; x_step is "time_resolution" or "master_resolution".

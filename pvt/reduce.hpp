@@ -26,10 +26,16 @@ namespace jounce {
 /// **Fewest.** Knots lie anywhere, not only at the breaks of the curve. Each interval is as long as
 /// it can be, which is fewest wherever a part of an interval that keeps the tolerance keeps it too;
 /// then all are shortened alike until they share one error: the table is the best of its
-/// number of knots, to a hundredth. No knot can be left out: two intervals as one break the tolerance.
+/// number of knots, to a hundredth. No other knot than those of dwells and straight lines can be
+/// left out: two intervals as one break the tolerance.
+///
+/// **Dwells and straight lines** of the curve (a slave in sync) are intervals of the table, exactly,
+/// whatever the tolerance: both ends are knots, on a grid the next ones inwards. Between straight lines,
+/// as in a table that was recorded in counts, only dwells of 1/64 of the curve and more. A line gives
+/// way where rounding its ends breaks the tolerance; any stretch where `spacing` leaves no place.
 ///
 /// **Steps.** A knot has one velocity and one acceleration. Where the curve's step, a knot takes the
-/// left ones and the next interval is as short as it must be.
+/// left ones (beside a dwell, the dwell's) and the next interval is as short as it must be.
 ///
 /// **Units**: those of the curve. **Throws** InputError, naming the key and what would do, for a
 /// target that cannot be met, and for one that asks for nothing or for numbers below 0.

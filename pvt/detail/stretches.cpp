@@ -19,11 +19,12 @@ namespace jounce::detail {
 namespace {
 
 constexpr double least_part = 1.0 / 64;
+constexpr double rounding = 4e-15;  // of the sum of a segment's terms
 
 bool is_straight(const Segment& f) {
   double bend = 0;
   for (std::size_t i = 2; i < f.c.size(); ++i) bend += std::abs(f.c[i]);
-  return f.sines == 0 && bend <= 2e-15 * magnitude(f);
+  return f.sines == 0 && bend <= rounding * magnitude(f);
 }
 
 /// Consecutive segments on one line: [first, last).
@@ -35,10 +36,10 @@ struct Run {
 
 /// Whether g goes on as f goes.
 bool goes_on(const Segment& f, const Segment& g) {
-  const double rounding = 4e-15 * (magnitude(f) + magnitude(g));
+  const double allowed = rounding * (magnitude(f) + magnitude(g));
   const double rate = f.c[1] / f.length - g.c[1] / g.length;
-  return std::abs(value(f, 1) - value(g, 0)) <= rounding &&
-         std::abs(rate) * std::min(f.length, g.length) <= rounding;
+  return std::abs(value(f, 1) - value(g, 0)) <= allowed &&
+         std::abs(rate) * std::min(f.length, g.length) <= allowed;
 }
 
 template <class Over>
@@ -54,7 +55,7 @@ std::vector<Run> runs(const Curve<Over>& f) {
   for (Run& run : all) {
     const double from = value(segments[run.first], 0);
     const double travel = value(segments[run.last - 1], 1) - from;
-    const bool stands = std::abs(travel) <= 4e-15 * magnitude(segments[run.first]);
+    const bool stands = std::abs(travel) <= rounding * magnitude(segments[run.first]);
     run.travel = stands ? 0 : travel;
   }
   return all;

@@ -553,6 +553,31 @@ TEST_F(Cli, ConvertStatesItsLoss) {
   EXPECT_EQ(close.status, 0) << close.out;
 }
 
+TEST_F(Cli, ConvertSaysWhatToDoWithPulses) {
+  EXPECT_EQ(run("new cam -o a.toml").status, 0);  // deg and mm
+  const Result position = run("convert a.toml a.csv --most 32 --position-resolution 1pulse");
+  EXPECT_EQ(position.status, 2);
+  EXPECT_THAT(position.err, HasSubstr("say how much a pulse is, such as --position-resolution "
+                                      "\"0.001 mm\""));
+  const Result controller = run("convert a.toml a.csv --controller googol_follow");
+  EXPECT_EQ(controller.status, 2);
+  EXPECT_THAT(controller.err, HasSubstr("--resolution says how much one is"));
+  EXPECT_EQ(run("convert a.toml a.csv --controller googol_follow --resolution 0.01deg "
+                "--position-resolution \"0.001 mm\"")
+                .status,
+            0);
+}
+
+TEST_F(Cli, PointsAreToldFromSpecs) {
+  write("p.csv", "time [s];position [mm]\n0;0\n1;2,5\n");
+  for (const char* command : {"convert p.csv x.csv", "check p.csv"}) {
+    const Result refused = run(command);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("is a table of points"));
+    EXPECT_THAT(refused.err, HasSubstr("points = \"p.csv\""));
+  }
+}
+
 TEST_F(Cli, ConvertAsksForTheUnitsThatAFileDoesNotHave) {
   write("a.xyva", "0 0 0 0\n180 90 0 0\n360 0 0 0\n");
   const Result refused = run("convert a.xyva a.csv");

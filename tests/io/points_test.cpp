@@ -100,6 +100,15 @@ TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
   }
 }
 
+TEST(Points, AreKnownByTheirFirstLine) {
+  for (const char* text :
+       {"time [s];position [mm]\n0;0\n", "# measured\n\nTime,Position\n", "a\tb"})
+    EXPECT_TRUE(begins_as_points(text)) << text;
+  for (const char* text :
+       {"", "time\n0\n", "0;0\n", "jounce = 1, 2\n", "[a, b]\n", "kind, = \"cam\""})
+    EXPECT_FALSE(begins_as_points(text)) << text;
+}
+
 /// Every number comes back to the bit, with either decimal sign.
 TEST(Points, AreReadToTheBit) {
   testing::Random random(7);

@@ -74,6 +74,17 @@ TEST(TargetSpec, MakesWhatAControllerHolds) {
   EXPECT_LE(pt.sampled.error.position, 0.1);
 }
 
+TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
+  std::string text = cam_with("controller = \"googol_follow\"\n");
+  text.replace(text.find("\"pulse\""), 7, "\"deg\"");
+  EXPECT_THAT(complaint(text),
+              HasSubstr("counts in whole pulse, which are no deg; "
+                        "master_resolution says how much one is, such as \"0.01 deg\""));
+  const Made made = make(parse_spec(text + "master_resolution = 0.5\n", "a"));
+  EXPECT_LE(made.sampled.table.size(), 17U);
+  for (const double x : made.sampled.table.columns().x) EXPECT_EQ(2 * x, std::round(2 * x));
+}
+
 TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")), HasSubstr("a table over time"));
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")), HasSubstr("\"fewest\" knots"));
@@ -88,6 +99,7 @@ TEST(ControllerTables, CountInTheirOwnUnits) {
   EXPECT_EQ(target_of(*controller_table("googol_pt"), {"s", "mm"}).x_step, 1e-3);
   EXPECT_EQ(controller_table("nobody"), nullptr);
   EXPECT_THROW(target_of(*controller_table("googol_follow"), {"deg", "mm"}), InputError);
+  EXPECT_EQ(target_of(*controller_table("googol_follow"), {"deg", "mm"}, 0.01).x_step, 0.01);
 }
 
 }  // namespace
