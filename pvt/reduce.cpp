@@ -237,8 +237,10 @@ class Reduction {
     return 0;
   }
 
+  /// Why no tolerance makes the table shorter.
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
+    if (n == 0) return "";
     return ": it keeps " + std::to_string(n) +
            (n == 1 ? " dwell or straight line" : " dwells or straight lines");
   }
@@ -256,7 +258,8 @@ class Reduction {
       const double scale = any ? scale_for(*target_.most) : 0;
       const std::string count = table + " needs " + std::to_string(enough.knots.size()) + " knots";
       throw InputError("most", std::to_string(*target_.most),
-                       (enough.reaches ? count + (any ? " within the tolerance" : lines())
+                       (enough.reaches ? count + (any ? " within the tolerance" : "") +
+                                             (scale > 0 ? "" : lines())
                                        : "are too few knots") +
                            (scale > 0 ? "; so many do with " + tolerances_times(scale) : ""));
     }

@@ -386,6 +386,8 @@ TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
   const std::string text =
       refusal(up_and_down(), {.rule = Rule::linear, .most = 3, .x_step = 1, .p_step = 1});
   EXPECT_NE(text.find("needs 4 knots: it keeps 1 dwell"), std::string::npos) << text;
+  const std::string both = refusal(up_and_down(), {.tolerance = 1, .most = 3});
+  EXPECT_NE(both.find("knots within the tolerance: it keeps 1 dwell"), std::string::npos) << both;
   EXPECT_EQ(refusal(up_and_down(), {.rule = Rule::linear, .most = 4, .x_step = 1, .p_step = 1}),
             "");
 }
