@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "jounce/gear/detail/wide.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -35,10 +36,12 @@ std::int64_t EncoderFollow::step(State& state, std::int64_t encoder_increment) c
   state.next = (state.next + 1) % filter_;
   std::int64_t pulses = gear_.advance(state.gear, state.sum);
   if (state.cycles > 0) {
-    const std::int64_t share = state.additive / state.cycles;
-    state.additive -= share;
+    const auto [share, part] =
+        detail::floor_divide(detail::Wide{state.part} + state.pulses, state.over);
+    state.part = part;
+    state.additive -= detail::narrow(share);
     --state.cycles;
-    pulses += share;
+    pulses += detail::narrow(share);
   }
   return pulses;
 }
@@ -46,7 +49,9 @@ std::int64_t EncoderFollow::step(State& state, std::int64_t encoder_increment) c
 void EncoderFollow::add(State& state, std::int64_t pulses, std::int64_t cycles) {
   if (cycles < 1) throw InputError("cycles", std::to_string(cycles), "must be at least 1");
   state.additive += pulses;
-  state.cycles = cycles;
+  state.cycles = state.over = cycles;
+  state.pulses = state.additive;
+  state.part = 0;
 }
 
 }  // namespace jounce

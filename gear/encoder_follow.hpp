@@ -42,13 +42,16 @@ class EncoderFollow {
     Gear::State gear{};
     std::int64_t additive = 0;  ///< pulses still to be added ...
     std::int64_t cycles = 0;    ///< ... in so many cycles
+    std::int64_t pulses = 0;    ///< what was to be added when add() was called last ...
+    std::int64_t over = 1;      ///< ... in so many cycles
+    std::int64_t part = 0;      ///< of a pulse, in 1/over
   };
 
   /// Slave pulses in this cycle.
   std::int64_t step(State& state, std::int64_t encoder_increment) const;
 
-  /// PosAdditive_Trig: pulses (not times the ratio) spread evenly over the next `cycles` >= 1 cycles,
-  /// to the pulse. What is left of an earlier addition goes with them. Throws InputError "cycles".
+  /// PosAdditive_Trig: pulses (not times the ratio) spread evenly over the next `cycles` >= 1 cycles:
+  /// floor(k pulses / cycles) after k of them, never a pulse from the line, all after the last. What is left of an earlier addition goes with them. Throws InputError "cycles".
   static void add(State& state, std::int64_t pulses, std::int64_t cycles);
 
  private:

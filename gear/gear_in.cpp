@@ -62,6 +62,8 @@ GearedIn gear_in(const GearInSpec& spec, const MotionState& slave, const Jet& ma
   const Dynamics limits = dynamics(spec);
   require_finite("t", t);
   for (const double x : master) require_finite("master", x);
+  for (const double y : {slave.position, slave.velocity, slave.acceleration})
+    require_finite("slave", y);
   GearedIn made;
   made.ratio = static_cast<double>(gear.numerator()) / static_cast<double>(gear.denominator());
   made.time = t;

@@ -107,6 +107,7 @@ Refusal FollowFifos::follow_start(int fifo, double master, double slave) {
   if (!is_fifo(fifo)) return Refusal::bad_argument;
   if (master_ == 0) return Refusal::no_master;
   if (fifos_.size(fifo) == 0) return Refusal::empty;
+  if (!std::isfinite(master) || !std::isfinite(slave)) return Refusal::bad_argument;
   first_ = fifo;
   slave_ = slave;
   waiting_ = event_.event == FollowEvent::pass;
@@ -134,7 +135,7 @@ void FollowFifos::begin(double master) {
 /// How far along its tables the slave is: where one direction alone counts, as far as it ever was.
 double FollowFifos::travel(double master) {
   const double gone = master - origin_;
-  if (dir_ == 0) return gone;
+  if (dir_ == 0 || !std::isfinite(gone)) return gone;
   furthest_ = std::max(furthest_, dir_ * gone);
   return furthest_;
 }
@@ -143,7 +144,10 @@ Jet FollowFifos::step(const Sample& before, const Sample& now) {
   if (waiting_)
     if (const auto at = begin_of(event_, before, now)) begin(at->master[0]);
   if (waiting_) return {slave_, 0, 0, 0};
+  const double behind = furthest_ - dir_ * (now.master[0] - origin_);
+  const bool back = behind > 0 || (behind == 0 && dir_ * now.master[1] < 0);
   Jet f = fifos_.at(travel(now.master[0]));
+  if (dir_ != 0 && back) return {f[0], 0, 0, 0};
   if (dir_ < 0) f = {f[0], -f[1], f[2], -f[3]};  // by the master, which runs backwards
   return f;
 }

@@ -48,14 +48,16 @@ class FollowFifos {
   Refusal follow_data(const PtPoint& point, int fifo);
   /// GT_FollowClear. wrong_mode, in_use
   Refusal follow_clear(int fifo);
-  /// GT_FollowStart: at once, or armed for the event. wrong_mode, moving, no_master, empty
+  /// GT_FollowStart: at once, or armed for the event. wrong_mode, moving, no_master, empty;
+  /// bad_argument where a position is not finite
   Refusal follow_start(int fifo, double master, double slave);
   /// GT_FollowSwitch: queued until the pass ends. wrong_mode, not_moving (which an axis that waits
   /// for its event is), in_use (it is played already), empty
   Refusal follow_switch(int fifo);
 
   /// The slave's position, pulse, and its derivatives by the master, for the master's samples of two
-  /// cycles. Before the event, and after the end, where it stands.
+  /// cycles. Before the event, after the end, and while the master runs against the one direction:
+  /// where it stands, with derivatives of 0. A master that is not finite is lost (state()).
   Jet step(const Sample& before, const Sample& now);
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
   /// Started, but the event has not come.

@@ -42,17 +42,25 @@ Cam product(const Cam& cam, std::size_t n) {
   return with(shifted(cam, at * cam.length(), at * cam.advance()), Outside::refuse);
 }
 
-/// The correction c over all products.
-Cam correction_of(const Cam& cam, const Registration& registration, std::span<const double> errors,
-                  RegistrationState state) {
+/// The correction c over all products, added to the master. A product is a period of the phase
+/// x + c(x), which takes its step s less of the master; and so does the window, which thereby moves
+/// back by all that was applied and stays where it is in the phase:
+///
+///   (3)  master of product n: L - s_n, window from w and l - s_n long, phases w to w + l
+Cam phase_correction(const Cam& cam, const Registration& registration,
+                     std::span<const double> errors, RegistrationState state) {
   std::vector<Segment> all;
+  const double start = cam.start() - state.applied;
   for (const double error : errors) {
     const Registered now = corrected(registration, state, error);
-    for (const Segment& piece : correction(registration, cam.length(), state.applied, now.step))
+    Registration window = registration;
+    window.window_length -= now.step;
+    for (const Segment& piece :
+         correction(window, cam.length() - now.step, state.applied, now.step))
       all.push_back(piece);
     state = now.state;
   }
-  return Cam(std::move(all), cam.start());
+  return Cam(std::move(all), start);
 }
 
 void require_valid(const Cam& cam, const Registration& registration,
@@ -108,7 +116,11 @@ Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registra
                                     std::span<const double> errors, double tolerance,
                                     RegistrationState state) {
   require_valid(cam, registration, errors);
-  const Cam correct = correction_of(cam, registration, errors, state);
+  if (!(registration.most < registration.window_length))
+    throw InputError("most", registration.most,
+                     "must be less than the window is long, " + number(registration.window_length) +
+                         ": the phase must not run back");
+  const Cam correct = phase_correction(cam, registration, errors, state);
   const Cam straight({line(correct.length(), correct.start(), correct.end())}, correct.start());
   return composed_within(cam, sum(straight, correct), tolerance);
 }

@@ -64,15 +64,20 @@ Cam registered(const Cam& cam, const Registration& registration, std::span<const
                RegistrationState state = {});
 
 /// The same with the correction added to the master: cam(x + c(x)), for slaves that come home: a
-/// flying shear begins its next run earlier (c > 0) or later. In step the ratio is untouched. A quintic
-/// behind a quintic fits no segment: within `tolerance` (u) with a certified error; exact where the cam
-/// is a line or stands.
+/// flying shear begins its next run earlier (c > 0) or later. In step the ratio is untouched: the
+/// window is one of the phase x + c(x), of which each product is a period, so that it stays between the
+/// cut and the next sync zone however much has been applied. A product then takes its step less of the
+/// master: the result goes from the cam's start - state.applied on, over n periods less all steps.
+/// `most` must be less than the window is long. A quintic behind a quintic fits no segment: within
+/// `tolerance` (u) with a certified error; exact where the cam is a line or stands.
 Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registration,
                                     std::span<const double> errors, double tolerance,
                                     RegistrationState state = {});
 
-/// The largest `most` (<= registration.most) with which no single step, either way, breaks the slave's
-/// limits over time at a constant line speed. 0 where the cam alone breaks them. Exact extrema, bisected to 1e-9 of `most`.
+/// For corrections that are added to the slave, as registered() does: the largest `most` (<=
+/// registration.most) with which no single step, either way, breaks the slave's limits over time at a
+/// constant line speed. 0 where the cam alone breaks them. Exact extrema, bisected to 1e-9 of `most`.
+/// It says nothing of a correction of the phase: check() what registered_phase() makes.
 double greatest_correction(const Cam& cam, const Registration& registration, const Limits& slave,
                            double line_speed);
 

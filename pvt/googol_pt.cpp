@@ -1,5 +1,7 @@
 #include "jounce/pvt/googol_pt.hpp"
 
+#include <cmath>
+
 namespace jounce::googol {
 
 int return_code(Refusal refusal) {
@@ -101,6 +103,7 @@ Refusal PtFifos::pt_start(int fifo, double time, double position) {
   const std::size_t segments =
       fifos_.stream() ? fifos_.size(0) + fifos_.size(1) : fifos_.size(fifo);
   if (segments == 0) return Refusal::empty;
+  if (!std::isfinite(time) || !std::isfinite(position)) return Refusal::bad_argument;
   fifos_.start(fifo, time, position);
   return Refusal::none;
 }

@@ -54,7 +54,8 @@ class PtFifos {
   Refusal pt_data(const PtPoint& point, int fifo);
   /// GT_PtClear. wrong_mode, in_use (static: the FIFO that is played; dynamic: while moving)
   Refusal pt_clear(int fifo);
-  /// GT_PtStart at `time`, ms, from `position`. wrong_mode, moving, empty
+  /// GT_PtStart at `time`, ms, from `position`. wrong_mode, moving, empty; bad_argument where
+  /// either is not finite
   Refusal pt_start(int fifo, double time, double position = 0);
 
   /// Position, pulse, and its derivatives at time, ms, which does not fall.

@@ -54,6 +54,7 @@ void SegmentFifos::push(int fifo, const PtPoint& point) {
   } else if (in_use(fifo)) {  // its passes so far were shorter than those to come
     table_ = origin_;
     turns_ = 0;
+    known_rates_ = 0;
   }
   Fifo& to = fifos_[index(fifo)];
   to.slots[to.size++] = {point, 0};
@@ -73,7 +74,9 @@ void SegmentFifos::start(int fifo, double x, double position) {
   if (!layout_.stream) active_ = fifo;
   assert(playing().size > 0);
   table_ = origin_ = {x, position};
+  position_ = position;
   turns_ = 0;
+  known_rates_ = 0;
   passes_ = 0;
   queued_ = false;
   rate_ = 0;
@@ -124,14 +127,18 @@ void SegmentFifos::end_stream_fifo() {
   enter(0, false);
 }
 
+void SegmentFifos::take_turns(std::int64_t turns) {
+  const PtPoint last = playing().slots[playing().size - 1].point;
+  turns_ += turns;
+  const auto all = static_cast<double>(turns_);
+  origin_ = {table_.x + all * last.x, table_.position + all * last.position};
+}
+
 void SegmentFifos::end_pass() {
-  const PtPoint last = playing().slots[slot_].point;
   ++passes_;
   const bool again = loops_ < 1 || passes_ < loops_;
   if (!queued_ && !again) return stop();
-  ++turns_;
-  const auto turns = static_cast<double>(turns_);
-  origin_ = {table_.x + turns * last.x, table_.position + turns * last.position};
+  take_turns(1);
   if (queued_) {
     playing().size = 0;
     active_ = 1 - active_;
@@ -139,7 +146,30 @@ void SegmentFifos::end_pass() {
     passes_ = 0;
     table_ = origin_;
     turns_ = 0;
+    known_rates_ = 0;
+  } else {
+    pass_rates_ = {pass_rates_[1], pass_rates_[2], rate_};
+    known_rates_ = std::min(known_rates_ + 1, 3);
   }
+  enter(0, true);
+}
+
+/// The rate r with which a pass ends depends on the one before as s r + c: s is 0 where any segment
+/// has a rate of its own, otherwise 1 or -1. So two passes change it by the same each time.
+void SegmentFifos::skip_passes(double x) {
+  if (layout_.stream || queued_ || slot_ != 0 || known_rates_ < 3) return;
+  constexpr double countable = 9007199254740992;  // 2^53: beyond, the place in the pass is rounding
+  const double ahead = (x - origin_.x) / playing().slots[playing().size - 1].point.x;
+  if (!(ahead >= 4)) return;
+  auto passes = static_cast<std::int64_t>(std::min(ahead, countable)) - 2;
+  if (loops_ < 1 && ahead >= countable) return lose();
+  if (loops_ >= 1) passes = std::min(passes, loops_ - 1 - passes_);
+  if (passes < 2) return;
+  const std::int64_t pairs = passes / 2;
+  rate_ += static_cast<double>(pairs) * (rate_ - pass_rates_[0]);
+  known_rates_ = 0;
+  passes_ += 2 * pairs;
+  take_turns(2 * pairs);
   enter(0, true);
 }
 
@@ -153,6 +183,13 @@ void SegmentFifos::stop() {
   if (layout_.stream) clear(0);
 }
 
+void SegmentFifos::lose() {
+  state_ = State::lost;
+  origin_.position = position_;
+  queued_ = false;
+  if (layout_.stream) clear(0);
+}
+
 Jet SegmentFifos::here(double u) const {
   const Slot& at = playing().slots[slot_];
   const PtPoint from = before(slot_);
@@ -163,9 +200,17 @@ Jet SegmentFifos::here(double u) const {
 }
 
 Jet SegmentFifos::at(double x) {
-  while (moving() && x - origin_.x >= playing().slots[slot_].point.x) next();
-  if (!moving()) return {origin_.position, 0, 0, 0};
-  const double u = x - origin_.x;
+  if (moving() && !std::isfinite(x)) lose();
+  while (moving() && x - origin_.x >= playing().slots[slot_].point.x) {
+    next();
+    if (moving()) skip_passes(x);
+  }
+  const Jet f = moving() ? in_pass(x - origin_.x) : Jet{origin_.position, 0, 0, 0};
+  position_ = f[0];
+  return f;
+}
+
+Jet SegmentFifos::in_pass(double u) {
   while (slot_ > 0 && u < before(slot_).x) --slot_;
   if (u < before(0).x) return {origin_.position + before(0).position, 0, 0, 0};
   return here(u);

@@ -55,6 +55,7 @@ class SegmentFifos {
     moving,   ///< it plays
     ended,    ///< it has played its last segment, which came to rest
     cut_off,  ///< the last segment ended at a rate: an underrun, or a table with an open end
+    lost,     ///< x was not finite, or 2^53 passes off: it stands where it was, until started again
   };
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool moving() const { return state_ == State::moving; }
@@ -88,7 +89,8 @@ class SegmentFifos {
   /// At the end of the pass the other FIFO takes over. Moving tables alone; not empty.
   void queue_switch();
 
-  /// Position and derivatives by x. Plays on to x, which may lie many segments or passes further.
+  /// Position and derivatives by x. Plays on to x, which may lie many segments or passes further:
+  /// passes of a table are taken at once, so that the time a call takes depends on the segments alone.
   /// Where it is not moving: the position where it ended, at rest.
   Jet at(double x);
 
@@ -116,8 +118,12 @@ class SegmentFifos {
   void enter(std::size_t slot, bool first);
   void next();
   void end_pass();
+  void take_turns(std::int64_t turns);
   void end_stream_fifo();
+  void skip_passes(double x);
   void stop();
+  void lose();
+  Jet in_pass(double u);
 
   std::array<Fifo, 2> fifos_;
   Layout layout_;
@@ -132,7 +138,10 @@ class SegmentFifos {
   Origin origin_;  // of this pass: table_ + turns_ times the table
   PtPoint base_;   // of a stream: the last point of what was emptied
   std::size_t slot_ = 0;
-  double rate_ = 0;  // at the end of the segment before
+  double rate_ = 0;                     // at the end of the segment before
+  double position_ = 0;                 // given last
+  std::array<double, 3> pass_rates_{};  // at the ends of the last passes, and how many are known
+  int known_rates_ = 0;
 };
 
 }  // namespace jounce

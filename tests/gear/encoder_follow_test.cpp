@@ -1,5 +1,7 @@
 #include "jounce/gear/encoder_follow.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
@@ -56,6 +58,24 @@ TEST(EncoderFollow, SpreadsAnAdditionThatTheRatioDoesNotTouch) {
   for (int i = 0; i < 3; ++i) slave += follow.step(state, 0);
   EXPECT_EQ(slave, -1003 + 107 + 5 * 300);
   EXPECT_THROW(EncoderFollow::add(state, 1, 0), InputError);
+}
+
+TEST(EncoderFollow, KeepsAnAdditionWithinAPulseOfTheLine) {
+  const EncoderFollow follow({.filter = 1});
+  for (const std::int64_t pulses : {500, 1500, 150, 1, -1, -500, -1499}) {
+    for (const std::int64_t cycles : {1, 100, 999, 1000}) {
+      EncoderFollow::State state;
+      EncoderFollow::add(state, pulses, cycles);
+      std::int64_t slave = 0;
+      for (std::int64_t k = 1; k <= cycles; ++k) {
+        slave += follow.step(state, 0);
+        const double line = static_cast<double>(k * pulses) / static_cast<double>(cycles);
+        ASSERT_LT(std::abs(static_cast<double>(slave) - line), 1) << pulses << " in " << cycles;
+      }
+      EXPECT_EQ(slave, pulses);
+      EXPECT_EQ(state.additive, 0);
+    }
+  }
 }
 
 TEST(EncoderFollow, RefusesInTheControllersNumbers) {

@@ -150,6 +150,10 @@ TEST(GearIn, RefusesInTheControllersNumbers) {
             "jerk = nan: must be 0 or more, and finite (PMC600 error 679)");
   const Trajectory master({line(1, 0, 1)});
   EXPECT_THROW(gear_in({.acceleration = 1}, 0, master, 1), InputError);
+  const GearInSpec spec{.acceleration = 1};
+  EXPECT_THROW(gear_in(spec, MotionState{NAN, 0, 0}, Jet{}, 0), InputError);
+  EXPECT_THROW(gear_in(spec, MotionState{0, INFINITY, 0}, Jet{}, 0), InputError);
+  EXPECT_THROW(gear_in(spec, MotionState{0, 0, NAN}, Jet{}, 0), InputError);
 }
 
 }  // namespace

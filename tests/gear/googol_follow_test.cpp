@@ -1,6 +1,8 @@
 #include "jounce/gear/googol_follow.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -116,6 +118,73 @@ TEST(GoogolFollow, OneDirectionAloneWaitsUntilTheMasterIsBack) {
   both.to(30000);
   EXPECT_EQ(both.to(10000)[0], 2500) << "back on its path";
   EXPECT_EQ(both.to(-5)[0], 0) << "to the origin of the pass";
+}
+
+TEST(GoogolFollow, StandsWithoutARateWhileTheMasterRunsTheOtherWay) {
+  for (const int dir : {1, -1}) {
+    Axis axis(dir);
+    axis.fill({{{1000, 1000, PtType::even}}, 1}, 0);
+    ASSERT_EQ(axis.fifos.follow_start(0, 0, 0), Refusal::none);
+    EXPECT_EQ(axis.to(dir * 500)[1], dir);
+    for (const double master : {400.0, 300.0, -5.0, 499.0}) {
+      const Jet slave = axis.to(dir * master);
+      EXPECT_EQ(slave, (Jet{500, 0, 0, 0})) << dir << " at " << master;
+    }
+    EXPECT_EQ(axis.to(dir * 600.0), (Jet{600, static_cast<double>(dir), 0, 0}));
+  }
+}
+
+TEST(GoogolFollow, AMasterThatIsLostLeavesItStanding) {
+  for (const int dir : {0, 1, -1}) {
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const double nowhere : {std::nan(""), inf, -inf, dir < 0 ? -1e300 : 1e300}) {
+      Axis axis(dir);
+      axis.fifos.set_follow_loop(0);
+      axis.fill({{{100, 50, PtType::even}}, 1}, 0);
+      ASSERT_EQ(axis.fifos.follow_start(0, 0, 7), Refusal::none);
+      const Jet last = axis.to(dir < 0 ? -250 : 250);
+      EXPECT_EQ(last[0], 7 + 125);
+      EXPECT_EQ(axis.to(nowhere), (Jet{last[0], 0, 0, 0})) << dir << ", " << nowhere;
+      EXPECT_EQ(axis.fifos.state(), State::lost);
+      EXPECT_EQ(axis.to(10), (Jet{last[0], 0, 0, 0})) << "until it is started again";
+      EXPECT_EQ(axis.fifos.follow_start(0, nowhere, 0),
+                std::isfinite(nowhere) ? Refusal::none : Refusal::bad_argument);
+    }
+  }
+}
+
+TEST(GoogolFollow, TakesWholePassesAtOnce) {
+  using enum PtType;
+  const std::vector<FollowTable> tables{
+      {{{1, 3, even}}, 0},                                       // a rate of its own
+      {{{1, 2, continued}}, 0},                                  // another every second pass
+      {{{1, 2, continued}, {3, 5, normal}, {4, 5, normal}}, 0},  //
+      {{{1, 2, continued}, {3, 2.5, normal}}, 0},                // it grows from pass to pass
+      {{{1, 2, normal}, {3, 5, normal}}, 0},                     // from rest
+      {{{1, 2, continued}, {2, 2.5, even}, {4, 3, normal}}, 0}};
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    Axis far, near;
+    for (Axis* axis : {&far, &near}) {
+      axis->fifos.set_follow_loop(0);
+      axis->fill(tables[i], 0);
+      ASSERT_EQ(axis->fifos.follow_start(0, 0, 0), Refusal::none);
+    }
+    Jet stepped{};
+    for (int k = 0; k <= 4001; ++k) stepped = near.to(k + 0.25);
+    const Jet jumped = far.to(4001.25);
+    for (std::size_t k = 0; k < jumped.size(); ++k)
+      EXPECT_NEAR(jumped[k], stepped[k], 1e-9 * (1 + std::abs(stepped[k]))) << i << ", " << k;
+    EXPECT_EQ(far.fifos.follow_loop(), near.fifos.follow_loop());
+  }
+  Axis axis;
+  axis.fifos.set_follow_loop(1'000'000'000'000);
+  axis.fill(tables[0], 0);
+  ASSERT_EQ(axis.fifos.follow_start(0, 0, 0), Refusal::none);
+  EXPECT_EQ(axis.to(900'000'000'000.5)[0], 3 * 900'000'000'000.5);
+  EXPECT_EQ(axis.fifos.follow_loop(), 900'000'000'000);
+  EXPECT_EQ(axis.to(1e300)[0], 3e12);
+  EXPECT_EQ(axis.fifos.follow_loop(), 1'000'000'000'000);
+  EXPECT_FALSE(axis.fifos.state() == State::moving);
 }
 
 TEST(GoogolFollow, RefusesWithTheDocumentedReasons) {

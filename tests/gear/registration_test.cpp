@@ -1,5 +1,6 @@
 #include "jounce/gear/registration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -171,9 +172,52 @@ TEST(Registration, AShearIsMovedByItsPhase) {
     EXPECT_NEAR(fitted.curve.jet(1200 + x)[1], 1, 1e-12);
     EXPECT_NEAR(fitted.curve.jet(1200 + x)[0], shear.cam.jet(x + 3)[0], 1e-9);
   }
-  const double z = 0.5 * plan.back;  // half way: c = 1.5 by symmetry, cam(x + 1.5)
+  const double z = 0.5 * (plan.back - 3);  // half way: c = 1.5 by symmetry, cam(x + 1.5)
   EXPECT_NEAR(fitted.curve.jet(returning.window_from + z)[0],
               shear.cam.jet(returning.window_from + z + 1.5)[0], 2e-6);
+}
+
+TEST(Registration, NoSyncZoneIsDisturbedHoweverLongAnErrorLasts) {
+  FlyingShear spec{.cut_length = 1000, .line_speed = 1000, .sync_time = 0.15};
+  spec.limits.acceleration = 10000;
+  const SyncCam shear = flying_shear(spec);
+  const SyncZone zone = shear.zones.at(0);
+  // From the end of the sync zone to the period's end: it may touch the zone.
+  const Registration after{.window_from = zone.to, .window_length = 1000 - zone.to, .most = 2};
+  for (const double error : {2.0, -2.0}) {
+    const std::vector<double> errors(1000, error);
+    const auto fitted = registered_phase(shear.cam, after, errors, 1e-4);
+    const Cam& all = fitted.curve;
+    ASSERT_NEAR(all.length(), 1000 * (1000 - error), 1e-6);
+    double worst = 0;
+    for (int n = 0; n < 1000; ++n) {
+      const double from = n * (1000 - error);  // where the phase begins its period
+      for (const double x : {zone.from + 1e-6, (zone.from + zone.to) / 2, zone.to - 1e-6}) {
+        const Jet at = all.jet(from + x);
+        worst = std::max(worst, std::abs(at[1] - 1));
+        ASSERT_NEAR(at[0], shear.cam.jet(x)[0], 1e-6) << error << ", product " << n;
+      }
+    }
+    EXPECT_LT(worst, 1e-9) << error;
+  }
+}
+
+TEST(Registration, AShearGoesOnFromAState) {
+  FlyingShear spec{.cut_length = 1000, .line_speed = 1000, .sync_time = 0.15};
+  spec.limits.acceleration = 10000;
+  const SyncCam shear = flying_shear(spec);
+  const Registration after{.window_from = 525, .window_length = 400, .most = 2};
+  const std::vector<double> errors{2, 5, -1, 0};
+  const auto whole = registered_phase(shear.cam, after, errors, 1e-4);
+  RegistrationState state;
+  for (const double error : {2.0, 5.0}) state = corrected(after, state, error).state;
+  const auto rest = registered_phase(shear.cam, after, std::vector<double>{-1, 0}, 1e-4, state);
+  EXPECT_EQ(rest.curve.start(), -4);
+  for (double x = 0; x < 1990; x += 7)
+    EXPECT_NEAR(rest.curve.jet(x)[0], whole.curve.jet(2000 + x)[0], 2.1e-4) << x;
+  Registration wide = after;
+  wide.most = 400;
+  EXPECT_THROW(registered_phase(shear.cam, wide, errors, 1e-4), InputError);
 }
 
 std::string refusal(const Registration& registration, const Cam& cam, double error) {
