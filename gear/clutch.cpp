@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "jounce/gear/detail/wide.hpp"
 #include "jounce/profiles/error.hpp"
@@ -25,27 +26,63 @@ Wide absolute(Wide a) {
   return a < 0 ? -a : a;
 }
 
+/// Both ratios over their common denominator.
+struct Shared {
+  Wide common, from, to;
+  Shared(const Gear& r0, const Gear& r1) {
+    const std::int64_t shared = std::gcd(r0.denominator(), r1.denominator());
+    common = Wide{r0.denominator() / shared} * r1.denominator();
+    from = Wide{r0.numerator()} * (r1.denominator() / shared);
+    to = Wide{r1.numerator()} * (r0.denominator() / shared);
+  }
+  [[nodiscard]] bool fits(Wide scale) const {
+    const Wide greatest = std::max({common, absolute(from), absolute(to)});
+    return greatest < most && greatest * scale < most;
+  }
+};
+
+/// The ratio nearest to r with a denominator of at most `limit`, by its continued fraction.
+Gear nearest(const Gear& r, Wide limit) {
+  Wide n = absolute(r.numerator()), d = r.denominator();
+  Wide p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  while (d != 0 && q0 + n / d * q1 <= limit) {
+    const Wide a = n / d;
+    p0 = std::exchange(p1, p0 + a * p1);
+    q0 = std::exchange(q1, q0 + a * q1);
+    n = std::exchange(d, n - a * d);
+  }
+  if (d == 0) return r;
+  const Wide k = (limit - q0) / q1;
+  const bool last = 2 * d * (q0 + k * q1) <= r.denominator();
+  const Wide p = last ? p1 : p0 + k * p1;
+  return Gear::ratio(detail::narrow(r.numerator() < 0 ? -p : p),
+                     detail::narrow(last ? q1 : q0 + k * q1));
+}
+
+/// The ratio to begin with: r0 itself where counts are exact with it, else the nearest with which
+/// they are, as long as that is within 2^-20 of it.
+Gear begun(const Gear& r0, const Gear& r1, Wide scale) {
+  if (Shared(r0, r1).fits(scale)) return r0;
+  const Wide whole = 1 + std::max(absolute(r0.numerator()) / r0.denominator(),
+                                  absolute(r1.numerator()) / r1.denominator());
+  const Wide limit = most / 2 / scale / whole / r1.denominator();
+  return limit < (Wide{1} << 20) ? r0 : nearest(r0, limit);
+}
+
 }  // namespace
 
 Clutch::Clutch(const Gear& from, const Gear& to, std::int64_t distance) : distance_(distance) {
   if (distance < 0) throw InputError("distance", std::to_string(distance), "must not be negative");
-  const std::int64_t shared = std::gcd(from.denominator(), to.denominator());
-  const Wide common = Wide{from.denominator() / shared} * to.denominator();
   const Wide scale = distance == 0 ? 1 : Wide{2} * distance;
-  const auto too_long = [&] {
-    return InputError("distance", std::to_string(distance),
-                      "is too long for exact counts with these ratios: give it a shorter one");
-  };
-  if (common >= most || common * scale >= most) throw too_long();
-  const Wide p0 = Wide{from.numerator()} * (to.denominator() / shared);
-  const Wide p1 = Wide{to.numerator()} * (from.denominator() / shared);
-  const Wide greatest = std::max(absolute(p0), absolute(p1));
-  if (greatest >= most || greatest * scale >= most) throw too_long();
-  from_ = static_cast<std::int64_t>(p0);
-  to_ = static_cast<std::int64_t>(p1);
-  common_ = static_cast<std::int64_t>(common);
+  const Shared ratios(begun(from, to, scale), to);
+  if (!ratios.fits(scale))
+    throw InputError("distance", std::to_string(distance),
+                     "is too long for exact counts with these ratios: give it a shorter one");
+  from_ = static_cast<std::int64_t>(ratios.from);
+  to_ = static_cast<std::int64_t>(ratios.to);
+  common_ = static_cast<std::int64_t>(ratios.common);
   scale_ = static_cast<std::int64_t>(scale);
-  denominator_ = static_cast<std::int64_t>(common * scale);
+  denominator_ = static_cast<std::int64_t>(ratios.common * scale);
 }
 
 std::int64_t Clutch::advance(State& state, std::int64_t master_increment) const {

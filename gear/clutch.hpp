@@ -27,11 +27,18 @@ namespace jounce {
 /// that trembles moves the slave nowhere. A distance of 0 changes the ratio at once: the slave's
 /// velocity steps.
 ///
-/// Exact: no count is lost or gained in any number of cycles; advance() does not allocate.
+/// Exact: no count is lost or gained in any number of cycles; advance() does not allocate. What is
+/// rounded where clutches take over from each other is said below.
 class Clutch {
  public:
-  /// Throws InputError "distance" (master counts) where it is negative, or too long for exact
-  /// counts: 2 d r q must stay below 2^62, q the common denominator of both ratios.
+  /// Counts are exact where 2 d r q stays below 2^62, q the common denominator of both ratios. `to`
+  /// always is; `from`, which a clutch that takes over from another may have with any denominator,
+  /// is rounded where it must be: to the nearest ratio with counts that are exact, within 2^-20 of a
+  /// master count and typically 1e-15. That is all that is rounded: a velocity steps by so much of the
+  /// master's, the position by nothing, and (2) holds with the ratio rounded. So clutches may take over
+  /// from each other without end.
+  ///
+  /// Throws InputError "distance" (master counts) where it is negative, or too long even so.
   Clutch(const Gear& from, const Gear& to, std::int64_t distance);
 
   struct State {

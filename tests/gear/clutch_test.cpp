@@ -123,6 +123,36 @@ TEST(Clutch, TakesOverFromAnotherOneAnywhere) {
   EXPECT_EQ(third.ratio({}).denominator(), 8);
 }
 
+TEST(Clutch, TakesOverTenThousandTimes) {
+  testing::Random random(5);
+  const auto r = [](const Gear& g) {
+    return static_cast<long double>(g.numerator()) / static_cast<long double>(g.denominator());
+  };
+  Clutch clutch(Gear::ratio(0, 1), Gear::ratio(1, 2), 100'000);
+  Clutch::State state;
+  std::int64_t slave = 0;
+  long double exact = 0;  // with the ratio never rounded
+  long double ratio = 0;
+  long double target = 0.5L;
+  double d = 100'000;
+  for (int n = 0; n < 10'000; ++n) {
+    const std::int64_t way = 1 + random.below(90'000);  // inside the clutch: d is 100000 or more
+    slave += clutch.advance(state, way);
+    const auto u = static_cast<long double>(way);
+    exact += ratio * u + (target - ratio) * u * u / (2 * d);
+    ratio += (target - ratio) * u / d;
+    ASSERT_FALSE(state.engaged);
+    ASSERT_NEAR(static_cast<double>(r(clutch.ratio(state)) - ratio), 0, 1e-11) << n;
+    ASSERT_NEAR(static_cast<double>(exact - static_cast<long double>(slave)), 0.5, 0.51) << n;
+    const Gear to = Gear::ratio(random.below(2001) - 1000, 1 + random.below(1000));
+    d = 100'000 + random.below(100'000);
+    const Clutch next(clutch.ratio(state), to, static_cast<std::int64_t>(d));
+    state = next.after(clutch, state);
+    clutch = next;
+    target = r(to);
+  }
+}
+
 TEST(Clutch, OfNoDistanceChangesAtOnce) {
   const Clutch clutch = googol::set_gear_ratio(Gear::ratio(1, 3), {1, -2, 0});
   Clutch::State state;
