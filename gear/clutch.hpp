@@ -33,9 +33,9 @@ class Clutch {
  public:
   /// Counts are exact where 2 d r q stays below 2^62, q the common denominator of both ratios. `to`
   /// always is; `from`, which a clutch that takes over from another may have with any denominator,
-  /// is rounded where it must be: to the nearest ratio with counts that are exact, within 2^-20 of a
-  /// master count and typically 1e-15. That is all that is rounded: a velocity steps by so much of the
-  /// master's, the position by nothing, and (2) holds with the ratio rounded. So clutches may take over
+  /// is rounded where it must be: to the nearest ratio with counts that are exact, within 2^-20 and
+  /// commonly far closer. That is all that is rounded: the slave's velocity steps by so much of the
+  /// master's, its position by nothing, and (2) holds with the ratio rounded. So clutches may take over
   /// from each other without end.
   ///
   /// Throws InputError "distance" (master counts) where it is negative, or too long even so.

@@ -315,7 +315,7 @@ FollowTable follow_table(const FollowPlan& plan) {
     PtPoint at{knots[i - 1].master, knots[i - 1].slave, PtType::normal};
     for (const Piece& piece : pieces)
       table.segments.push_back(at = {at.x + piece.length, at.position + piece.travel, piece.type});
-    // What is known is met to the last digit; the end of a motion is exactly at rest.
+    // What is known is met, not what rounding makes of the pieces; the end of a motion is exactly at rest.
     PtPoint& last = table.segments.back();
     last = {to.master, to.slave,
             *to.ratio == 0 && last.type == PtType::normal ? PtType::stop : last.type};
@@ -327,9 +327,19 @@ FollowTable follow_table(const FollowPlan& plan) {
 
 CamSpec cam_spec(const FollowPlan& plan) {
   const auto knots = knots_of(plan);
-  const auto cam_knot = [](const Knot& k) { return CamKnot{k.master, k.slave, k.ratio, 0.0}; };
+  // At a zone the line itself says the ratio: of far positions its own differs by their rounding.
+  const auto in_step = [&](std::size_t i) {
+    return knots[i].zone || (i + 1 < knots.size() && knots[i + 1].zone);
+  };
+  const bool seam = plan.periodic && (in_step(0) || in_step(knots.size() - 1));
+  const auto cam_knot = [&](std::size_t i) {
+    const Knot& k = knots[i];
+    const bool end = i == 0 || i + 1 == knots.size();
+    if (in_step(i) || (end && seam)) return CamKnot{k.master, k.slave, {}, 0.0};
+    return CamKnot{k.master, k.slave, k.ratio, 0.0};
+  };
   CamSpec spec;
-  spec.start = cam_knot(knots.front());
+  spec.start = cam_knot(0);
   spec.periodic = plan.periodic;
   const double travel = std::abs(knots.back().slave);
   if (plan.periodic && travel > 0) spec.slave_period = travel;
@@ -338,7 +348,7 @@ CamSpec cam_spec(const FollowPlan& plan) {
     const bool stands =
         !k.zone && k.slave == knots[i - 1].slave && *k.ratio == 0 && *knots[i - 1].ratio == 0;
     const Law law = k.zone ? Law::line : (stands ? Law::dwell : plan.law);
-    spec.segments.push_back({law, cam_knot(k), k.zone ? plan.zones[*k.zone].name : ""});
+    spec.segments.push_back({law, cam_knot(i), k.zone ? plan.zones[*k.zone].name : ""});
   }
   return spec;
 }
@@ -365,7 +375,7 @@ SyncCam smooth(const FollowPlan& plan) {
     names.push_back((segment.name.empty() ? name(segment.law) : segment.name) +
                     (" to " + detail::place(segment.end.master)));
   }
-  const bool starts_in_step = !plan.periodic && *spec.start.geo_velocity != 0;
+  const bool starts_in_step = !plan.periodic && *knots_of(plan).front().ratio != 0;
   return {starts_in_step ? with(cam, Outside::refuse) : cam, std::move(names), zones_of(plan)};
 }
 

@@ -14,7 +14,8 @@ namespace jounce {
 ///
 /// Both ways agree bit for bit after any number of counts, forward and back and through zero,
 /// because the division is an integer one that rounds towards minus infinity. Exact for every
-/// 64-bit master count whose slave count fits 64 bits; outside that slave() asserts.
+/// 64-bit master count whose slave count fits 64 bits; outside that the result is not
+/// defined (asserted in debug builds).
 class Gear {
  public:
   /// Throws InputError where the denominator is 0 or less (PMC600 error 675). A numerator of 0

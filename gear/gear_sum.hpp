@@ -18,7 +18,7 @@ namespace jounce {
 ///     slave += sum.advance(state, std::array{master_increment, correction_increment});
 ///
 /// Both ways agree bit for bit, for any number of counts of each master, forward and back. Exact
-/// for every 64-bit count whose slave count fits 64 bits (asserted). Nothing allocates after of().
+/// for every 64-bit count whose slave count fits 64 bits (asserted in debug builds; not defined outside). Nothing allocates after of().
 class GearSum {
  public:
   /// Throws InputError "gears" where there is none, or where the ratios have no common denominator

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/io/cut_lengths.hpp"
+#include "jounce/io/detail/sync_gear.hpp"
 #include "jounce/io/make.hpp"
 #include "jounce/io/report_text.hpp"
 #include "jounce/io/sync_follow.hpp"
@@ -22,6 +23,14 @@ Report findings_of(const Kind&, const Spec&) {
 
 Report findings_of(const FollowPart&, const Spec& spec) {
   return check_follow(spec);
+}
+
+Report findings_of(const GearCourse& course, const Spec& spec) {
+  return detail::check_gear(course, spec.units);
+}
+
+Report findings_of(const GearInPosPart& part, const Spec& spec) {
+  return detail::check_gear(part, spec.units);
 }
 
 Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
@@ -155,7 +164,7 @@ std::vector<SyncFigure> sync_figures(const Spec& spec) {
 }
 
 bool is_sync_rule(const std::string& rule) {
-  return rule.starts_with("knife/") || rule.starts_with("shear/");
+  return rule.starts_with("knife/") || rule.starts_with("shear/") || rule.starts_with("gear/");
 }
 
 bool is_made_for_a_speed(const Spec& spec) {
@@ -170,6 +179,11 @@ std::string sync_sentence(const Finding& f, const std::string& where) {
   if (f.rule == "knife/reversal")
     return f.broken ? fmt::format("the knife turns back at {}", where)
                     : fmt::format("the knife never turns back; it is slowest at {}", where);
+  if (f.rule == "gear/ratio_step")
+    return fmt::format("the ratio steps from {} to {} {} at {}, where the slave engages",
+                       rounded(f.limit), rounded(f.value), f.unit, where);
+  if (f.rule == "gear/reversal")
+    return fmt::format("the slave turns back while it engages, fastest at {}", where);
   if (f.rule == "knife/slip")
     return fmt::format("the blade is {:.3g} % slower along the web than in step at {}",
                        100 * f.value, where);

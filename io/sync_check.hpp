@@ -25,7 +25,8 @@ std::vector<SyncFigure> sync_figures(const Spec& spec);
 /// another cam would do.
 bool is_made_for_a_speed(const Spec& spec);
 
-/// What a finding of check_sync says, for the reports: the rules "knife/..." and "shear/...".
+/// What a finding of check_sync says, for the reports: the rules "knife/...", "shear/..." and
+/// "gear/...".
 bool is_sync_rule(const std::string& rule);
 std::string sync_sentence(const Finding& finding, const std::string& where);
 

@@ -1,22 +1,20 @@
 #include "jounce/io/sync_follow.hpp"
 
-#include <algorithm>
-
 #include "jounce/profiles/s_curve.hpp"
 
 namespace jounce {
 namespace {
 
-/// The spec's master from 0, in its own time unit, far enough to pass the place.
-Trajectory master_of(const MasterSpec& master, double place) {
-  const double to = std::max(place, 0.0) + master.distance;
+/// The spec's master from 0, in its own time unit.
+Trajectory master_of(const MasterSpec& master) {
+  const double to = master.distance;
   if (!master.acceleration) return Trajectory({line(to / master.velocity, 0, to)});
   return trapezoid({.to = to, .velocity = master.velocity, .acceleration = *master.acceleration})
       .curve();
 }
 
 Finding beginning(const FollowStart& start, const Spec& spec) {
-  const auto t = begin_of(start, master_of(*spec.master, start.position), 0);
+  const auto t = begin_of(start, master_of(*spec.master), 0);
   Finding f;
   f.rule = "follow/begin";
   f.quantity = "the master";
@@ -28,8 +26,8 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   f.margin = t ? 1 : -1;
   f.broken = !t;
   if (!t)
-    f.advice = "from there it moves on and never passes " + number(start.position) +
-               (start.direction > 0 ? " forwards" : " backwards") +
+    f.advice = "it moves from 0 to " + number(spec.master->distance) + " and never passes " +
+               number(start.position) + (start.direction > 0 ? " forwards" : " backwards") +
                ": the slave waits for ever; the place is absolute, not a distance";
   return f;
 }

@@ -1,8 +1,12 @@
 #include "jounce/io/detail/sync_gear.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "jounce/io/report_text.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -48,6 +52,50 @@ SyncCam made_gear(const GearInPosPart& spec) {
   } catch (const InputError& error) {
     throw InputError("gear." + error.key(), error.value(), error.rule());
   }
+}
+
+Report check_gear(const GearCourse& course, const Units& units) {
+  double ratio = course.ratio;
+  for (const RatioChange& change : course.changes)
+    if (change.at == course.master_start && change.distance == 0) ratio = change.ratio;
+  if (ratio == course.ratio) return {};
+  Finding f;
+  f.rule = "gear/ratio_step";
+  f.quantity = "the ratio";
+  f.where = course.master_start;
+  f.value = ratio;
+  f.limit = course.ratio;
+  f.margin = -1;
+  f.broken = true;
+  f.unit = units.position + "/" + units.x;
+  f.advice = "engage over a distance > 0, or with from_ratio = " + number(ratio) +
+             " if the slave is in step already";
+  return {{f}};
+}
+
+Report check_gear(const GearInPosPart& part, const Units& units) {
+  const GearInPos gear = gear_in_pos(part.gear);
+  const double way = gear.ratio * part.gear.master_start_distance;  // of the gear meanwhile
+  const double h = gear.slave_sync - gear.slave_start;
+  // One that turns back though it need not is told of by the cam's warnings.
+  if (!gear || h * way > 0) return {};
+  const Range slope = extrema(*gear.curve, 1);
+  const Extremum back = gear.ratio > 0 ? slope.min : slope.max;
+  if (-back.value * gear.ratio <= 0) return {};
+  const Range y = extrema(*gear.curve, 0);
+  const double most = way > 0 ? y.min.value : y.max.value;
+  const auto [low, high] = std::minmax({gear.slave_sync - 0.6 * way, gear.slave_sync - 0.4 * way});
+  Finding f;
+  f.rule = "gear/reversal";
+  f.quantity = "geo_velocity";
+  f.where = back.where;
+  f.value = back.value;
+  f.margin = -std::abs(back.value / gear.ratio);
+  f.severity = Severity::warning;
+  f.advice = engage_window(part.gear).advice + ", here to " + rounded(most) + " " + units.position +
+             "; with slave_start between " + rounded(low) + " and " + rounded(high) +
+             " it neither turns back nor goes faster than the gear";
+  return {{f}};
 }
 
 }  // namespace jounce::detail

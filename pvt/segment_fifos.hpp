@@ -33,7 +33,7 @@ namespace jounce {
 ///
 /// **Rates** are as in pt(): a `normal` first segment of a pass begins at 0, a `continued` one at the
 /// end rate of the pass before (0 in the first one). Within a stream no segment but the first is
-/// first. Positions are those of pt() to the last bit, as long as x and the origins add up exactly.
+/// first. Positions are those of pt() to the last bit where x and the origins add up exactly, else to rounding.
 ///
 /// **Backwards** x is followed to the beginning of the pass (of the FIFO, in a stream), and not
 /// further: there the axis stands until x comes back.

@@ -106,11 +106,11 @@ GearAnswer disable_gear(const Gears& gears, int slave) {
 }
 
 double gear_ratio(const Gears& gears, int slave) {
-  return at(gears, slave).ratio;
+  return is_axis(slave) ? at(gears, slave).ratio : 0;
 }
 
 bool is_in_gear(const Gears& gears, int slave) {
-  return at(gears, slave).engaged;
+  return is_axis(slave) && at(gears, slave).engaged;
 }
 
 bool is_gear_master(const Gears& gears, int axis) {
@@ -119,10 +119,11 @@ bool is_gear_master(const Gears& gears, int axis) {
 }
 
 bool is_gear_slave(const Gears& gears, int axis) {
-  return at(gears, axis).master.has_value();
+  return is_axis(axis) && at(gears, axis).master.has_value();
 }
 
 double gear_position(const Gears& gears, int slave, double master_position) {
+  if (!is_axis(slave)) return 0;
   const GearAxis& axis = at(gears, slave);
   return axis.slave_origin + axis.ratio * (master_position - axis.master_origin);
 }

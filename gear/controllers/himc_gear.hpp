@@ -66,7 +66,7 @@ GearAnswer gear_out(const Gears& gears, int slave);
 /// Dissolves the pair. Refused while engaged: the slave would go on uncommanded.
 GearAnswer disable_gear(const Gears& gears, int slave);
 
-/// GetGearRatio; 0 without a gear.
+/// GetGearRatio; 0 without a gear. Here and below: 0 and false of what is no axis.
 double gear_ratio(const Gears& gears, int slave);
 bool is_in_gear(const Gears& gears, int slave);
 bool is_gear_master(const Gears& gears, int axis);

@@ -134,6 +134,19 @@ TEST(FollowPlan, PointsWithoutARatioArePassedBetweenTheirMeanRatios) {
   testing::expect_invariants(follow(plan).cam, 2);
 }
 
+TEST(FollowPlan, AZoneFarOutHasTheRatioOfItsOwnLine) {
+  for (const bool periodic : {false, true}) {
+    FollowPlan plan{
+        .points = {{360, 1000001, 0}}, .zones = {{90, 91, 0.001, 1e6}}, .periodic = periodic};
+    const SyncCam far = follow(plan);
+    EXPECT_NEAR(far.cam.jet(90.5)[1], 0.001, 1e-9);
+    EXPECT_TRUE(check_continuity(far.cam, 2).ok());
+    plan = {.points = {{360, 1000001}}, .zones = {{0, 1, 0.001}, {90, 91, 0.001, 1e6}}};
+    plan.periodic = periodic;
+    EXPECT_NEAR(follow(plan).cam.jet(0.5)[1], 0.001, 1e-9) << periodic;
+  }
+}
+
 TEST(FollowPlan, SmoothIsExactInItsZonesAndContinuousInAcceleration) {
   FollowPlan plan = shear();
   plan.form = FollowForm::smooth;

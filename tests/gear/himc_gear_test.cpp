@@ -72,6 +72,12 @@ TEST(HimcGear, RefusesLinksThatCannotBe) {
   EXPECT_EQ(enable_gear(gears, 0, 4).error, GearError::disabled);
   EXPECT_FALSE(is_gear_slave(enable_gear(gears, 0, 4).gears, 4)) << "and nothing has changed";
   EXPECT_EQ(static_cast<int>(GearError::bad_link), 0x1c2);
+  for (const int none : {-1, 16, 99}) {
+    EXPECT_EQ(gear_ratio(gears, none), 0);
+    EXPECT_FALSE(is_in_gear(gears, none));
+    EXPECT_FALSE(is_gear_slave(gears, none));
+    EXPECT_EQ(gear_position(gears, none, 100), 0);
+  }
 }
 
 }  // namespace

@@ -60,11 +60,11 @@ TEST(FollowSpecFile, APlanIsSmoothOrATable) {
 }
 
 TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
-  const auto text = [](const char* pass) {
-    return spec(
-        "[follow]\npass = " + std::string(pass) +
-        "\n[[segment]]\nmaster = 100\nslave = 50\n[[segment]]\nmaster = 200\nslave = "
-        "100\ntype = \"stop\"\n[master]\nvelocity = 50\nacceleration = 1\ndistance = 2000\n");
+  const auto text = [](const char* pass, const char* distance = "180000") {
+    return spec("[follow]\npass = " + std::string(pass) +
+                "\n[[segment]]\nmaster = 100\nslave = 50\n[[segment]]\nmaster = 200\nslave = "
+                "100\ntype = \"stop\"\n[master]\nvelocity = 50\nacceleration = 1\ndistance = " +
+                distance + "\n");
   };
   const Report begins = check_follow(parse_spec(text("{ position = 50000 }"), "f"));
   ASSERT_EQ(begins.findings.size(), 1U);
@@ -78,6 +78,11 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
     EXPECT_TRUE(waits.findings[0].broken);
     EXPECT_THAT(waits.findings[0].advice, HasSubstr("waits for ever"));
   }
+  const Report too_short = check_follow(parse_spec(text("{ position = 50000 }", "2000"), "f"));
+  ASSERT_EQ(too_short.findings.size(), 1U);
+  EXPECT_TRUE(too_short.findings[0].broken);
+  EXPECT_THAT(too_short.findings[0].advice,
+              HasSubstr("it moves from 0 to 2000 and never passes 50000 forwards"));
 }
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {

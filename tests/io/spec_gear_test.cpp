@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/io/make.hpp"
+#include "jounce/io/sync_check.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 
@@ -51,6 +52,55 @@ TEST(GearSpec, EngagesAtPositions) {
   EXPECT_NEAR(cam.jet(10000)[0], 4500, 1e-12);
   ASSERT_EQ(made.zones.size(), 1U);
   EXPECT_EQ(made.zones[0].from, 5000);
+}
+
+TEST(GearSpec, AnEngagementThatMustTurnBackIsTold) {
+  const auto checked = [](const std::string& gear) {
+    return check_sync(parse_spec(
+        spec("[gear]\nengage = \"position\"\ndenominator = 2\nmaster_sync_position = 5000\n"
+             "master_start_distance = 4000\nmaster_end = 10000\n" +
+             gear),
+        "g"));
+  };
+  EXPECT_TRUE(checked("numerator = 1\nslave_sync_position = 1000\n").findings.empty());
+  const Report still = checked("numerator = 1\nslave_sync_position = 0\n");  // h = 0
+  ASSERT_EQ(still.findings.size(), 1U);
+  const Finding& f = still.findings[0];
+  EXPECT_EQ(f.rule, "gear/reversal");
+  EXPECT_EQ(f.severity, Severity::warning);
+  EXPECT_FALSE(f.broken);
+  EXPECT_NEAR(f.where, 2600, 1e-6);  // z = 0.4 of k D (-4 z^3 + 7 z^4 - 3 z^5)
+  EXPECT_NEAR(f.value, -0.256, 1e-12);
+  EXPECT_THAT(f.advice, testing::HasSubstr("it must turn back to gather way, here to -395.062 mm"));
+  EXPECT_THAT(f.advice, testing::HasSubstr("with slave_start between -1200 and -800 it"));
+  EXPECT_TRUE(
+      checked("numerator = 1\nslave_sync_position = 0\nslave_start = -1000\n").findings.empty());
+  const Report against = checked("numerator = -1\nslave_sync_position = 2000\n");  // rho = -1
+  ASSERT_EQ(against.findings.size(), 1U);
+  EXPECT_GT(against.findings[0].value, 0.5);
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("goes against the gear"));
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("to 2218.73 mm"));
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("between 2800 and 3200"));
+}
+
+TEST(GearSpec, AClutchOfNoDistanceIsFoundWhereTheCamBegins) {
+  const auto checked = [](const std::string& gear) {
+    return check_sync(
+        parse_spec(spec("[gear]\nengage = \"distance\"\nnumerator = 4\ndenominator = 3\n"
+                        "master_end = 1440\n" +
+                        gear),
+                   "g"));
+  };
+  const Report steps = checked("distance = 0\n");
+  ASSERT_EQ(steps.findings.size(), 1U);
+  EXPECT_EQ(steps.findings[0].rule, "gear/ratio_step");
+  EXPECT_TRUE(steps.findings[0].broken);
+  EXPECT_EQ(steps.findings[0].where, 0);
+  EXPECT_EQ(steps.findings[0].value, 4.0 / 3);
+  EXPECT_EQ(sync_sentence(steps.findings[0], "0 deg"),
+            "the ratio steps from 0 to 1.33333 mm/deg at 0 deg, where the slave engages");
+  EXPECT_TRUE(checked("distance = 10\n").findings.empty());
+  EXPECT_TRUE(checked("distance = 0\nengage_at = 5\n").findings.empty()) << "continuity tells it";
 }
 
 std::string refusal(const std::string& text) {
