@@ -103,6 +103,12 @@ void append(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
 }
 
+/// Whether its rises are laws between knots that somebody chose: those of a generator for a slave in
+/// step are what they must be, and no bound is asked of them.
+bool is_designed(const Input& input) {
+  return !input.spec || !std::holds_alternative<SyncSpec>(input.spec->subject);
+}
+
 std::string rise_line(const Rise& rise, const Labels& labels) {
   const Characteristics c = characteristics(rise);
   const Report best = certificates(rise);
@@ -206,7 +212,7 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   if (told)  // with what to do about it
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   append(report, std::move(odd));
-  append(report, certificates(*cam));
+  if (is_designed(input)) append(report, certificates(*cam));
   if (has_slave_limits(input) && input.spec->master)
     report.findings.push_back(master_finding(*cam, input));
   sort(report);
@@ -216,7 +222,7 @@ std::string cam_text(const Input& input) {
   const Cam* cam = std::get_if<Cam>(&input.curve);
   if (!cam) return "";
   std::string text = figure_lines(input);
-  const auto all = rises(*cam);
+  const auto all = is_designed(input) ? rises(*cam) : std::vector<Rise>{};
   for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
     text += rise_line(all[i], input.labels);
   if (all.size() > most_rises)

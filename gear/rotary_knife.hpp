@@ -83,16 +83,15 @@ struct RotaryKnifeFigures {
 /// jerk, too. It turns the knife back where the cut is too long and `dwell` is not set.
 ///
 /// Throws InputError for a value out of range: two sync values or none; a sync zone that leaves no
-/// recovery, is less than 2 contact angles, or (horizontal) reaches 90 deg; a law that is no
-/// symmetric rise from rest to rest.
+/// recovery or (horizontal) reaches 90 deg; a law that is no symmetric rise from rest to rest.
 SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 
 /// Throws as rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
-/// What is to be said of a knife beside its limits. Broken: "knife/reversal". Warning: "knife/slip",
-/// a blade that is more than 1 % slower than asked while it is in step. Notes: "knife/surface_ratio",
-/// "knife/contact", "knife/dwell". Throws as rotary_knife().
+/// What is to be said of a knife beside its limits. Broken where they are: "knife/reversal", and
+/// "knife/contact", a sync zone of less than two contact angles. Warning: "knife/slip", a blade that
+/// is more than 1 % slower than asked while it is in step. Throws as rotary_knife().
 Report check(const RotaryKnifeSpec& spec);
 
 }  // namespace jounce
