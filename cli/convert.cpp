@@ -102,7 +102,11 @@ Converted convert(const Input& input, const Options& options) {
 std::string samples_of(const TableFile& file, const Options& options) {
   if (format_of(options) || options.to == "json" || options.output.ends_with(".json"))
     throw InputError("--every", options.every, "writes samples, as CSV and nothing else");
-  return samples_csv(file, quantity(options.every, file.units.x));
+  try {
+    return samples_csv(file, quantity(options.every, file.units.x));
+  } catch (const InputError& error) {
+    throw InputError("--every", options.every, error.rule());
+  }
 }
 
 std::string text_of(const TableFile& file, const Options& options) {

@@ -137,10 +137,6 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
   return report;
 }
 
-}  // namespace
-
-namespace {
-
 /// What engaging would do to a slave that stands where the cam begins, as its master does.
 Report check_coupling(const Spec& spec, const Cam& cam) {
   const Coupling coupling(cam, *spec.coupling);

@@ -142,7 +142,9 @@ std::vector<Series> lines_of(const std::vector<CutSpeed>& points, double per_min
   std::vector<Series> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CutSpeed& p = points[i];
-    const std::string label = told(p.limit);
+    // Where there is no cut there is no line: a gap at the end of another is all that it takes.
+    const bool drawn = p.speed > 0 || all.empty();
+    const std::string label = drawn ? told(p.limit) : all.back().label;
     auto own = std::find_if(all.begin(), all.end(),
                             [&](const Series& series) { return series.label == label; });
     if (own == all.end()) own = all.insert(all.end(), {label, {}, {}, Style::line});
@@ -152,7 +154,7 @@ std::vector<Series> lines_of(const std::vector<CutSpeed>& points, double per_min
       own->y.push_back(std::nan(""));
     }
     own->x.push_back(p.length);
-    const double shown = p.speed > 0 ? p.speed : std::nan("");  // no line where there is no cut
+    const double shown = p.speed > 0 ? p.speed : std::nan("");
     own->y.push_back(rate ? shown / p.length * per_minute : shown);
   }
   return all;

@@ -7,6 +7,7 @@
 #include "jounce/gear/detail/follow_passes.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/detail/local_velocities.hpp"
 
 // From ratio r0 to r1 over the master's length L the slave is to travel S. One segment of linear
 // ratio does where
@@ -204,18 +205,14 @@ class Knots {
                            ", at its end, where it is " + number(*last.ratio));
   }
 
-  /// Ratios left out: between the mean ratios before and after (F. Fritsch, J. Butland, SIAM J. Sci.
-  /// Stat. Comput. 5 (1984)), so that nothing overshoots.
+  /// Ratios left out: between the mean ratios before and after, so that nothing overshoots.
   void fill() {
     for (std::size_t i = 1; i + 1 < all_.size(); ++i) {
       if (all_[i].ratio) continue;
       const double h0 = all_[i].master - all_[i - 1].master;
       const double h1 = all_[i + 1].master - all_[i].master;
-      const double d0 = (all_[i].slave - all_[i - 1].slave) / h0;
-      const double d1 = (all_[i + 1].slave - all_[i].slave) / h1;
-      const double w0 = 2 * h1 + h0;
-      const double w1 = h1 + 2 * h0;
-      all_[i].ratio = d0 * d1 > 0 ? (w0 + w1) / (w0 / d0 + w1 / d1) : 0;
+      all_[i].ratio = detail::between_chords(h0, (all_[i].slave - all_[i - 1].slave) / h0, h1,
+                                             (all_[i + 1].slave - all_[i].slave) / h1);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/pvt/detail/local_velocities.hpp"
 
 // A stage of length T from (p, v, a), at u = s T:
 //
@@ -13,12 +14,8 @@
 //   acceleration linear to a1:  p + v T s + a T^2 s^2 / 2 + (a1 - a) T^2 s^3 / 6      (2)
 //                               and ends with v + (a + a1) T / 2                      (3)
 //
-// Velocities of the cubic rule at a point between chords of slopes d, e over lengths h, k (Fritsch and
-// Butland 1984, the weights as in PCHIP): 0 unless d e > 0, else
-//
-//   v = 3 (h + k) / ((2 k + h) / d + (k + 2 h) / e)                                   (4)
-//
-// which is at most 3 times the smaller slope, so that neither stage overshoots.
+// Velocities of the cubic rule at a point are those of the monotone filling: at most 3 times the
+// smaller slope beside it, so that neither stage overshoots.
 
 namespace jounce::pmc600 {
 namespace {
@@ -88,7 +85,7 @@ Stages stages_of(const ProfileTable& table, double first, const Errors& errors) 
   return stages;
 }
 
-/// (4) at each point, at rest at the last.
+/// At each point; at rest at the last.
 std::vector<double> velocities(const Stages& stages, double first) {
   const auto& [length, value] = stages;
   std::vector<double> v(value.size());
@@ -96,10 +93,8 @@ std::vector<double> velocities(const Stages& stages, double first) {
   for (std::size_t i = 1; i < length.size(); ++i) {
     const double h = length[i - 1];
     const double k = length[i];
-    const double d = (value[i] - value[i - 1]) / h;
-    const double e = (value[i + 1] - value[i]) / k;
-    if ((d > 0 && e > 0) || (d < 0 && e < 0))
-      v[i] = 3 * (h + k) / ((2 * k + h) / d + (k + 2 * h) / e);
+    v[i] =
+        detail::between_chords(h, (value[i] - value[i - 1]) / h, k, (value[i + 1] - value[i]) / k);
   }
   return v;
 }

@@ -21,15 +21,6 @@
 namespace jounce::detail {
 namespace {
 
-double harmonic(double h0, double d0, double h1, double d1) {
-  if (!(d0 > 0 && d1 > 0) && !(d0 < 0 && d1 < 0)) return 0;
-  const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
-  const double smaller = std::abs(d0) < std::abs(d1) ? d0 : d1;
-  // (2) over the smaller chord, whose reciprocal may overflow.
-  const double mean = smaller * (w0 + w1) / (w0 * (smaller / d0) + w1 * (smaller / d1));
-  return std::abs(mean) < 3 * std::abs(smaller) ? mean : 3 * smaller;
-}
-
 /// The end of the parabola through three points, inside the square.
 double open_end(double h0, double d0, double h1, double d1) {
   const double v = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
@@ -39,12 +30,21 @@ double open_end(double h0, double d0, double h1, double d1) {
 
 }  // namespace
 
+double between_chords(double h0, double d0, double h1, double d1) {
+  if (!(d0 > 0 && d1 > 0) && !(d0 < 0 && d1 < 0)) return 0;
+  const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
+  const double smaller = std::abs(d0) < std::abs(d1) ? d0 : d1;
+  // (2) over the smaller chord, whose reciprocal may overflow.
+  const double mean = smaller * (w0 + w1) / (w0 * (smaller / d0) + w1 * (smaller / d1));
+  return std::abs(mean) < 3 * std::abs(smaller) ? mean : 3 * smaller;
+}
+
 void monotone_velocities(const Chords& chords, bool periodic, std::span<double> v) {
   const auto& [h, d] = chords;
   const std::size_t last = d.size();
-  for (std::size_t i = 1; i < last; ++i) v[i] = harmonic(h[i - 1], d[i - 1], h[i], d[i]);
+  for (std::size_t i = 1; i < last; ++i) v[i] = between_chords(h[i - 1], d[i - 1], h[i], d[i]);
   if (periodic) {
-    v[0] = v[last] = harmonic(h[last - 1], d[last - 1], h[0], d[0]);
+    v[0] = v[last] = between_chords(h[last - 1], d[last - 1], h[0], d[0]);
   } else if (last == 1) {
     v[0] = v[1] = d[0];
   } else {

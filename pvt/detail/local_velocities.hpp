@@ -10,8 +10,12 @@ struct Chords {
   std::span<const double> chord;
 };
 
-/// Velocities by Fritsch and Butland's weighted harmonic mean of the chords; at open ends the
-/// three-point formula, limited. Across the seam if `periodic`.
+/// The velocity at a knot between pieces of lengths h0, h1 and chords d0, d1: Fritsch and Butland's
+/// weighted harmonic mean, 0 where the chords turn round. At most 3 times the smaller one.
+double between_chords(double h0, double d0, double h1, double d1);
+
+/// Velocities by those; at open ends the three-point formula, limited. Across the seam if
+/// `periodic`.
 void monotone_velocities(const Chords& chords, bool periodic, std::span<double> v);
 
 /// Whether the cubic piece with this chord and these velocities never runs against its chord (chord
