@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "jounce/gear/gear.hpp"
+#include "jounce/profiles/between.hpp"
 #include "jounce/profiles/dynamics.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/splice.hpp"
@@ -34,18 +33,6 @@ Dynamics dynamics(const GearInSpec& spec) {
   require_rate("deceleration", spec.deceleration, true, 677);
   require_rate("jerk", spec.jerk, true, 679);
   return {.acceleration = spec.acceleration, .deceleration = spec.deceleration, .jerk = spec.jerk};
-}
-
-/// The part of a motion from t < end on.
-Trajectory from(const Trajectory& f, double t) {
-  std::vector<Segment> kept;
-  for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    const double into = t - f.breaks()[i];
-    const Segment& piece = f.segments()[i];
-    if (into >= piece.length) continue;
-    kept.push_back(into > 0 ? part(piece, into / piece.length, 1) : piece);
-  }
-  return Trajectory(std::move(kept), t, f.outside());
 }
 
 /// c of (2), from t on.
@@ -96,7 +83,7 @@ Trajectory gear_in(const GearInSpec& spec, double slave, const Trajectory& maste
     throw InputError("t", t,
                      "must lie in the motion of the master, from " + number(master.start()) +
                          " to before " + number(master.end()));
-  const Trajectory rest = from(master, t);
+  const Trajectory rest = between(master, t, master.end());
   const GearedIn gear = gear_in(spec, MotionState{slave, 0, 0}, rest.jet(t), t);
   Trajectory y = shifted(scaled(rest, gear.ratio), 0, slave - gear.ratio * gear.master);
   if (gear.ramp.duration() > 0) y = superimposed(y, correction(gear, t));
