@@ -1,0 +1,170 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/optimize/optimize.hpp"
+#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// q = by[0] f + by[1] f' + by[2] f'' + by[3] f''' + by[4] f'''' + constant: what depends on a shape f
+/// at one place alone, linearly. The torque of a load J a + B v + K s + F behind a master that turns
+/// at w is {"torque", {K, B w, J w^2}, F}.
+struct LinearQuantity {
+  std::string name;  ///< in the user's words: "geo_acceleration", "torque"
+  std::array<double, 5> by{};
+  double constant = 0;
+};
+
+/// f itself (0), geo_velocity (1), geo_acceleration (2), geo_jerk (3), geo_jounce (4).
+LinearQuantity derivative_of_shape(int order);
+
+// ---- what can be minimised or limited: over the whole shape -----------------------------------
+
+/// max |q|, at every place.
+struct PeakOf {
+  LinearQuantity quantity;
+};
+
+/// sqrt(integral of q^2 / length): also motor heating, energy in a winding.
+struct RmsOf {
+  LinearQuantity quantity;
+};
+
+/// The amplitude in u at which a mode (Mode, profiles/vibration.hpp) swings after the end, the worst
+/// over a band: frequencies in cycles per unit of x, damping ratios.
+struct ResidualOf {
+  double low = 0;
+  double high = 0;  ///< low == high: one frequency
+  double damping_low = 0;
+  double damping_high = 0;
+};
+
+/// max |force * velocity|, at every place: not convex.
+struct PowerOf {
+  LinearQuantity force;
+  LinearQuantity velocity;
+};
+
+/// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
+/// torque of a drive at every millisecond. Sampled: only at the places of the list.
+struct ResponseOf {
+  std::string name;
+  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+};
+
+using ShapeFigure = std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf>;
+
+std::string name(const ShapeFigure& figure);
+
+// ---- the problem ------------------------------------------------------------------------------
+
+/// What is fixed at one end; what is left out is free.
+struct ShapeEnd {
+  std::optional<double> value = {};         ///< u
+  std::optional<double> velocity = {};      ///< u/x
+  std::optional<double> acceleration = {};  ///< u/x^2
+  std::optional<double> jerk = {};          ///< u/x^3
+};
+
+/// A bound that runs straight from its value at `from` to that at `to`.
+struct Edge {
+  double at_from = 0;
+  double at_to = 0;
+};
+
+/// A quantity held between two edges over a window of x: a limit, a keep-out zone, a monotone stretch
+/// (geo_velocity, lower 0), a point to pass within a tolerance (from == to), a stretch in step (value,
+/// lower == upper: kept exactly).
+struct Corridor {
+  LinearQuantity quantity;
+  double from = 0;
+  double to = 0;
+  std::optional<Edge> lower = {};
+  std::optional<Edge> upper = {};
+};
+
+/// A figure that may not exceed a value.
+struct Ceiling {
+  ShapeFigure figure;
+  double at_most = 0;
+};
+
+struct WeightedFigure {
+  ShapeFigure figure;
+  double weight = 1;  ///< of figure / (its value for the given shape), > 0
+};
+
+/// A function left open between two ends: its shape is wanted.
+///
+///     ShapeProblem problem;                                       // rest to rest, 0..1
+///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
+///     problem.to = {.value = 1, .velocity = 0, .acceleration = 0};
+///     problem.minimize = {{PeakOf{derivative_of_shape(3)}}};
+///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
+///
+/// The shape is a spline: `pieces` polynomials of `degree`, joined with degree - 1 continuous
+/// derivatives. Its knots are equal to begin with; `refine` adds more where the optimum switches.
+struct ShapeProblem {
+  double begin = 0;
+  double end = 1;
+  ShapeEnd from = {};
+  ShapeEnd to = {};
+  bool periodic = false;  ///< derivatives are equal at both ends
+  int degree = 5;         ///< 2 to 7
+  std::size_t pieces = 100;
+  bool refine = false;
+  std::vector<Segment> given =
+      {};  ///< to start from and compare with; left out: the smoothest polynomial
+  std::vector<WeightedFigure> minimize = {};
+  std::vector<Corridor> corridors = {};
+  std::vector<Ceiling> ceilings = {};
+  std::uint64_t seed = 1;
+  int max_evaluations = 2000;          ///< of the not convex part
+  std::optional<double> seconds = {};  ///< time budget
+  double tolerance = 1e-6;             ///< relative
+};
+
+struct FigureResult {
+  std::string name;
+  double given = 0;
+  double reached =
+      0;  ///< exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), at its places (ResponseOf)
+  /// Proven: no function at all within the constraints is below, where such a bound is known (cf.
+  /// optimize/bound.hpp); otherwise left out.
+  std::optional<double> bound = {};
+};
+
+struct ShapeOutcome {
+  Outcome::Status status = Outcome::Status::infeasible;
+  std::string reason;             ///< one sentence
+  std::vector<Segment> segments;  ///< the best shape, from `begin` on
+  double value = 0;               ///< the weighted sum reached
+  /// Proven by weak duality for convex problems: no spline over these knots has a weighted sum below.
+  std::optional<double> spline_bound = {};
+  std::vector<FigureResult> figures;  ///< of `minimize`, then of `ceilings`
+  Report limits;  ///< corridors and ceilings checked on the result, independently and exactly
+  std::vector<Finding> active;  ///< what stops further improvement, as in Outcome
+  int rounds = 0;               ///< of the exchange
+  int evaluations = 0;
+
+  [[nodiscard]] bool usable() const { return limits.ok() && !segments.empty(); }
+};
+
+/// Between two rounds; false stops, the best so far is still answered.
+using ShapeKeepGoing = std::function<bool(int round, double value)>;
+
+/// Throws InputError as require_valid() does.
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going = {});
+
+void require_valid(const ShapeProblem& problem);
+
+}  // namespace jounce
