@@ -39,7 +39,8 @@ DataTable extrema_table(const Input& input) {
             "; position in " + input.labels.unit_of("position") + ", @ in " + input.labels.units.x;
         for (std::size_t k = 1; k < Over::names.size(); ++k)
           table.columns.push_back(std::string("|") + Over::names[k] + "|");
-        for (const auto& [label, first, last] : groups(curve.segments().size(), input.labels)) {
+        for (const auto& [label, first, last] :
+             groups(curve.segments().size(), input.labels, rows_for_people)) {
           const Ranges r = segment_extrema(curve, first, last);
           DataTable::Row row{{label, tidy(r[0].min.value, r[0]), tidy(r[0].max.value, r[0])},
                              false};

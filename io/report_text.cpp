@@ -82,7 +82,8 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
 std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "pt/oscillation")
     return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
-  if (f.rule == "pt/end_velocity") return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
+  if (f.rule == "pt/end_velocity")
+    return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
   return fmt::format("{} is {} at {}", f.quantity, value, where);
 }
 
@@ -114,9 +115,19 @@ Json to_object(const Finding& finding, const Labels& labels) {
   return object;
 }
 
+std::vector<SegmentGroup> taken_together(const std::vector<SegmentGroup>& all, std::size_t most) {
+  std::vector<SegmentGroup> few;
+  for (std::size_t i = 0; i < most; ++i) {
+    const SegmentGroup& a = all[i * all.size() / most];
+    const SegmentGroup& b = all[(i + 1) * all.size() / most - 1];
+    few.push_back({a.first == b.first ? a.label : a.label + " to " + b.label, a.first, b.last});
+  }
+  return few;
+}
+
 }  // namespace
 
-std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels) {
+std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels, std::size_t most) {
   std::vector<SegmentGroup> all;
   for (std::size_t i = 0; i < segments; ++i) {
     const std::string label =
@@ -126,7 +137,7 @@ std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels) {
     else
       all.push_back({label, i, i});
   }
-  return all;
+  return all.size() > most ? taken_together(all, most) : all;
 }
 
 std::string rounded(double value) {
@@ -179,10 +190,10 @@ std::string sentence(const Finding& finding, const Labels& labels) {
     return fmt::format("no velocities keep the limits from {} to the next knot, {} later",
                        place(finding, labels), with_unit(finding.value, labels.units.x));
   if (finding.rule.starts_with("fill/"))
-    return fmt::format("{} {} at the knots of {} leaves no room for {}", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
-                       finding.rule == "fill/convex" ? "the bend of the data"
-                                                     : "a way without turning back");
+    return fmt::format(
+        "{} {} at the knots of {} leaves no room for {}", finding.quantity,
+        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
+        finding.rule == "fill/convex" ? "the bend of the data" : "a way without turning back");
   if (finding.rule.starts_with("compare/") && finding.rule != "compare/speed")
     return of_compare(finding, with_unit(finding.value, labels.unit_of(finding)),
                       place(finding, labels));
@@ -246,7 +257,8 @@ std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
                                  "max |" + std::string(Over::names[1]) + "|",
                                  "max |" + std::string(Over::names[2]) + "|",
                                  "max |" + std::string(Over::names[3]) + "|");
-  for (const auto& [label, first, last] : groups(curve.segments().size(), labels)) {
+  for (const auto& [label, first, last] :
+       groups(curve.segments().size(), labels, rows_for_people)) {
     const Ranges ranges = segment_extrema(curve, first, last);
     text += fmt::format(
         "  {:<20} {:>22}", label,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,13 +26,17 @@ struct Labels {
   [[nodiscard]] std::string segment_of(const Finding& finding) const;
 };
 
-/// The segments of a curve that share a label: the pieces of one law.
+/// The segments of a curve that share a label: the pieces of one law. More than `most` of them are
+/// taken together, "1 to 5000", as evenly as can be.
 struct SegmentGroup {
   std::string label;
   std::size_t first = 0;
   std::size_t last = 0;
 };
-std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels);
+std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max());
+/// As many rows as people look at.
+constexpr std::size_t rows_for_people = 60;
 
 /// A number for people: six significant digits.
 std::string rounded(double value);
@@ -48,7 +54,8 @@ std::string full_text(const Report& report, const Labels& labels, std::size_t mo
 /// {"ok": ..., "findings": [...]}, every number in full.
 std::string to_json(const Report& report, const Labels& labels);
 
-/// The exact extrema of every segment as a table for people, and as a JSON list.
+/// The exact extrema of every segment as a table for people (rows_for_people at the most), and as a
+/// JSON list.
 template <class Over>
 std::string extrema_text(const Curve<Over>& curve, const Labels& labels);
 template <class Over>

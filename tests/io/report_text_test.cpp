@@ -85,4 +85,15 @@ TEST(ReportText, CountsWhatItDoesNotShow) {
 }
 
 }  // namespace
+TEST(ReportText, TakesTogetherWhatNobodyWouldRead) {
+  const auto all = groups(100'000, {}, 60);
+  ASSERT_EQ(all.size(), 60u);
+  EXPECT_EQ(all.front().label, "1 to 1666");
+  EXPECT_EQ(all.front().first, 0u);
+  for (std::size_t i = 1; i < all.size(); ++i) EXPECT_EQ(all[i].first, all[i - 1].last + 1);
+  EXPECT_EQ(all.back().last, 99'999u);
+  EXPECT_EQ(groups(60, {}, 60).back().label, "60");
+  EXPECT_EQ(groups(61, {}, 60).back().label, "60 to 61");
+}
+
 }  // namespace jounce
