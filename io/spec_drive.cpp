@@ -1,29 +1,111 @@
+#include <array>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
 
 namespace jounce::detail {
 namespace {
 
-void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
-  const std::string damping = "N m s/rad";
-  const auto read = [&](const char* key, const std::string& unit, double& value) {
-    value = table.optional_number(key, unit).value_or(value);
+/// Where the keys of format 1 before composable drives went: they are refused with that.
+constexpr std::array<std::pair<const char*, const char*>, 12> moved{{
+    {"motor_inertia", "inertia in [drive.motor]"},
+    {"motor_friction", "friction = { viscous = ... } in [drive.motor]"},
+    {"torque_limit", "torque_limit in [drive.motor]"},
+    {"load_inertia", "inertia in [[drive.mass]]"},
+    {"shaft_stiffness", "stiffness in [[drive.mass]]"},
+    {"shaft_damping", "damping in [[drive.mass]]"},
+    {"load_friction", "friction = { viscous = ... } in [[drive.mass]]"},
+    {"position_gain", "position_gain in [drive.controller]"},
+    {"velocity_gain", "velocity_gain in [drive.controller]"},
+    {"integral_time", "integral_time in [drive.controller]"},
+    {"velocity_feed_forward", "velocity_feed_forward in [drive.controller]"},
+    {"torque_feed_forward", "torque_feed_forward in [drive.controller]"},
+}};
+
+void refuse_moved(TomlReader& table) {
+  for (const auto& [key, where] : moved)
+    if (table.has(key)) table.fail(key, "", std::string("is now ") + where);
+}
+
+/// The numbers whose key begins with `prefix`, from the table of that part.
+void read_part(TomlReader& table, const std::string& prefix, Drive& drive) {
+  auto friction = table.optional_table("friction");
+  const std::string of_friction = "friction.";
+  for (const DriveNumber& number : numbers(drive)) {
+    if (!number.key.starts_with(prefix)) continue;
+    std::string key = number.key.substr(prefix.size());
+    TomlReader* reader = &table;
+    if (key.starts_with(of_friction)) {
+      if (!friction) continue;
+      reader = &*friction;
+      key = key.substr(of_friction.size());
+    }
+    *number.value = reader->optional_number(key.c_str(), number.unit).value_or(*number.value);
+  }
+  if (friction) friction->finish();
+}
+
+/// A load that moves along a line, as seen at the motor's shaft: per radian it goes `lever` m.
+void read_linear(TomlReader& table, const Units& units, const Drive& drive, Mass& mass) {
+  const auto lever = [&](const char* key) {
+    try {
+      return drive.position_per_rev * conversion(units.position, "m") / (2 * std::numbers::pi);
+    } catch (const InputError&) {
+      table.fail(key, "", "needs a position that is a length, not " + units.position);
+    }
   };
-  read("motor_inertia", "kg m^2", drive.motor_inertia);
-  read("load_inertia", "kg m^2", drive.load_inertia);
-  read("shaft_stiffness", "N m/rad", drive.shaft_stiffness);
-  read("shaft_damping", damping, drive.shaft_damping);
-  read("motor_friction", damping, drive.motor_friction);
-  read("load_friction", damping, drive.load_friction);
-  read("position_gain", "1/s", drive.position_gain);
-  read("velocity_gain", damping, drive.velocity_gain);
-  read("integral_time", "s", drive.integral_time);
-  read("velocity_feed_forward", "1", drive.velocity_feed_forward);
-  read("torque_feed_forward", "1", drive.torque_feed_forward);
-  read("torque_limit", "N m", drive.torque_limit);
+  if (const auto kg = table.optional_number("mass", "kg")) {
+    if (table.has("inertia")) table.fail("mass", "", "stands for inertia: leave one of them out");
+    mass.inertia = *kg * lever("mass") * lever("mass");
+  }
+  if (const auto newton = table.optional_number("load_force", "N"))
+    mass.load_torque += *newton * lever("load_force");
+  if (const auto belt = table.optional_number("belt_stiffness", "N/m")) {
+    if (table.has("stiffness"))
+      table.fail("belt_stiffness", "", "stands for stiffness: leave one of them out");
+    const double radius = table.number("pulley_radius", "m");
+    mass.stiffness = *belt * radius * radius;
+  }
+}
+
+void read_train(TomlReader& table, const Units& units, Drive& drive) {
+  std::vector<TomlReader> masses = table.tables("mass");
+  if (masses.empty()) return;
+  drive.train.resize(masses.size());
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    read_part(masses[i], "mass[" + std::to_string(i + 1) + "].", drive);
+    read_linear(masses[i], units, drive, drive.train[i]);
+    masses[i].finish();
+  }
+}
+
+void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
   drive.position_per_rev = table.number("position_per_rev", units.position + "/rev");
+  for (const char* part : {"motor", "controller"})
+    if (auto reader = table.optional_table(part)) {
+      read_part(*reader, std::string(part) + ".", drive);
+      reader->finish();
+    }
+  read_train(table, units, drive);
+  if (auto pendulum = table.optional_table("pendulum")) {
+    drive.pendulum.emplace();
+    read_part(*pendulum, "pendulum.", drive);
+    pendulum->finish();
+  }
+}
+
+DriveLimits read_drive_limits(TomlReader& limits, const Units& units) {
+  DriveLimits found;
+  found.torque = limits.optional_number("torque", "N m");
+  found.rms_torque = limits.optional_number("rms_torque", "N m");
+  found.following_error = limits.optional_number("following_error", units.position);
+  found.residual = limits.optional_number("residual", units.position);
+  limits.finish();
+  return found;
 }
 
 }  // namespace
@@ -31,18 +113,14 @@ void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
   auto table = owner.optional_table("drive");
   if (!table) return std::nullopt;
+  refuse_moved(*table);
   DriveSpec spec;
   const std::vector<std::string> models{"servo_400w"};
   if (table->has("model") && table->choice("model", models) == 0) spec.drive = servo_400w();
   read_drive_numbers(*table, spec.drive, units);
   spec.settle = table->optional_number("settle", "s").value_or(spec.settle);
-  if (auto limits = table->optional_table("limits")) {
-    spec.limits.torque = limits->optional_number("torque", "N m");
-    spec.limits.rms_torque = limits->optional_number("rms_torque", "N m");
-    spec.limits.following_error = limits->optional_number("following_error", units.position);
-    spec.limits.residual = limits->optional_number("residual", units.position);
-    limits->finish();
-  }
+  if (auto limits = table->optional_table("limits"))
+    spec.limits = read_drive_limits(*limits, units);
   table->finish();
   try {
     require_valid(spec.drive);

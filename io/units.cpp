@@ -25,7 +25,7 @@ class System {
  public:
   System() : system_(ut_new_system()) {
     ut_set_error_message_handler(ut_ignore);
-    for (const char* symbol : {"m", "rad", "s", "kg", "pulse"}) {
+    for (const char* symbol : {"m", "rad", "s", "kg", "A", "pulse"}) {
       const Unit base(ut_new_base_unit(system_));
       ut_map_symbol_to_unit(symbol, UT_UTF8, base.get());  // keeps a copy
     }
@@ -40,7 +40,7 @@ class System {
     define("g", 1e-3, "kg");
     define("N", 1, "kg.m/s^2"), define("J", 1, "N.m"), define("W", 1, "J/s"),
         define("Hz", 1, "1/s"), define("kHz", 1e3, "Hz"), define("MHz", 1e6, "Hz");
-    define("rpm", 1, "rev/min");
+    define("rpm", 1, "rev/min"), define("V", 1, "W/A"), define("ohm", 1, "V/A");
   }
 
   ~System() { ut_free_system(system_); }
@@ -78,7 +78,7 @@ Unit require_unit(std::string_view text) {
   if (!unit)
     throw InputError("unit", std::string(text),
                      "is not a unit that Jounce knows (m mm um cm in, rad deg rev, pulse, s ms us ns "
-                     "min, kg g, N, J, W, Hz kHz MHz, rpm and their products)");
+                     "min, kg g, N, J, W, Hz kHz MHz, rpm, A V ohm and their products)");
   return unit;
 }
 

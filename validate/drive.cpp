@@ -72,7 +72,7 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
         "raise the feed-forward or the gains, or lower the jerk");
   check("drive/residual", "residual vibration", result.residual, limits.residual,
         "take a smoother law, or a shaper for the residual frequency");
-  report.findings.push_back(saturation_of(result, drive.torque_limit));
+  report.findings.push_back(saturation_of(result, drive.motor.torque_limit));
   if (!result.integration.ok()) report.findings.push_back(integration_of(result.integration));
   sort(report);
   return report;
@@ -80,41 +80,12 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
 
 }  // namespace
 
-Drive servo_400w() {
-  Drive drive;
-  drive.motor_inertia = 4e-5;
-  drive.load_inertia = 2e-4;
-  drive.shaft_stiffness = 50;
-  drive.shaft_damping = 5e-3;
-  drive.motor_friction = 1e-4;
-  drive.load_friction = 1e-4;
-  drive.position_gain = 40;
-  drive.velocity_gain = 0.05;
-  drive.integral_time = 0.02;
-  drive.torque_limit = 3.8;
-  drive.position_per_rev = 360;
-  return drive;
-}
-
-void require_valid(const Drive& drive) {
-  require_positive("motor_inertia", drive.motor_inertia);
-  require_positive("load_inertia", drive.load_inertia);
-  require_positive("shaft_stiffness", drive.shaft_stiffness);
-  require_not_negative("shaft_damping", drive.shaft_damping);
-  require_not_negative("motor_friction", drive.motor_friction);
-  require_not_negative("load_friction", drive.load_friction);
-  require_positive("position_gain", drive.position_gain);
-  require_positive("velocity_gain", drive.velocity_gain);
-  require_not_negative("integral_time", drive.integral_time);
-  require_not_negative("velocity_feed_forward", drive.velocity_feed_forward);
-  require_not_negative("torque_feed_forward", drive.torque_feed_forward);
-  require_positive("torque_limit", drive.torque_limit);
-  require_positive("position_per_rev", drive.position_per_rev);
-}
-
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options) {
   require_valid(drive);
+  if (drive.train.size() != 1 || drive.train[0].stiffness == 0 || drive.pendulum)
+    throw InputError("mass", std::to_string(drive.train.size()) + " of them",
+                     "must be one elastic mass");
   require_valid(options);
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");

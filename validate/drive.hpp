@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "jounce/profiles/curve.hpp"
@@ -11,29 +12,95 @@
 
 namespace jounce {
 
-/// A servo axis as two masses on a shaft, under a position loop (P), a velocity loop (PI), and
-/// feed-forward of velocity and of the torque that accelerates both masses. Everything is seen at
-/// the motor's shaft: a load behind a gear of ratio i counts its inertia, stiffness and damping
-/// divided by i^2. The equations stand in docs/validate.md and at the head of drive_model.cpp.
+/// Friction of a body against the frame: viscous, and dry friction that falls from its breakaway
+/// value to Coulomb's as the body picks up speed (Stribeck),
 ///
-/// The controller is continuous: no sampling, no quantised encoder, no delay of the current loop.
-struct Drive {
-  double motor_inertia = 0;    ///< J_m, kg m^2, > 0
-  double load_inertia = 0;     ///< J_l, kg m^2, > 0
-  double shaft_stiffness = 0;  ///< c, N m/rad, > 0
-  double shaft_damping = 0;    ///< d, N m s/rad, >= 0
-  double motor_friction = 0;   ///< b_m, viscous, N m s/rad, >= 0
-  double load_friction = 0;    ///< b_l, viscous, N m s/rad, >= 0
+///     T_f = b w + sign(w) (T_c + (T_s - T_c) exp(-(w / w_s)^2)),   |T_f| <= T_s at rest
+struct Friction {
+  double viscous = 0;            ///< b, N m s/rad, >= 0
+  double coulomb = 0;            ///< T_c, N m, >= 0
+  double breakaway = 0;          ///< T_s, N m, >= coulomb; 0: the same as coulomb
+  double stribeck_velocity = 0;  ///< w_s, rad/s, >= 0; 0: falls at once
+};
 
+/// 0 in a number that is marked with a star: not modelled, or not limited.
+struct Motor {
+  double inertia = 0;  ///< kg m^2, > 0
+  Friction friction = {};
+  double torque_limit = 0;     ///< peak, N m, > 0
+  double rated_torque = 0;     ///< * N m, that it bears for ever
+  double rated_velocity = 0;   ///< * rad/s, up to which it has its peak torque
+  double max_velocity = 0;     ///< * rad/s, where none of it is left: a straight line between
+  double torque_constant = 0;  ///< * N m/A
+  double resistance = 0;       ///< * ohm: copper loss = resistance times current squared
+  double thermal_time = 0;     ///< * s, of the winding: I2t
+  double current_lag = 0;      ///< * s, time constant of the current loop
+};
+
+/// A mass of the drive train behind the one before (the first behind the motor).
+struct Mass {
+  double stiffness = 0;   ///< of the shaft or belt to the mass before, N m/rad; 0: rigid
+  double damping = 0;     ///< of the same, N m s/rad, >= 0
+  double backlash = 0;    ///< of the same, rad, the full gap, >= 0
+  double efficiency = 1;  ///< of the gear between, in (0, 1]
+  double inertia = 0;     ///< kg m^2, > 0
+  Friction friction = {};
+  double load_torque = 0;     ///< N m, constant, against positive motion
+  double gravity_torque = 0;  ///< N m, of an arm held horizontally, against positive motion
+  double gravity_angle = 0;   ///< rad, of the arm from hanging down, at position 0
+  double gravity_ratio = 1;   ///< turns of the arm per turn of the motor
+};
+
+/// Hung from the last mass, which it is a share of: a hook's load, or a liquid that sloshes.
+struct Pendulum {
+  double frequency = 0;  ///< Hz, > 0, held at its pivot
+  double damping = 0;    ///< ratio to the critical one, >= 0
+  double share = 0;      ///< of the last mass's inertia, in (0, 1)
+};
+
+/// Position loop (P), velocity loop (PI), feed-forwards of the reference.
+///
+/// With a cycle it is sampled: at every k cycle from the start of the run it reads the motor's angle,
+/// rounded to encoder counts, and the reference; takes the angle's difference quotient over one
+/// cycle as velocity (0 at the first); gives out the torque, held, `delay` later; then integrates
+/// (Euler's rule).
+struct Controller {
   double position_gain = 0;          ///< K_p, 1/s, > 0
   double velocity_gain = 0;          ///< K_v, N m s/rad, > 0
-  double integral_time = 0;          ///< T_i of the velocity loop, s, > 0; 0: no integral part
+  double integral_time = 0;          ///< T_i of the velocity loop, s, >= 0; 0: no integral part
   double velocity_feed_forward = 1;  ///< share of the reference's velocity, >= 0; 1: all of it
-  double torque_feed_forward = 1;    ///< share of (J_m + J_l) times acceleration, >= 0; 1: all
+  double torque_feed_forward = 1;    ///< share of all inertia times acceleration, >= 0; 1: all
+  double friction_feed_forward = 0;  ///< share of all viscous and Coulomb friction, >= 0
+  double cycle = 0;                  ///< s, >= 0; 0: continuous
+  double delay = 0;                  ///< s, >= 0, from reading to torque
+  double encoder_counts = 0;         ///< per revolution of the motor, >= 0; 0: exact
+};
 
-  double torque_limit = 0;      ///< N m, > 0
+/// A servo axis: a motor, the masses that it drives one behind another, and the controller.
+/// **Everything is seen at the motor's shaft**: what stands behind a gear of ratio i counts its
+/// inertia, stiffness and damping divided by i^2, its torques by i. The equations stand in
+/// docs/validate/drive.md and at the head of drive_model.cpp.
+struct Drive {
+  Motor motor = {};
+  std::vector<Mass> train = {};  ///< empty: a rigid axis
+  Controller controller = {};
+  std::optional<Pendulum> pendulum = {};
   double position_per_rev = 0;  ///< u/rev, > 0: the signal's position unit per motor revolution
 };
+
+/// What a number of a drive may be, always finite.
+enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
+
+/// A number of a drive by the name that specs, tolerances and identification know it by.
+struct DriveNumber {
+  std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
+  std::string unit;         ///< "kg m^2", "1": a pure number, "u/rev"
+  double* value = nullptr;  ///< within the drive asked, which must outlive this
+  NumberRule rule = NumberRule::any;
+};
+
+/// Every number that the drive has; masses are counted from 1.
+std::vector<DriveNumber> numbers(Drive& drive);
 
 /// An axis of the size of a 400 W servo: 3.8 N m peak, a load of five times the motor's inertia on
 /// a shaft that resonates near 80 Hz against a held motor, loops tuned for it by hand. The numbers
@@ -41,7 +108,7 @@ struct Drive {
 /// the motor shaft.
 Drive servo_400w();
 
-/// Throws InputError, with the field's name as key, for a value out of range.
+/// Throws InputError, with the number's key, for a value out of range.
 void require_valid(const Drive& drive);
 
 /// What the axis may do; what is left out is not limited. All > 0.

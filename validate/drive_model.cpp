@@ -30,17 +30,18 @@ DriveModel::DriveModel(const Drive& drive)
     : drive_(drive), radians_(2 * std::numbers::pi / drive.position_per_rev) {}
 
 double DriveModel::velocity_error(const Jet& r, const double* y) const {
-  return -drive_.position_gain * y[motor] + (drive_.velocity_feed_forward - 1) * radians_ * r[1] -
+  return -drive_.controller.position_gain * y[motor] +
+         (drive_.controller.velocity_feed_forward - 1) * radians_ * r[1] -
          y[motor_speed];  // (1), (9)
 }
 
 double DriveModel::commanded(const Jet& r, const double* y) const {
-  return drive_.velocity_gain * velocity_error(r, y) + y[integral] +
-         drive_.torque_feed_forward * inertia() * radians_ * r[2];  // (2)
+  return drive_.controller.velocity_gain * velocity_error(r, y) + y[integral] +
+         drive_.controller.torque_feed_forward * inertia() * radians_ * r[2];  // (2)
 }
 
 double DriveModel::torque(const Jet& r, const double* y) const {
-  return mode_ == 0 ? commanded(r, y) : mode_ * drive_.torque_limit;  // (3)
+  return mode_ == 0 ? commanded(r, y) : mode_ * drive_.motor.torque_limit;  // (3)
 }
 
 void DriveModel::rhs(const Jet& r, const double* y, double* dy) const {
@@ -48,16 +49,20 @@ void DriveModel::rhs(const Jet& r, const double* y, double* dy) const {
   const double w_r = radians_ * r[1];
   const double a_r = radians_ * r[2];
   const double asked = commanded(r, y);
-  const double given = mode_ == 0 ? asked : mode_ * d.torque_limit;
-  const double shaft = d.shaft_stiffness * (y[motor] - y[load]) +
-                       d.shaft_damping * (y[motor_speed] - y[load_speed]);  // (5)
+  const double given = mode_ == 0 ? asked : mode_ * d.motor.torque_limit;
+  const double shaft = d.train[0].stiffness * (y[motor] - y[load]) +
+                       d.train[0].damping * (y[motor_speed] - y[load_speed]);  // (5)
   dy[motor] = y[motor_speed];
   dy[load] = y[load_speed];
   dy[motor_speed] =
-      (given - shaft - d.motor_friction * (y[motor_speed] + w_r)) / d.motor_inertia - a_r;    // (6)
-  dy[load_speed] = (shaft - d.load_friction * (y[load_speed] + w_r)) / d.load_inertia - a_r;  // (7)
-  dy[integral] = d.integral_time > 0
-                     ? (d.velocity_gain * velocity_error(r, y) + given - asked) / d.integral_time
+      (given - shaft - d.motor.friction.viscous * (y[motor_speed] + w_r)) / d.motor.inertia -
+      a_r;  // (6)
+  dy[load_speed] =
+      (shaft - d.train[0].friction.viscous * (y[load_speed] + w_r)) / d.train[0].inertia -
+      a_r;  // (7)
+  dy[integral] = d.controller.integral_time > 0
+                     ? (d.controller.velocity_gain * velocity_error(r, y) + given - asked) /
+                           d.controller.integral_time
                      : 0;              // (4)
   dy[torque_squared] = given * given;  // (8)
 }
@@ -65,28 +70,30 @@ void DriveModel::rhs(const Jet& r, const double* y, double* dy) const {
 void DriveModel::jacobian(const Jet& r, const double* y, double* dfdy) const {
   const Drive& d = drive_;
   const auto at = [dfdy](State row, State column) -> double& { return dfdy[column * size + row]; };
-  const double kp = -d.velocity_gain * d.position_gain;  // dT_c / dx_m
-  const double kv = -d.velocity_gain;                    // dT_c / dx_m'
-  const double free = mode_ == 0 ? 1 : 0;                // dT / dT_c
+  const double kp = -d.controller.velocity_gain * d.controller.position_gain;  // dT_c / dx_m
+  const double kv = -d.controller.velocity_gain;                               // dT_c / dx_m'
+  const double free = mode_ == 0 ? 1 : 0;                                      // dT / dT_c
 
   at(motor, motor_speed) = 1;
   at(load, load_speed) = 1;
 
-  at(motor_speed, motor) = (free * kp - d.shaft_stiffness) / d.motor_inertia;
-  at(motor_speed, motor_speed) = (free * kv - d.shaft_damping - d.motor_friction) / d.motor_inertia;
-  at(motor_speed, load) = d.shaft_stiffness / d.motor_inertia;
-  at(motor_speed, load_speed) = d.shaft_damping / d.motor_inertia;
-  at(motor_speed, integral) = free / d.motor_inertia;
+  at(motor_speed, motor) = (free * kp - d.train[0].stiffness) / d.motor.inertia;
+  at(motor_speed, motor_speed) =
+      (free * kv - d.train[0].damping - d.motor.friction.viscous) / d.motor.inertia;
+  at(motor_speed, load) = d.train[0].stiffness / d.motor.inertia;
+  at(motor_speed, load_speed) = d.train[0].damping / d.motor.inertia;
+  at(motor_speed, integral) = free / d.motor.inertia;
 
-  at(load_speed, motor) = d.shaft_stiffness / d.load_inertia;
-  at(load_speed, motor_speed) = d.shaft_damping / d.load_inertia;
-  at(load_speed, load) = -d.shaft_stiffness / d.load_inertia;
-  at(load_speed, load_speed) = -(d.shaft_damping + d.load_friction) / d.load_inertia;
+  at(load_speed, motor) = d.train[0].stiffness / d.train[0].inertia;
+  at(load_speed, motor_speed) = d.train[0].damping / d.train[0].inertia;
+  at(load_speed, load) = -d.train[0].stiffness / d.train[0].inertia;
+  at(load_speed, load_speed) =
+      -(d.train[0].damping + d.train[0].friction.viscous) / d.train[0].inertia;
 
-  if (d.integral_time > 0) {
-    at(integral, motor) = free * kp / d.integral_time;
-    at(integral, motor_speed) = free * kv / d.integral_time;
-    at(integral, integral) = (free - 1) / d.integral_time;
+  if (d.controller.integral_time > 0) {
+    at(integral, motor) = free * kp / d.controller.integral_time;
+    at(integral, motor_speed) = free * kv / d.controller.integral_time;
+    at(integral, integral) = (free - 1) / d.controller.integral_time;
   }
 
   const double twice = 2 * free * torque(r, y);

@@ -116,7 +116,7 @@ class Run {
   /// band of `widths` tolerances about the limit keeps rounding from switching to and fro.
   [[nodiscard]] double threshold(int sign, double widths) const {
     const double band = widths * options_.tolerance;
-    return drive_.torque_limit * (model_.mode() == sign ? 1 - band : 1 + band);
+    return drive_.motor.torque_limit * (model_.mode() == sign ? 1 - band : 1 + band);
   }
 
   /// One interval of the reference; false if the solver gave up.
@@ -171,7 +171,7 @@ class Run {
     }
     const double asked = model_.commanded(at(solver_.time()), solver_.state().data());
     if (mode != 0 && mode * asked < threshold(mode, 2)) mode = 0;
-    if (mode == 0 && std::abs(asked) > drive_.torque_limit * (1 + 2 * options_.tolerance))
+    if (mode == 0 && std::abs(asked) > drive_.motor.torque_limit * (1 + 2 * options_.tolerance))
       mode = asked > 0 ? 1 : -1;
     return mode;
   }

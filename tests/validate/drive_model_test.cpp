@@ -16,8 +16,8 @@ TEST(DriveModel, JacobianIsTheDerivativeOfTheRightHandSide) {
   for (const double integral_time : {0.0, 0.02})
     for (const int mode : {-1, 0, 1}) {
       Drive drive = servo_400w();
-      drive.integral_time = integral_time;
-      drive.velocity_feed_forward = 0.8;
+      drive.controller.integral_time = integral_time;
+      drive.controller.velocity_feed_forward = 0.8;
       DriveModel model(drive);
       model.set_mode(mode);
       std::array<double, size * size> jacobian{};

@@ -31,8 +31,8 @@ using test::MadeUp;
 /// The default drive with a velocity loop so stiff that the load swings against a held motor.
 Drive stiff_loop() {
   Drive drive = servo_400w();
-  drive.velocity_gain = 2;
-  drive.position_gain = 200;
+  drive.controller.velocity_gain = 2;
+  drive.controller.position_gain = 200;
   return drive;
 }
 
@@ -43,7 +43,7 @@ double stroke_of(const Trajectory& f) {
 
 /// So strong that no torque limit is met, where a test is about something else.
 Drive unlimited(Drive drive) {
-  drive.torque_limit = 1e6;
+  drive.motor.torque_limit = 1e6;
   return drive;
 }
 
@@ -88,9 +88,9 @@ TEST(Drive, AgreesWithMatrixExponentialsOnTables) {
 
 TEST(Drive, AgreesWithMatrixExponentialsWithoutIntegralPartAndFeedForward) {
   Drive drive = servo_400w();
-  drive.integral_time = 0;
-  drive.velocity_feed_forward = 0.7;
-  drive.torque_feed_forward = 0;
+  drive.controller.integral_time = 0;
+  drive.controller.velocity_feed_forward = 0.7;
+  drive.controller.torque_feed_forward = 0;
   expect_exact(test::trapezoid_move(), test::trapezoid_move(), drive);
 }
 
@@ -156,15 +156,15 @@ TEST(Drive, SteadyTorqueIsInertiaTimesAccelerationPlusFriction) {
   // T = (J_m + J_l) a + (b_m + b_l) v, and cruising T = (b_m + b_l) v, once its slowest motion
   // (31.8 1/s) has died away: exp(-31.8) = 2e-14 after one second.
   Drive drive = servo_400w();
-  drive.shaft_stiffness = 1e5;
-  drive.shaft_damping = 1;
+  drive.train[0].stiffness = 1e5;
+  drive.train[0].damping = 1;
   const double a = 5000;
   const Trajectory move =
       trapezoid({.from = 0, .to = 20'000, .velocity = 10'000, .acceleration = a}).curve();
   ASSERT_EQ(move.breaks()[1], 2.0);
   const double radians = 2 * std::numbers::pi / 360;
-  const double inertia = drive.motor_inertia + drive.load_inertia;
-  const double friction = drive.motor_friction + drive.load_friction;
+  const double inertia = drive.motor.inertia + drive.train[0].inertia;
+  const double friction = drive.motor.friction.viscous + drive.train[0].friction.viscous;
   const DriveResult run = drive_through(move, drive, {.settle = 0, .samples = 401});
   int seen = 0;
   for (const DriveSample& s : run.samples)
@@ -180,9 +180,9 @@ TEST(Drive, AStiffAxisWithoutFrictionNeedsTheFeedForwardAlone) {
   // With a rigid shaft and no friction the feed-forward is the exact inverse: the following error
   // vanishes and T = (J_m + J_l) a at every instant. What remains goes as the twist J_l a / c.
   Drive drive = servo_400w();
-  drive.shaft_stiffness = 1e7;
-  drive.shaft_damping = 10;
-  drive.motor_friction = drive.load_friction = 0;
+  drive.train[0].stiffness = 1e7;
+  drive.train[0].damping = 10;
+  drive.motor.friction.viscous = drive.train[0].friction.viscous = 0;
   const Trajectory move = test::law_345(3600, 0.4);
   const DriveResult run = drive_through(move, drive, {.samples = 301});
   const double radians = 2 * std::numbers::pi / 360;
@@ -207,7 +207,7 @@ TEST(Drive, ResidualFrequencyIsThatOfTheLeastDampedMotion) {
     }
   const double frequency = swing.imag() / (2 * std::numbers::pi);
   const double held =
-      std::sqrt(drive.shaft_stiffness / drive.load_inertia) / (2 * std::numbers::pi);
+      std::sqrt(drive.train[0].stiffness / drive.train[0].inertia) / (2 * std::numbers::pi);
   EXPECT_NEAR(frequency, held, 0.05 * held);  // the load against a held motor: 79.6 Hz
 
   for (const double settle : {0.3, 5.0}) {  // at the end of the long one all swings have died away
@@ -450,20 +450,26 @@ std::string refused(Change change) {
 
 TEST(Drive, RefusesParametersOutOfRangeByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refused([](Drive& d, auto&) { d = {}; }), "motor_inertia");
-  EXPECT_EQ(refused([&](Drive& d, auto&) { d.motor_inertia = nan; }), "motor_inertia");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.load_inertia = 0; }), "load_inertia");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.shaft_stiffness = -1; }), "shaft_stiffness");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.shaft_damping = -1; }), "shaft_damping");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.motor_friction = -1; }), "motor_friction");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.load_friction = -1; }), "load_friction");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.position_gain = 0; }), "position_gain");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.velocity_gain = 0; }), "velocity_gain");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.integral_time = -1; }), "integral_time");
-  EXPECT_EQ(refused([&](Drive& d, auto&) { d.velocity_feed_forward = nan; }),
-            "velocity_feed_forward");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.torque_feed_forward = -1; }), "torque_feed_forward");
-  EXPECT_EQ(refused([](Drive& d, auto&) { d.torque_limit = 0; }), "torque_limit");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d = {}; }), "motor.inertia");
+  EXPECT_EQ(refused([&](Drive& d, auto&) { d.motor.inertia = nan; }), "motor.inertia");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.train[0].inertia = 0; }), "mass[1].inertia");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.train[0].stiffness = -1; }), "mass[1].stiffness");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.train[0].damping = -1; }), "mass[1].damping");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.motor.friction.viscous = -1; }),
+            "motor.friction.viscous");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.train[0].friction.viscous = -1; }),
+            "mass[1].friction.viscous");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.controller.position_gain = 0; }),
+            "controller.position_gain");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.controller.velocity_gain = 0; }),
+            "controller.velocity_gain");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.controller.integral_time = -1; }),
+            "controller.integral_time");
+  EXPECT_EQ(refused([&](Drive& d, auto&) { d.controller.velocity_feed_forward = nan; }),
+            "controller.velocity_feed_forward");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.controller.torque_feed_forward = -1; }),
+            "controller.torque_feed_forward");
+  EXPECT_EQ(refused([](Drive& d, auto&) { d.motor.torque_limit = 0; }), "motor.torque_limit");
   EXPECT_EQ(refused([](Drive& d, auto&) { d.position_per_rev = 0; }), "position_per_rev");
   EXPECT_EQ(refused([](auto&, DriveOptions& o) { o.settle = -1; }), "settle");
   EXPECT_EQ(refused([](auto&, DriveOptions& o) { o.tolerance = 1; }), "tolerance");

@@ -24,30 +24,30 @@ class ExactDrive {
   using Vector = Eigen::Matrix<double, size, 1>;
 
   explicit ExactDrive(const Drive& d) : radians_(2 * std::numbers::pi / d.position_per_rev) {
-    const double inertia = d.motor_inertia + d.load_inertia;
+    const double inertia = d.motor.inertia + d.train[0].inertia;
     torque_.setZero();
-    torque_(0) = -d.velocity_gain * d.position_gain;
-    torque_(1) = -d.velocity_gain;
+    torque_(0) = -d.controller.velocity_gain * d.controller.position_gain;
+    torque_(1) = -d.controller.velocity_gain;
     torque_(4) = 1;
-    torque_(5) = d.velocity_gain * d.position_gain;
-    torque_(6) = d.velocity_gain * d.velocity_feed_forward;
-    torque_(7) = d.torque_feed_forward * inertia;
+    torque_(5) = d.controller.velocity_gain * d.controller.position_gain;
+    torque_(6) = d.controller.velocity_gain * d.controller.velocity_feed_forward;
+    torque_(7) = d.controller.torque_feed_forward * inertia;
 
     Eigen::Matrix<double, 1, size> shaft = Eigen::Matrix<double, 1, size>::Zero();
-    shaft(0) = d.shaft_stiffness;
-    shaft(2) = -d.shaft_stiffness;
-    shaft(1) = d.shaft_damping;
-    shaft(3) = -d.shaft_damping;
+    shaft(0) = d.train[0].stiffness;
+    shaft(2) = -d.train[0].stiffness;
+    shaft(1) = d.train[0].damping;
+    shaft(3) = -d.train[0].damping;
 
     a_.setZero();
     a_(0, 1) = 1;
     a_(2, 3) = 1;
-    a_.row(1) = (torque_ - shaft) / d.motor_inertia;
-    a_(1, 1) -= d.motor_friction / d.motor_inertia;
-    a_.row(3) = shaft / d.load_inertia;
-    a_(3, 3) -= d.load_friction / d.load_inertia;
-    if (d.integral_time > 0) {
-      a_.row(4) = torque_ / d.integral_time;
+    a_.row(1) = (torque_ - shaft) / d.motor.inertia;
+    a_(1, 1) -= d.motor.friction.viscous / d.motor.inertia;
+    a_.row(3) = shaft / d.train[0].inertia;
+    a_(3, 3) -= d.train[0].friction.viscous / d.train[0].inertia;
+    if (d.controller.integral_time > 0) {
+      a_.row(4) = torque_ / d.controller.integral_time;
       a_(4, 4) = 0;
       a_(4, 7) = 0;
     }

@@ -17,7 +17,7 @@ namespace {
 /// The default drive with a torque limit that the moves of these tests meet.
 Drive weak(double torque_limit) {
   Drive drive = servo_400w();
-  drive.torque_limit = torque_limit;
+  drive.motor.torque_limit = torque_limit;
   return drive;
 }
 
@@ -57,17 +57,18 @@ class FixedStep {
   State slope(double t, const State& x) {
     const double end = f_.end();
     const Jet r = held_ ? Jet{f_.jet(end, Side::left)[0], 0, 0, 0} : f_.jet(t, side_);
-    const double e = d_.position_gain * (radians_ * r[0] - x[0]) +
-                     d_.velocity_feed_forward * radians_ * r[1] - x[1];
-    const double asked =
-        d_.velocity_gain * e + x[4] +
-        d_.torque_feed_forward * (d_.motor_inertia + d_.load_inertia) * radians_ * r[2];
-    const double given = std::clamp(asked, -d_.torque_limit, d_.torque_limit);
-    const double shaft = d_.shaft_stiffness * (x[0] - x[2]) + d_.shaft_damping * (x[1] - x[3]);
+    const double e = d_.controller.position_gain * (radians_ * r[0] - x[0]) +
+                     d_.controller.velocity_feed_forward * radians_ * r[1] - x[1];
+    const double asked = d_.controller.velocity_gain * e + x[4] +
+                         d_.controller.torque_feed_forward *
+                             (d_.motor.inertia + d_.train[0].inertia) * radians_ * r[2];
+    const double given = std::clamp(asked, -d_.motor.torque_limit, d_.motor.torque_limit);
+    const double shaft =
+        d_.train[0].stiffness * (x[0] - x[2]) + d_.train[0].damping * (x[1] - x[3]);
     asked_ = asked;
-    return {x[1], (given - shaft - d_.motor_friction * x[1]) / d_.motor_inertia, x[3],
-            (shaft - d_.load_friction * x[3]) / d_.load_inertia,
-            (d_.velocity_gain * e + given - asked) / d_.integral_time};
+    return {x[1], (given - shaft - d_.motor.friction.viscous * x[1]) / d_.motor.inertia, x[3],
+            (shaft - d_.train[0].friction.viscous * x[3]) / d_.train[0].inertia,
+            (d_.controller.velocity_gain * e + given - asked) / d_.controller.integral_time};
   }
 
   void step(double t, double h, double begin, double end) {
@@ -111,9 +112,9 @@ void expect_same(const Trajectory& move, const Drive& drive, double settle) {
   independent.run(move.end() + settle, 40'000, [&](double t, const FixedStep& now) {
     h = std::max(h, t - before);
     before = t;
-    const int sign = now.asked() > drive.torque_limit    ? 1
-                     : now.asked() < -drive.torque_limit ? -1
-                                                         : 0;
+    const int sign = now.asked() > drive.motor.torque_limit    ? 1
+                     : now.asked() < -drive.motor.torque_limit ? -1
+                                                               : 0;
     if (sign == mode) return;
     if (mode != 0) expected.back().to = t;
     if (sign != 0) expected.push_back({t, t, sign});
@@ -185,16 +186,16 @@ TEST(Saturation, ThroughoutTheRunEndsWithIt) {
 TEST(Saturation, ATorqueExactlyAtTheLimitDoesNotSwitchToAndFro) {
   // Without friction and on a rigid shaft the feed-forward alone is asked for, and it is the limit.
   Drive drive = servo_400w();
-  drive.shaft_stiffness = 1e6;
-  drive.shaft_damping = 10;
-  drive.motor_friction = drive.load_friction = 0;
+  drive.train[0].stiffness = 1e6;
+  drive.train[0].damping = 10;
+  drive.motor.friction.viscous = drive.train[0].friction.viscous = 0;
   const Trajectory move = test::trapezoid_move();
-  drive.torque_limit =
-      (drive.motor_inertia + drive.load_inertia) * 60'000 * 2 * std::numbers::pi / 360;
+  drive.motor.torque_limit =
+      (drive.motor.inertia + drive.train[0].inertia) * 60'000 * 2 * std::numbers::pi / 360;
   const DriveResult run = drive_through(move, drive);
   ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
   EXPECT_LT(run.integration.restarts, 50);
-  drive.torque_limit *= 2;
+  drive.motor.torque_limit *= 2;
   EXPECT_NEAR(run.end_following_error, drive_through(move, drive).end_following_error, 1e-6 * 3600);
 }
 
@@ -202,11 +203,11 @@ TEST(Saturation, ATorqueThatTremblesAboutTheLimitDoesNotEither) {
   // Constant feed-forward at the limit, and a loop so weak that the swings of the shaft move the
   // torque by less than the tolerance about it.
   Drive drive = servo_400w();
-  drive.velocity_gain = 1e-12;
-  drive.integral_time = 0;
-  drive.shaft_damping = 0;
-  const double inertia = drive.motor_inertia + drive.load_inertia;
-  drive.torque_limit = inertia * 60'000 * 2 * std::numbers::pi / 360;
+  drive.controller.velocity_gain = 1e-12;
+  drive.controller.integral_time = 0;
+  drive.train[0].damping = 0;
+  const double inertia = drive.motor.inertia + drive.train[0].inertia;
+  drive.motor.torque_limit = inertia * 60'000 * 2 * std::numbers::pi / 360;
   const DriveResult run = drive_through(test::trapezoid_move(), drive);
   ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
   EXPECT_EQ(run.integration.restarts, 4);  // the start, and the steps of acceleration
@@ -216,18 +217,19 @@ TEST(Saturation, ATorqueThatTremblesAboutTheLimitDoesNotEither) {
 TEST(Saturation, MayBeginExactlyAtABreak) {
   // Feed-forward alone rises to the limit at the break that ends the jerk.
   Drive drive = servo_400w();
-  drive.velocity_gain = 1e-12;
-  drive.integral_time = 0;
+  drive.controller.velocity_gain = 1e-12;
+  drive.controller.integral_time = 0;
   const Trajectory move = test::s_curve_move();
-  const double inertia = drive.motor_inertia + drive.load_inertia;
+  const double inertia = drive.motor.inertia + drive.train[0].inertia;
   const double peak = inertia * 60'000 * 2 * std::numbers::pi / 360;
-  drive.torque_limit = peak / (1 + 1e-8);
-  for (int i = 0; i < 8; ++i) drive.torque_limit = std::nextafter(drive.torque_limit, peak);
+  drive.motor.torque_limit = peak / (1 + 1e-8);
+  for (int i = 0; i < 8; ++i)
+    drive.motor.torque_limit = std::nextafter(drive.motor.torque_limit, peak);
   for (int i = 0; i < 16; ++i) {
     const DriveResult run = drive_through(move, drive, {.settle = 0});
     ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
     EXPECT_LT(run.integration.restarts, 20);
-    drive.torque_limit = std::nextafter(drive.torque_limit, 0);
+    drive.motor.torque_limit = std::nextafter(drive.motor.torque_limit, 0);
   }
 }
 
@@ -237,7 +239,7 @@ TEST(Saturation, BackCalculationKeepsTheIntegralPartSmall) {
   const Trajectory move = test::trapezoid_move();
   Drive drive = weak(0.2);
   const double with_integral = std::abs(drive_through(move, drive, {.settle = 1}).residual.value);
-  drive.integral_time = 0;
+  drive.controller.integral_time = 0;
   const double without = std::abs(drive_through(move, drive, {.settle = 1}).residual.value);
   EXPECT_LT(with_integral, 1.5 * without);
 }

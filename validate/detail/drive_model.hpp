@@ -17,9 +17,11 @@ class DriveModel {
   explicit DriveModel(const Drive& drive);
 
   [[nodiscard]] double radians_per_unit() const { return radians_; }
-  [[nodiscard]] double torque_limit() const { return drive_.torque_limit; }
-  [[nodiscard]] double inertia() const { return drive_.motor_inertia + drive_.load_inertia; }
-  [[nodiscard]] double friction() const { return drive_.motor_friction + drive_.load_friction; }
+  [[nodiscard]] double torque_limit() const { return drive_.motor.torque_limit; }
+  [[nodiscard]] double inertia() const { return drive_.motor.inertia + drive_.train[0].inertia; }
+  [[nodiscard]] double friction() const {
+    return drive_.motor.friction.viscous + drive_.train[0].friction.viscous;
+  }
 
   /// 1 or -1 while the torque stands at that limit, 0 while it does not. A mode, not a condition:
   /// it changes between steps only, so that what the solver integrates is smooth.
