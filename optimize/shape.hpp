@@ -15,16 +15,17 @@
 
 namespace jounce {
 
-/// q = by[0] f + by[1] f' + by[2] f'' + by[3] f''' + by[4] f'''' + constant: what depends on a shape f
-/// at one place alone, linearly. The torque of a load J a + B v + K s + F behind a master that turns
+/// q = by[0] f + by[1] f' + ... + by[5] f^(5) + constant: what depends on a shape f at one place alone,
+/// linearly. The torque of a load J a + B v + K s + F behind a master that turns
 /// at w is {"torque", {K, B w, J w^2}, F}.
 struct LinearQuantity {
   std::string name;  ///< in the user's words: "geo_acceleration", "torque"
-  std::array<double, 5> by{};
+  std::array<double, 6> by{};
   double constant = 0;
 };
 
-/// f itself (0), geo_velocity (1), geo_acceleration (2), geo_jerk (3), geo_jounce (4).
+/// f itself (0: "value"), geo_velocity (1), geo_acceleration (2), geo_jerk (3), geo_jounce (4),
+/// geo_crackle (5).
 LinearQuantity derivative_of_shape(int order);
 
 // ---- what can be minimised or limited: over the whole shape -----------------------------------
@@ -73,6 +74,7 @@ struct ShapeEnd {
   std::optional<double> velocity = {};      ///< u/x
   std::optional<double> acceleration = {};  ///< u/x^2
   std::optional<double> jerk = {};          ///< u/x^3
+  std::optional<double> jounce = {};        ///< u/x^4
 };
 
 /// A bound that runs straight from its value at `from` to that at `to`.

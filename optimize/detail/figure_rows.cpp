@@ -1,0 +1,219 @@
+#include "jounce/optimize/detail/figure_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "jounce/optimize/detail/quadrature.hpp"
+#include "jounce/profiles/error.hpp"
+
+// Peak: |q| at one place is the higher of two planes, q and -q. To begin with both stand where the
+// pieces begin, end, and (where q bends within a piece) in the middle; then where the exact extrema of
+// q on a piece exceed the level.
+//
+// Rms: a sum of squares (SplineSpace::squares).
+//
+// Response: y is known by what it gives for shapes. It is affine in the shape, so with z_k the shapes of
+// a basis and c_k their coordinates
+//
+//   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0))
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr std::array signs{1.0, -1.0};
+
+/// 1 / sqrt(length), so that squares add up to a mean.
+double per_root_length(const SplineSpace& space) {
+  return 1 / std::sqrt(space.knots().back() - space.knots().front());
+}
+
+/// q on every piece of a shape, with its exact range.
+template <class Visit>
+void each_range(const LinearQuantity& q, const std::vector<Segment>& shape, double begin,
+                const Visit& visit) {
+  double x = begin;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const double end = x + shape[i].length;
+    visit(i, x, segment_range(quantity_of(q, shape[i]), x, end, 0));
+    x = end;
+  }
+}
+
+double place_in(const Extremum& e, double from, double length) {
+  return std::clamp((e.where - from) / length, 0.0, 1.0);
+}
+
+std::vector<Form> planes_to_begin_with(const LinearQuantity& q, const SplineSpace& space) {
+  const int bends =
+      space.degree() - order_of(q);  // degree of q on a piece, if only order_of counts
+  std::vector<Form> planes;
+  const auto add = [&](std::size_t piece, double s) {
+    const Form f = space.at(q, piece, s);
+    for (const double sign : signs) planes.push_back(scaled(f, sign));
+  };
+  for (std::size_t i = 0; i < space.pieces(); ++i) {
+    add(i, 0);
+    if (bends >= 2) add(i, 0.5);
+  }
+  if (bends >= 1) add(space.pieces() - 1, 1);
+  return planes;
+}
+
+/// Runs of pieces that touch the level with one sign, each told once, where it begins.
+std::vector<Extremum> touching(const LinearQuantity& q, const std::vector<Segment>& shape,
+                               double begin, double level) {
+  std::vector<Extremum> places;
+  std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
+  each_range(q, shape, begin, [&](std::size_t i, double, const Range& range) {
+    for (std::size_t k = 0; k < signs.size(); ++k) {
+      const Extremum& e = signs[k] > 0 ? range.max : range.min;
+      if (signs[k] * e.value < level) continue;
+      if (last[k] + 1 != i) places.push_back(e);
+      last[k] = i;
+    }
+  });
+  return places;
+}
+
+double rms_of(const LinearQuantity& q, const std::vector<Segment>& shape) {
+  // The square of a polynomial of degree n, integrated term by term.
+  double sum = 0;
+  double length = 0;
+  for (const Segment& f : shape) {
+    const Segment g = quantity_of(q, f);
+    length += f.length;
+    if (g.sines > 0) {
+      sum +=
+          f.length * integral([&](double s) { return jounce::value(g, s) * jounce::value(g, s); });
+      continue;
+    }
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(g.degree); ++i)
+      for (std::size_t j = 0; j <= static_cast<std::size_t>(g.degree); ++j)
+        sum += f.length * g.c[i] * g.c[j] / static_cast<double>(i + j + 1);
+  }
+  return std::sqrt(std::max(sum, 0.0) / length);
+}
+
+double largest(const std::vector<double>& y) {
+  double peak = 0;
+  for (const double v : y) peak = std::max(peak, std::isnan(v) ? v : std::abs(v));
+  return peak;
+}
+
+/// (1).
+struct Affine {
+  std::vector<double> at_zero;
+  std::vector<std::pair<std::size_t, std::vector<double>>> by;  ///< coordinate, change of y
+
+  [[nodiscard]] Form plane(std::size_t i, double sign) const {
+    Form form{sign * at_zero[i], {}};
+    for (const auto& [k, change] : by)
+      if (change[i] != 0) form.terms.push_back({k, sign * change[i]});
+    return form;
+  }
+};
+
+}  // namespace
+
+Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x) {
+  Extremum peak{0, x, Side::right};
+  each_range(q, shape, x, [&](std::size_t, double, const Range& range) {
+    if (std::abs(range.peak().value) > std::abs(peak.value)) peak = range.peak();
+  });
+  return peak;
+}
+
+FigureRows rows_of(const PeakOf& figure, const SplineSpace& space) {
+  const LinearQuantity& q = figure.quantity;
+  const double begin = space.knots().front();
+  FigureRows rows{.name = name(figure), .value = [q, begin](const auto& shape) {
+                    return std::abs(peak_of(q, shape, begin).value);
+                  }};
+  rows.start = planes_to_begin_with(q, space);
+  rows.cuts = [q, &space](const std::vector<Segment>& shape, double level) {
+    std::vector<Form> planes;
+    each_range(q, shape, space.knots().front(), [&](std::size_t i, double x, const Range& range) {
+      for (const double sign : signs) {
+        const Extremum& e = sign > 0 ? range.max : range.min;
+        if (sign * e.value > level)
+          planes.push_back(scaled(space.at(q, i, place_in(e, x, shape[i].length)), sign));
+      }
+    });
+    return planes;
+  };
+  rows.places = [q, begin](const auto& shape, double level) {
+    return touching(q, shape, begin, level);
+  };
+  rows.natural = space.natural(q);
+  return rows;
+}
+
+FigureRows rows_of(const RmsOf& figure, const SplineSpace& space) {
+  const LinearQuantity& q = figure.quantity;
+  FigureRows rows{.name = name(figure),
+                  .value = [q](const auto& shape) { return rms_of(q, shape); }};
+  for (Form& f : space.squares(q))
+    rows.squares.push_back(scaled(std::move(f), per_root_length(space)));
+  rows.natural = space.natural(q);
+  return rows;
+}
+
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
+  const double begin = space.knots().front();
+  const auto respond = [of = figure.of, begin](const std::vector<Segment>& shape) {
+    return of(Trajectory(shape, begin));
+  };
+  Affine y{respond(space.segments(Coordinates(space.size(), 0))), {}};
+  for (std::size_t k = 0; k < space.size(); ++k) {
+    if (!space.independent(k)) continue;
+    Coordinates z(space.size(), 0);
+    z[k] = 1;
+    std::vector<double> change = respond(space.segments(space.propagated(std::move(z))));
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= y.at_zero[i];
+    y.by.emplace_back(k, std::move(change));
+  }
+  FigureRows rows{.name = figure.name,
+                  .value = [respond](const auto& shape) { return largest(respond(shape)); }};
+  rows.cuts = [respond, y](const std::vector<Segment>& shape, double level) {
+    const std::vector<double> now = respond(shape);
+    std::vector<Form> planes;
+    const auto magnitude = [&](std::size_t i) { return std::abs(now[i]); };
+    for (std::size_t i = 0; i < now.size(); ++i) {  // local peaks alone: planes are dense
+      if (!(magnitude(i) > level)) continue;
+      if (i > 0 && magnitude(i - 1) > magnitude(i)) continue;
+      if (i + 1 < now.size() && magnitude(i + 1) >= magnitude(i)) continue;
+      planes.push_back(y.plane(i, now[i] > 0 ? 1 : -1));
+    }
+    return planes;
+  };
+  rows.natural = largest(y.at_zero);
+  for (const auto& [k, change] : y.by) rows.natural = std::max(rows.natural, largest(change));
+  if (!(rows.natural > 0)) rows.natural = 1;
+  return rows;
+}
+
+namespace {
+
+template <class Figure>
+constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
+                        std::is_same_v<Figure, ResponseOf>;
+
+}  // namespace
+
+bool has_rows(const ShapeFigure& figure) {
+  return std::visit([]<class Figure>(const Figure&) { return convex<Figure>; }, figure);
+}
+
+FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space) {
+  return std::visit(
+      [&]<class Figure>(const Figure& f) -> FigureRows {
+        if constexpr (convex<Figure>) return rows_of(f, space);
+        throw InputError("minimize", name(figure), "is no figure of a convex problem");
+      },
+      figure);
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/optimize/detail/spline_space.hpp"
+
+namespace jounce::optimizer {
+
+/// A convex figure as a program sees it. A new kind of figure is one more overload of rows_of().
+///
+/// Either by planes: forms with form(z) <= figure(z) for every z, of which the highest is the figure.
+/// There are more than can be listed; cuts() finds those that matter (an exchange method).
+/// Or by squares: figure(z)^2 = sum of squares(z)^2.
+struct FigureRows {
+  std::string name;
+  /// Exact, of a finished shape from the first knot on; not from the program's rows.
+  std::function<double(const std::vector<Segment>& shape)> value;
+  /// Planes to begin with.
+  std::vector<Form> start = {};
+  /// The planes that touch the figure of `shape` where it exceeds `level`: one for each peak, say.
+  /// None: it does not.
+  std::function<std::vector<Form>(const std::vector<Segment>& shape, double level)> cuts = {};
+  std::vector<Form> squares = {};
+  /// Where the figure of a shape is taken, with the sign, to tell the user: each run of pieces once.
+  std::function<std::vector<Extremum>(const std::vector<Segment>& shape, double level)> places = {};
+  /// A value that is neither large nor small.
+  double natural = 1;
+
+  [[nodiscard]] bool by_squares() const { return !squares.empty(); }
+};
+
+FigureRows rows_of(const PeakOf& figure, const SplineSpace& space);
+FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space);
+
+/// Whether there is a rows_of() for it.
+bool has_rows(const ShapeFigure& figure);
+/// That of whichever figure it is. `space` must outlive what is returned.
+FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space);
+
+/// max |y| of q over a shape that begins at x, with its place.
+Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x);
+
+}  // namespace jounce::optimizer

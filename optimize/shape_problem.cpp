@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "jounce/optimize/detail/spline_space.hpp"
+#include "jounce/optimize/shape.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::array names{"value",    "geo_velocity", "geo_acceleration",
+                           "geo_jerk", "geo_jounce",   "geo_crackle"};
+
+[[nodiscard]] std::string item(const char* list, std::size_t i, const char* field) {
+  return std::string(list) + "[" + std::to_string(i + 1) + "]." + field;
+}
+
+void require(bool holds, const std::string& key, double value, const char* rule) {
+  if (!holds) throw InputError(key, value, rule);
+}
+
+void require_quantity(const std::string& key, const LinearQuantity& q, int degree) {
+  for (const double by : q.by) require(std::isfinite(by), key + ".by", by, "must be finite");
+  require(std::isfinite(q.constant), key + ".constant", q.constant, "must be finite");
+  const int order = optimizer::order_of(q);
+  if (order < 0) throw InputError(key + ".by", 0.0, "must not be zero throughout");
+  if (order > degree)
+    throw InputError(key, q.name,
+                     "needs the derivative of order " + std::to_string(order) +
+                         ", the shape has degree " + std::to_string(degree));
+}
+
+void require_figure(const std::string& key, const ShapeFigure& figure, int degree) {
+  if (const auto* f = std::get_if<PeakOf>(&figure)) require_quantity(key, f->quantity, degree);
+  if (const auto* f = std::get_if<RmsOf>(&figure)) require_quantity(key, f->quantity, degree);
+  if (const auto* f = std::get_if<PowerOf>(&figure)) {
+    require_quantity(key + ".force", f->force, degree);
+    require_quantity(key + ".velocity", f->velocity, degree);
+  }
+  if (const auto* f = std::get_if<ResponseOf>(&figure))
+    if (!f->of) throw InputError(key + ".of", f->name, "must be a function");
+  if (const auto* f = std::get_if<ResidualOf>(&figure)) {
+    require(std::isfinite(f->low) && f->low > 0, key + ".low", f->low, "must be > 0");
+    require(std::isfinite(f->high) && f->high >= f->low, key + ".high", f->high,
+            "must not be below low");
+    require(f->damping_low >= 0 && f->damping_low < 1, key + ".damping_low", f->damping_low,
+            "must be in [0, 1)");
+    require(f->damping_high >= f->damping_low && f->damping_high < 1, key + ".damping_high",
+            f->damping_high, "must be in [damping_low, 1)");
+  }
+}
+
+void require_end(const char* key, const ShapeEnd& end, int degree) {
+  const auto given = optimizer::derivatives_of(end);
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (!given[k]) continue;
+    const std::string field = std::string(key) + "." + names[k];
+    require(std::isfinite(*given[k]), field, *given[k], "must be finite");
+    require(static_cast<int>(k) < degree, field, *given[k],
+            "can be given only where the degree is above its order");
+  }
+}
+
+void require_edge(const std::string& key, const std::optional<Edge>& edge) {
+  if (!edge) return;
+  require(std::isfinite(edge->at_from), key + ".at_from", edge->at_from, "must be finite");
+  require(std::isfinite(edge->at_to), key + ".at_to", edge->at_to, "must be finite");
+}
+
+void require_corridor(std::size_t i, const Corridor& c, const ShapeProblem& p) {
+  require_quantity(item("corridors", i, "quantity"), c.quantity, p.degree);
+  require(c.from >= p.begin && c.from <= p.end, item("corridors", i, "from"), c.from,
+          "must be within the shape");
+  require(c.to >= c.from && c.to <= p.end, item("corridors", i, "to"), c.to,
+          "must not be before from, nor beyond the end");
+  require_edge(item("corridors", i, "lower"), c.lower);
+  require_edge(item("corridors", i, "upper"), c.upper);
+  if (!c.lower && !c.upper)
+    throw InputError(item("corridors", i, "lower"), "none", "a corridor needs an edge");
+  if (!c.lower || !c.upper) return;
+  require(c.lower->at_from <= c.upper->at_from, item("corridors", i, "lower.at_from"),
+          c.lower->at_from, "must not be above the upper edge");
+  require(c.lower->at_to <= c.upper->at_to, item("corridors", i, "lower.at_to"), c.lower->at_to,
+          "must not be above the upper edge");
+}
+
+void require_given(const ShapeProblem& p) {
+  if (p.given.empty()) return;
+  const Trajectory given(p.given, p.begin);  // throws for a bad segment
+  require(std::abs(given.end() - p.end) <= 1e-9 * (p.end - p.begin), "given", given.end(),
+          "must end where the shape does");
+}
+
+}  // namespace
+
+LinearQuantity derivative_of_shape(int order) {
+  assert(order >= 0 && order < static_cast<int>(names.size()));
+  const auto k = static_cast<std::size_t>(order);
+  LinearQuantity q{.name = names[k]};
+  q.by[k] = 1;
+  return q;
+}
+
+std::string name(const ShapeFigure& figure) {
+  struct Name {
+    std::string operator()(const PeakOf& f) const { return "peak " + f.quantity.name; }
+    std::string operator()(const RmsOf& f) const { return "rms " + f.quantity.name; }
+    std::string operator()(const ResidualOf&) const { return "residual"; }
+    std::string operator()(const PowerOf& f) const {
+      return "peak " + f.force.name + " * " + f.velocity.name;
+    }
+    std::string operator()(const ResponseOf& f) const { return f.name; }
+  };
+  return std::visit(Name{}, figure);
+}
+
+void require_valid(const ShapeProblem& p) {
+  require_finite("begin", p.begin);
+  require_finite("end", p.end);
+  require(p.end > p.begin, "end", p.end, "must be after begin");
+  require(p.degree >= 2 && p.degree <= 7, "degree", p.degree, "must be 2 to 7");
+  const auto pieces = static_cast<double>(p.pieces);
+  require(p.pieces >= 1 && p.pieces <= 100000, "pieces", pieces, "must be 1 to 100000");
+  require(p.tolerance >= 1e-9 && p.tolerance <= 1, "tolerance", p.tolerance,
+          "must be in [1e-9, 1]");
+  require(p.max_evaluations >= 1, "max_evaluations", p.max_evaluations, "must be at least 1");
+  if (p.seconds) require(*p.seconds > 0, "seconds", *p.seconds, "must be > 0");
+  require_end("from", p.from, p.degree);
+  require_end("to", p.to, p.degree);
+  if (p.minimize.empty()) throw InputError("minimize", "none", "must name a figure");
+  for (std::size_t i = 0; i < p.minimize.size(); ++i) {
+    require_figure(item("minimize", i, "figure"), p.minimize[i].figure, p.degree);
+    const double weight = p.minimize[i].weight;
+    require(std::isfinite(weight) && weight > 0, item("minimize", i, "weight"), weight,
+            "must be finite and > 0");
+  }
+  for (std::size_t i = 0; i < p.corridors.size(); ++i) require_corridor(i, p.corridors[i], p);
+  for (std::size_t i = 0; i < p.ceilings.size(); ++i) {
+    require_figure(item("ceilings", i, "figure"), p.ceilings[i].figure, p.degree);
+    const double most = p.ceilings[i].at_most;
+    require(std::isfinite(most) && most >= 0, item("ceilings", i, "at_most"), most,
+            "must be finite and >= 0");
+  }
+  require_given(p);
+}
+
+}  // namespace jounce
