@@ -9,10 +9,9 @@
 
 #include "jounce/cam/certificate.hpp"
 #include "jounce/cam/characteristics.hpp"
-#include "jounce/cam/master_limits.hpp"
 #include "jounce/cam/warnings.hpp"
 #include "jounce/io/sync_check.hpp"
-#include "jounce/io/units.hpp"
+#include "jounce/study/master_check.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -27,76 +26,6 @@ std::vector<std::size_t> origin_of(const Cam& cam, const Labels& labels) {
   const auto all = groups(cam.segments().size(), labels);
   for (std::size_t g = 0; g < all.size(); ++g) origin.resize(all[g].last + 1, g);
   return origin;
-}
-
-bool has_slave_limits(const Input& input) {
-  if (!input.spec) return false;
-  const Limits& slave = input.spec->slave;
-  return slave.velocity || slave.acceleration || slave.jerk;
-}
-
-std::string master_unit(const Input& input, int order) {
-  return rate_unit(input.labels.units.x, input.spec->time_unit, order);
-}
-
-/// What the master of the spec does, beside its speed.
-MasterRates rates_of(const Input& input) {
-  if (!input.spec || !input.spec->master) return {};
-  return {input.spec->master->acceleration.value_or(0), 0};
-}
-
-/// Whether the master's own acceleration breaks a limit of the slave even as it starts: a slower
-/// master would not help.
-bool accelerates_too_fast(const Cam& cam, const Input& input) {
-  const double given = rates_of(input).acceleration;
-  const double most = greatest_master_acceleration(cam, input.spec->slave, 0).value;
-  return given > most && greatest_master_velocity(cam, input.spec->slave).value > 0;
-}
-
-/// What it may be at the master's speed, if anything: otherwise at none.
-MasterLimit master_acceleration(const Cam& cam, const Input& input) {
-  const Limits& slave = input.spec->slave;
-  const MasterLimit running =
-      greatest_master_acceleration(cam, slave, input.spec->master->velocity);
-  return running.value > 0 ? running : greatest_master_acceleration(cam, slave, 0);
-}
-
-Finding acceleration_finding(const Cam& cam, const Input& input) {
-  const MasterLimit limit = master_acceleration(cam, input);
-  Finding f;
-  f.rule = "limit/master_acceleration";
-  f.quantity = "master_acceleration";
-  f.where = limit.where;
-  f.value = rates_of(input).acceleration;
-  f.limit = limit.value;
-  f.margin = limit.value > 0 ? 1 - f.value / limit.value : -f.value;
-  f.broken = true;
-  f.unit = master_unit(input, 2);
-  f.advice =
-      fmt::format("the slave's {} limit binds at any speed: [master] acceleration: at most {}",
-                  limit.quantity, rounded(limit.value));
-  const double steady = greatest_master_velocity(cam, input.spec->slave).value;
-  if (input.spec->master->velocity > steady)
-    f.advice += fmt::format("; and velocity at most {} even without it", rounded(steady));
-  return f;
-}
-
-/// Whether the spec's master is slow enough for the slave.
-Finding master_finding(const Cam& cam, const Input& input) {
-  if (accelerates_too_fast(cam, input)) return acceleration_finding(cam, input);
-  const double speed = input.spec->master->velocity;
-  const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates_of(input));
-  Finding f;
-  f.rule = "limit/master_velocity";
-  f.quantity = "master_velocity";
-  f.where = limit.where;
-  f.value = speed;
-  f.limit = limit.value;
-  f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
-  f.broken = speed > limit.value * (1 + 1e-12);
-  f.unit = master_unit(input, 1);
-  if (f.broken) f.advice = "the slave's " + limit.quantity + " limit binds: slow the master down";
-  return f;
 }
 
 void append(Report& all, Report part) {
@@ -128,22 +57,22 @@ std::string rise_line(const Rise& rise, const Labels& labels) {
 }
 
 std::string fastest_line(const Cam& cam, const Input& input) {
-  const MasterRates rates = rates_of(input);
-  if (rates.acceleration > 0 && accelerates_too_fast(cam, input)) {
-    const MasterLimit most = master_acceleration(cam, input);
+  const MasterRates rates = master_rates(*input.spec);
+  if (rates.acceleration > 0 && master_accelerates_too_fast(cam, *input.spec)) {
+    const MasterLimit most = greatest_master_acceleration(cam, *input.spec);
     return fmt::format(
         "  fastest acceleration of the master {} {}: the slave's {} limit, at {} {}\n",
-        rounded(most.value), master_unit(input, 2), most.quantity, rounded(most.where),
+        rounded(most.value), master_rate_unit(*input.spec, 2), most.quantity, rounded(most.where),
         input.labels.units.x);
   }
   const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates);
   if (std::isinf(limit.value)) return "";
   std::string line =
-      fmt::format("  fastest master {} {}", rounded(limit.value), master_unit(input, 1));
+      fmt::format("  fastest master {} {}", rounded(limit.value), master_rate_unit(*input.spec, 1));
   if (is_made_for_a_speed(*input.spec)) line += " for this table";
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
-                        master_unit(input, 2));
+                        master_rate_unit(*input.spec, 2));
   return line + fmt::format(": the slave's {} limit, at {} {}\n", limit.quantity,
                             rounded(limit.where), input.labels.units.x);
 }
@@ -213,8 +142,8 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   append(report, std::move(odd));
   if (is_designed(input)) append(report, certificates(*cam));
-  if (has_slave_limits(input) && input.spec->master)
-    report.findings.push_back(master_finding(*cam, input));
+  if (input.spec && has_slave_limits(*input.spec) && input.spec->master)
+    report.findings.push_back(master_finding(*cam, *input.spec));
   sort(report);
 }
 
@@ -227,7 +156,7 @@ std::string cam_text(const Input& input) {
     text += rise_line(all[i], input.labels);
   if (all.size() > most_rises)
     text += fmt::format("  ... and {} more rises\n", all.size() - most_rises);
-  if (has_slave_limits(input)) text += fastest_line(*cam, input);
+  if (input.spec && has_slave_limits(*input.spec)) text += fastest_line(*cam, input);
   return text;
 }
 
@@ -238,13 +167,14 @@ Json cam_json(const Input& input) {
   for (const Rise& rise : rises(*cam)) list.push_back(json_of(rise));
   Json document{{"rises", std::move(list)}};
   if (Json figures = figures_json(input); !figures.empty()) document["sync"] = std::move(figures);
-  if (!has_slave_limits(input)) return document;
-  const MasterLimit fastest = greatest_master_velocity(*cam, input.spec->slave, rates_of(input));
-  document["fastest_master"] = json_of(fastest, master_unit(input, 1));
+  if (!input.spec || !has_slave_limits(*input.spec)) return document;
+  const MasterLimit fastest =
+      greatest_master_velocity(*cam, input.spec->slave, master_rates(*input.spec));
+  document["fastest_master"] = json_of(fastest, master_rate_unit(*input.spec, 1));
   if (input.spec->master)
     document["greatest_master_acceleration"] =
         json_of(greatest_master_acceleration(*cam, input.spec->slave, input.spec->master->velocity),
-                master_unit(input, 2));
+                master_rate_unit(*input.spec, 2));
   return document;
 }
 

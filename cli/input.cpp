@@ -1,58 +1,13 @@
 #include "input.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
-#include "jounce/io/disc.hpp"
 #include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
-#include "jounce/io/printable.hpp"
-#include "jounce/io/sync_check.hpp"
-#include "jounce/pvt/check.hpp"
 
 namespace jounce::cli {
 namespace {
-
-Input from_table(TableFile file, const std::string& path) {
-  std::variant<Cam, Trajectory> curve =
-      file.table.axis() == Axis::master
-          ? std::variant<Cam, Trajectory>(file.table.curve<OverMaster>())
-          : file.table.curve<OverTime>();
-  Labels labels{file.units, file.table.axis() == Axis::master, {}};
-  return {std::nullopt, std::move(curve),  std::move(file), std::nullopt,
-          {},           std::move(labels), printable(path), ""};
-}
-
-Input from_made(Made made, const Spec& spec, const std::string& path) {
-  const AxisPart& part = made.part;
-  TableFile table{std::move(made.sampled.table),
-                  part.units,
-                  {path == "-" ? "" : printable(path), hex(spec.document.hash), made_by()}};
-  const bool is_table = std::holds_alternative<Table>(spec.subject) && spec.then.empty();
-  const std::string name = spec.name.empty() ? printable(path) : spec.name;
-  return {spec,
-          std::move(made.curve),
-          std::move(table),
-          is_table ? std::nullopt : std::optional(made.sampled.error),
-          part.limits,
-          Labels{part.units, spec.over_master(), std::move(made.segments)},
-          part.name.empty() ? name : name + " " + part.name,
-          part.name,
-          part.table,
-          part.drive,
-          std::move(made.residuals),
-          std::move(made.zones),
-          made.sampled.binding};
-}
-
-std::vector<Input> from_spec(const Spec& spec, const std::string& path) {
-  std::vector<Input> all;
-  for (Made& made : make_axes(spec)) all.push_back(from_made(std::move(made), spec, path));
-  return all;
-}
 
 std::string names_of(const std::vector<Input>& inputs) {
   std::string names;
@@ -60,138 +15,18 @@ std::string names_of(const std::vector<Input>& inputs) {
   return names;
 }
 
-/// What the table was allowed to differ: the tolerance asked for, or a millionth of the stroke where
-/// only a number of intervals was.
-double allowed_error(const Input& input, const Range& travel) {
-  const double stroke = travel.max.value - travel.min.value;
-  if (input.options.tolerance) return *input.options.tolerance;
-  return (input.options.intervals ? 1e-6 : 1e-9) * (stroke > 0 ? stroke : 1);
-}
-
-/// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
-/// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic.
-double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
-  constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
-  const auto& names = table.axis() == Axis::time ? OverTime::names : OverMaster::names;
-  const auto name = std::find(names.begin(), names.end(), finding.quantity);
-  const auto order = static_cast<std::size_t>(name - names.begin());
-  if (order >= factors.size() || !finding.segment) return 0;
-  const auto& x = table.columns().x;
-  const double length = x[*finding.segment + 1] - x[*finding.segment];
-  return 2 * factors[order] * std::numeric_limits<double>::epsilon() * largest_position /
-         std::pow(length, static_cast<double>(order));
-}
-
-/// Limits that the table alone breaks, between the knots, by more than the rounding of its knots.
-Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
-  Report report = check(table, limits);
-  const double largest_position = std::abs(extrema(table)[0].peak().value);
-  std::erase_if(report.findings, [&](const Finding& f) {
-    return !f.broken ||
-           std::abs(f.value - f.limit) <= rounding_of_knots(table, largest_position, f) ||
-           std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
-                       [&](const Finding& g) { return g.broken && g.rule == f.rule; });
-  });
-  for (Finding& finding : report.findings) {
-    finding.axis = "table";
-    finding.segment = std::nullopt;
-  }
-  return report;
-}
-
-/// How far the table is from its curve, against what was asked for.
-template <class Over>
-Finding table_error(const Curve<Over>& curve, const Input& input) {
-  const Range travel = extrema(curve, 0);
-  const double allowed =
-      std::max(allowed_error(input, travel), 1e-14 * std::abs(travel.peak().value));
-  const bool broken = input.error->position > allowed;
-  return {"table/position",
-          "table",
-          "position",
-          input.error->where,
-          input.error->position,
-          allowed,
-          (allowed - input.error->position) / allowed,
-          broken,
-          std::nullopt,
-          broken ? "give [table] a tolerance, or more intervals" : "",
-          {},
-          {}};
-}
-
-template <class Over>
-Report check_curve(const Curve<Over>& curve, const Input& input, int continuity) {
-  const Table& table = input.table.table;
-  Report report = input.error ? check(curve, input.limits) : check(table, input.limits);
-  const auto add = [&](const Report& part) {
-    report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
-  };
-  add(input.error ? check_continuity(curve, continuity) : check_continuity(table, continuity));
-  if (!input.error) return report;
-  // The best table of so many knots has the error that it has.
-  if (!input.options.target || input.options.tolerance)
-    report.findings.push_back(table_error(curve, input));
-  // Where the curve keeps a limit, its table may still break it between the knots.
-  add(check_table(table, input.limits, report));
-  return report;
-}
-
-/// What engaging would do to a slave that stands where the cam begins, as its master does.
-Report check_coupling(const Spec& spec, const Cam& cam) {
-  const Coupling coupling(cam, *spec.coupling);
-  const double start = value(cam.segments().front(), 0);
-  return check(coupling, {.position = start}, {cam.start(), 0, 0, 0});
-}
-
-/// A step of the velocity that the check of continuity has found is told once, with the advice of the
-/// warning, which knows more of tables.
-Report merged(Report warnings, Report& found) {
-  std::erase_if(warnings.findings, [&](const Finding& w) {
-    if (w.rule != "pt/velocity_step" && w.rule != "pt/end_velocity") return false;
-    const auto same =
-        std::find_if(found.findings.begin(), found.findings.end(), [&](const Finding& f) {
-          return f.broken && f.rule == "continuity/velocity" && f.where == w.where;
-        });
-    if (same == found.findings.end()) return false;
-    same->advice = w.advice;
-    return true;
-  });
-  return warnings;
-}
-
 }  // namespace
-
-Report check_all(const Input& input, int continuity) {
-  Report report = std::visit(
-      [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
-  if (input.spec) {
-    const Spec& spec = *input.spec;
-    const auto add = [&](const Report& part) {
-      report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
-    };
-    add(spec.fill);
-    add(check_sync(spec));
-    add(merged(table_warnings(spec), report));
-    if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
-    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve)));
-    if (spec.compare && spec.compare->axis == input.axis)
-      add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
-  }
-  sort(report);
-  return report;
-}
 
 std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
   std::string text = read_file(path);
   const std::string name = path == "-" ? "standard input" : path;
   std::vector<Input> all;
   if (is_table(text))
-    all.push_back(from_table(parse_table(text, name), name));
+    all.push_back(input_of(parse_table(text, name), name));
   else if (format_of_text(text))
-    all.push_back(from_table(parse_exchange(text, name, decimal_comma), name));
+    all.push_back(input_of(parse_exchange(text, name, decimal_comma), name));
   else
-    all = from_spec(parse_spec(std::move(text), name), path);
+    all = inputs_of(parse_spec(std::move(text), name), path);
   if (axis.empty()) return all;
   const auto named =
       std::find_if(all.begin(), all.end(), [&](const Input& input) { return input.axis == axis; });

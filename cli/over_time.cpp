@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/io/make.hpp"
-#include "jounce/profiles/composed.hpp"
 #include "jounce/profiles/roots.hpp"
+#include "jounce/study/reference.hpp"
 
 #include "picture.hpp"
 
@@ -76,12 +75,8 @@ Input over_time(const Input& input) {
     throw InputError(
         "--over", "time",
         input.name + (cam == nullptr ? " is over time already" : " is a table, without a master"));
-  const Trajectory seconds = make_master(*input.spec);
-  const Trajectory master = scaled(seconds, 1, 1 / seconds_per_unit(*input.spec));
-  double size = 0;
-  for (const Segment& each : cam->segments()) size = std::max(size, magnitude(each));
-  const double turns = std::abs(cam->advance() * master.jet(master.end())[0] / cam->length());
-  Trajectory motion = composed_within(*cam, master, 1e-9 * std::max(size, turns)).curve;
+  const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
+  Trajectory motion = motion_over_time(input);
   Input slave = input;
   slave.limits = input.spec->slave;
   slave.labels.units.x = input.spec->time_unit;

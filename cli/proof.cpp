@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "jounce/io/file.hpp"
+#include "jounce/study/driven.hpp"
 
 #include "reference.hpp"
 
@@ -18,13 +19,11 @@ void add(Report& all, const Report& part, const char* axis, const std::string& w
     finding.axis = axis;
     finding.where_unit = where_unit;
     if (finding.rule.starts_with("witness/")) finding.unit = "of the range";
-    if (finding.rule.ends_with("torque") || finding.rule == "drive/saturation")
-      finding.unit = "N m";
     all.findings.push_back(std::move(finding));
   }
 }
 
-/// Drive and executor speak of the slave's position.
+/// The executor speaks of the slave's position.
 void in_position_unit(Report& report, const std::string& unit) {
   for (Finding& finding : report.findings)
     if (finding.unit.empty()) finding.unit = unit;
@@ -58,11 +57,7 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
   std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
   add(proof.report, fit, "table");
   if (input.drive) {
-    const DriveSpec& drive = *input.drive;
-    const Reference reference = table_reference(input);
-    proof.drive =
-        drive_through(view(reference), drive.drive,
-                      {.settle = drive.settle, .samples = drive_samples, .limits = drive.limits});
+    proof.drive = driven(input, drive_samples);
     add(proof.report, proof.drive->report, "drive", "s");
   }
   if (!log.empty()) {

@@ -3,30 +3,19 @@
 #include <algorithm>
 #include <cassert>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <toml++/toml.h>
 
+#include "jounce/io/detail/text_edit.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-struct Edit {
-  std::size_t begin;
-  std::size_t end;
-  std::string text;
-};
-
-/// Byte offset of a place that TOML counts in lines and code points, both from 1.
-std::size_t offset(const std::string& text, const toml::source_position& place) {
-  std::size_t at = 0;
-  for (toml::source_index line = 1; line < place.line; ++line) at = text.find('\n', at) + 1;
-  for (toml::source_index column = 1; column < place.column; ++column) do
-      ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U);
-  return at;
-}
+using detail::Edit;
+using detail::offset;
 
 /// `key = value` as a further entry of a knot's table: before the brace of an inline one, otherwise
 /// on a line below the master's.
@@ -69,13 +58,7 @@ class Editor {
     set(table, "geo_acceleration", *before.geo_acceleration, *after.geo_acceleration, true);
   }
 
-  std::string result() {
-    std::stable_sort(edits_.begin(), edits_.end(),
-                     [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
-    std::string text = text_;
-    for (const Edit& edit : edits_) text.replace(edit.begin, edit.end - edit.begin, edit.text);
-    return text;
-  }
+  std::string result() { return detail::edited(text_, std::move(edits_)); }
 
  private:
   const std::string& text_;

@@ -8,25 +8,47 @@
 
 namespace jounce {
 
-/// One number that says how good a design is: "duration", "peak velocity", "rms acceleration", "peak
-/// geo_jerk", "peak torque", "residual", "margin" (the smallest of all checks) ...
+/// One number that says how good a design is.
 struct KeyFigure {
   std::string name;
   double value = 0;
-  std::string unit;
+  std::string unit;  ///< "" for a pure number
 };
 
 /// A design looked at as a whole.
+///
+///     const Assessment all = assess(read_spec("cam.toml"));
+///     for (const KeyFigure& f : all.figures) print(f.name, f.value, f.unit);
+///     const Assessment one = assess(spec, {"peak torque"});
+///     if (!one.report.ok()) ...
+///
+/// **Figures**, each where the spec has what it is made of, magnitudes, all of the exact curve:
+///
+/// - "stroke", "knots" of the table;
+/// - of a motion, and of a cam with a [master]: "duration" (the spec's time unit), "peak velocity",
+///   "peak acceleration", "peak jerk" and their "rms ..." (sqrt of the mean square over the duration);
+/// - of a cam: "peak geo_velocity", ... and "rms geo_velocity", ... over the master;
+/// - "master velocity", "cycle time" of a periodic cam, "fastest master" that [limits.slave] allows;
+/// - what the generator says of itself (sync_figures): "longest cut", "fastest line", "in step" ...;
+/// - "predicted residual" of the first mode that an operator was made for, "predicted residual 2" ...;
+/// - with a [drive]: "peak torque", "rms torque", "following error", "end following error",
+///   "residual", "residual frequency", "saturation time";
+/// - "margin": the smallest of all limits that the spec states, a share of the limit, below 0: broken;
+///   infinite where it states none.
+///
+/// Peaks are those between steps, which the report tells of. A spec of several axes has them for each,
+/// behind its name ("x peak velocity"), but one "duration" and one "margin".
 struct Assessment {
-  std::vector<KeyFigure> figures;
-  Report report;  ///< every limit that the spec states: check, and the drive where it has one
+  std::vector<KeyFigure> figures;  ///< as asked for; otherwise in the order above
+  Report report;  ///< every limit that the spec states: check, and the drive where it was driven
 
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
 
-/// Makes the spec, checks it against its limits and, where it has a [drive], drives it. Only what
-/// `names` asks for is computed where that saves the drive's integration; none: everything. Throws
-/// InputError as make() does, and for a name that this spec has no figure for (with those it has).
+/// Makes the spec, checks it against its limits and, where it has a [drive], drives it; the drive is
+/// left out where `names` asks neither for a figure of it nor for "margin". No names: everything.
+/// Throws InputError as make() does, for a name that this spec has no figure for (with those it has),
+/// and where the drive's integration does not reach the end. Threads may call it at once.
 Assessment assess(const Spec& spec, const std::vector<std::string>& names = {});
 
 }  // namespace jounce

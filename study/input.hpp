@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/io/make.hpp"
+#include "jounce/io/report_text.hpp"
+#include "jounce/io/table_file.hpp"
+
+namespace jounce {
+
+/// Whatever there is to look at: one axis of a spec, which is made first, or a finished table.
+struct Input {
+  std::optional<Spec> spec;
+  std::variant<Cam, Trajectory> curve;
+  TableFile table;
+  std::optional<SampleError>
+      error;      ///< of the table against the curve; none where it is all there is
+  Limits limits;  ///< of the spec; none for a table
+  Labels labels;
+  std::string name;           ///< the spec's name with the axis', or the file's
+  std::string axis;           ///< where there are several; otherwise ""
+  TableOptions options = {};  ///< by which the table was made
+  std::optional<DriveSpec> drive = {};
+  std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};
+  std::optional<Binding> binding = {};  ///< of a table of fewest knots
+};
+
+/// Everything that can be checked without integration: limits and joints of the curve, the table's
+/// error, and limits that the table alone breaks.
+Report check_all(const Input& input, int continuity = 1);
+
+/// What a table file holds, and what a spec makes: one input for each axis. `path` names it where the
+/// spec has no name.
+Input input_of(TableFile file, const std::string& path);
+std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
+
+}  // namespace jounce

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <variant>
+
+#include "jounce/cam/followed.hpp"
+#include "jounce/study/input.hpp"
+#include "jounce/validate/signal_view.hpp"
+
+namespace jounce {
+
+/// The slave's motion over time in seconds: a trajectory as it is, a cam behind its master.
+using Reference = std::variant<Trajectory, Followed>;
+
+/// As the exact curve has it.
+Reference exact_reference(const Input& input);
+
+/// As the executor will interpolate it, from the table.
+Reference table_reference(const Input& input);
+
+/// The master that a cam follows, over seconds. Throws InputError where nothing says how it runs.
+Trajectory master_of(const Input& input);
+
+/// The slave's exact motion over the spec's unit of time: a trajectory as it is; of a cam the curve
+/// behind its master, exact or within 1e-9 of the stroke (cf. composed_within).
+Trajectory motion_over_time(const Input& input);
+
+SignalView view(const Reference& reference);
+double duration(const Reference& reference);
+Motion at(const Reference& reference, double t);
+
+}  // namespace jounce
