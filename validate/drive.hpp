@@ -113,18 +113,31 @@ void require_valid(const Drive& drive);
 
 /// What the axis may do; what is left out is not limited. All > 0.
 struct DriveLimits {
-  std::optional<double> torque;           ///< N m, peak
-  std::optional<double> rms_torque;       ///< N m
-  std::optional<double> following_error;  ///< u
-  std::optional<double> residual;         ///< u
+  std::optional<double> torque = {};                ///< N m, peak
+  std::optional<double> rms_torque = {};            ///< N m
+  std::optional<double> current = {};               ///< A, peak; needs a torque_constant
+  std::optional<double> velocity = {};              ///< rad/s, of the motor
+  std::optional<double> following_error = {};       ///< u
+  std::optional<double> end_following_error = {};   ///< u
+  std::optional<double> sync_following_error = {};  ///< u, within DriveOptions::sync
+  std::optional<double> residual = {};              ///< u
+  std::optional<double> settling_band = {};         ///< u, about the reference's end
+  std::optional<double> settling_time = {};         ///< s, until the load stays within; needs the band
+};
+
+/// An interval of time, s.
+struct Interval {
+  double from = 0;
+  double to = 0;
 };
 
 struct DriveOptions {
   double settle = 0.2;      ///< s of standstill after the reference's end, >= 0
   std::size_t samples = 0;  ///< for plots: equally spaced over reference and standstill
   DriveLimits limits = {};
-  double tolerance = 1e-8;      ///< relative, of the integration, in [1e-12, 1e-3]
-  long max_steps = 10'000'000;  ///< > 0
+  std::vector<Interval> sync = {};  ///< where following counts most; within the reference
+  double tolerance = 1e-8;          ///< relative, of the integration, in [1e-12, 1e-3]
+  long max_steps = 10'000'000;      ///< > 0
 };
 
 /// A signed value at its largest magnitude, and when.
@@ -137,7 +150,8 @@ struct Peak {
 struct Saturation {
   double from = 0;  ///< s
   double to = 0;    ///< s
-  int sign = 0;     ///< 1: at +torque_limit, -1: at -torque_limit
+  int sign = 0;     ///< 1: at the upper limit, -1: at the lower
+  bool envelope = false;  ///< the motor's speed left less than the peak torque, where it was entered
 };
 
 struct DriveSample {
@@ -147,21 +161,41 @@ struct DriveSample {
   double load = 0;             ///< u
   double torque = 0;           ///< N m, of the motor
   double following_error = 0;  ///< u, reference - motor
+  double velocity = 0;         ///< rad/s, of the motor
+};
+
+/// Work over reference and standstill, J.
+struct DriveEnergy {
+  double driving = 0;      ///< mechanical, out of the motor, >= 0
+  double regenerated = 0;  ///< mechanical, back into the motor, >= 0
+  double copper = 0;       ///< lost in the winding, where its resistance is given
 };
 
 struct DriveResult {
   Integration integration;
   Peak torque;                     ///< N m
   double rms_torque = 0;           ///< N m, over the reference's duration (the standstill excluded)
+  Peak current;                    ///< A, where a torque_constant is given
+  double rms_current = 0;          ///< A
+  Peak velocity;                   ///< rad/s, of the motor
   Peak following_error;            ///< u, reference - motor
   double end_following_error = 0;  ///< u, at the reference's end
+  Peak sync_following_error;       ///< u, within DriveOptions::sync
   Peak residual;                   ///< u, load - reference, after the reference's end
   double residual_frequency = 0;   ///< Hz, of the load after the end; 0: it does not swing
+  std::optional<double> settling_time = {};  ///< s after the end; none: no band, or not settled
+  Peak swing;                                ///< u, pendulum - load
+  /// Peak share of the winding's thermal limit, from cold: h' = ((T / rated)^2 - h) / thermal_time.
+  Peak i2t;
+  DriveEnergy energy;
+  long impacts = 0;  ///< how often a flank of a joint with backlash was met
   std::vector<Saturation> saturation;
   std::vector<DriveSample> samples;
-  /// "drive/torque", "drive/rms_torque", "drive/following_error", "drive/residual" against the
-  /// limits given; always "drive/saturation", broken where the torque limit was reached at all; and
-  /// "drive/integration" where the integration did not end well.
+  /// "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity", "drive/following_error",
+  /// "drive/end_following_error", "drive/sync_following_error", "drive/residual",
+  /// "drive/settling_time" against the limits given; "drive/i2t", "drive/rated_torque" (rms) and
+  /// "drive/max_velocity" where the motor has these; always "drive/saturation", broken where the
+  /// torque limit was reached at all; and "drive/integration" where the integration did not end well.
   Report report;
 };
 
@@ -173,9 +207,14 @@ struct DriveResult {
 ///     if (!run.report.ok()) ...
 ///
 /// The reference is what the executor will interpolate: a Table over time, a Trajectory, a Followed
-/// made from a table's curve. It begins with the axis at rest at the reference's first position,
-/// shaft relaxed, integral part empty; a reference that starts or ends moving is met as the step of
-/// velocity that it is.
+/// made from a table's curve. It begins with the axis at rest at the reference's first position, in
+/// equilibrium: shafts twisted by the loads that stand on them, their torque held by the integral
+/// part (without one by a position error), no load in the middle of a gap. A reference that starts
+/// or ends moving is met as the step of velocity that it is.
+///
+/// Saturation, backlash, dry friction and the power's direction through a gear are modes, switched
+/// by root finding; the run begins anew at each. The thermal share follows from the integral of T^2
+/// step by step, exact but for changes of T within a step much shorter than thermal_time.
 ///
 /// **Accuracy**: motor and load within 1e-9 of the stroke of the exact solution (pinned by tests
 /// against matrix exponentials; 2e-11 is usual, 1e-8 where a move is over before the loop can

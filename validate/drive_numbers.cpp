@@ -145,6 +145,8 @@ void require_valid(const Drive& drive) {
   require_valid(drive.motor);
   for (std::size_t i = 0; i < drive.train.size(); ++i)
     require_valid(drive.train[i], "mass[" + std::to_string(i + 1) + "].");
+  if (drive.pendulum && drive.train.empty())
+    throw InputError("pendulum.share", drive.pendulum->share, "needs a mass to hang from");
   if (drive.pendulum && drive.pendulum->share == 1)
     throw InputError("pendulum.share", 1, "must be less than 1");
   if (drive.controller.encoder_counts != 0 && drive.controller.cycle == 0)

@@ -6,8 +6,10 @@
 //   on (a thousand restarts in a fine table would cost more accuracy than the knots);
 // - no step is longer than 0.3 of the interval, and a solver that comes out of a long dwell with a
 //   longer one begins anew: it would step over a short move and call that success;
-// - the torque limit is a mode, set at the start and at every restart, changed where root finding
-//   or the check after each step says so.
+// - what switches (torque limit, backlash, dry friction) is a mode, set at the start and at every
+//   restart, changed where root finding or the check after each step says so;
+// - a sampled controller's torque steps at every one of its instants, each of which is a stop and a
+//   new beginning.
 
 #include "jounce/validate/detail/drive_run.hpp"
 
@@ -15,12 +17,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "jounce/validate/detail/drive_model.hpp"
 #include "jounce/validate/detail/observer.hpp"
 #include "jounce/validate/detail/piece.hpp"
+#include "jounce/validate/detail/sampled_controller.hpp"
 #include "jounce/validate/detail/solver.hpp"
+#include "jounce/validate/detail/switches.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -40,11 +45,33 @@ struct Standstill {
   [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
 };
 
+double usable(double scale) {
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+/// The sizes of what a run is about, rad and N m: what tolerances are shares of.
+struct RunScales {
+  double angle, speed, torque;
+
+  RunScales(const DriveModel& model, const Scales& of) {
+    const double radians = model.radians_per_unit();
+    double loads = 0;
+    for (const Body& body : model.train()) {
+      loads += std::abs(body.load);
+      for (const Gravity& g : body.gravity) loads += std::abs(g.torque);
+      for (const Friction& f : body.dry) loads += f.breakaway;
+    }
+    angle = usable(radians * of.range);
+    speed = usable(radians * of.peak[1]);
+    torque = usable(
+        radians * (model.inertia() * of.peak[2] + model.friction() * of.peak[1]) + loads);
+  }
+};
+
 class Run {
  public:
   Run(const SignalView& reference, const Drive& drive, const DriveOptions& options)
-      : drive_(drive),
-        options_(options),
+      : options_(options),
         origin_(reference.start()),
         end_(reference.end()),
         closest_(shortest(reference, options)),
@@ -52,23 +79,25 @@ class Run {
         size_(scales(pieces_)),
         standstill_{pieces_.back().at(end_)[0], {end_, end_ + options.settle}},
         model_(drive),
+        run_size_(model_, size_),
+        switches_(model_, options.tolerance, run_size_.torque, run_size_.speed),
         piece_(pieces_.front()),
         before_{pieces_.front().at(origin_)[0], 0, 0, 0},
-        solver_(ode(), settings(), 0, DriveModel::Values{}),
-        observer_(model_, origin_, end_ + options.settle - origin_, options.samples) {}
+        solver_(ode(), settings(), 0, at_rest()),
+        observer_(model_, options, origin_, end_ + options.settle - origin_) {
+    if (model_.sampled()) sampled_.emplace(model_);
+  }
 
   DriveResult result() {
     bool ok = true;
     for (auto piece = pieces_.begin(); ok && piece != pieces_.end(); ++piece) ok = follow(*piece);
-    DriveResult result;
-    if (ok) finish_reference(result);
+    if (ok) finish_reference();
     if (ok && options_.settle > closest_) {
-      observer_.settle();
+      observer_.settle(end_);
       const SignalView standstill(standstill_);
       follow({&standstill, end_, end_ + options_.settle});
     }
-    finish(result);
-    return result;
+    return finish();
   }
 
  private:
@@ -85,123 +114,137 @@ class Run {
     ode.jacobian = [this](double t, const double* y, double* dfdy) {
       model_.jacobian(at(t), y, dfdy);
     };
-    ode.event = [this](double t, const double* y, double* g) {
-      const double asked = model_.commanded(at(t), y);
-      g[0] = asked - threshold(1, 1);
-      g[1] = asked + threshold(-1, 1);
+    ode.event = [this](double t, const double* y, double* g) { switches_.evaluate(at(t), y, g); };
+    ode.events = switches_.events();
+    ode.quadrature = [this](double t, const double* y, double* dq) {
+      const Jet& r = at(t);
+      const double torque = model_.torque(r, y);
+      dq[Observer::torque_squared] = torque * torque;
+      dq[Observer::work] = torque * model_.motor_speed(r, y);
     };
-    ode.events = 2;
+    ode.quadratures = Observer::quadratures;
     return ode;
   }
 
   [[nodiscard]] SolverOptions settings() const {
-    const auto scale = [](double s) { return s > 0 && std::isfinite(s) ? s : 1; };
     const double least = 1e-3 * options_.tolerance;
-    const double radians = model_.radians_per_unit();
-    const double angle = least * scale(radians * size_.range);
-    const double speed = least * scale(radians * size_.peak[1]);
-    const double torque =
-        scale(radians * (model_.inertia() * size_.peak[2] + model_.friction() * size_.peak[1]));
-    return {
-        Method::bdf,
-        options_.tolerance,
-        {angle, speed, angle, speed, least * torque, least * torque * torque * (end_ - origin_)},
-        closest_,
-        options_.max_steps};
+    std::vector<double> absolute(model_.size(), least * run_size_.torque);
+    for (std::size_t i = 0; i < model_.integral(); i += 2) {
+      absolute[i] = least * run_size_.angle;
+      absolute[i + 1] = least * run_size_.speed;
+    }
+    return {Method::bdf, options_.tolerance, std::move(absolute), closest_, options_.max_steps};
   }
 
-  [[nodiscard]] Jet at(double t) const { return piece_.at(origin_ + t); }
+  std::vector<double> at_rest() {
+    std::vector<double> y(model_.size());
+    model_.rest(before_, y.data());
+    return y;
+  }
 
-  /// The size of torque at which the limit of the given sign is entered or, in that mode, left: a
-  /// band of `widths` tolerances about the limit keeps rounding from switching to and fro.
-  [[nodiscard]] double threshold(int sign, double widths) const {
-    const double band = widths * options_.tolerance;
-    return drive_.motor.torque_limit * (model_.mode() == sign ? 1 - band : 1 + band);
+  /// The reference of the locked piece; the last query is kept, since right-hand side, Jacobian and
+  /// events ask for the same instants.
+  const Jet& at(double t) {
+    if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
+    return jet_;
+  }
+
+  [[nodiscard]] double next_stop() const {
+    const double end = piece_.end - origin_;
+    return sampled_ ? std::min(end, sampled_->next()) : end;
   }
 
   /// One interval of the reference; false if the solver gave up.
   bool follow(const Piece& piece) {
     enter(piece);
     for (;;) {
-      const Step step = solver_.step(piece.end - origin_);
+      act();
+      const Step step = solver_.step(next_stop());
       if (step == Step::failed) return false;
       observer_.step(solver_, piece);
-      const int mode = mode_after(step);
-      if (mode != model_.mode()) {
-        change_mode(mode);
+      if (update(step == Step::event ? solver_.crossings() : std::span<const int>{}))
         solver_.restart(solver_.time());
-      }
-      if (step == Step::stop) break;
+      if (step == Step::stop && piece.end - origin_ - solver_.time() <= closest_) break;
     }
     before_ = piece.at(piece.end);
     return true;
+  }
+
+  /// What the sampled controller has to do now.
+  void act() {
+    if (!sampled_ || sampled_->next() > solver_.time() + closest_) return;
+    const int before = model_.mode().torque;
+    sampled_->act(solver_.time(), closest_, at(solver_.time()), solver_.state());
+    note_saturation(before);
+    static_cast<void>(update());
+    solver_.restart(solver_.time());
   }
 
   /// Locks the reference to the piece. The axis moves on as it is where the reference steps, so the
   /// deviations step.
   void enter(const Piece& piece) {
     piece_ = piece;
+    asked_ = std::numeric_limits<double>::quiet_NaN();
     const Jet r = piece.at(piece.begin);
     const auto stepped = [&](std::size_t k, double scale, double share) {
       return !(std::abs(r[k] - before_[k]) <= share * scale);
     };
     const bool first = solver_.integration().restarts == 0;
     const double cap = longest_step * piece.length();
+    const int feed = model_.mode().feed;
     solver_.limit_step(cap);
+    switches_.begin(r, size_.peak[1]);
     if (first || stepped(0, size_.range, rounding) || stepped(1, size_.peak[1], rounding) ||
-        stepped(2, size_.peak[2], smooth) || solver_.next_step() > 2 * cap) {
+        stepped(2, size_.peak[2], smooth) || solver_.next_step() > 2 * cap ||
+        feed != model_.mode().feed) {
       const double radians = model_.radians_per_unit();
       auto y = solver_.state();
-      y[DriveModel::motor] -= radians * (r[0] - before_[0]);
-      y[DriveModel::load] -= radians * (r[0] - before_[0]);
-      y[DriveModel::motor_speed] -= radians * (r[1] - before_[1]);
-      y[DriveModel::load_speed] -= radians * (r[1] - before_[1]);
-      change_mode(mode_after(Step::stop));
+      for (std::size_t i = 0; i < model_.integral(); i += 2) {
+        y[i] -= radians * (r[0] - before_[0]);
+        y[i + 1] -= radians * (r[1] - before_[1]);
+      }
+      static_cast<void>(update());
       solver_.restart(solver_.time());
     }
   }
 
-  /// The mode that the present state is in. An event tells by its direction; what it cannot see
-  /// (two crossings in one step, a start on the limit) tells the torque itself.
-  int mode_after(Step step) {
-    int mode = model_.mode();
-    if (step == Step::event) {
-      if (solver_.crossing(0) != 0) return solver_.crossing(0) > 0 ? 1 : 0;
-      if (solver_.crossing(1) != 0) return solver_.crossing(1) < 0 ? -1 : 0;
-    }
-    const double asked = model_.commanded(at(solver_.time()), solver_.state().data());
-    if (mode != 0 && mode * asked < threshold(mode, 2)) mode = 0;
-    if (mode == 0 && std::abs(asked) > drive_.motor.torque_limit * (1 + 2 * options_.tolerance))
-      mode = asked > 0 ? 1 : -1;
-    return mode;
+  bool update(std::span<const int> crossed = {}) {
+    const int before = model_.mode().torque;
+    const bool changed =
+        switches_.update(at(solver_.time()), solver_.state().data(), crossed);
+    note_saturation(before);
+    return changed;
   }
 
-  void change_mode(int mode) {
-    if (mode == model_.mode()) return;
+  void note_saturation(int before) {
+    const int mode = model_.mode().torque;
+    if (mode == before) return;
     const double now = origin_ + solver_.time();
-    if (model_.mode() != 0) saturation_.back().to = now;
-    if (mode != 0) saturation_.push_back({now, now, mode});
-    model_.set_mode(mode);
+    if (before != 0) saturation_.back().to = now;
+    if (mode == 0) return;
+    const double speed = model_.motor_speed(at(solver_.time()), solver_.state().data());
+    saturation_.push_back({now, now, mode, model_.weakened(mode, speed)});
   }
 
-  void finish_reference(DriveResult& result) {
-    const auto y = solver_.state();
-    result.rms_torque = std::sqrt(y[DriveModel::torque_squared] / (end_ - origin_));
-    result.end_following_error = -y[DriveModel::motor] / model_.radians_per_unit();
+  void finish_reference() {
+    rms_torque_ = std::sqrt(solver_.quadratures()[Observer::torque_squared] / (end_ - origin_));
+    end_following_error_ = -solver_.state()[0] / model_.radians_per_unit();
   }
 
-  void finish(DriveResult& result) {
+  DriveResult finish() {
+    DriveResult result;
+    observer_.finish(options_.tolerance * model_.radians_per_unit() * size_.peak[1], result);
     result.integration = solver_.integration();
     result.integration.reached = origin_ + solver_.time();
     accept(result.integration);
-    if (model_.mode() != 0) saturation_.back().to = result.integration.reached;
-    result.torque = observer_.torque();
-    result.following_error = observer_.following_error();
-    result.residual = observer_.residual();
-    const double speed = model_.radians_per_unit() * size_.peak[1];
-    result.residual_frequency = observer_.frequency(options_.tolerance * speed);
+    if (model_.mode().torque != 0) saturation_.back().to = result.integration.reached;
+    result.rms_torque = rms_torque_;
+    const double constant = model_.drive().motor.torque_constant;
+    if (constant > 0) result.rms_current = rms_torque_ / constant;
+    result.end_following_error = end_following_error_;
     result.saturation = std::move(saturation_);
-    result.samples = observer_.take_samples();
+    result.impacts = switches_.impacts();
+    return result;
   }
 
   /// A success code proves nothing: the end must be reached, and no interval stepped over.
@@ -217,7 +260,6 @@ class Run {
     if (integration.ok()) integration.reached = end;
   }
 
-  const Drive& drive_;
   const DriveOptions& options_;
   double origin_;
   double end_;
@@ -226,11 +268,18 @@ class Run {
   Scales size_;
   Standstill standstill_;
   DriveModel model_;
+  RunScales run_size_;
+  Switches switches_;
   Piece piece_;
   Jet before_;
+  Jet jet_{};
+  double asked_ = std::numeric_limits<double>::quiet_NaN();
   Solver solver_;
   Observer observer_;
+  std::optional<SampledController> sampled_ = {};
   std::vector<Saturation> saturation_;
+  double rms_torque_ = 0;
+  double end_following_error_ = 0;
 };
 
 }  // namespace

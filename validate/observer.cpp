@@ -22,42 +22,114 @@ void raise(Peak& peak, const std::array<double, 3>& f, double t, double h) {
 
 }  // namespace
 
-Observer::Observer(const DriveModel& model, double origin, double duration, std::size_t samples)
+Observer::Observer(const DriveModel& model, const DriveOptions& options, double origin,
+                   double duration)
     : model_(model),
+      options_(options),
       origin_(origin),
-      spacing_(samples > 1 ? duration / static_cast<double>(samples - 1) : 0),
-      wanted_(samples) {
-  samples_.reserve(samples);
+      spacing_(options.samples > 1 ? duration / static_cast<double>(options.samples - 1) : 0),
+      scratch_(model.size()) {
+  found_.samples.reserve(options.samples);
 }
 
-Observer::Point Observer::point(const Solver& solver, const Piece& reference, double t) const {
-  DriveModel::Values y;
-  solver.interpolate(t, y);
+Observer::Point Observer::point(const double* y, const Piece& reference, double t) const {
   const Jet r = reference.at(origin_ + t);
-  const double limit = model_.torque_limit();
+  const double limit = model_.drive().motor.torque_limit;
+  const std::size_t load = model_.load();
   return {origin_ + t,
-          std::clamp(model_.torque(r, y.data()), -limit, limit),
-          y[DriveModel::motor],
-          y[DriveModel::load],
-          y[DriveModel::load_speed],
+          std::clamp(model_.torque(r, y), -limit, limit),
+          y[0],
+          y[load],
+          y[load + 1],
+          model_.motor_speed(r, y),
+          model_.drive().pendulum ? y[load + 2] - y[load] : 0,
           r[0]};
 }
 
-void Observer::step(const Solver& solver, const Piece& reference) {
+Observer::Point Observer::between(const Solver& solver, const Piece& reference, double t) {
+  solver.interpolate(t, scratch_);
+  return point(scratch_.data(), reference, t);
+}
+
+void Observer::step(Solver& solver, const Piece& reference) {
   const double h = (solver.time() - solver.before()) / 2;
   if (h == 0) return;
-  const Point a = point(solver, reference, solver.before());
-  const Point b = point(solver, reference, solver.before() + h);
-  const Point c = point(solver, reference, solver.time());
+  const Points p{between(solver, reference, solver.before()),
+                 between(solver, reference, solver.before() + h),
+                 point(solver.state().data(), reference, solver.time())};
   const double unit = 1 / model_.radians_per_unit();
-  raise(torque_, {a.torque, b.torque, c.torque}, a.time, h);
-  raise(following_error_, {-a.motor * unit, -b.motor * unit, -c.motor * unit}, a.time, h);
+  const auto watch = [&](Peak& peak, double Point::*what, double factor) {
+    raise(peak, {p[0].*what * factor, p[1].*what * factor, p[2].*what * factor}, p[0].time, h);
+  };
+  watch(found_.torque, &Point::torque, 1);
+  watch(found_.velocity, &Point::velocity, 1);
+  watch(found_.following_error, &Point::motor, -unit);
+  if (model_.drive().pendulum) watch(found_.swing, &Point::swing, unit);
+  for (const Interval& sync : options_.sync)
+    if (p[0].time < sync.to && p[2].time > sync.from)
+      watch(found_.sync_following_error, &Point::motor, -unit);
   if (settling_) {
-    raise(residual_, {a.load * unit, b.load * unit, c.load * unit}, a.time, h);
-    swing(a, b);
-    swing(b, c);
+    watch(found_.residual, &Point::load, unit);
+    swing(p[0], p[1]);
+    swing(p[1], p[2]);
+    settling(solver, reference, p);
   }
+  const auto q = solver.quadratures();
+  heat(2 * h, q[torque_squared] - integrals_[torque_squared], p[2].time);
+  power(p, q[work] - integrals_[work]);
+  std::copy(q.begin(), q.end(), integrals_.begin());
   sample(solver, reference);
+}
+
+/// h' = (T^2 / rated^2 - h) / tau over a step, T^2 being its mean there.
+void Observer::heat(double dt, double squared, double time) {
+  const Motor& m = model_.drive().motor;
+  if (m.thermal_time == 0) return;
+  const double to = squared / (dt * m.rated_torque * m.rated_torque);
+  heat_ += (to - heat_) * -std::expm1(-dt / m.thermal_time);
+  raise(found_.i2t, heat_, time);
+}
+
+/// Work of a step, which the parabola of power through three points divides where it changes sign.
+void Observer::power(const Points& p, double done) {
+  const auto power = [](const Point& at) { return at.torque * at.velocity; };
+  const double a = power(p[0]);
+  const double b = power(p[1]);
+  const double c = power(p[2]);
+  double driving = std::max(0.0, done);
+  if (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0) {
+    const double h = (p[2].time - p[0].time) / 2;
+    const auto part = [&](double from, double to) {  // of the trapezoid, what is above zero
+      if (from >= 0 && to >= 0) return h * (from + to) / 2;
+      if (from <= 0 && to <= 0) return 0.0;
+      const double top = std::max(from, to);
+      return h * top * top / (2 * std::abs(to - from));
+    };
+    driving = std::max(driving, part(a, b) + part(b, c));
+  }
+  found_.energy.driving += driving;
+  found_.energy.regenerated += driving - done;
+}
+
+/// Keeps since when the load is within the band; its entry is a zero of the dense output.
+void Observer::settling(const Solver& solver, const Piece& reference, const Points& p) {
+  if (!options_.limits.settling_band) return;
+  const double band = *options_.limits.settling_band * model_.radians_per_unit();
+  const auto outside = [&](const Point& at) { return std::abs(at.load) > band; };
+  if (p[0].time <= end_ && outside(p[0])) inside_.reset();
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    if (outside(p[i])) {
+      inside_.reset();
+    } else if (!inside_) {
+      double out = p[i - 1].time;
+      double in = p[i].time;
+      for (int k = 0; k < 40 && out < in; ++k) {
+        const double middle = out + (in - out) / 2;
+        (outside(between(solver, reference, middle - origin_)) ? out : in) = middle;
+      }
+      inside_ = in - end_;
+    }
+  }
 }
 
 void Observer::swing(const Point& a, const Point& b) {
@@ -83,13 +155,26 @@ double Observer::frequency(double noise) const {
 void Observer::sample(const Solver& solver, const Piece& reference) {
   const double unit = 1 / model_.radians_per_unit();
   const double slack = 1e-9 * spacing_;  // the last one must not be lost to rounding
-  while (samples_.size() < wanted_) {
-    const double t = static_cast<double>(samples_.size()) * spacing_;
+  while (found_.samples.size() < options_.samples) {
+    const double t = static_cast<double>(found_.samples.size()) * spacing_;
     if (t > solver.time() + slack) return;
-    const Point p = point(solver, reference, std::clamp(t, solver.before(), solver.time()));
-    samples_.push_back({origin_ + t, p.reference, p.reference + p.motor * unit,
-                        p.reference + p.load * unit, p.torque, -p.motor * unit});
+    const Point p = between(solver, reference, std::clamp(t, solver.before(), solver.time()));
+    found_.samples.push_back({origin_ + t, p.reference, p.reference + p.motor * unit,
+                              p.reference + p.load * unit, p.torque, -p.motor * unit,
+                              p.velocity});
   }
+}
+
+void Observer::finish(double noise, DriveResult& result) {
+  const Motor& m = model_.drive().motor;
+  found_.residual_frequency = frequency(noise);
+  if (settling_ && options_.limits.settling_band) found_.settling_time = inside_;
+  if (m.torque_constant > 0) {
+    found_.current = {found_.torque.value / m.torque_constant, found_.torque.where};
+    found_.energy.copper = integrals_[torque_squared] * m.resistance /
+                           (m.torque_constant * m.torque_constant);
+  }
+  result = std::move(found_);
 }
 
 }  // namespace jounce::detail

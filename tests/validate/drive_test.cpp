@@ -378,12 +378,13 @@ TEST(Drive, LimitsGivenAreChecked) {
   EXPECT_EQ(free.report.findings[0].rule, "drive/saturation");
   EXPECT_NEAR(free.report.findings[0].margin, 1 - std::abs(free.torque.value) / 3.8, 1e-12);
 
-  const DriveLimits wide{1, 1, 1, 1};
+  const DriveLimits wide{.torque = 1, .rms_torque = 1, .following_error = 1, .residual = 1};
   const DriveResult within = drive_through(move, servo_400w(), {.limits = wide});
   EXPECT_TRUE(within.report.ok());
   EXPECT_EQ(within.report.findings.size(), 5u);
 
-  const DriveLimits tight{0.1, 0.1, 0.01, 0.01};
+  const DriveLimits tight{
+      .torque = 0.1, .rms_torque = 0.1, .following_error = 0.01, .residual = 0.01};
   const DriveResult beyond = drive_through(move, servo_400w(), {.limits = tight});
   EXPECT_EQ(beyond.report.broken(), 4u);
   const Finding* error = find(beyond.report, "drive/following_error");

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,27 +13,24 @@
 
 namespace jounce::detail {
 
-/// Watches a run step by step and keeps what the result reports: peaks, swings, samples.
+/// Watches a run step by step and keeps what the result reports: peaks, swings, energy, samples.
 class Observer {
  public:
+  /// The quadratures that it lives on: T^2, and the motor's mechanical power.
+  enum Quadrature { torque_squared, work, quadratures };
+
   /// Samples are spaced equally over the duration; origin is the signal's time at the solver's
   /// zero.
-  Observer(const DriveModel& model, double origin, double duration, std::size_t samples);
+  Observer(const DriveModel& model, const DriveOptions& options, double origin, double duration);
 
   /// After each step, with the reference it was made along. Reads the solver's dense output.
-  void step(const Solver& solver, const Piece& reference);
+  void step(Solver& solver, const Piece& reference);
 
-  /// From here on the reference stands still: residual and swings are watched.
-  void settle() { settling_ = true; }
+  /// From here on, the reference's end, it stands still: residual and swings are watched.
+  void settle(double end) { settling_ = true, end_ = end; }
 
-  /// Half the number of zeros of the load's velocity per second while settling. Swings slower than
-  /// `noise` (rad/s) or than 1 % of the fastest do not count.
-  [[nodiscard]] double frequency(double noise) const;
-
-  [[nodiscard]] const Peak& torque() const { return torque_; }
-  [[nodiscard]] const Peak& following_error() const { return following_error_; }
-  [[nodiscard]] const Peak& residual() const { return residual_; }
-  [[nodiscard]] std::vector<DriveSample> take_samples() { return std::move(samples_); }
+  /// Swings slower than `noise` (rad/s) or than 1 % of the fastest do not count.
+  void finish(double noise, DriveResult& result);
 
  private:
   struct Point {
@@ -41,27 +39,37 @@ class Observer {
     double motor;  ///< rad, relative to the reference; so is the load
     double load;
     double load_speed;
+    double velocity;  ///< rad/s, of the motor
+    double swing;     ///< rad
     double reference;
   };
+  using Points = std::array<Point, 3>;  ///< beginning, middle and end of a step
   /// A zero of the load's velocity, and the greatest speed since the one before.
   struct Zero {
     double time;
     double speed;
   };
 
-  [[nodiscard]] Point point(const Solver& solver, const Piece& reference, double t) const;
+  [[nodiscard]] Point point(const double* y, const Piece& reference, double t) const;
+  [[nodiscard]] Point between(const Solver& solver, const Piece& reference, double t);
   void swing(const Point& a, const Point& b);
+  void settling(const Solver& solver, const Piece& reference, const Points& p);
+  void heat(double dt, double squared, double time);
+  void power(const Points& p, double done);
+  [[nodiscard]] double frequency(double noise) const;
   void sample(const Solver& solver, const Piece& reference);
 
   const DriveModel& model_;
+  const DriveOptions& options_;
   double origin_;
   double spacing_;
-  std::size_t wanted_;
+  std::vector<double> scratch_;
   bool settling_ = false;
-  Peak torque_;
-  Peak following_error_;
-  Peak residual_;
-  std::vector<DriveSample> samples_;
+  double end_ = 0;
+  DriveResult found_;
+  std::array<double, quadratures> integrals_{};
+  double heat_ = 0;
+  std::optional<double> inside_ = 0;  ///< since when, after the end; none: outside of the band
   std::vector<Zero> zeros_;
   double speed_ = 0;
 };

@@ -27,6 +27,9 @@ struct Ode {
   /// as many functions as `events`; a change of sign of any ends a step there
   std::function<void(double t, const double* y, double* g)> event;
   int events = 0;
+  /// dq = h(t, y): integrals that nothing depends on, carried along without error control
+  std::function<void(double t, const double* y, double* dq)> quadrature = {};
+  int quadratures = 0;
 };
 
 enum class Method { adams, bdf };
@@ -72,11 +75,15 @@ class Solver {
   Step step(double stop);
   /// Which way the event function went through zero: -1, 0 (not at all) or 1.
   [[nodiscard]] int crossing(std::size_t event) const { return crossings_[event]; }
+  [[nodiscard]] std::span<const int> crossings() const { return crossings_; }
 
   /// Where the step just made began.
   [[nodiscard]] double before() const { return before_; }
   /// The state at t between before() and time(); `state` holds as many numbers as state() does.
   void interpolate(double t, std::span<double> state) const;
+
+  /// The quadratures at time(), from 0 at the very start.
+  [[nodiscard]] std::span<const double> quadratures();
 
   /// Counts and outcome so far.
   [[nodiscard]] const Integration& integration() const { return integration_; }
@@ -95,6 +102,7 @@ class Solver {
   static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix j, void* self, N_Vector,
                       N_Vector, N_Vector);
   static int event(double t, N_Vector y, double* g, void* self);
+  static int quadrature(double t, N_Vector y, N_Vector dq, void* self);
   static void message(int code, const char* module, const char* function, char* text, void* self);
 
   template <class Call>
@@ -108,6 +116,7 @@ class Solver {
   Owned<N_Vector> y_;
   Owned<N_Vector> tolerance_;
   Owned<N_Vector> between_;
+  Owned<N_Vector> integrals_;  ///< none: nullptr
   Owned<SUNMatrix> matrix_;
   Owned<SUNLinearSolver> linear_;
   Owned<void*> cvode_;
