@@ -133,7 +133,14 @@ class Run {
       absolute[i] = least * run_size_.angle;
       absolute[i + 1] = least * run_size_.speed;
     }
-    return {Method::bdf, options_.tolerance, std::move(absolute), closest_, options_.max_steps};
+    const double time = least * (end_ - origin_);
+    return {Method::bdf,
+            options_.tolerance,
+            std::move(absolute),
+            closest_,
+            options_.max_steps,
+            {time * run_size_.torque * run_size_.torque,
+             time * run_size_.torque * run_size_.speed}};
   }
 
   std::vector<double> at_rest() {

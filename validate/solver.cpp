@@ -57,6 +57,11 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
     integrals_.reset(made(N_VNew_Serial(ode_.quadratures, context_)));
     N_VConst(0, integrals_.get());
     set_up(CVodeQuadInit(cvode, &Solver::quadrature, integrals_.get()));
+    const Owned<N_Vector> absolute(made(N_VClone(integrals_.get())));
+    std::copy(options_.of_quadratures.begin(), options_.of_quadratures.end(),
+              N_VGetArrayPointer(absolute.get()));
+    set_up(CVodeQuadSVtolerances(cvode, options_.relative, absolute.get()));  // copied
+    set_up(CVodeSetQuadErrCon(cvode, SUNTRUE));
   }
   if (ode_.events > 0) {
     set_up(CVodeRootInit(cvode, ode_.events, &Solver::event));

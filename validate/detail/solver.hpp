@@ -27,7 +27,7 @@ struct Ode {
   /// as many functions as `events`; a change of sign of any ends a step there
   std::function<void(double t, const double* y, double* g)> event;
   int events = 0;
-  /// dq = h(t, y): integrals that nothing depends on, carried along without error control
+  /// dq = h(t, y): integrals that nothing depends on, to the relative tolerance
   std::function<void(double t, const double* y, double* dq)> quadrature = {};
   int quadratures = 0;
 };
@@ -40,6 +40,7 @@ struct SolverOptions {
   std::vector<double> absolute;  ///< one a state, > 0
   double closest = 0;            ///< a stop no farther away than this counts as reached
   long max_steps = 0;
+  std::vector<double> of_quadratures = {};  ///< one a quadrature: absolute, > 0
 };
 
 enum class Step { inside, stop, event, failed };

@@ -1,0 +1,100 @@
+// The drive model: cost of a second of motion. Times are of this machine; compare within one run.
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/validate/drive.hpp"
+
+namespace jounce {
+namespace {
+
+/// One second from start to end of the watch: 0.8 s of motion, 0.2 s of standstill.
+Trajectory trapezoid_second() {
+  return trapezoid({.from = 0, .to = 3600, .velocity = 6000, .acceleration = 30'000}).curve();
+}
+
+Trajectory s_curve_second() {
+  return s_curve({.from = 0, .to = 3600, .velocity = 6200, .acceleration = 40'000, .jerk = 6e5})
+      .curve();
+}
+
+Drive with_lag() {
+  Drive drive = servo_400w();
+  drive.motor.current_lag = 1e-4;
+  return drive;
+}
+
+Drive four_masses() {
+  Drive drive = with_lag();
+  Mass part = drive.train[0];
+  part.inertia /= 3;
+  part.stiffness *= 3;
+  drive.train = {part, part, part};
+  return drive;
+}
+
+Drive rubbing() {
+  Drive drive = with_lag();
+  drive.motor.friction = {1e-4, 0.02, 0.03, 2};
+  drive.train[0].friction = {1e-4, 0.05, 0.08, 2};
+  return drive;
+}
+
+Drive with_backlash() {
+  Drive drive = with_lag();
+  drive.train[0].backlash = 2e-3;
+  return drive;
+}
+
+void drive_for_a_second(benchmark::State& state, const Trajectory& move, const Drive& drive) {
+  DriveResult result;
+  for (auto _ : state) {
+    result = drive_through(move, drive, {.settle = 1 - move.length()});
+    benchmark::DoNotOptimize(result);
+  }
+  if (!result.integration.ok()) state.SkipWithError(result.integration.reason.c_str());
+  state.counters["steps"] = static_cast<double>(result.integration.steps);
+  state.counters["restarts"] = static_cast<double>(result.integration.restarts);
+}
+
+BENCHMARK_CAPTURE(drive_for_a_second, two_mass_trapezoid, trapezoid_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, two_mass_s_curve, s_curve_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, two_mass_lag_s_curve, s_curve_second(), with_lag())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, four_mass_s_curve, s_curve_second(), four_masses())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, friction_s_curve, s_curve_second(), rubbing())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, backlash_s_curve, s_curve_second(), with_backlash())
+    ->Unit(benchmark::kMicrosecond);
+
+/// A thousand axes whose load is off by up to 10 %, on two threads.
+void monte_carlo(benchmark::State& state) {
+  const Trajectory move = s_curve_second();
+  constexpr int cases = 1000;
+  std::vector<double> residual(cases);
+  const auto part = [&](int first) {
+    for (int i = first; i < cases; i += 2) {
+      Drive drive = servo_400w();
+      drive.train[0].inertia *= 0.9 + 0.2 * i / cases;
+      residual[static_cast<std::size_t>(i)] =
+          drive_through(move, drive, {.settle = 1 - move.length()}).residual.value;
+    }
+  };
+  for (auto _ : state) {
+    std::thread other(part, 1);
+    part(0);
+    other.join();
+    benchmark::DoNotOptimize(residual.data());
+  }
+}
+BENCHMARK(monte_carlo)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+}  // namespace
+}  // namespace jounce
