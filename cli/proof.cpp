@@ -8,6 +8,7 @@
 #include "jounce/io/file.hpp"
 #include "jounce/study/driven.hpp"
 
+#include "drive_text.hpp"
 #include "reference.hpp"
 
 namespace jounce::cli {
@@ -80,22 +81,7 @@ std::string proof_text(const Proof& proof, const Input& input) {
                           "acceleration to {:.1e}, {:.1e}, {:.1e} ({} steps)",
                           w->report.ok() ? "ok" : "BROKEN", w->position.relative,
                           w->velocity.relative, w->acceleration.relative, w->integration.steps));
-  if (proof.drive) {
-    const DriveResult& d = *proof.drive;
-    line("drive",
-         fmt::format("{}: torque {} N m peak at {} s, {} N m rms", d.report.ok() ? "ok" : "BROKEN",
-                     rounded(d.torque.value), rounded(d.torque.where), rounded(d.rms_torque)));
-    line("", fmt::format("following error {} {} at {} s; {} {} at the end",
-                         rounded(d.following_error.value), u, rounded(d.following_error.where),
-                         rounded(d.end_following_error), u));
-    line("", fmt::format("residual vibration {} {}{}", rounded(d.residual.value), u,
-                         d.residual_frequency > 0
-                             ? fmt::format(" at {} Hz", rounded(d.residual_frequency))
-                             : ""));
-    for (const auto& s : d.saturation)
-      line("", fmt::format("at the {} torque limit from {} to {} s", s.sign > 0 ? "upper" : "lower",
-                           rounded(s.from), rounded(s.to)));
-  }
+  if (proof.drive) text += drive_text(*proof.drive, *input.drive, u);
   if (proof.played)
     line("executor", fmt::format("{}: {} ticks, at most {} {} from the designed curve",
                                  proof.played->report.ok() ? "ok" : "BROKEN", proof.played->ticks,

@@ -98,7 +98,7 @@ Section proof_section(const Proof& proof, const Input& input) {
   section.blocks.emplace_back(std::move(table));
   if (proof.drive)
     section.blocks.emplace_back(Chart{drive_figure(*proof.drive, input.labels.units.position),
-                                      "The table driven through two masses on a shaft, under a "
+                                      "The table driven through the model of its [drive], under a "
                                       "P-PI cascade with feed-forward, and held after its end."});
   return section;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "drive_text.hpp"
 #include "json.hpp"
 #include "proof.hpp"
 #include "verb.hpp"
@@ -28,17 +29,7 @@ nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   };
   document["witness"] = {{"curve", witness_json(proof.curve)},
                          {"table", witness_json(proof.table)}};
-  if (proof.drive) {
-    const DriveResult& d = *proof.drive;
-    document["drive"] = {{"peak_torque", d.torque.value},
-                         {"rms_torque", d.rms_torque},
-                         {"following_error", d.following_error.value},
-                         {"end_following_error", d.end_following_error},
-                         {"residual", d.residual.value},
-                         {"residual_frequency", d.residual_frequency},
-                         {"saturations", d.saturation.size()},
-                         {"steps", d.integration.steps}};
-  }
+  if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
   if (proof.played)
     document["executor"] = {{"ticks", proof.played->ticks},
                             {"error", proof.played->error},

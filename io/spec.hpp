@@ -62,6 +62,11 @@ struct DriveSpec {
   Drive drive;
   DriveLimits limits;
   double settle = 0.2;  ///< s of standstill after the motion's end
+  std::vector<Interval> sync = {};  ///< [[drive.sync]], s of the motion
+
+  [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
+    return {.settle = settle, .samples = samples, .limits = limits, .sync = sync};
+  }
 };
 
 /// The plate that a cam is cut into: [disc] and [disc.limits].

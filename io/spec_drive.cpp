@@ -99,13 +99,43 @@ void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
 }
 
 DriveLimits read_drive_limits(TomlReader& limits, const Units& units) {
+  const std::string& u = units.position;
   DriveLimits found;
   found.torque = limits.optional_number("torque", "N m");
   found.rms_torque = limits.optional_number("rms_torque", "N m");
-  found.following_error = limits.optional_number("following_error", units.position);
-  found.residual = limits.optional_number("residual", units.position);
+  found.current = limits.optional_number("current", "A");
+  found.velocity = limits.optional_number("velocity", "rad/s");
+  found.following_error = limits.optional_number("following_error", u);
+  found.end_following_error = limits.optional_number("end_following_error", u);
+  found.sync_following_error = limits.optional_number("sync_following_error", u);
+  found.residual = limits.optional_number("residual", u);
+  found.settling_band = limits.optional_number("settling_band", u);
+  found.settling_time = limits.optional_number("settling_time", "s");
   limits.finish();
   return found;
+}
+
+std::vector<Interval> read_drive_sync(TomlReader& table) {
+  std::vector<Interval> found;
+  for (TomlReader& sync : table.tables("sync")) {
+    found.push_back({sync.number("from", "s"), sync.number("to", "s")});
+    sync.finish();
+  }
+  return found;
+}
+
+struct Model {
+  const char* name;
+  Drive (*make)();
+};
+constexpr std::array<Model, 2> models{
+    {{"servo_400w", servo_400w}, {"wittenstein_premo_2d", wittenstein_premo_2d}}};
+
+Drive read_model(TomlReader& table) {
+  std::vector<std::string> names;
+  for (const Model& model : models) names.emplace_back(model.name);
+  const auto chosen = table.optional_choice("model", names);
+  return chosen ? models[*chosen].make() : Drive{};
 }
 
 }  // namespace
@@ -115,15 +145,16 @@ std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
   if (!table) return std::nullopt;
   refuse_moved(*table);
   DriveSpec spec;
-  const std::vector<std::string> models{"servo_400w"};
-  if (table->has("model") && table->choice("model", models) == 0) spec.drive = servo_400w();
+  spec.drive = read_model(*table);
   read_drive_numbers(*table, spec.drive, units);
   spec.settle = table->optional_number("settle", "s").value_or(spec.settle);
+  spec.sync = read_drive_sync(*table);
   if (auto limits = table->optional_table("limits"))
     spec.limits = read_drive_limits(*limits, units);
   table->finish();
   try {
     require_valid(spec.drive);
+    require_valid(spec.options(), spec.drive);
   } catch (const InputError& error) {  // the model names its own fields
     throw InputError(owner.path("drive." + error.key()), error.value(), error.rule());
   }

@@ -16,7 +16,7 @@ struct Limit {
   std::optional<double> DriveLimits::*value;
 };
 
-constexpr std::array<Limit, 10> limits_{{
+constexpr std::array<Limit, 10> every_limit{{
     {"torque", &DriveLimits::torque},
     {"rms_torque", &DriveLimits::rms_torque},
     {"current", &DriveLimits::current},
@@ -29,13 +29,13 @@ constexpr std::array<Limit, 10> limits_{{
     {"settling_time", &DriveLimits::settling_time},
 }};
 
-void require_valid(const DriveOptions& options) {
+void require_options(const DriveOptions& options) {
   require_not_negative("settle", options.settle);
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-3))
     throw InputError("tolerance", options.tolerance, "must be between 1e-12 and 1e-3");
   if (options.max_steps < 1)
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");
-  for (const Limit& limit : limits_)
+  for (const Limit& limit : every_limit)
     if (const auto& value = options.limits.*limit.value)
       require_positive((std::string("limits.") + limit.key).c_str(), *value);
   if (options.limits.settling_time && !options.limits.settling_band)
@@ -108,16 +108,15 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
   const char* follow = "raise the feed-forward or the gains, or lower the jerk";
   check("drive/torque", "torque", result.torque, limits.torque, gentler);
   check("drive/rms_torque", "rms torque", {result.rms_torque, 0}, limits.rms_torque, rest);
-  check("drive/rated_torque", "rms torque", {result.rms_torque, 0},
-        given(drive.motor.rated_torque), rest);
-  if (drive.motor.thermal_time > 0)
-    check("drive/i2t", "I2t", result.i2t, 1, rest);
+  check("drive/rated_torque", "rms torque", {result.rms_torque, 0}, given(drive.motor.rated_torque),
+        rest);
+  if (drive.motor.thermal_time > 0) check("drive/i2t", "I2t", result.i2t, 1, rest);
   check("drive/current", "current", result.current, limits.current, gentler);
   check("drive/velocity", "motor velocity", result.velocity, limits.velocity, slower);
   check("drive/max_velocity", "motor velocity", result.velocity, given(drive.motor.max_velocity),
         slower);
-  check("drive/following_error", "following error", result.following_error,
-        limits.following_error, follow);
+  check("drive/following_error", "following error", result.following_error, limits.following_error,
+        follow);
   check("drive/end_following_error", "following error at the end",
         {result.end_following_error, end}, limits.end_following_error, follow);
   check("drive/sync_following_error", "following error in sync", result.sync_following_error,
@@ -133,12 +132,16 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
 
 }  // namespace
 
+void require_valid(const DriveOptions& options, const Drive& drive) {
+  require_options(options);
+  if (options.limits.current && drive.motor.torque_constant == 0)
+    throw InputError("limits.current", *options.limits.current, "needs motor.torque_constant");
+}
+
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options) {
   require_valid(drive);
-  require_valid(options);
-  if (options.limits.current && drive.motor.torque_constant == 0)
-    throw InputError("limits.current", *options.limits.current, "needs motor.torque_constant");
+  require_valid(options, drive);
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");
   DriveResult result = detail::run(reference, drive, options);

@@ -108,6 +108,15 @@ std::vector<DriveNumber> numbers(Drive& drive);
 /// the motor shaft.
 Drive servo_400w();
 
+/// A motor of the 400 W class by its data sheet: Wittenstein premo SP, stator 2D at 320 V (operating
+/// manual 4022-D045530, revision 02, table Tbl-16): inertia 0.83 kg cm^2, stall torque 1.46 N m at
+/// 4.04 A, peak 5.53 N m, 0.52 N m/A, 3.72 ohm between terminals, no-load speed 7023 1/min, greatest
+/// power 2.49 kW, thermal time constant 17.4 min. From these: the peak torque is there up to 450 rad/s
+/// (power / torque), and copper loss is 1.5 times 3.72 ohm times the square of the rms current. No
+/// load, no friction (the sheet gives none); loops for a load of the motor's own inertia. Unit:
+/// degrees.
+Drive wittenstein_premo_2d();
+
 /// Throws InputError, with the number's key, for a value out of range.
 void require_valid(const Drive& drive);
 
@@ -122,7 +131,7 @@ struct DriveLimits {
   std::optional<double> sync_following_error = {};  ///< u, within DriveOptions::sync
   std::optional<double> residual = {};              ///< u
   std::optional<double> settling_band = {};         ///< u, about the reference's end
-  std::optional<double> settling_time = {};         ///< s, until the load stays within; needs the band
+  std::optional<double> settling_time = {};  ///< s, until the load stays within; needs the band
 };
 
 /// An interval of time, s.
@@ -140,6 +149,9 @@ struct DriveOptions {
   long max_steps = 10'000'000;      ///< > 0
 };
 
+/// The same for options that go with a valid drive: keys "settle", "limits.torque", ...
+void require_valid(const DriveOptions& options, const Drive& drive);
+
 /// A signed value at its largest magnitude, and when.
 struct Peak {
   double value = 0;
@@ -151,7 +163,8 @@ struct Saturation {
   double from = 0;  ///< s
   double to = 0;    ///< s
   int sign = 0;     ///< 1: at the upper limit, -1: at the lower
-  bool envelope = false;  ///< the motor's speed left less than the peak torque, where it was entered
+  bool envelope =
+      false;  ///< the motor's speed left less than the peak torque, where it was entered
 };
 
 struct DriveSample {

@@ -35,6 +35,11 @@ double DriveModel::passed(std::size_t i, const double* y) const {
 void DriveModel::jacobian(const Jet& r, const double* y, double* dfdy) const {
   const Dense at{dfdy, size_};
   controller_jacobian(r, y, dfdy);
+  const double given = torque(r, y);  // (13)
+  const double speed = motor_speed(r, y);
+  torque_row(torque_squared(), 2 * given, r, y, dfdy);
+  torque_row(work(), speed, r, y, dfdy);
+  at(work(), 1) += given;
   for (std::size_t i = 0; i < train_.size(); ++i) {
     at(2 * i, 2 * i + 1) = 1;
     if (!train_[i].rubs() || mode_.slip[i] != 0) body_jacobian(i, r, y, dfdy);

@@ -31,7 +31,10 @@
 //
 //     (12)  x_i = th_i - th_r,  x_i'' = w_i' - a_r
 //
-// so that errors are relative to the following error and not to how far the axis has travelled.
+// so that errors are relative to the following error and not to how far the axis has travelled;
+// and beside them
+//
+//     (13) W' = T^2,  E' = T w_0                               rms torque, work
 
 #include "jounce/validate/detail/drive_model.hpp"
 
@@ -53,7 +56,7 @@ DriveModel::DriveModel(const Drive& drive)
       load_(2 * (train_.size() - (drive.pendulum ? 2 : 1))),
       delay_(integral() + 1),
       lag_(delay_ + (delayed_ ? 2 : 0)),
-      size_(lag_ + (lagging_ ? 1 : 0)) {
+      size_(lag_ + (lagging_ ? 1 : 0) + 2) {
   mode_.slip.resize(train_.size());
   mode_.contact.resize(train_.size());
 }
@@ -99,8 +102,7 @@ bool DriveModel::weakened(int sign, double motor_speed) const {
 }
 
 double DriveModel::limited(const Jet& r, const double* y) const {
-  return mode_.torque == 0 || sampled() ? commanded(r, y)
-                                        : limit(mode_.torque, motor_speed(r, y));
+  return mode_.torque == 0 || sampled() ? commanded(r, y) : limit(mode_.torque, motor_speed(r, y));
 }
 
 double DriveModel::torque(const Jet& r, const double* y) const {
@@ -140,7 +142,8 @@ double DriveModel::pressed(std::size_t i, int flank, const double* y) const {
 
 double DriveModel::loads(std::size_t i, double angle) const {
   double torque = train_[i].load;
-  for (const Gravity& g : train_[i].gravity) torque += g.torque * std::sin(g.angle + g.ratio * angle);
+  for (const Gravity& g : train_[i].gravity)
+    torque += g.torque * std::sin(g.angle + g.ratio * angle);
   return torque;
 }
 
@@ -159,8 +162,7 @@ static double loss(double efficiency, int sign, double joint) {
 /// F of (10) at a speed w >= 0.
 static double dry(const Friction& f, double w) {
   const double u = w / f.stribeck_velocity;
-  return f.coulomb +
-         (f.stribeck_velocity > 0 ? (f.breakaway - f.coulomb) * std::exp(-u * u) : 0);
+  return f.coulomb + (f.stribeck_velocity > 0 ? (f.breakaway - f.coulomb) * std::exp(-u * u) : 0);
 }
 
 double DriveModel::holding(std::size_t i, int sign, const double* y) const {
@@ -184,6 +186,8 @@ void DriveModel::rhs(const Jet& r, const double* y, double* dy) const {
   const double a_r = radians_ * r[2];
   controller_rhs(r, y, dy);
   double before = torque(r, y);
+  dy[torque_squared()] = before * before;  // (13)
+  dy[work()] = before * (y[1] + w_r);
   for (std::size_t i = 0; i < train_.size(); ++i) {
     const Body& b = train_[i];
     const double behind = i + 1 < train_.size() ? joint(i + 1, y) : 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -152,6 +153,24 @@ void require_valid(const Drive& drive) {
   if (drive.controller.encoder_counts != 0 && drive.controller.cycle == 0)
     throw InputError("controller.encoder_counts", drive.controller.encoder_counts,
                      "needs a cycle: only a sampled controller counts");
+}
+
+Drive wittenstein_premo_2d() {
+  Drive drive;
+  Motor& m = drive.motor;
+  m.inertia = 0.83e-4;
+  m.torque_limit = 5.53;
+  m.rated_torque = 1.46;
+  m.rated_velocity = 2490 / 5.53;                     // the greatest power at the peak torque
+  m.max_velocity = 7023 * 2 * std::numbers::pi / 60;  // without load
+  m.torque_constant = 0.52;
+  m.resistance = 1.5 * 3.72;  // three phases of half the terminals'
+  m.thermal_time = 17.4 * 60;
+  drive.controller.position_gain = 40;
+  drive.controller.velocity_gain = 200 * 2 * m.inertia;
+  drive.controller.integral_time = 0.02;
+  drive.position_per_rev = 360;
+  return drive;
 }
 
 Drive servo_400w() {

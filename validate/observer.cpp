@@ -51,10 +51,13 @@ Observer::Point Observer::between(const Solver& solver, const Piece& reference, 
   return point(scratch_.data(), reference, t);
 }
 
-void Observer::step(Solver& solver, const Piece& reference) {
+void Observer::step(const Solver& solver, const Piece& reference) {
   const double h = (solver.time() - solver.before()) / 2;
   if (h == 0) return;
-  const Points p{between(solver, reference, solver.before()),
+  const double begin = origin_ + solver.before();
+  const bool goes_on = last_ && last_->time == begin && solver.integration().restarts == restarts_;
+  restarts_ = solver.integration().restarts;
+  const Points p{goes_on ? *last_ : between(solver, reference, solver.before()),
                  between(solver, reference, solver.before() + h),
                  point(solver.state().data(), reference, solver.time())};
   const double unit = 1 / model_.radians_per_unit();
@@ -74,10 +77,13 @@ void Observer::step(Solver& solver, const Piece& reference) {
     swing(p[1], p[2]);
     settling(solver, reference, p);
   }
-  const auto q = solver.quadratures();
-  heat(2 * h, q[torque_squared] - integrals_[torque_squared], p[2].time);
-  power(p, q[work] - integrals_[work]);
-  std::copy(q.begin(), q.end(), integrals_.begin());
+  const double squared = solver.state()[model_.torque_squared()];
+  const double work = solver.state()[model_.work()];
+  heat(2 * h, squared - torque_squared_, p[2].time);
+  power(p, work - work_);
+  torque_squared_ = squared;
+  work_ = work;
+  last_ = p[2];
   sample(solver, reference);
 }
 
@@ -160,8 +166,7 @@ void Observer::sample(const Solver& solver, const Piece& reference) {
     if (t > solver.time() + slack) return;
     const Point p = between(solver, reference, std::clamp(t, solver.before(), solver.time()));
     found_.samples.push_back({origin_ + t, p.reference, p.reference + p.motor * unit,
-                              p.reference + p.load * unit, p.torque, -p.motor * unit,
-                              p.velocity});
+                              p.reference + p.load * unit, p.torque, -p.motor * unit, p.velocity});
   }
 }
 
@@ -171,8 +176,7 @@ void Observer::finish(double noise, DriveResult& result) {
   if (settling_ && options_.limits.settling_band) found_.settling_time = inside_;
   if (m.torque_constant > 0) {
     found_.current = {found_.torque.value / m.torque_constant, found_.torque.where};
-    found_.energy.copper = integrals_[torque_squared] * m.resistance /
-                           (m.torque_constant * m.torque_constant);
+    found_.energy.copper = torque_squared_ * m.resistance / (m.torque_constant * m.torque_constant);
   }
   result = std::move(found_);
 }

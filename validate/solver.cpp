@@ -46,6 +46,7 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
       before_(t0) {
   std::copy(y0.begin(), y0.end(), state().begin());
   void* cvode = cvode_.get();
+  set_up(N_VEnableFusedOps_Serial(y_.get(), SUNTRUE));  // many of our calls are for few numbers
   set_up(CVodeSetErrHandlerFn(cvode, &Solver::message, this));
   set_up(CVodeInit(cvode, &Solver::rhs, t0, y_.get()));
   set_up(CVodeSetUserData(cvode, this));
@@ -53,16 +54,6 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
   tolerate(options_.relative, options_.absolute);
   set_up(CVodeSetLinearSolver(cvode, linear_.get(), matrix_.get()));
   set_up(CVodeSetJacFn(cvode, &Solver::jacobian));
-  if (ode_.quadratures > 0) {
-    integrals_.reset(made(N_VNew_Serial(ode_.quadratures, context_)));
-    N_VConst(0, integrals_.get());
-    set_up(CVodeQuadInit(cvode, &Solver::quadrature, integrals_.get()));
-    const Owned<N_Vector> absolute(made(N_VClone(integrals_.get())));
-    std::copy(options_.of_quadratures.begin(), options_.of_quadratures.end(),
-              N_VGetArrayPointer(absolute.get()));
-    set_up(CVodeQuadSVtolerances(cvode, options_.relative, absolute.get()));  // copied
-    set_up(CVodeSetQuadErrCon(cvode, SUNTRUE));
-  }
   if (ode_.events > 0) {
     set_up(CVodeRootInit(cvode, ode_.events, &Solver::event));
     set_up(CVodeSetNoInactiveRootWarn(cvode));
@@ -76,10 +67,6 @@ void Solver::tolerate(double relative, std::span<const double> absolute) {
 }
 
 void Solver::restart(double t) {
-  if (integrals_) {
-    static_cast<void>(quadratures());
-    set_up(CVodeQuadReInit(cvode_.get(), integrals_.get()));
-  }
   set_up(CVodeReInit(cvode_.get(), t, y_.get()));
   time_ = before_ = t;
   fresh_ = true;
@@ -88,12 +75,6 @@ void Solver::restart(double t) {
 
 void Solver::limit_step(double longest) {
   set_up(CVodeSetMaxStep(cvode_.get(), longest));
-}
-
-std::span<const double> Solver::quadratures() {
-  double t = 0;
-  if (!fresh_) set_up(CVodeGetQuad(cvode_.get(), &t, integrals_.get()));
-  return {N_VGetArrayPointer(integrals_.get()), static_cast<std::size_t>(ode_.quadratures)};
 }
 
 double Solver::next_step() const {
@@ -162,14 +143,6 @@ int Solver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_
   return s.guarded([&] {
     std::fill_n(SUNDenseMatrix_Data(j), s.size_ * s.size_, 0.0);
     s.ode_.jacobian(t, N_VGetArrayPointer(y), SUNDenseMatrix_Data(j));
-    return true;
-  });
-}
-
-int Solver::quadrature(double t, N_Vector y, N_Vector dq, void* self) {
-  auto& s = *static_cast<Solver*>(self);
-  return s.guarded([&] {
-    s.ode_.quadrature(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dq));
     return true;
   });
 }

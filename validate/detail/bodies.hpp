@@ -17,8 +17,8 @@ struct Gravity {
 struct Body {
   double inertia = 0;
   double viscous = 0;
-  std::vector<Friction> dry = {};       ///< those with dry friction; breakaway filled in
-  double load = 0;                      ///< constant torque against positive motion
+  std::vector<Friction> dry = {};  ///< those with dry friction; breakaway filled in
+  double load = 0;                 ///< constant torque against positive motion
   std::vector<Gravity> gravity = {};
   double stiffness = 0;  ///< of the joint; the motor has none
   double damping = 0;

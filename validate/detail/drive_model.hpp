@@ -12,10 +12,10 @@ namespace jounce::detail {
 
 /// What switches. Modes change between steps only, so that what a solver integrates is smooth.
 struct DriveMode {
-  int torque = 0;                ///< 1 or -1 while the torque stands at that limit, else 0
-  int feed = 0;                  ///< sign of the reference's velocity: friction feed-forward
-  std::vector<int> slip = {};    ///< of a body that rubs: the sign of its motion; 0: it sticks
-  std::vector<int> contact = {}; ///< of a joint with a gap: the flank that touches; 0: neither
+  int torque = 0;                 ///< 1 or -1 while the torque stands at that limit, else 0
+  int feed = 0;                   ///< sign of the reference's velocity: friction feed-forward
+  std::vector<int> slip = {};     ///< of a body that rubs: the sign of its motion; 0: it sticks
+  std::vector<int> contact = {};  ///< of a joint with a gap: the flank that touches; 0: neither
 
   bool operator==(const DriveMode&) const = default;
 };
@@ -24,8 +24,8 @@ struct DriveMode {
 /// No function allocates.
 ///
 /// States: angle and speed of each body in rad and rad/s relative to the reference (2 i and
-/// 2 i + 1), the integral part in N m, then, where they are modelled, the delayed command (two)
-/// and the torque behind the lag of the current loop.
+/// 2 i + 1), the integral part in N m; where they are modelled, the delayed command (two) and the
+/// torque behind the lag of the current loop; the integrals of T^2 and of the motor's power.
 class DriveModel {
  public:
   explicit DriveModel(const Drive& drive);
@@ -33,6 +33,8 @@ class DriveModel {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t load() const { return load_; }  ///< index of its angle
   [[nodiscard]] std::size_t integral() const { return 2 * train_.size(); }
+  [[nodiscard]] std::size_t torque_squared() const { return size_ - 2; }
+  [[nodiscard]] std::size_t work() const { return size_ - 1; }
   [[nodiscard]] bool sampled() const { return drive_.controller.cycle > 0; }
   [[nodiscard]] const Drive& drive() const { return drive_; }
   [[nodiscard]] const std::vector<Body>& train() const { return train_; }
@@ -87,8 +89,7 @@ class DriveModel {
 
   void controller_jacobian(const Jet& r, const double* y, double* dfdy) const;
   void body_jacobian(std::size_t i, const Jet& r, const double* y, double* dfdy) const;
-  void torque_row(std::size_t row, double share, const Jet& r, const double* y,
-                  double* dfdy) const;
+  void torque_row(std::size_t row, double share, const Jet& r, const double* y, double* dfdy) const;
   void limited_row(std::size_t row, double share, const Jet& r, const double* y,
                    double* dfdy) const;
   void commanded_row(std::size_t row, double share, double* dfdy) const;

@@ -16,15 +16,12 @@ namespace jounce::detail {
 /// Watches a run step by step and keeps what the result reports: peaks, swings, energy, samples.
 class Observer {
  public:
-  /// The quadratures that it lives on: T^2, and the motor's mechanical power.
-  enum Quadrature { torque_squared, work, quadratures };
-
   /// Samples are spaced equally over the duration; origin is the signal's time at the solver's
   /// zero.
   Observer(const DriveModel& model, const DriveOptions& options, double origin, double duration);
 
   /// After each step, with the reference it was made along. Reads the solver's dense output.
-  void step(Solver& solver, const Piece& reference);
+  void step(const Solver& solver, const Piece& reference);
 
   /// From here on, the reference's end, it stands still: residual and swings are watched.
   void settle(double end) { settling_ = true, end_ = end; }
@@ -67,7 +64,10 @@ class Observer {
   bool settling_ = false;
   double end_ = 0;
   DriveResult found_;
-  std::array<double, quadratures> integrals_{};
+  double torque_squared_ = 0;  ///< integrals up to the last step
+  double work_ = 0;
+  std::optional<Point> last_ = {};  ///< where the last step ended,
+  long restarts_ = -1;              ///< unless the solver began anew there
   double heat_ = 0;
   std::optional<double> inside_ = 0;  ///< since when, after the end; none: outside of the band
   std::vector<Zero> zeros_;

@@ -27,9 +27,6 @@ struct Ode {
   /// as many functions as `events`; a change of sign of any ends a step there
   std::function<void(double t, const double* y, double* g)> event;
   int events = 0;
-  /// dq = h(t, y): integrals that nothing depends on, to the relative tolerance
-  std::function<void(double t, const double* y, double* dq)> quadrature = {};
-  int quadratures = 0;
 };
 
 enum class Method { adams, bdf };
@@ -40,7 +37,6 @@ struct SolverOptions {
   std::vector<double> absolute;  ///< one a state, > 0
   double closest = 0;            ///< a stop no farther away than this counts as reached
   long max_steps = 0;
-  std::vector<double> of_quadratures = {};  ///< one a quadrature: absolute, > 0
 };
 
 enum class Step { inside, stop, event, failed };
@@ -61,6 +57,9 @@ class Solver {
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::span<double> state() { return {N_VGetArrayPointer(y_.get()), size_}; }
+  [[nodiscard]] std::span<const double> state() const {
+    return {N_VGetArrayPointer(y_.get()), size_};
+  }
 
   /// Other tolerances, before a restart.
   void tolerate(double relative, std::span<const double> absolute);
@@ -83,9 +82,6 @@ class Solver {
   /// The state at t between before() and time(); `state` holds as many numbers as state() does.
   void interpolate(double t, std::span<double> state) const;
 
-  /// The quadratures at time(), from 0 at the very start.
-  [[nodiscard]] std::span<const double> quadratures();
-
   /// Counts and outcome so far.
   [[nodiscard]] const Integration& integration() const { return integration_; }
 
@@ -103,7 +99,6 @@ class Solver {
   static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix j, void* self, N_Vector,
                       N_Vector, N_Vector);
   static int event(double t, N_Vector y, double* g, void* self);
-  static int quadrature(double t, N_Vector y, N_Vector dq, void* self);
   static void message(int code, const char* module, const char* function, char* text, void* self);
 
   template <class Call>
@@ -117,7 +112,6 @@ class Solver {
   Owned<N_Vector> y_;
   Owned<N_Vector> tolerance_;
   Owned<N_Vector> between_;
-  Owned<N_Vector> integrals_;  ///< none: nullptr
   Owned<SUNMatrix> matrix_;
   Owned<SUNLinearSolver> linear_;
   Owned<void*> cvode_;

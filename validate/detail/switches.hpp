@@ -30,8 +30,7 @@ class Switches {
 
  private:
   [[nodiscard]] double threshold(int sign, const Jet& r, const double* y, double widths) const;
-  [[nodiscard]] double margin(std::size_t body, const Jet& r, const double* y,
-                              double widths) const;
+  [[nodiscard]] double margin(std::size_t body, const Jet& r, const double* y, double widths) const;
   bool update_torque(const Jet& r, const double* y, std::span<const int> crossed);
   bool update_slip(std::size_t body, const Jet& r, double* y, int crossed);
   bool update_contact(std::size_t body, const double* y, std::span<const int> crossed);
