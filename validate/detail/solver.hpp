@@ -99,6 +99,7 @@ class Solver {
   static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix j, void* self, N_Vector,
                       N_Vector, N_Vector);
   static int event(double t, N_Vector y, double* g, void* self);
+  static int weights(N_Vector y, N_Vector weight, void* self);
   static void message(int code, const char* module, const char* function, char* text, void* self);
 
   template <class Call>
@@ -110,7 +111,6 @@ class Solver {
   std::size_t size_;
   sundials::Context context_;
   Owned<N_Vector> y_;
-  Owned<N_Vector> tolerance_;
   Owned<N_Vector> between_;
   Owned<SUNMatrix> matrix_;
   Owned<SUNLinearSolver> linear_;
