@@ -56,16 +56,6 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
   return master;
 }
 
-void require_version(TomlReader& top) {
-  if (!top.has("jounce"))
-    top.fail("jounce", "",
-             "is missing: a spec begins with `jounce = 1`, the version of its format");
-  const auto version = top.optional_count("jounce");
-  if (*version != Spec::version)
-    top.fail("jounce", std::to_string(*version),
-             "this program reads format version " + std::to_string(Spec::version));
-}
-
 /// What belongs to the one axis of a spec.
 void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
@@ -137,7 +127,7 @@ constexpr std::array kinds{
 };
 
 void read_body(TomlReader& top, Spec& spec) {
-  require_version(top);
+  detail::require_version(top);
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const Kind& kind : kinds) all.emplace_back(kind.name);
@@ -156,7 +146,19 @@ void read_body(TomlReader& top, Spec& spec) {
   top.finish();
 }
 
-toml::table parse_toml(const Document& document) {
+}  // namespace
+
+void detail::require_version(TomlReader& top) {
+  if (!top.has("jounce"))
+    top.fail("jounce", "",
+             "is missing: a spec begins with `jounce = 1`, the version of its format");
+  const auto version = top.optional_count("jounce");
+  if (*version != Spec::version)
+    top.fail("jounce", std::to_string(*version),
+             "this program reads format version " + std::to_string(Spec::version));
+}
+
+toml::table detail::parse_toml(const Document& document) {
   if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("", "", "the file is empty").at(document.name, 1);
   try {
@@ -174,12 +176,10 @@ toml::table parse_toml(const Document& document) {
   }
 }
 
-}  // namespace
-
 Spec parse_spec(std::string text, std::string name) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
-  const toml::table root = parse_toml(document);
+  const toml::table root = detail::parse_toml(document);
   Spec spec;
   spec.document = std::move(document);
   TomlReader top(root, "", spec.document);

@@ -224,6 +224,28 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
   return all;
 }
 
+std::vector<double> TomlReader::number_list(const char* key, const std::string& unit) {
+  const toml::node& node = require(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) fail(key, shown(node), "must be a list of numbers");
+  std::vector<double> all;
+  for (const auto& element : *array)
+    all.push_back(
+        read_number(element, path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
+  return all;
+}
+
+bool TomlReader::is_text(const char* key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_string();
+}
+
+std::vector<std::string> TomlReader::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, node] : *table_) all.emplace_back(key.str());
+  return all;
+}
+
 std::vector<std::string> TomlReader::texts(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include <udunits2.h>
 
@@ -35,8 +36,8 @@ class System {
     define("deg", pi / 180, "rad"), define("rev", 2 * pi, "rad");
     define("arcmin", pi / 10800, "rad"), define("arcsec", pi / 648000, "rad");
     define("count", 1, "pulse"), define("inc", 1, "pulse");
-    define("ms", 1e-3, "s"), define("us", 1e-6, "s"), define("ns", 1e-9, "s"), define("min", 60, "s"),
-        define("h", 3600, "s");
+    define("ms", 1e-3, "s"), define("us", 1e-6, "s"), define("ns", 1e-9, "s"),
+        define("min", 60, "s"), define("h", 3600, "s");
     define("g", 1e-3, "kg");
     define("N", 1, "kg.m/s^2"), define("J", 1, "N.m"), define("W", 1, "J/s"),
         define("Hz", 1, "1/s"), define("kHz", 1e3, "Hz"), define("MHz", 1e6, "Hz");
@@ -68,6 +69,12 @@ class System {
   ut_system* system_;
 };
 
+/// UDUNITS-2 parses with global variables.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 const System& units() {
   static const System system;
   return system;
@@ -91,11 +98,13 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 bool is_unit(std::string_view text) {
+  const std::lock_guard lock(one_at_a_time());
   return units().parse(text) != nullptr;
 }
 
 double conversion(std::string_view from, std::string_view to) {
   if (from == to) return 1;
+  const std::lock_guard lock(one_at_a_time());
   const Unit a = require_unit(from);
   const Unit b = require_unit(to);
   if (ut_are_convertible(a.get(), b.get()) == 0)

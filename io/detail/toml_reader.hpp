@@ -45,10 +45,14 @@ class TomlReader {
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
   /// key = [a, b, ...]: one number for each unit; nothing if the key is left out.
   std::vector<double> numbers(const char* key, std::span<const std::string> units);
+  /// key = [a, b, ...]: any number of numbers.
+  std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);
 
   [[nodiscard]] const Document& document() const { return *document_; }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
+  [[nodiscard]] bool is_text(const char* key) const;
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
   /// Throws InputError where a key that nobody has read is `key` but for a slip of the pen: before
@@ -69,6 +73,12 @@ class TomlReader {
   Document* document_;
   std::set<std::string> known_;
 };
+
+/// The document as TOML. Throws InputError, placed: an empty file, a slip of the syntax.
+toml::table parse_toml(const Document& document);
+
+/// `jounce = 1`, with which every file begins.
+void require_version(TomlReader& top);
 
 /// The text of a value as it stands in the document, for messages.
 std::string shown(const toml::node& node);
