@@ -41,14 +41,19 @@ struct DriveFigure {
   const char* name;
   const char* unit;
   double (*of)(const DriveResult& run);
+  std::optional<double> DriveLimits::*limit = nullptr;
 };
 constexpr std::array drive_figures{
-    DriveFigure{"peak torque", "N m", [](const auto& run) { return run.torque.value; }},
-    DriveFigure{"rms torque", "N m", [](const auto& run) { return run.rms_torque; }},
-    DriveFigure{"following error", "u", [](const auto& run) { return run.following_error.value; }},
+    DriveFigure{"peak torque", "N m", [](const auto& run) { return run.torque.value; },
+                &DriveLimits::torque},
+    DriveFigure{"rms torque", "N m", [](const auto& run) { return run.rms_torque; },
+                &DriveLimits::rms_torque},
+    DriveFigure{"following error", "u", [](const auto& run) { return run.following_error.value; },
+                &DriveLimits::following_error},
     DriveFigure{"end following error", "u",
                 [](const auto& run) { return run.end_following_error; }},
-    DriveFigure{"residual", "u", [](const auto& run) { return run.residual.value; }},
+    DriveFigure{"residual", "u", [](const auto& run) { return run.residual.value; },
+                &DriveLimits::residual},
     DriveFigure{"residual frequency", "Hz", [](const auto& run) { return run.residual_frequency; }},
     DriveFigure{"saturation time", "s", saturation_time},
 };
@@ -59,6 +64,7 @@ struct Offer {
   std::string unit;
   std::function<double()> value;
   bool of_drive = false;  ///< needs the drive's integration
+  std::optional<double> limit = {};
 };
 
 /// One axis of a design, and what costs time, made at most once.
@@ -108,7 +114,7 @@ class Offers {
   void add(const std::string& name, const std::string& unit, std::function<double()> value,
            bool of_drive = false) {
     const std::string axis = input_.axis.empty() || name == "duration" ? "" : input_.axis + " ";
-    all_.push_back({axis + name, unit, std::move(value), of_drive});
+    all_.push_back({axis + name, unit, std::move(value), of_drive, {}});
   }
   void add_known(const std::string& name, const std::string& unit, double value) {
     add(name, unit, [value] { return value; });
@@ -132,10 +138,15 @@ class Offers {
   void add_rates(Find curve) {
     const std::string x =
         std::is_same_v<Over, OverTime> ? input_.spec->time_unit : input_.labels.units.x;
+    constexpr bool in_time = std::is_same_v<Over, OverTime>;
+    const bool of_cam = std::holds_alternative<Cam>(input_.curve);
+    const Limits& limits = in_time && of_cam ? input_.spec->slave : input_.limits;
+    const std::array most{limits.velocity, limits.acceleration, limits.jerk};
     for (int k = 1; k <= 3; ++k) {
       const std::string name = Over::names[static_cast<std::size_t>(k)];
       const std::string unit = rate_unit(input_.labels.units.position, x, k);
       add("peak " + name, unit, [curve, k] { return std::abs(extrema(curve(), k).peak().value); });
+      all_.back().limit = most[static_cast<std::size_t>(k - 1)];
       add("rms " + name, unit, [curve, k] { return rms(curve(), k); });
     }
   }
@@ -155,10 +166,12 @@ class Offers {
   void add_drive() {
     Looked& looked = looked_;
     const std::string& u = input_.labels.units.position;
-    for (const DriveFigure& f : drive_figures)
+    for (const DriveFigure& f : drive_figures) {
       add(
           f.name, f.unit == std::string("u") ? u : f.unit,
           [&looked, &f] { return std::abs(f.of(looked.drive())); }, true);
+      if (f.limit != nullptr) all_.back().limit = input_.drive->limits.*f.limit;
+    }
   }
 
   Looked& looked_;
@@ -233,12 +246,12 @@ Assessment assessed(std::vector<Looked>& axes, const std::vector<std::string>& n
   Assessment all;
   std::vector<Offer> offers;
   for (Looked& axis : axes) Offers(axis, &axis == &axes.front(), offers).add_all();
-  offers.push_back({"margin", "", [&] { return margin(all.report); }, true});
+  offers.push_back({"margin", "", [&] { return margin(all.report); }, true, {}});
   const std::vector<const Offer*> wanted = chosen(offers, names);
   all.report = report_of(axes, std::any_of(wanted.begin(), wanted.end(),
                                            [](const Offer* offer) { return offer->of_drive; }));
   for (const Offer* offer : wanted)
-    all.figures.push_back({offer->name, offer->value(), offer->unit});
+    all.figures.push_back({offer->name, offer->value(), offer->unit, offer->limit});
   return all;
 }
 

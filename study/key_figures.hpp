@@ -12,7 +12,8 @@ namespace jounce {
 struct KeyFigure {
   std::string name;
   double value = 0;
-  std::string unit;  ///< "" for a pure number
+  std::string unit;                  ///< "" for a pure number
+  std::optional<double> limit = {};  ///< at most, where the spec states it
 };
 
 /// A design looked at as a whole.
