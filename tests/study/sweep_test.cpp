@@ -1,0 +1,330 @@
+#include "jounce/study/sweep.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "jounce/io/file.hpp"
+#include "jounce/study/sweep_files.hpp"
+#include "jounce/study/sweep_summary.hpp"
+
+#include "support/errors.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::error_of;
+using ::testing::HasSubstr;
+
+/// A folder of its own with a spec and a sweep.
+class Sweeps : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) / ("sweep_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+    write("move.toml", R"(jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "trapezoid"
+to = 30
+velocity = "10 mm/s"
+acceleration = 20
+[limits]
+velocity = 12.5
+)");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    write_file(path(name), text);
+  }
+  SweepSpec sweep(const std::string& body) const {
+    write("sweep.toml", "jounce = 1\nkind = \"sweep\"\nspec = \"move.toml\"\n" + body);
+    return read_sweep(path("sweep.toml"));
+  }
+  std::string refused(const std::string& body) const {
+    const std::string what = error_of([&] { (void)sweep(body); });
+    const std::string where = path("");
+    return what.starts_with(where) ? what.substr(where.size()) : what;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+const char* const grid = R"(figures = ["duration", "peak velocity"]
+[[parameter]]
+key = "move.velocity"
+values = [5, "0.01 m/s", 15]
+[[parameter]]
+key = "move.acceleration"
+from = 10
+to = 40
+count = 4
+)";
+
+TEST_F(Sweeps, CombineAllListedValues) {
+  const SweepSpec spec = sweep(grid);
+  ASSERT_EQ(spec.cases(), 12U);
+  const SweepResult result = run_sweep(spec);
+  ASSERT_TRUE(result.complete);
+  ASSERT_EQ(result.rows.size(), 12U);
+  std::size_t i = 0;
+  for (const double v : {5.0, 10.0, 15.0})
+    for (const double a : {10.0, 20.0, 30.0, 40.0}) {
+      const SweepRow& row = result.rows[i];
+      EXPECT_EQ(row.number, i);
+      EXPECT_EQ(spec.numbers(i)[0].value, v);
+      EXPECT_EQ(spec.numbers(i)[1].value, a);
+      EXPECT_NEAR(row.figures[0], 30 / v + v / a, 1e-12);
+      EXPECT_NEAR(row.figures[1], v, 1e-12);
+      EXPECT_EQ(row.verdict, v > 12.5 ? Verdict::broken : Verdict::within);
+      if (v > 12.5) EXPECT_EQ(row.why, "limit/velocity");
+      ++i;
+    }
+}
+
+const char* const random_two = R"(figures = ["duration"]
+[[parameter]]
+key = "move.velocity"
+normal = { sigma = 0.5 }
+[[parameter]]
+key = "move.acceleration"
+tolerance = "5 %"
+[[parameter]]
+key = "move.to"
+values = [20, 30, 40]
+[monte_carlo]
+samples = 40
+seed = 3
+)";
+
+TEST_F(Sweeps, MeetTheSameSamplesInEveryCombination) {
+  const SweepSpec spec = sweep(random_two);
+  ASSERT_EQ(spec.cases(), 120U);
+  std::set<double> drawn;
+  for (std::size_t k = 0; k < 40; ++k) {
+    const auto numbers = spec.numbers(k);
+    drawn.insert(numbers[0].value);
+    EXPECT_GT(numbers[1].value, 19);
+    EXPECT_LT(numbers[1].value, 21);
+    for (const std::size_t combination : {1U, 2U}) {
+      const auto same = spec.numbers(k + 40 * combination);
+      EXPECT_EQ(same[0].value, numbers[0].value);
+      EXPECT_EQ(same[1].value, numbers[1].value);
+      EXPECT_EQ(same[2].value, 20 + 10.0 * static_cast<double>(combination));
+    }
+  }
+  EXPECT_EQ(drawn.size(), 40U);
+}
+
+TEST_F(Sweeps, GiveTheSameBytesOnAnyNumberOfThreads) {
+  const SweepSpec spec = sweep(random_two);
+  const SweepResult one = run_sweep(spec, {.farm = on_threads(1)});
+  EXPECT_EQ(one.evaluated, 120U);
+  for (const unsigned jobs : {2U, 7U}) {
+    const SweepResult many = run_sweep(spec, {.farm = on_threads(jobs)});
+    EXPECT_EQ(to_csv(spec, one), to_csv(spec, many));
+    EXPECT_EQ(to_npy(spec, one), to_npy(spec, many));
+  }
+}
+
+TEST_F(Sweeps, GoOnWhereTheyWereStopped) {
+  const SweepSpec spec = sweep(random_two);
+  const std::string whole = to_csv(spec, run_sweep(spec));
+  const std::string journal = path("results.csv.journal");
+  std::size_t done = 0;
+  std::size_t made = 0;
+  for (int run = 0; run < 100; ++run) {
+    const SweepResult part = run_sweep(
+        spec, {.farm = on_threads(2), .journal = journal, .keep_going = [&](auto n, auto) {
+                 return n < done + 25;
+               }});
+    EXPECT_EQ(part.resumed, done);
+    EXPECT_EQ(part.rows.size(), part.resumed + part.evaluated);
+    done = part.rows.size();
+    made += part.evaluated;
+    if (!part.complete) continue;
+    EXPECT_EQ(to_csv(spec, part), whole);
+    break;
+  }
+  EXPECT_EQ(made, 120U);  // nothing lost, nothing twice
+}
+
+TEST_F(Sweeps, RefuseAJournalOfAnotherSpec) {
+  const std::string journal = path("j");
+  const auto part = [&](const SweepSpec& spec) {
+    return run_sweep(spec, {.farm = on_threads(1),
+                            .journal = journal,
+                            .keep_going = [](auto, auto) { return false; }});
+  };
+  (void)part(sweep(grid));
+  EXPECT_THAT(error_of([&] { part(sweep(std::string("# another\n") + grid)); }),
+              HasSubstr("is of another sweep, spec or version"));
+  EXPECT_EQ(part(sweep(grid)).resumed, 1U);
+}
+
+TEST_F(Sweeps, HaveARowForWhatIsImpossible) {
+  const SweepSpec spec = sweep(R"([[parameter]]
+key = "move.acceleration"
+values = [20, -1, 0]
+)");
+  const SweepResult result = run_sweep(spec);
+  ASSERT_EQ(result.rows.size(), 3U);
+  EXPECT_EQ(result.rows[0].verdict, Verdict::within);
+  EXPECT_EQ(result.rows[1].verdict, Verdict::impossible);
+  EXPECT_EQ(result.rows[1].why, "move.acceleration = -1: must be greater than 0");
+  EXPECT_TRUE(std::isnan(result.rows[2].figures[0]));
+  const std::string csv = to_csv(spec, result);
+  EXPECT_THAT(csv, HasSubstr("\n2,-1,,,"));
+  EXPECT_THAT(csv, HasSubstr(",impossible,move.acceleration = -1: must be greater than 0\n"));
+  EXPECT_EQ(summary_of(spec, result).impossible, 2U);
+}
+
+TEST_F(Sweeps, GoThroughTheirLines) {
+  const SweepSpec spec = sweep(grid);
+  for (const SweepRow& row : run_sweep(spec).rows) {
+    const auto back = row_of(line_of(row), spec);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->figures, row.figures);
+    EXPECT_EQ(line_of(*back), line_of(row));
+  }
+  for (const char* line :
+       {"", "1", "1 0 2 3", "12 0 1 2 3 ", "1 3 1 2 3 ", "-1 0 1 2 3 ", "1 0 1 2 x "})
+    EXPECT_FALSE(row_of(line, spec)) << line;
+  EXPECT_TRUE(row_of("1 2 nan nan nan the reason", spec));
+}
+
+TEST_F(Sweeps, EndWithWhatAThreadThrows) {
+  std::atomic<int> taken{0};
+  EXPECT_THROW(on_threads(3)(
+                   {0, 1, 2, 3, 4, 5, 6, 7},
+                   [](std::size_t k) -> std::string {
+                     if (k == 4) throw std::bad_alloc();
+                     return "";
+                   },
+                   [&](std::size_t, const std::string&) {
+                     ++taken;
+                     return true;
+                   }),
+               std::bad_alloc);
+  EXPECT_LE(taken, 7);
+}
+
+TEST_F(Sweeps, FindTheParetoFrontAmongThoseWithinLimits) {
+  const SweepSpec spec =
+      sweep(std::string("minimize = [\"duration\", \"peak acceleration\"]\n") + grid);
+  const SweepResult result = run_sweep(spec);
+  const SweepSummary summary = summary_of(spec, result);
+  // 10 mm/s is faster than 5 at every acceleration, and 15 breaks the limit.
+  std::vector<std::size_t> numbers;
+  for (const std::size_t i : summary.front) numbers.push_back(result.rows[i].number);
+  EXPECT_THAT(numbers, ::testing::ElementsAre(7, 6, 5, 4));
+  EXPECT_EQ(summary.within, 8U);
+  EXPECT_EQ(summary.broken, 4U);
+}
+
+TEST_F(Sweeps, AreSummedUp) {
+  const SweepSpec spec = sweep(R"(figures = ["peak velocity"]
+[[parameter]]
+key = "move.velocity"
+values = [2, 8, 4, 6]
+[limits]
+"peak velocity" = 7
+)");
+  const SweepResult result = run_sweep(spec);
+  const FigureSpread f = summary_of(spec, result).figures[0];
+  EXPECT_NEAR(f.least, 2, 1e-12);
+  EXPECT_NEAR(f.median, 5, 1e-12);
+  EXPECT_NEAR(f.greatest, 8, 1e-12);
+  EXPECT_NEAR(f.mean, 5, 1e-12);
+  EXPECT_NEAR(f.deviation, std::sqrt(20.0 / 3), 1e-12);
+  EXPECT_EQ(f.greatest_case, 1U);
+  EXPECT_EQ(f.limit, 7);
+  EXPECT_EQ(result.rows[1].why, "peak velocity above 7");
+  EXPECT_THAT(summary_text(spec, result, summary_of(spec, result)),
+              HasSubstr("4 cases; 3 within all limits, 1 beyond one"));
+}
+
+TEST(Share, IsWilsons) {
+  const Share none = share_of(0, 10);  // z^2 / (n + z^2)
+  EXPECT_EQ(none.low, 0);
+  EXPECT_NEAR(none.high, 3.8414588206941227 / 13.841458820694123, 1e-15);
+  const Share half = share_of(50, 100);
+  EXPECT_NEAR(half.low, 0.4038315, 1e-7);  // R: prop.test(50, 100, correct = FALSE)
+  EXPECT_NEAR(half.high, 0.5961685, 1e-7);
+  EXPECT_EQ(share_of(7, 7).high, 1);
+}
+
+TEST_F(Sweeps, AreForNumPyToo) {
+  const SweepSpec spec = sweep(grid);
+  const std::string npy = to_npy(spec, run_sweep(spec));
+  ASSERT_TRUE(npy.starts_with(std::string("\x93NUMPY\x01\x00", 8)));
+  const std::size_t head =
+      static_cast<unsigned char>(npy[8]) + 256U * static_cast<unsigned char>(npy[9]);
+  EXPECT_EQ((head + 10) % 64, 0U);
+  EXPECT_EQ(npy.size(), 10 + head + 12 * 8 * 7);
+  EXPECT_THAT(npy.substr(10, head),
+              HasSubstr("{'descr': [('case', '<i8'), ('move.velocity', '<f8'), "
+                        "('move.acceleration', '<f8'), ('duration', '<f8'), ('peak velocity', "
+                        "'<f8'), ('margin', '<f8'), ('verdict', '<i8')], 'fortran_order': False, "
+                        "'shape': (12,), }"));
+  double duration = 0;
+  std::memcpy(&duration, npy.data() + 10 + head + 3 * 8, 8);
+  EXPECT_NEAR(duration, 6.5, 1e-12);
+}
+
+TEST_F(Sweeps, RefuseWhatMakesNoSense) {
+  const std::string one = "[[parameter]]\nkey = \"move.velocity\"\n";
+  EXPECT_EQ(refused(""),
+            "sweep.toml: parameter: is missing: a sweep has at least one [[parameter]]");
+  EXPECT_EQ(
+      refused("[[parameter]]\nkey = \"move.velocty\"\nvalues = [1]\n"),
+      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": is no number of this file: did you "
+      "mean move.velocity? (" +
+          path("move.toml") + ")");
+  EXPECT_THAT(refused(one), HasSubstr("takes one of: values = [...]; from, to and count;"));
+  EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: there would be no case"));
+  EXPECT_THAT(refused(one + "values = [nan]\n"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(refused(one + "values = [\"1 deg\"]\n"), HasSubstr("the unit deg does not fit"));
+  EXPECT_THAT(refused("[[parameter]]\nkey = \"move.to\"\nvalues = [\"1 mm\"]\n"),
+              HasSubstr("must be a bare number: the spec writes this one without a unit"));
+  EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));
+  EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 1\n"), HasSubstr("must be at least 2"));
+  EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 99999999\n"), HasSubstr("more cases than"));
+  EXPECT_THAT(refused(one + "tolerance = \"5 %\"\n"), HasSubstr("monte_carlo: is missing"));
+  EXPECT_THAT(refused(one + "tolerance = \"5 mm\"\n[monte_carlo]\nsamples = 2\n"),
+              HasSubstr("must be a share such as \"5 %\""));
+  EXPECT_THAT(refused(one + "tolerance = -0.1\n[monte_carlo]\nsamples = 2\n"),
+              HasSubstr("must be a share such as"));
+  EXPECT_THAT(refused(one + "values = [1]\n[monte_carlo]\nsamples = 2\n"),
+              HasSubstr("has nothing to do"));
+  EXPECT_THAT(refused(one + "normal = { sigma = 0 }\n[monte_carlo]\nsamples = 2\n"),
+              HasSubstr("must be greater than 0"));
+  EXPECT_THAT(refused(one + "uniform = { from = 2, to = 1 }\n[monte_carlo]\nsamples = 2\n"),
+              HasSubstr("must be greater than from, 2"));
+  EXPECT_THAT(refused(one + "values = [1]\n" + one + "values = [1]\n"),
+              HasSubstr("is given twice"));
+  EXPECT_THAT(refused(one + "values = [1]\nvalue = 3\n"),
+              HasSubstr("is not a key that belongs here"));
+  EXPECT_THAT(
+      refused("figures = [\"peak torque\"]\n" + one + "values = [1]\n"),
+      HasSubstr("sweep.toml:4:11: figures = \"peak torque\": must be one of stroke, knots"));
+  EXPECT_THAT(refused("minimize = [\"peak velocit\"]\n" + one + "values = [1]\n"),
+              HasSubstr("did you mean \"peak velocity\"?"));
+  EXPECT_THAT(refused(one + "values = [1]\n[limits]\n\"peak speed\" = 1\n"),
+              HasSubstr("limits = \"peak speed\": must be one of"));
+}
+
+}  // namespace
+}  // namespace jounce
