@@ -166,12 +166,12 @@ void write_png(const std::string& path, const std::string& svg) {
 
 }  // namespace
 
-void write_picture(const std::string& path, const Figure& figure) {
+void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options) {
   const bool png = path.ends_with(".png");
   if (!png && !path.ends_with(".svg") && path != "-")
     throw InputError("--output", path,
                      "must end in .svg or .png, or be - for SVG on standard output");
-  const std::string picture = svg(figure);
+  const std::string picture = svg(figure, options);
   if (png)
     write_png(path, picture);
   else

@@ -78,6 +78,13 @@ int stopped(const SweepSpec& spec, const SweepResult& result, const Options& opt
   return finding;
 }
 
+/// A front is looked at point by point; distributions are stacked.
+SvgOptions look(const SweepSpec& spec) {
+  SvgOptions options;
+  if (spec.objectives.size() == 2) options.panel_height = 320;
+  return options;
+}
+
 int report(const SweepSpec& spec, const SweepResult& result, const Options& options) {
   if (!result.complete) return stopped(spec, result, options);
   const SweepSummary summary = summary_of(spec, result);
@@ -85,7 +92,8 @@ int report(const SweepSpec& spec, const SweepResult& result, const Options& opti
   if (!options.output.empty()) files.push_back({options.output, to_csv(spec, result)});
   if (!options.npy.empty()) files.push_back({options.npy, to_npy(spec, result)});
   write_files(files);
-  if (!options.plot.empty()) write_picture(options.plot, sweep_figure(spec, result, summary));
+  if (!options.plot.empty())
+    write_picture(options.plot, sweep_figure(spec, result, summary), look(spec));
   if (const std::string journal = journal_of(options); !journal.empty())
     std::remove(journal.c_str());
   const bool taken = options.output == "-" || options.npy == "-" || options.plot == "-";
@@ -140,7 +148,7 @@ void add_sweep(CLI::App& app, Work& work) {
       add_verb(app, "sweep",
                "Make many variants of a spec and compare them: grids, tolerances, Pareto fronts",
                "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
-               "mpirun -n 4 jounce sweep sweep.toml -o results.csv");
+               "  mpirun -n 4 jounce sweep sweep.toml -o results.csv");
   verb->add_option("SWEEP", options->file, "Which numbers of which spec take which values")
       ->required();
   verb->add_option(

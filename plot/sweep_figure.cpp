@@ -1,9 +1,9 @@
 #include "jounce/plot/sweep_figure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace jounce {
 namespace {
@@ -15,16 +15,40 @@ std::string label_of(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-/// Beside the outermost points: they are not to stand on the frame.
-Series margins(const std::vector<double>& all) {
+/// An interval with room beside it: what lies further out would squeeze all that matters.
+struct Window {
   double lo = std::numeric_limits<double>::infinity();
-  double hi = -lo;
-  for (const double x : all)
-    if (std::isfinite(x)) lo = std::min(lo, x), hi = std::max(hi, x);
-  if (!(lo < hi)) return {};
-  const double room = 0.03 * (hi - lo);
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  return {.x = {lo - room, hi + room}, .y = {none, none}};
+  double hi = -std::numeric_limits<double>::infinity();
+
+  void add(const std::vector<double>& all) {
+    for (const double x : all)
+      if (std::isfinite(x)) lo = std::min(lo, x), hi = std::max(hi, x);
+  }
+  [[nodiscard]] double room(double share) const { return lo < hi ? share * (hi - lo) : 0; }
+  [[nodiscard]] bool near(double x) const {
+    return lo > hi || (x >= lo - room(0.5) && x <= hi + room(0.5));
+  }
+  /// Points that are not drawn, so that the outermost do not stand on the frame.
+  [[nodiscard]] Series margins(const Series& like) const {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    return {.label = like.label,
+            .x = {lo - room(0.03), hi + room(0.03)},
+            .y = {none, none},
+            .style = like.style};
+  }
+};
+
+/// Without the points that are far from the others, which are counted in the label.
+Series near(Series series, const Window& x, const Window& y) {
+  Series kept{.label = series.label, .style = series.style};
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!x.near(series.x[i]) || !y.near(series.y[i])) continue;
+    kept.x.push_back(series.x[i]);
+    kept.y.push_back(series.y[i]);
+  }
+  const std::size_t away = series.x.size() - kept.x.size();
+  if (away > 0) kept.label += " (" + std::to_string(away) + " more far away)";
+  return kept;
 }
 
 class Drawing {
@@ -40,23 +64,23 @@ class Drawing {
     for (std::size_t o = 1; o < spec_.objectives.size(); ++o) {
       const std::size_t y = column_of(spec_, spec_.objectives[o].figure);
       Panel panel{.y_label = label_of(spec_.given[y].name, spec_.given[y].unit)};
-      Series best = of(summary_.front, x, y, "Pareto front", Style::line);
       // With more than two objectives the projection of the front is no line.
-      if (spec_.objectives.size() > 2) best.style = Style::dots;
-      Series dots = best;
-      dots.style = Style::dots;
+      Series best = of(summary_.front, x, y, "Pareto front",
+                       spec_.objectives.size() > 2 ? Style::dots : Style::line);
       Series within = of(rows(Verdict::within), x, y, "within all limits", Style::dots);
-      Series broken = of(rows(Verdict::broken), x, y, "beyond a limit", Style::dots);
-      std::vector<double> all = within.x;
-      all.insert(all.end(), broken.x.begin(), broken.x.end());
-      all.push_back(spec_.given[x].value);
-      panel.series.push_back(margins(all));
-      if (!broken.x.empty()) panel.series.push_back(std::move(broken));
-      if (!within.x.empty()) panel.series.push_back(std::move(within));
-      if (best.style == Style::line && !best.x.empty()) panel.series.push_back(std::move(best));
-      if (!dots.x.empty()) panel.series.push_back(std::move(dots));
-      if (const auto limit = summary_.figures.empty() ? std::nullopt : summary_.figures[y].limit)
-        panel.upper = limit;
+      const auto limit = summary_.figures.empty() ? std::nullopt : summary_.figures[y].limit;
+      Window along;
+      Window across;
+      for (const Series& each : {best, within}) along.add(each.x), across.add(each.y);
+      along.add({spec_.given[x].value});
+      across.add({spec_.given[y].value, limit.value_or(spec_.given[y].value)});
+      Series broken =
+          near(of(rows(Verdict::broken), x, y, "beyond a limit", Style::dots), along, across);
+      along.add(broken.x);
+      panel.series.push_back(along.margins(best));
+      for (Series* each : {&best, &within, &broken})
+        if (!each->x.empty()) panel.series.push_back(std::move(*each));
+      panel.upper = limit;
       panel.markers.push_back({.x = spec_.given[x].value,
                                .y = spec_.given[y].value,
                                .text = "as given",
@@ -74,7 +98,8 @@ class Drawing {
       Panel panel = panel_of(c);
       if (combinations > 1 && combinations <= most_lines)
         for (std::size_t i = 0; i < combinations; ++i)
-          panel.series.push_back(distribution(c, i * spec_.samples, spec_.samples, listed(i)));
+          panel.series.push_back(distribution(c, i * spec_.samples, spec_.samples,
+                                              listed_text(spec_, i * spec_.samples)));
       else
         panel.series.push_back(distribution(c, 0, result_.rows.size(), "all cases"));
       figure_.panels.push_back(std::move(panel));
@@ -92,7 +117,10 @@ class Drawing {
         series.x.push_back(spec_.numbers(row.number).front().value);
         series.y.push_back(row.figures[c]);
       }
-      panel.series.push_back(margins(series.x));
+      Window along;
+      along.add(series.x);
+      along.add({spec_.base.value(p.key)});
+      panel.series.push_back(along.margins(series));
       panel.series.push_back(std::move(series));
       panel.markers.push_back({.x = spec_.base.value(p.key),
                                .y = spec_.given[c].value,
@@ -134,18 +162,9 @@ class Drawing {
 
   [[nodiscard]] Panel panel_of(std::size_t column) const {
     const FigureSpread& f = summary_.figures[column];
-    return {.y_label = label_of(f.given.name, f.given.unit), .upper = f.limit};
-  }
-
-  /// The listed values of a combination; the random ones have no one value.
-  [[nodiscard]] std::string listed(std::size_t combination) const {
-    std::string text;
-    const auto numbers = spec_.numbers(combination * spec_.samples);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (!spec_.parameters[i].random())
-        text += (text.empty() ? "" : ", ") + numbers[i].key + " = " + number(numbers[i].value) +
-                (spec_.parameters[i].unit.empty() ? "" : " ") + spec_.parameters[i].unit;
-    return text;
+    Panel panel{.y_label = label_of(f.given.name, f.given.unit), .upper = f.limit};
+    if (f.given.name == "margin") panel.lower = 0;
+    return panel;
   }
 
   [[nodiscard]] Series distribution(std::size_t column, std::size_t first, std::size_t count,

@@ -55,6 +55,8 @@ std::string summary_json(const SweepSpec& spec, const SweepResult& result,
 
 /// "drive.load_inertia = 1e-05 kg m^2, master.velocity = 200"
 std::string numbers_text(const SweepSpec& spec, std::size_t number);
+/// The listed values alone: what the samples of a combination have in common.
+std::string listed_text(const SweepSpec& spec, std::size_t number);
 
 /// The column of a figure, by name; the objectives and limits of a sweep are all among them.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);

@@ -17,6 +17,16 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
+std::string text_of(const SweepSpec& spec, std::size_t number, bool with_random) {
+  std::string text;
+  const auto numbers = spec.numbers(number);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (with_random || !spec.parameters[i].random())
+      text += (text.empty() ? "" : ", ") + numbers[i].key + " = " +
+              with_unit(rounded(numbers[i].value), spec.parameters[i].unit);
+  return text;
+}
+
 std::string percent(double share) {
   return fmt::format("{:.4g} %", 100 * share);
 }
@@ -33,6 +43,22 @@ std::string heading(const SweepSpec& spec, const SweepSummary& s) {
   if (s.broken > 0) text += fmt::format(", {} beyond one", s.broken);
   if (s.impossible > 0) text += fmt::format(", {} impossible", s.impossible);
   return text + "\n";
+}
+
+/// Each combination of listed values has a yield of its own.
+std::string yield_lines(const SweepSpec& spec, const SweepResult& result, const SweepSummary& s) {
+  const std::size_t combinations = s.cases / spec.samples;
+  if (!s.yield || combinations < 2 || combinations > most_designs) return "";
+  std::string text;
+  for (std::size_t i = 0; i < combinations; ++i) {
+    std::size_t within = 0;
+    for (std::size_t k = 0; k < spec.samples; ++k)
+      within += result.rows[i * spec.samples + k].verdict == Verdict::within ? 1U : 0U;
+    const Share share = share_of(within, spec.samples);
+    text += fmt::format("  {} ({} to {}) at {}\n", percent(share.value), percent(share.low),
+                        percent(share.high), listed_text(spec, i * spec.samples));
+  }
+  return text;
 }
 
 std::string spread_lines(const SweepSummary& s) {
@@ -129,17 +155,16 @@ Json json_of(const SweepSpec& spec, const SweepRow& row) {
 }  // namespace
 
 std::string numbers_text(const SweepSpec& spec, std::size_t number) {
-  std::string text;
-  const auto numbers = spec.numbers(number);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += (i == 0 ? "" : ", ") + numbers[i].key + " = " +
-            with_unit(rounded(numbers[i].value), spec.parameters[i].unit);
-  return text;
+  return text_of(spec, number, true);
+}
+
+std::string listed_text(const SweepSpec& spec, std::size_t number) {
+  return text_of(spec, number, false);
 }
 
 std::string summary_text(const SweepSpec& spec, const SweepResult& result,
                          const SweepSummary& summary) {
-  std::string text = heading(spec, summary);
+  std::string text = heading(spec, summary) + yield_lines(spec, result, summary);
   if (!summary.figures.empty()) text += spread_lines(summary);
   text += worst_lines(spec, result, summary);
   return text + front_lines(spec, result, summary);

@@ -49,7 +49,7 @@ velocity = 11
 model = "servo_400w"
 position_per_rev = 10
 )");
-    sweep(60, 3);
+    sweep(20, 3);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -128,14 +128,14 @@ TEST_F(SweepVerb, GivesTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(bytes("one.npy"), bytes("two.npy"));
   EXPECT_FALSE(std::filesystem::exists(path("two.csv.journal")));
   EXPECT_THAT(bytes("two.svg"), HasSubstr("peak torque [N m]"));
-  EXPECT_THAT(one.output, HasSubstr("120 cases, 2 combinations of 60 samples"));
+  EXPECT_THAT(one.output, HasSubstr("40 cases, 2 combinations of 20 samples"));
 }
 
 TEST_F(SweepVerb, GoesOnAfterKillsAndDoesNothingTwice) {
-  sweep(200, 3);
+  sweep(60, 3);
   ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);
   std::size_t seen = 0;
-  for (const std::size_t lines : {20U, 60U, 110U}) {
+  for (const std::size_t lines : {8U, 25U, 60U}) {
     killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv", "--jobs", "2"}, lines);
     if (std::filesystem::exists(path("a.csv"))) GTEST_SKIP() << "done before it could be killed";
     EXPECT_GE(journal_lines(), seen);
@@ -146,7 +146,7 @@ TEST_F(SweepVerb, GoesOnAfterKillsAndDoesNothingTwice) {
   ASSERT_EQ(last.status, 0) << last.output;
   const auto summary = nlohmann::json::parse(last.output);
   EXPECT_EQ(summary["resumed"], seen);
-  EXPECT_EQ(summary["evaluated"], 400 - seen);
+  EXPECT_EQ(summary["evaluated"], 120 - seen);
   EXPECT_EQ(bytes("a.csv"), bytes("whole.csv"));
   EXPECT_FALSE(std::filesystem::exists(path("a.csv.journal")));
 }
@@ -185,15 +185,15 @@ TEST_F(SweepVerb, GivesTheSameBytesUnderMpi) {
     const Ran ran = run(mpirun + std::string(processes) + " " JOUNCE_EXE " sweep sweep.toml -o " +
                         processes + ".csv --json");
     EXPECT_EQ(ran.status, 0) << ran.output;
-    EXPECT_THAT(ran.output, HasSubstr("\"evaluated\": 120"));
+    EXPECT_THAT(ran.output, HasSubstr("\"evaluated\": 40"));
     EXPECT_EQ(bytes("one.csv"), bytes(std::string(processes) + ".csv"));
   }
 }
 
 TEST_F(SweepVerb, GoesOnUnderMpiWhereThreadsWereKilled) {
-  sweep(100, 3);
+  sweep(40, 3);
   ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);
-  killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv", "--jobs", "2"}, 30);
+  killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv", "--jobs", "2"}, 15);
   if (std::filesystem::exists(path("a.csv"))) GTEST_SKIP() << "done before it could be killed";
   const std::size_t seen = journal_lines();
   const Ran ran = run(mpirun + std::string("3 " JOUNCE_EXE " sweep sweep.toml -o a.csv --json"));
