@@ -123,15 +123,17 @@ class Run {
   /// within 1e-9 of the stroke (measured against matrix exponentials).
   [[nodiscard]] SolverOptions settings() const {
     const double tolerance = options_.tolerance;
-    std::vector<double> absolute(model_.size(), 1e-3 * tolerance * run_size_.torque);
+    std::vector<double> absolute(model_.size(), 3e-4 * tolerance * run_size_.torque);
     for (std::size_t i = 0; i < model_.integral(); i += 2) {
       absolute[i] = 3e-4 * tolerance * run_size_.angle;
-      absolute[i + 1] = 1e-3 * tolerance * run_size_.speed;
+      absolute[i + 1] = 5e-4 * tolerance * run_size_.speed;
     }
     const double integral = 0.1 * tolerance * (end_ - origin_) * run_size_.torque;
     absolute[model_.torque_squared()] = integral * run_size_.torque;
     absolute[model_.work()] = integral * run_size_.speed;
-    return {Method::bdf, tolerance, std::move(absolute), closest_, options_.max_steps};
+    // a sampled controller's many new beginnings add up
+    const double relative = model_.sampled() ? 0.1 * tolerance : tolerance;
+    return {Method::bdf, relative, std::move(absolute), closest_, options_.max_steps};
   }
 
   std::vector<double> at_rest() {
