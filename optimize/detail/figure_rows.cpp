@@ -57,6 +57,8 @@ std::vector<Form> planes_to_begin_with(const LinearQuantity& q, const SplineSpac
   for (std::size_t i = 0; i < space.pieces(); ++i) {
     add(i, 0);
     if (bends >= 2) add(i, 0.5);
+    if (bends >= 3)
+      for (const double s : {0.25, 0.75}) add(i, s);
   }
   if (bends >= 1) add(space.pieces() - 1, 1);
   return planes;
@@ -118,6 +120,16 @@ struct Affine {
 
 }  // namespace
 
+std::vector<double> places_around(const Segment& g, double s, double excess) {
+  std::vector<double> places{s};
+  if (s <= 0 || s >= 1) return places;
+  const double bend = std::abs(evaluate(g, s)[2]) * g.length * g.length;
+  const double half = bend > 0 ? std::sqrt(2 * excess / bend) / 2 : 1;
+  for (const double at : {s - half, s + half})
+    if (at > 0 && at < 1) places.push_back(at);
+  return places;
+}
+
 Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x) {
   Extremum peak{0, x, Side::right};
   each_range(q, shape, x, [&](std::size_t, double, const Range& range) {
@@ -138,8 +150,11 @@ FigureRows rows_of(const PeakOf& figure, const SplineSpace& space) {
     each_range(q, shape, space.knots().front(), [&](std::size_t i, double x, const Range& range) {
       for (const double sign : signs) {
         const Extremum& e = sign > 0 ? range.max : range.min;
-        if (sign * e.value > level)
-          planes.push_back(scaled(space.at(q, i, place_in(e, x, shape[i].length)), sign));
+        const double excess = sign * e.value - level;
+        if (excess <= 0) continue;
+        const double at = place_in(e, x, shape[i].length);
+        for (const double s : places_around(quantity_of(q, shape[i]), at, excess))
+          planes.push_back(scaled(space.at(q, i, s), sign));
       }
     });
     return planes;
@@ -177,6 +192,9 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
   }
   FigureRows rows{.name = figure.name,
                   .value = [respond](const auto& shape) { return largest(respond(shape)); }};
+  const std::size_t every = std::max<std::size_t>(y.at_zero.size() / 32, 1);
+  for (std::size_t i = 0; i < y.at_zero.size(); i += every)
+    for (const double sign : signs) rows.start.push_back(y.plane(i, sign));
   rows.cuts = [respond, y](const std::vector<Segment>& shape, double level) {
     const std::vector<double> now = respond(shape);
     std::vector<Form> planes;

@@ -41,6 +41,11 @@ bool has_rows(const ShapeFigure& figure);
 /// That of whichever figure it is. `space` must outlive what is returned.
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space);
 
+/// Where to put planes for an extremum of g, in [0, 1], that exceeds a level: there and, if g bends,
+/// halfway to where g crosses the level. Optima touch between two planes as a rule; so the next round
+/// has them four times as close.
+std::vector<double> places_around(const Segment& g, double s, double excess);
+
 /// max |y| of q over a shape that begins at x, with its place.
 Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x);
 

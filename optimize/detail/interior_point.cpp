@@ -1,17 +1,20 @@
 #include "jounce/optimize/detail/interior_point.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
-#include <Eigen/Sparse>
+#include "jounce/optimize/detail/kkt.hpp"
 
-// With Q x + q the gradient of the objective, G x + s = h the constraints and y their multipliers,
+// With Q x + q the gradient of the objective, G x + s = h the constraints with multipliers y, and
+// A x = b the equalities with multipliers v,
 //
-//   (1)  Q x + q + G' y = 0,   G x + s - h = 0,   s_k y_k = mu,   s, y > 0
+//   (1)  Q x + q + G' y + A' v = 0,   G x + s - h = 0,   A x - b = 0,   s_k y_k = mu,   s, y > 0
 //
 // is solved by Newton's method while mu falls to zero. Without ds and dy a step is
 //
-//   (2)  (Q + G' D G) dx = -r_dual - G' ((y r_primal - r_s) / s),   D = diag(y / s),
-//        ds = -r_primal - G dx,   dy = (-r_s - y ds) / s
+//   (2)  (Q + G' D G) dx + A' dv = -r_dual - G' ((y r_primal - r_s) / s),   D = diag(y / s),
+//        A dx = -r_equal,   ds = -r_primal - G dx,   dy = (-r_s - y ds) / s
 //
 // Twice with one factorisation: first with mu = 0, which tells how far mu may be lowered and the
 // second-order term ds dy, then with both put in (Mehrotra 1992).
@@ -19,28 +22,13 @@
 namespace jounce::optimizer {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-using Vector = Eigen::VectorXd;
+using Vector = Kkt::Vector;
 
 constexpr int max_iterations = 100;
 constexpr double precision = 1e-11;
-
-Matrix rows_of(const std::vector<Form>& forms, std::size_t unknowns) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    for (const Form::Term& t : forms[k].terms)
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(t.index), t.factor);
-  Matrix rows(static_cast<Eigen::Index>(forms.size()), static_cast<Eigen::Index>(unknowns));
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
-}
-
-Vector constants_of(const std::vector<Form>& forms) {
-  Vector c(static_cast<Eigen::Index>(forms.size()));
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    c[static_cast<Eigen::Index>(k)] = forms[k].constant;
-  return c;
-}
+constexpr int patience = 8;    ///< iterations without progress
+constexpr double good = 1e-8;  ///< a residual that is not worth another attempt
+constexpr std::array regular{1e-8, 0.0};
 
 /// The longest step, at most 1, that keeps v + step * dv >= 0.
 double longest(const Vector& v, const Vector& dv) {
@@ -51,78 +39,98 @@ double longest(const Vector& v, const Vector& dv) {
 }
 
 struct Step {
-  Vector x, s, y;
+  Vector x, s, y, v;
 };
 
 class Newton {
  public:
-  Newton(const ConvexProgram& p, const std::vector<double>& start)
-      : g_(rows_of(p.constraints, p.slope.size())),
-        h_(-constants_of(p.constraints)),
-        q_(Eigen::Map<const Vector>(p.slope.data(), static_cast<Eigen::Index>(p.slope.size()))),
-        x_(Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()))) {
-    const Matrix f = rows_of(p.squares, p.slope.size());
-    quadratic_ = 2 * Matrix(f.transpose() * f);
-    q_ += 2 * (f.transpose() * constants_of(p.squares));
-    s_ = (h_ - g_ * x_).cwiseMax(0.1);
-    y_ = s_.cwiseInverse() / static_cast<double>(s_.size());
+  Newton(const ConvexProgram& p, const std::vector<double>& start, double added)
+      : kkt_(p, added),
+        at_{Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size())),
+            {},
+            {},
+            Vector::Zero(kkt_.b().size())} {
+    at_.s = (kkt_.h() - kkt_.g() * at_.x).cwiseMax(0.1);
+    at_.y = at_.s.cwiseInverse() / static_cast<double>(std::max<Eigen::Index>(at_.s.size(), 1));
   }
 
   ConvexSolution run() {
     double best = worst();
-    Step kept{x_, s_, y_};
+    double nearest = infeasibility();
+    Step kept = at_;
     int rounds = 0;
-    for (int since = 0; rounds < max_iterations && best > precision && since < 5; ++rounds) {
+    for (int since = 0; rounds < max_iterations && best > precision && since < patience; ++rounds) {
       if (!advance()) break;
       ++since;
+      if (infeasibility() < 0.9 * nearest) {  // complementarity may rise meanwhile
+        nearest = infeasibility();
+        since = 0;
+      }
       if (worst() < best) {
         best = worst();
-        kept = {x_, s_, y_};
+        kept = at_;
         since = 0;
       }
     }
-    return {{kept.x.begin(), kept.x.end()}, {kept.y.begin(), kept.y.end()}, rounds};
+    return {{kept.x.begin(), kept.x.end()},
+            {kept.y.begin(), kept.y.end()},
+            {kept.v.begin(), kept.v.end()},
+            rounds,
+            best};
   }
 
  private:
-  [[nodiscard]] double mu() const { return s_.dot(y_) / static_cast<double>(s_.size()); }
-  [[nodiscard]] Vector dual() const { return quadratic_ * x_ + q_ + g_.transpose() * y_; }
-  [[nodiscard]] Vector primal() const { return g_ * x_ + s_ - h_; }
-  [[nodiscard]] double worst() const {
-    return std::max(
-        {s_.dot(y_), dual().lpNorm<Eigen::Infinity>(), primal().lpNorm<Eigen::Infinity>()});
+  [[nodiscard]] double mu() const {
+    return at_.s.size() > 0 ? at_.s.dot(at_.y) / static_cast<double>(at_.s.size()) : 0;
   }
+  [[nodiscard]] Vector dual() const {
+    return kkt_.curved(at_.x) + kkt_.q() + kkt_.g().transpose() * at_.y +
+           kkt_.a().transpose() * at_.v;
+  }
+  [[nodiscard]] Vector primal() const { return kkt_.g() * at_.x + at_.s - kkt_.h(); }
+  [[nodiscard]] Vector equal() const { return kkt_.a() * at_.x - kkt_.b(); }
+  [[nodiscard]] double infeasibility() const {
+    return std::max({largest(dual()), largest(primal()), largest(equal())});
+  }
+  [[nodiscard]] double worst() const { return std::max(at_.s.dot(at_.y), infeasibility()); }
+  static double largest(const Vector& v) { return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0; }
 
   [[nodiscard]] Step step(const Vector& r_s) const {  // (2)
-    const Vector r = ((y_.cwiseProduct(primal()) - r_s).cwiseQuotient(s_));
+    const auto& [x, s, y, v] = at_;
+    const Vector r = (y.cwiseProduct(primal()) - r_s).cwiseQuotient(s);
+    Vector right(x.size() + v.size());
+    right << -dual() - kkt_.g().transpose() * r, -equal();
+    const Vector solved = kkt_.solve(right);
     Step d;
-    d.x = factor_.solve(-dual() - g_.transpose() * r);
-    d.s = -primal() - g_ * d.x;
-    d.y = (-r_s - y_.cwiseProduct(d.s)).cwiseQuotient(s_);
+    d.x = solved.head(x.size());
+    d.v = solved.tail(v.size());
+    d.s = -primal() - kkt_.g() * d.x;
+    d.y = (-r_s - y.cwiseProduct(d.s)).cwiseQuotient(s);
     return d;
   }
 
   bool advance() {
-    const Matrix m = quadratic_ + Matrix(g_.transpose() * y_.cwiseQuotient(s_).asDiagonal() * g_);
-    factor_.compute(m);
-    if (factor_.info() != Eigen::Success) return false;
-    const Vector complementary = s_.cwiseProduct(y_);
+    auto& [x, s, y, v] = at_;
+    if (!kkt_.factorise(y.cwiseQuotient(s))) return false;
+    const Vector complementary = s.cwiseProduct(y);
     const Step first = step(complementary);
-    const double reach = std::min(longest(s_, first.s), longest(y_, first.y));
-    const double left = (s_ + reach * first.s).dot(y_ + reach * first.y) / complementary.sum();
-    const Vector target = Vector::Constant(s_.size(), left * left * left * mu());
+    const double reach = std::min(longest(s, first.s), longest(y, first.y));
+    const double before = complementary.sum();
+    const double left = before > 0 ? (s + reach * first.s).dot(y + reach * first.y) / before : 0;
+    const Vector target = Vector::Constant(s.size(), left * left * left * mu());
     const Step d = step(complementary + first.s.cwiseProduct(first.y) - target);
-    const double along = 0.99 * std::min(longest(s_, d.s), longest(y_, d.y));
+    const double room = std::min(longest(s, d.s), longest(y, d.y));
+    const double along = s.size() > 0 ? 0.99 * room : 1;
     if (!d.x.allFinite()) return false;
-    x_ += along * d.x;
-    s_ += along * d.s;
-    y_ += along * d.y;
+    x += along * d.x;
+    s += along * d.s;
+    y += along * d.y;
+    v += along * d.v;
     return true;
   }
 
-  Matrix g_, quadratic_;
-  Vector h_, q_, x_, s_, y_;
-  Eigen::SimplicialLDLT<Matrix> factor_;
+  Kkt kkt_;
+  Step at_;
 };
 
 }  // namespace
@@ -139,8 +147,15 @@ Form scaled(Form f, double factor) {
   return f;
 }
 
-ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start) {
-  return Newton(program, start).run();
+ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
+                     bool thorough) {
+  ConvexSolution best = Newton(program, start, regular.front()).run();
+  for (std::size_t k = 1; thorough && k < regular.size() && best.residual > good; ++k) {
+    ConvexSolution other = Newton(program, start, regular[k]).run();
+    other.iterations += best.iterations;
+    if (other.residual < best.residual) best = std::move(other);
+  }
+  return best;
 }
 
 }  // namespace jounce::optimizer

@@ -20,22 +20,29 @@ struct Form {
 /// factor * f.
 Form scaled(Form f, double factor);
 
-/// minimise slope . x + sum of squares[i](x)^2   subject to   constraints[k](x) <= 0.
-/// Unknowns and forms of about size one. Together squares and constraints must determine x.
+/// minimise slope . x + sum of squares[i](x)^2   subject to   constraints[k](x) <= 0, equalities[k](x) = 0.
+/// Unknowns and forms of about size one. Together squares, constraints and equalities must determine x;
+/// where there are equalities, what they leave open stays near where it was.
 struct ConvexProgram {
   std::vector<double> slope;
   std::vector<Form> squares;
   std::vector<Form> constraints;
+  std::vector<Form> equalities = {};
 };
 
 struct ConvexSolution {
   std::vector<double> x;
   std::vector<double> multipliers;  ///< >= 0, one for each constraint
+  std::vector<double> equal_multipliers = {};
   int iterations = 0;
+  double residual = 0;  ///< the worst of complementarity and of what is left of each condition
 };
 
 /// Mehrotra's predictor-corrector method from `start`, which need not be feasible. Sparse; stops when
 /// residuals and complementarity are below 1e-11 or no longer fall.
-ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start);
+/// Where there are equalities and rounding stops it, it begins anew with a slower, stabler
+/// factorisation if `thorough`.
+ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
+                     bool thorough = true);
 
 }  // namespace jounce::optimizer

@@ -79,21 +79,29 @@ Segment quantity_of(const LinearQuantity& q, const Segment& f) {
   return sum;
 }
 
-SplineSpace::SplineSpace(std::vector<double> knots, int degree, double size, double offset)
+SplineSpace::SplineSpace(std::vector<double> knots, int degree, int order, double size,
+                         double offset)
     : knots_(std::move(knots)), degree_(degree), offset_(offset) {
   assert(knots_.size() >= 2 && degree_ >= 1 && degree_ <= Segment::max_degree && size > 0);
   const double per_length = 1 / (knots_.back() - knots_.front());
   double unit = size;
-  for (std::size_t j = 0; j < units_.size(); ++j) {  // of a perfect spline: 4^(j-1) (j-1)! u / L^j
-    units_[j] = power_of_two(unit);
+  for (std::size_t j = 0; j < sizes_.size(); ++j) {  // (3)
+    sizes_[j] = power_of_two(unit);
     unit *= per_length * (j == 0 ? 1.0 : 4.0 * static_cast<double>(j));
   }
+  units_.reserve(this->size() + 1);
+  for (std::size_t i = 0; i <= pieces(); ++i)
+    for (int j = 0; j <= degree_; ++j) {
+      const double h = length(std::min(i, pieces() - 1));
+      const double above = power_of_two(std::pow(h, std::max(0, j - order)));
+      units_.push_back(sizes_[static_cast<std::size_t>(std::min(j, order))] / above);
+    }
 }
 
 double SplineSpace::natural(const LinearQuantity& q) const {
   double sum = 0;
   for (int k = 0; k < static_cast<int>(q.by.size()) && k <= degree_; ++k)
-    sum += std::abs(q.by[static_cast<std::size_t>(k)]) * unit(k);
+    sum += std::abs(q.by[static_cast<std::size_t>(k)]) * sizes_[static_cast<std::size_t>(k)];
   return sum;
 }
 
@@ -103,6 +111,7 @@ std::size_t SplineSpace::piece_at(double x) const {
 }
 
 Form SplineSpace::at(const LinearQuantity& q, std::size_t piece, double s) const {
+  if (s == 1 && order_of(q) < degree_) return derivative_at(q, piece + 1, 0);
   Form form{q.constant + q.by[0] * offset_, {}};
   const double u = s * length(piece);
   for (int j = 0; j <= degree_; ++j) {
@@ -111,7 +120,7 @@ Form SplineSpace::at(const LinearQuantity& q, std::size_t piece, double s) const
     for (int k = j; k >= 0; --k, power *= u)
       if (k < static_cast<int>(q.by.size()))
         factor += q.by[static_cast<std::size_t>(k)] * over_factorial(power, j - k);
-    if (factor != 0) form.terms.push_back({index(piece, j), factor * unit(j)});
+    if (factor != 0) form.terms.push_back({index(piece, j), factor * unit(piece, j)});
   }
   return form;
 }
@@ -120,7 +129,7 @@ Form SplineSpace::derivative_at(const LinearQuantity& q, std::size_t piece, int 
   Form form{j == 0 ? q.constant + q.by[0] * offset_ : 0, {}};
   for (int k = 0; k < static_cast<int>(q.by.size()) && k + j <= degree_; ++k)
     if (const double by = q.by[static_cast<std::size_t>(k)]; by != 0)
-      form.terms.push_back({index(piece, k + j), by * unit(k + j)});
+      form.terms.push_back({index(piece, k + j), by * unit(piece, k + j)});
   return form;
 }
 
@@ -140,7 +149,8 @@ std::vector<Form> SplineSpace::joints() const {
       Form form{0, {{index(i + 1, j), -1}}};
       double power = 1;
       for (int k = j; k <= degree_; ++k, power *= length(i))
-        form.terms.push_back({index(i, k), over_factorial(power, k - j) * unit(k) / unit(j)});
+        form.terms.push_back(
+            {index(i, k), over_factorial(power, k - j) * unit(i, k) / unit(i + 1, j)});
       all.push_back(std::move(form));
     }
   return all;
@@ -153,14 +163,14 @@ std::vector<Form> SplineSpace::ends(const ShapeEnd& from, const ShapeEnd& to, bo
   for (int j = 0; j < degree_; ++j) {
     const auto fix = [&](std::size_t piece, double value) {
       if (j == 0) value -= offset_;
-      all.push_back({-value / unit(j), {{index(piece, j), 1}}});
+      all.push_back({-value / unit(piece, j), {{index(piece, j), 1}}});
     };
     const auto k = static_cast<std::size_t>(j);
     if (k < a.size() && a[k]) fix(0, *a[k]);
     if (k < b.size() && b[k]) fix(pieces(), *b[k]);
     const bool tied = k < a.size() && a[k] && b[k];
     if (periodic && j > 0 && !tied)
-      all.push_back({0, {{index(pieces(), j), 1}, {index(0, j), -1}}});
+      all.push_back({0, {{index(pieces(), j), 1}, {index(0, j), -unit(0, j) / unit(pieces(), j)}}});
   }
   return all;
 }
@@ -173,7 +183,7 @@ std::vector<Segment> SplineSpace::segments(const Coordinates& z) const {
     f.degree = degree_;
     double power = 1;
     for (int j = 0; j <= degree_; ++j, power *= f.length)
-      f.c[static_cast<std::size_t>(j)] = over_factorial(power, j) * unit(j) * z[index(i, j)];
+      f.c[static_cast<std::size_t>(j)] = over_factorial(power, j) * unit(i, j) * z[index(i, j)];
     f.c[0] += offset_;
   }
   return all;
@@ -189,11 +199,12 @@ Coordinates SplineSpace::coordinates(const std::vector<Segment>& shape) const {
     const double s = std::clamp((knots_[i] - breaks[own]) / shape[own].length, 0.0, 1.0);
     Segment f = shape[own];
     for (int j = 0; j < degree_; ++j, f = derivative(f))
-      z[index(i, j)] = (value(f, s) - (j == 0 ? offset_ : 0)) / unit(j);
+      z[index(i, j)] = (value(f, s) - (j == 0 ? offset_ : 0)) / unit(i, j);
   }
   for (std::size_t i = 0; i < pieces(); ++i)
-    z[index(i, degree_)] = (z[index(i + 1, degree_ - 1)] - z[index(i, degree_ - 1)]) *
-                           unit(degree_ - 1) / (unit(degree_) * length(i));
+    z[index(i, degree_)] = (z[index(i + 1, degree_ - 1)] * unit(i + 1, degree_ - 1) -
+                            z[index(i, degree_ - 1)] * unit(i, degree_ - 1)) /
+                           (unit(i, degree_) * length(i));
   return z;
 }
 
@@ -203,7 +214,7 @@ Coordinates SplineSpace::propagated(Coordinates z) const {
       double sum = 0;
       double power = 1;
       for (int k = j; k <= degree_; ++k, power *= length(i))
-        sum += over_factorial(power, k - j) * unit(k) / unit(j) * z[index(i, k)];
+        sum += over_factorial(power, k - j) * unit(i, k) / unit(i + 1, j) * z[index(i, k)];
       z[index(i + 1, j)] = sum;
     }
   return z;

@@ -12,11 +12,13 @@
 
 /// All splines over given knots, as a linear space whose coordinates stay well conditioned.
 ///
-/// With n the degree, S_j the size of the j-th derivative and d the offset of the values, the
+/// With n the degree, S_ij the size of the j-th derivative and d the offset of the values, the
 /// coordinates are the derivatives where each piece begins, and where the last one ends:
 ///
-///     (1)  z[i (n + 1) + j] = (f^(j)(x_i+) - [j = 0] d) / S_j,    j = 0 ... n  (at the end: ... n - 1)
+///     (1)  z[i (n + 1) + j] = (f^(j)(x_i+) - [j = 0] d) / S_ij,    j = 0 ... n  (at the end: ... n - 1)
 ///     (2)  f^(j)(x_i+1) = sum_k f^(k)(x_i+) h_i^(k - j) / (k - j)!,    j = 0 ... n - 1
+///     (3)  S_ij = 4^(j-1) (j-1)! u / L^j up to the highest derivative m that matters, as a perfect spline
+///          has; S_im / h_i^(j-m) above it: what a piece can do to that derivative
 ///
 /// More coordinates than freedom, tied by the equalities (2): each touches two neighbouring knots, so
 /// everything stays banded, and a short piece is as harmless as a long one. (Coefficients of B-splines
@@ -33,8 +35,8 @@ Segment quantity_of(const LinearQuantity& q, const Segment& f);
 
 class SplineSpace {
  public:
-  /// `size`: of the values, u, > 0. `knots` ascend, two at least.
-  SplineSpace(std::vector<double> knots, int degree, double size, double offset);
+  /// `size`: of the values, u, > 0. `knots` ascend, two at least. `order`: m of (3).
+  SplineSpace(std::vector<double> knots, int degree, int order, double size, double offset);
 
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] std::size_t pieces() const { return knots_.size() - 1; }
@@ -46,9 +48,11 @@ class SplineSpace {
   [[nodiscard]] std::size_t index(std::size_t piece, int order) const {
     return piece * stride() + static_cast<std::size_t>(order);
   }
-  /// S_order of (1).
-  [[nodiscard]] double unit(int order) const { return units_[static_cast<std::size_t>(order)]; }
-  /// What q would be of the size of: sum |by[k]| S_k.
+  /// S of (3); piece == pieces(): at the end.
+  [[nodiscard]] double unit(std::size_t piece, int order) const {
+    return units_[index(piece, order)];
+  }
+  /// The size q would have in a perfect spline: sum |by[k]| S_k, as if all derivatives mattered.
   [[nodiscard]] double natural(const LinearQuantity& q) const;
   /// The piece that contains x; the one that begins there, at a knot.
   [[nodiscard]] std::size_t piece_at(double x) const;
@@ -86,7 +90,8 @@ class SplineSpace {
   std::vector<double> knots_;
   int degree_;
   double offset_;
-  std::array<double, 12> units_{};
+  std::array<double, 12> sizes_{};
+  std::vector<double> units_;
 };
 
 /// What is fixed at an end, by order; empty: free.

@@ -1,0 +1,490 @@
+#include "jounce/optimize/detail/shape_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/optimize/detail/certificate.hpp"
+#include "jounce/optimize/detail/findings.hpp"
+
+// With t_p for every figure that is a peak, planes g <= figure (FigureRows), walls w and figures that
+// are norms |F_r z|:
+//
+//   (1)  minimise  sum weight_p t_p + sum weight_r |F_r z|
+//        subject to  g(z) <= t_p,   w(z) <= 0,   |F_c z| <= most_c,   the equalities.
+//
+// Which program that is: a norm alone, without walls, one linear system; peaks, a linear program; both, a
+// quadratic one. Norms: |v| = min over c > 0 of (|v|^2 / c + c) / 2, jointly convex in v and c, so with
+//
+//   (2)  mu_r = weight_r / (2 c_r),   c_r = |F_r z|
+//
+// the minimum of the quadratic program with mu_r |F_r z|^2 is that of (1): a fixed point, one number a
+// norm, found by secants in log c. A limited norm has a multiplier of its own: mu_c is increased from
+// 0 until |F_c z| is at its limit, again by secants.
+//
+// The bound of the quadratic program B, at mu_r = weight_r / (2 c_r), is B + sum weight_r c_r / 2 less what
+// another c_r could change: that function is convex in c_r with the slope weight_r (1 - (|F_r z| / c_r)^2) / 2,
+// and no better shape has |F_r z| > V / weight_r, V the sum reached:
+//
+//   (3)  bound = B + sum weight_r c_r / 2 - |slope| max(c_r, V / weight_r) - sum mu_c most_c^2
+//
+// Walls are kept 1e-9 off, where there is freedom: so what rounding leaves does not break them.
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr int max_rounds = 40;  ///< of one exchange
+constexpr int max_adjustments = 40;
+constexpr double margin = 1e-9;
+constexpr double hopeless = 1e-7;  ///< residual of a program that has no solution
+constexpr double worthwhile = 1e-9;
+constexpr double range = 1e3;  ///< of a certificate, in sizes of the solution
+constexpr double no_freedom = 1e-11;
+
+/// g(z) <= t of its term, or w(z) <= 0.
+struct Row {
+  Form form;
+  std::optional<std::size_t> term;
+};
+
+/// The root of a falling function of one number, from secants.
+class Root {
+ public:
+  explicit Root(double at) : at_(at) {}
+  [[nodiscard]] double at() const { return at_; }
+
+  /// `slope`: what is believed at first.
+  void advance(double value, double slope) {
+    if (last_ && last_->first != at_) {
+      const double secant = (value - last_->second) / (at_ - last_->first);
+      if (secant < 0 && std::isfinite(secant)) slope = std::clamp(secant, 5 * slope, slope / 50);
+    }
+    last_ = {at_, value};
+    at_ += std::clamp(-value / slope, -8.0, 8.0);
+  }
+
+ private:
+  double at_;
+  std::optional<std::pair<double, double>> last_;
+};
+
+/// What stands instead of t and mu in one kind of program.
+struct Task {
+  std::vector<std::optional<double>> level;  ///< of terms: given, or a t of its own
+  bool terms = true;                         ///< with their rows
+  bool elastic = false;                      ///< walls may be broken by a common v, to be minimised
+  std::vector<Form> squares = {};
+  bool squares_alone = false;  ///< only to be smoother: not worth much trouble
+};
+
+class ShapeExchange {
+ public:
+  ShapeExchange(const ShapeModel& model, const Coordinates& start, double precision,
+                const GoOn& go_on)
+      : model_(model), go_on_(go_on), met_(std::clamp(precision / 100, 1e-11, 1e-9)) {
+    found_.z = start;
+    for (std::size_t p = 0; p < model.terms.size(); ++p)
+      for (const Form& f : model.terms[p].rows.start) add({scaled(f, 1 / model.terms[p].unit), p});
+    for (const Wall& wall : model.walls)
+      for (const Form& f : wall.start) add_wall(f, wall.scale);
+    set_norms();
+  }
+
+  ShapeSolution run(double licence) {
+    if (!walls_where_fixed()) return std::move(found_);
+    if (!minimise()) return std::move(found_);
+    if (licence > 0 && !has_squares()) smooth(licence);
+    return std::move(found_);
+  }
+
+ private:
+  using End = ShapeSolution::End;
+
+  // ---- rows -----------------------------------------------------------------------------------
+
+  /// Whether it is new.
+  bool add(Row row) {
+    const auto same = [&](const Row& other) {
+      if (other.term != row.term || other.form.terms.size() != row.form.terms.size()) return false;
+      double apart = 0;
+      double size = 0;
+      for (std::size_t i = 0; i < row.form.terms.size(); ++i) {
+        if (other.form.terms[i].index != row.form.terms[i].index) return false;
+        apart = std::max(apart, std::abs(other.form.terms[i].factor - row.form.terms[i].factor));
+        size = std::max(size, std::abs(row.form.terms[i].factor));
+      }
+      return apart <= 1e-7 * size &&
+             std::abs(other.form.constant - row.form.constant) <= 1e-7 * size;
+    };
+    if (std::any_of(rows_.rbegin(), rows_.rend(), same)) return false;
+    rows_.push_back(std::move(row));
+    return true;
+  }
+
+  bool add_wall(const Form& form, double scale) {
+    const double free = model_.freedom(form);
+    if (free <= no_freedom) return false;
+    Form off = scaled(form, 1 / scale);
+    off.constant += margin * std::min(1.0, free);
+    return add({std::move(off), {}});
+  }
+
+  /// The planes and walls that a shape exceeds; how many are new.
+  int exchange(const std::vector<Segment>& shape, const std::vector<double>& level, double slack) {
+    int added = 0;
+    for (std::size_t p = 0; p < model_.terms.size(); ++p) {
+      const Term& term = model_.terms[p];
+      if (term.rows.by_squares()) continue;
+      for (const Form& f : term.rows.cuts(shape, term.unit * (level[p] + met_)))
+        added += add({scaled(f, 1 / term.unit), p});
+    }
+    for (const Wall& wall : model_.walls)
+      for (const Form& f : wall.beyond(shape, slack)) added += add_wall(f, wall.scale);
+    return added;
+  }
+
+  // ---- norms ----------------------------------------------------------------------------------
+
+  void set_norms() {
+    const auto shape = model_.space.segments(found_.z);
+    for (const Term& term : model_.terms)
+      c_.emplace_back(std::log(
+          std::max(term.rows.by_squares() ? term.rows.value(shape) / term.unit : 1.0, 1e-3)));
+    for (std::size_t k = 0; k < model_.round.size(); ++k) mu_.emplace_back();
+  }
+
+  [[nodiscard]] bool has_squares() const {
+    return std::any_of(model_.terms.begin(), model_.terms.end(),
+                       [](const Term& t) { return t.rows.by_squares(); }) ||
+           std::any_of(mu_.begin(), mu_.end(), [](const auto& m) { return m.has_value(); });
+  }
+
+  [[nodiscard]] std::vector<Form> norm_squares() const {
+    std::vector<Form> squares;
+    const auto add = [&](const FigureRows& rows, double factor) {
+      for (const Form& f : rows.squares) squares.push_back(scaled(f, factor));
+    };
+    for (std::size_t p = 0; p < model_.terms.size(); ++p) {
+      const Term& t = model_.terms[p];
+      add(t.rows, std::sqrt(t.weight / (2 * std::exp(c_[p].at()))) / t.unit);
+    }
+    for (std::size_t k = 0; k < mu_.size(); ++k)
+      if (mu_[k]) add(model_.round[k].rows, std::exp(mu_[k]->at() / 2) / most(k));
+    return squares;
+  }
+
+  [[nodiscard]] double most(std::size_t k) const {
+    const RoundCeiling& c = model_.round[k];
+    return (c.at_most > 0 ? c.at_most : 1e-9 * c.rows.natural) * (1 - 5 * margin);
+  }
+
+  /// Brings c and mu nearer to what they should be; whether they are.
+  bool settle(const std::vector<Segment>& shape) {
+    bool settled = true;
+    for (std::size_t p = 0; p < model_.terms.size(); ++p) {
+      const Term& t = model_.terms[p];
+      if (!t.rows.by_squares()) continue;
+      const double now = t.rows.value(shape) / t.unit;
+      if (now <= 1e-9) continue;
+      const double off = std::log(now) - c_[p].at();
+      if (std::abs(off) <= 1e-8) continue;
+      c_[p].advance(off, -1);
+      settled = false;
+    }
+    for (std::size_t k = 0; k < mu_.size(); ++k) {
+      const double off = std::log(model_.round[k].rows.value(shape) / most(k));
+      if (!mu_[k] && off <= 0) continue;
+      if (std::abs(off) <= 4 * margin) continue;
+      if (!mu_[k])
+        mu_[k].emplace(std::log(0.1 * std::max(weighted_sum(model_, shape), 1e-3)));
+      else
+        mu_[k]->advance(off, -0.5);
+      settled = false;
+    }
+    return settled;
+  }
+
+  // ---- programs -------------------------------------------------------------------------------
+
+  struct Program {
+    ConvexProgram convex;
+    std::vector<std::optional<std::size_t>> column;  ///< of each term's t
+    std::optional<std::size_t> slack;
+  };
+
+  [[nodiscard]] Program program(const Task& task) const {
+    Program p;
+    std::size_t unknowns = model_.space.size();
+    for (std::size_t k = 0; k < model_.terms.size(); ++k)
+      p.column.push_back(task.level[k] || !task.terms || model_.terms[k].rows.by_squares()
+                             ? std::nullopt
+                             : std::optional(unknowns++));
+    if (task.elastic) p.slack = unknowns++;
+    p.convex.slope.assign(unknowns, 0);
+    for (std::size_t k = 0; k < p.column.size(); ++k)
+      if (p.column[k]) p.convex.slope[*p.column[k]] = model_.terms[k].weight;
+    p.convex.squares = task.squares;
+    p.convex.equalities = model_.equalities;
+    for (const Row& row : rows_) {
+      if (row.term && !task.terms) continue;
+      Form form = row.form;
+      if (!row.term && p.slack) form.terms.push_back({*p.slack, -1});
+      if (row.term && p.column[*row.term]) form.terms.push_back({*p.column[*row.term], -1});
+      if (row.term && task.level[*row.term]) form.constant -= *task.level[*row.term];
+      p.convex.constraints.push_back(std::move(form));
+    }
+    if (p.slack) {
+      p.convex.slope[*p.slack] = 1;
+      p.convex.constraints.push_back({-1, {{*p.slack, -1}}});
+    }
+    return p;
+  }
+
+  ConvexSolution solve_once(const Program& p, const std::vector<double>& level, bool thorough) {
+    std::vector<double> start = found_.z;
+    start.resize(p.convex.slope.size(), 1);
+    for (std::size_t k = 0; k < p.column.size(); ++k)
+      if (p.column[k]) start[*p.column[k]] = level[k];
+    ConvexSolution solution = solve(p.convex, start, thorough);
+    found_.iterations += solution.iterations;
+    ++found_.rounds;
+    return solution;
+  }
+
+  [[nodiscard]] std::vector<double> range_of(const Program& p, const ConvexSolution& s) const {
+    std::vector<double> largest(static_cast<std::size_t>(model_.space.degree()) + 1, 1);
+    for (std::size_t j = 0; j < model_.space.size(); ++j)
+      largest[j % largest.size()] = std::max(largest[j % largest.size()], std::abs(s.x[j]));
+    std::vector<double> all(s.x.size());
+    for (std::size_t j = 0; j < all.size(); ++j)
+      all[j] = j < model_.space.size() ? range * largest[j % largest.size()] : 1;
+    double sum = 0;
+    for (std::size_t k = 0; k < p.column.size(); ++k)
+      if (p.column[k]) sum += model_.terms[k].weight * std::abs(s.x[*p.column[k]]);
+    for (std::size_t k = 0; k < p.column.size(); ++k)
+      if (p.column[k]) all[*p.column[k]] = sum / model_.terms[k].weight;
+    return all;
+  }
+
+  /// (3).
+  [[nodiscard]] double bound_of(const Program& p, const ConvexSolution& s,
+                                const std::vector<Segment>& shape) const {
+    double bound = weak_bound(p.convex, s, range_of(p, s));
+    const double sum = weighted_sum(model_, shape);
+    for (std::size_t k = 0; k < model_.terms.size(); ++k) {
+      const Term& t = model_.terms[k];
+      if (!t.rows.by_squares()) continue;
+      const double c = std::exp(c_[k].at());
+      const double ratio = t.rows.value(shape) / t.unit / c;
+      bound += t.weight * c / 2 -
+               t.weight * std::abs(1 - ratio * ratio) / 2 * std::max(c, sum / t.weight);
+    }
+    for (const auto& mu : mu_)
+      if (mu) bound -= std::exp(mu->at()) * (1 + 20 * margin);
+    for (std::size_t k = 0; k < rows_.size(); ++k)  // walls really stand a margin farther out
+      if (!rows_[k].term) bound -= margin * s.multipliers[k];
+    return bound;
+  }
+
+  [[nodiscard]] bool stopped() {
+    if (!go_on_ || go_on_(found_.rounds, last_sum_)) return false;
+    found_.end = End::stopped;
+    return true;
+  }
+
+  /// Rounds of one task until nothing new is exceeded. False: no solution, or stopped.
+  bool settle_rows(const Task& task, bool keep_bound) {
+    std::vector<double> level(model_.terms.size(), 1);
+    for (int round = 0; round < max_rounds; ++round) {
+      if (stopped()) return false;
+      const Program p = program(task);
+      const ConvexSolution s = solve_once(p, level, !task.squares_alone);
+      last_residual_ = s.residual;
+      if (!(s.residual <= (task.squares_alone ? worthwhile : hopeless))) return false;
+      take(s.x);
+      for (std::size_t k = 0; k < level.size(); ++k)
+        level[k] = p.column[k] ? s.x[*p.column[k]] : task.level[k].value_or(HUGE_VAL);
+      slack_ = p.slack ? s.x[*p.slack] : 0;
+      const auto shape = model_.space.segments(found_.z);
+      last_sum_ = weighted_sum(model_, shape);
+      if (keep_bound) keep(bound_of(p, s, shape));
+      alone_bound_ = keep_bound ? 0 : weak_bound(p.convex, s, range_of(p, s));
+      if (!task.terms) level.assign(level.size(), HUGE_VAL);
+      if (exchange(shape, level, std::max(slack_, 0.0)) == 0) return true;
+    }
+    found_.why = "peaks kept moving for " + std::to_string(max_rounds) + " rounds";
+    return false;
+  }
+
+  /// What is fixed at the ends to the bit: rest stays rest.
+  void take(const std::vector<double>& x) {
+    found_.z.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(model_.space.size()));
+    for (const Form& f : model_.equalities)
+      if (f.terms.size() == 1) found_.z[f.terms[0].index] = -f.constant / f.terms[0].factor;
+  }
+
+  void keep(double bound) {
+    if (std::isfinite(bound)) found_.bound = std::max(found_.bound.value_or(bound), bound);
+  }
+
+  [[nodiscard]] Task plain() const {
+    Task task;
+    task.level.resize(model_.terms.size());
+    return task;
+  }
+
+  bool minimise() {
+    for (int k = 0; k < max_adjustments; ++k) {
+      Task task = plain();
+      task.squares = norm_squares();
+      if (!settle_rows(task, true)) {
+        if (found_.end != End::stopped && !out_of_reach()) {
+          found_.end = End::stalled;
+          if (found_.why.empty())
+            found_.why = "rounding stopped the solver at a residual of " + brief(last_residual_);
+        }
+        return false;
+      }
+      found_.end = End::solved;
+      const bool unlimited = std::none_of(mu_.begin(), mu_.end(), [](auto& m) { return m; });
+      if (settle(model_.space.segments(found_.z))) return true;
+      if (unlimited && !round_in_reach()) return false;
+    }
+    found_.end = End::stalled;
+    found_.why = "the weights of the rms figures did not settle";
+    return false;
+  }
+
+  /// Whether the walls cannot all be kept: the least common violation, with its proof.
+  bool out_of_reach() {
+    found_.bound.reset();
+    Task task = plain();
+    task.terms = false;
+    task.elastic = true;
+    if (contradictory()) {
+      found_.end = End::infeasible;
+      found_.why = "what is fixed at the ends and kept exactly contradicts itself";
+      return true;
+    }
+    const double residual = std::exchange(last_residual_, 0);
+    const bool settled = settle_rows(task, false);
+    last_residual_ = residual;
+    if (!settled) return false;
+    if (alone_bound_ <= 2 * margin) return false;
+    found_.end = End::infeasible;
+    found_.why = "no spline over these knots keeps " + worst_walls() + ": at least " +
+                 brief(100 * alone_bound_) + " % of a limit is exceeded";
+    return true;
+  }
+
+  /// Whether each limited norm can be kept: its least value is below.
+  bool round_in_reach() {
+    for (std::size_t k = 0; k < mu_.size(); ++k) {
+      if (!mu_[k]) continue;
+      Task task = plain();
+      task.terms = false;
+      for (const Form& f : model_.round[k].rows.squares)
+        task.squares.push_back(scaled(f, 1 / most(k)));
+      if (!settle_rows(task, false)) return found_.end != End::stopped;
+      if (alone_bound_ <= 1 + 20 * margin) continue;
+      found_.bound.reset();
+      found_.end = End::infeasible;
+      found_.why = "no spline over these knots keeps limit/" + model_.round[k].rows.name +
+                   ": at least " + brief(std::sqrt(alone_bound_) * most(k)) + " is needed, " +
+                   brief(model_.round[k].at_most) + " allowed";
+      return false;
+    }
+    return true;
+  }
+
+  /// Whether no shape at all has what is fixed and kept exactly.
+  [[nodiscard]] bool contradictory() const {
+    const ConvexSolution s =
+        solve({std::vector<double>(model_.space.size(), 0), {}, {}, model_.equalities}, found_.z);
+    const auto apart = [&](const Form& f) { return std::abs(f.at(s.x)) > 1e-7; };
+    return std::any_of(model_.equalities.begin(), model_.equalities.end(), apart);
+  }
+
+  /// The walls that stand in each other's way: those broken the most where the violation is least.
+  [[nodiscard]] std::string worst_walls() const {
+    const auto shape = model_.space.segments(found_.z);
+    std::string names;
+    for (const Wall& wall : model_.walls) {
+      if (wall.beyond(shape, 0.999 * slack_).empty()) continue;
+      if (names.find(wall.rule) != std::string::npos) continue;
+      names += (names.empty() ? "" : " and ") + wall.rule;
+    }
+    return names.empty() ? "the limits" : names;
+  }
+
+  /// Walls that no free coordinate changes: kept or not, once and for all.
+  bool walls_where_fixed() {
+    for (const Wall& wall : model_.walls)
+      for (const Form& f : wall.start) {
+        if (model_.freedom(f) > no_freedom) continue;
+        const double excess = f.at(found_.z) / wall.scale;
+        if (excess <= margin) continue;
+        found_.end = End::infeasible;
+        found_.why = "what is fixed breaks " + wall.rule + " by " + brief(100 * excess) + " %";
+        return false;
+      }
+    return true;
+  }
+
+  /// Of all shapes whose figures are within `licence`, the one with the least rms of the derivative
+  /// above the peaks'.
+  void smooth(double licence) {
+    const ShapeSolution best = found_;
+    const auto shape = model_.space.segments(found_.z);
+    Task task;
+    task.squares_alone = true;
+    int order = 1;
+    for (const Term& t : model_.terms) {
+      task.level.push_back(t.rows.value(shape) / t.unit * (1 + licence));
+      order = std::max(order, t.order + 1);
+    }
+    const LinearQuantity above = derivative_of_shape(std::min({order, model_.space.degree(), 5}));
+    const FigureRows rows = rows_of(RmsOf{above}, model_.space);
+    const double size = rows.value(shape);
+    if (!(size > 0)) return;
+    for (const Form& f : rows.squares) task.squares.push_back(scaled(f, 1 / size));
+    const bool smoother = settle_rows(task, false);
+    if (found_.end == End::stopped) return keep_best(best);
+    const auto now = model_.space.segments(found_.z);
+    const bool kept = weighted_sum(model_, now) <= weighted_sum(model_, shape) * (1 + 2 * licence);
+    if (!smoother || !kept) keep_best(best);
+  }
+
+  void keep_best(const ShapeSolution& best) {
+    found_.z = best.z;
+    found_.end = best.end;
+    found_.why = best.why;
+  }
+
+  const ShapeModel& model_;
+  const GoOn& go_on_;
+  double met_;
+  std::vector<Row> rows_;
+  std::vector<Root> c_;                  ///< log c of each term
+  std::vector<std::optional<Root>> mu_;  ///< log mu of each round ceiling, in units of its limit
+  ShapeSolution found_;
+  double last_sum_ = HUGE_VAL;
+  double last_residual_ = 0;
+  double slack_ = 0;
+  double alone_bound_ = 0;  ///< of the last program that was not the problem itself
+};
+
+}  // namespace
+
+double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape) {
+  double sum = 0;
+  for (const Term& t : model.terms) sum += t.weight * t.rows.value(shape) / t.unit;
+  return sum;
+}
+
+ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
+                        double licence, const GoOn& go_on) {
+  return ShapeExchange(model, start, precision, go_on).run(licence);
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,138 @@
+#include "jounce/optimize/detail/shape_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr double met = 1e-6;        ///< relative: closer than this is there
+constexpr double forgiven = 1e-12;  ///< what rounding may break, as in profiles/limits
+
+Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
+                double margin, std::size_t piece) {
+  return {.rule = std::move(rule),
+          .axis = "",
+          .quantity = quantity,
+          .where = e.where,
+          .value = e.value,
+          .limit = limit,
+          .margin = margin,
+          .broken = margin < -forgiven,
+          .segment = piece,
+          .advice = ""};
+}
+
+/// Every piece of a corridor's window, or the part of it, with its closest approach to one edge.
+template <class Visit>
+void each_approach(const Corridor& c, const std::vector<Segment>& shape, double begin, double scale,
+                   const Visit& visit) {
+  double x = begin;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const double end =
+        i + 1 == shape.size() ? std::max(x + shape[i].length, c.to) : x + shape[i].length;
+    const double near = 1e-6 * shape[i].length;  // knots stand at both ends of the window
+    const double from = std::max(x, c.from);
+    const double to = std::min(end, c.to);
+    const bool point = c.from == c.to && from == to && (c.from < end || i + 1 == shape.size());
+    if (point || to - from > near) {
+      const double s0 = std::clamp((from - x) / shape[i].length, 0.0, 1.0);
+      const double s1 = std::clamp((to - x) / shape[i].length, 0.0, 1.0);
+      for (const auto& [sign, edge] : {std::pair{1.0, c.upper}, {-1.0, c.lower}}) {
+        if (!edge) continue;
+        const Segment q = quantity_of(c.quantity, shape[i]);
+        Segment room = s0 == s1 ? line(1, value(q, s0), value(q, s0)) : part(q, s0, s1);
+        room.degree = std::max(room.degree, 1);
+        const double first = edge_at(c, *edge, from);
+        room.c[0] -= first;
+        room.c[1] -= edge_at(c, *edge, to) - first;
+        const Range range = segment_range(room, from, std::max(to, from), 0);
+        Extremum e = sign > 0 ? range.max : range.min;
+        const double limit = edge_at(c, *edge, e.where);
+        const double margin =
+            -sign * e.value / std::max({scale, std::abs(limit), std::abs(e.value)});
+        e.value += limit;
+        visit(i, sign, finding("limit/" + c.quantity.name, c.quantity.name, e, limit, margin, i));
+      }
+    }
+    x = end;
+  }
+}
+
+double scale_of(const ShapeModel& model, const Corridor& c) {
+  double scale = 0;
+  for (const auto& edge : {c.lower, c.upper})
+    if (edge) scale = std::max({scale, std::abs(edge->at_from), std::abs(edge->at_to)});
+  return std::max(scale, 1e-9 * model.space.natural(c.quantity));
+}
+
+/// The peak of a figure, with its place if it has one.
+Extremum figure_peak(const ShapeFigure& figure, const FigureRows& rows, double begin,
+                     const std::vector<Segment>& shape) {
+  if (const auto* f = std::get_if<PeakOf>(&figure)) return peak_of(f->quantity, shape, begin);
+  return {rows.value(shape), begin, Side::right};
+}
+
+std::size_t piece_at(const ShapeModel& model, double x) {
+  return model.space.piece_at(x);
+}
+
+}  // namespace
+
+Report checked(const ShapeProblem& problem, const ShapeModel& model,
+               const std::vector<Segment>& shape) {
+  Report report;
+  for (const Corridor& c : problem.corridors) {
+    std::optional<Finding> closest;
+    each_approach(c, shape, problem.begin, scale_of(model, c),
+                  [&](std::size_t, double, const Finding& f) {
+                    if (!closest || f.margin < closest->margin) closest = f;
+                  });
+    if (closest) report.findings.push_back(*closest);
+  }
+  for (const jounce::Ceiling& c : problem.ceilings) {
+    const FigureRows rows = figure_rows(c.figure, model.space);
+    const Extremum e = figure_peak(c.figure, rows, problem.begin, shape);
+    const double scale = c.at_most > 0 ? c.at_most : rows.natural;
+    report.findings.push_back(
+        finding("limit/" + rows.name, rows.name, e, std::copysign(c.at_most, e.value),
+                (c.at_most - std::abs(e.value)) / scale, piece_at(model, e.where)));
+  }
+  sort(report);
+  return report;
+}
+
+std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model,
+                            const std::vector<Segment>& shape) {
+  std::vector<Finding> all;
+  for (const Corridor& c : problem.corridors) {
+    std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
+    each_approach(c, shape, problem.begin, scale_of(model, c),
+                  [&](std::size_t i, double sign, const Finding& f) {
+                    if (std::abs(f.margin) > met || is_exact(c)) return;
+                    const std::size_t k = sign > 0 ? 0 : 1;
+                    if (last[k] + 1 != i) all.push_back(f);
+                    last[k] = i;
+                  });
+  }
+  const auto add = [&](const std::string& kind, const ShapeFigure& figure, const FigureRows& rows,
+                       double level) {
+    std::vector<Extremum> places;
+    if (rows.places) places = rows.places(shape, level * (1 - met));
+    if (places.empty()) places.push_back(figure_peak(figure, rows, problem.begin, shape));
+    for (const Extremum& e : places)
+      all.push_back(finding(kind + rows.name, rows.name, e, std::copysign(level, e.value), 0,
+                            piece_at(model, e.where)));
+  };
+  for (const jounce::Ceiling& c : problem.ceilings) {
+    const FigureRows rows = figure_rows(c.figure, model.space);
+    if (rows.value(shape) >= c.at_most * (1 - met)) add("limit/", c.figure, rows, c.at_most);
+  }
+  for (const WeightedFigure& m : problem.minimize) {
+    const FigureRows rows = figure_rows(m.figure, model.space);
+    if (const double level = rows.value(shape); level > 0) add("objective/", m.figure, rows, level);
+  }
+  return all;
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+#include "jounce/optimize/detail/shape_model.hpp"
+
+/// What a finished shape is worth: from its segments alone, by exact extrema, never from the rows of a
+/// program.
+namespace jounce::optimizer {
+
+/// Corridors and ceilings, each with its smallest margin, kept or not.
+Report checked(const ShapeProblem& problem, const ShapeModel& model,
+               const std::vector<Segment>& shape);
+
+/// Limits met to 1e-6 ("limit/..."), and where each figure takes its value ("objective/..."): each run
+/// of pieces once, where it begins.
+std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model,
+                            const std::vector<Segment>& shape);
+
+/// What no function with these end conditions has less of, where that is known: peak and rms of one
+/// derivative between given ends.
+std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure& figure);
+
+}  // namespace jounce::optimizer

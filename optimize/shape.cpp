@@ -1,0 +1,187 @@
+#include "jounce/optimize/shape.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "jounce/optimize/detail/findings.hpp"
+#include "jounce/optimize/detail/shape_exchange.hpp"
+#include "jounce/optimize/detail/shape_report.hpp"
+
+// Where the least peak is that of the highest derivative, the optimum is +-peak on every piece but those
+// in which it ought to switch: there it is the mean. A piece with the mean b between neighbours with a
+// and c switches where the mean is kept, at the share
+//
+//   (1)  s = (b - c) / (a - c)
+//
+// of its length. A knot there, and the next optimum has less to average.
+
+namespace jounce {
+namespace {
+
+using optimizer::brief;
+using optimizer::Coordinates;
+using optimizer::ShapeModel;
+using optimizer::ShapeSolution;
+using Clock = std::chrono::steady_clock;
+using End = ShapeSolution::End;
+
+constexpr int max_refinements = 12;
+constexpr std::size_t most_new_knots = 24;
+constexpr double shortest_piece = 1e-7;  ///< of the shape
+
+/// Where (1) wants knots; the largest steps first.
+std::vector<double> switches(const ShapeModel& model, const Coordinates& z) {
+  struct Switch {
+    double weight = 0;
+    double x = 0;
+  };
+  const auto& space = model.space;
+  const auto top = [&](std::size_t i) {
+    return z[space.index(i, space.degree())] * space.unit(i, space.degree());
+  };
+  const double shortest = shortest_piece * (space.knots().back() - space.knots().front());
+  double largest = 0;
+  for (std::size_t i = 0; i < space.pieces(); ++i) largest = std::max(largest, std::abs(top(i)));
+  std::vector<Switch> found;
+  for (std::size_t i = 1; i + 1 < space.pieces(); ++i) {
+    const double a = top(i - 1), b = top(i), c = top(i + 1);
+    if ((b - a) * (c - b) <= 0) continue;
+    const double s = (b - c) / (a - c);
+    const double least = std::min(s, 1 - s);
+    if (least * space.length(i) < shortest || std::abs(c - a) < 1e-6 * largest) continue;
+    found.push_back(
+        {std::abs(c - a) * least * space.length(i), space.knots()[i] + s * space.length(i)});
+  }
+  std::sort(found.begin(), found.end(), [](auto& a, auto& b) { return a.weight > b.weight; });
+  std::vector<double> x;
+  for (std::size_t i = 0; i < std::min(found.size(), most_new_knots); ++i) x.push_back(found[i].x);
+  return x;
+}
+
+class ShapeSearch {
+ public:
+  ShapeSearch(const ShapeProblem& problem, const ShapeKeepGoing& keep_going)
+      : problem_(problem),
+        keep_going_(keep_going),
+        begin_(Clock::now()),
+        given_(optimizer::given_shape(problem)) {}
+
+  ShapeOutcome run() {
+    std::vector<double> knots = optimizer::first_knots(problem_);
+    std::vector<Segment> from = given_;
+    for (int k = 0;; ++k) {
+      const ShapeModel model(problem_, knots, given_);
+      ShapeSolution found = improve(model, from);
+      const bool better = take(model, found);
+      if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
+      if (near_bound()) break;
+      const std::vector<double> more = switches(model, found.z);
+      if (more.empty()) break;
+      knots.insert(knots.end(), more.begin(), more.end());
+      std::sort(knots.begin(), knots.end());
+      from = out_.segments;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  ShapeSolution improve(const ShapeModel& model, const std::vector<Segment>& from) {
+    const auto go_on = [&](int round, double value) {
+      out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
+      return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value));
+    };
+    const double tolerance = problem_.tolerance;
+    return optimizer::minimised(model, model.space.coordinates(from), tolerance,
+                                problem_.refine ? 0 : tolerance / 2, go_on);
+  }
+
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+
+  /// Whether every figure with a known bound is at it, and there is one.
+  [[nodiscard]] bool near_bound() const {
+    bool any = false;
+    for (std::size_t k = 0; k < problem_.minimize.size(); ++k) {
+      const FigureResult& r = out_.figures[k];
+      if (!r.bound || r.reached > *r.bound * (1 + problem_.tolerance)) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  /// The outcome of these knots, unless the one before was better; whether it is taken.
+  bool take(const ShapeModel& model, const ShapeSolution& found) {
+    std::vector<Segment> shape = model.space.segments(found.z);
+    optimizer::make_exact(problem_, shape);
+    out_.rounds += found.rounds;
+    out_.evaluations += found.iterations;
+    const double value = optimizer::weighted_sum(model, shape);
+    Report limits = optimizer::checked(problem_, model, shape);
+    const bool first = out_.segments.empty();
+    if (!first && (found.end != End::solved || !limits.ok() || value > out_.value)) {
+      if (found.end == End::stopped) set_status(found);
+      return false;
+    }
+    out_.segments = std::move(shape);
+    out_.value = value;
+    out_.limits = std::move(limits);
+    out_.spline_bound = found.bound;
+    fill_figures(model);
+    out_.active = optimizer::active(problem_, model, out_.segments);
+    set_status(found);
+    return true;
+  }
+
+  void fill_figures(const ShapeModel& model) {
+    out_.figures.clear();
+    const auto add = [&](const ShapeFigure& figure) {
+      const optimizer::FigureRows rows = optimizer::figure_rows(figure, model.space);
+      out_.figures.push_back({rows.name, rows.value(given_), rows.value(out_.segments),
+                              optimizer::known_bound(problem_, figure)});
+    };
+    for (const WeightedFigure& m : problem_.minimize) add(m.figure);
+    for (const Ceiling& c : problem_.ceilings) add(c.figure);
+  }
+
+  void answer(Outcome::Status status, std::string reason) {
+    out_.status = status;
+    out_.reason = std::move(reason);
+  }
+
+  void set_status(const ShapeSolution& found) {
+    using Status = Outcome::Status;
+    if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
+    if (found.end == End::stopped)
+      return out_of_time_
+                 ? answer(Status::stalled, "the " + brief(*problem_.seconds) + " s allowed ran out")
+                 : answer(Status::cancelled, "stopped by the caller");
+    if (!out_.limits.ok())
+      return answer(Status::stalled, "the shape found breaks a limit: " +
+                                         optimizer::sentence(out_.limits.findings.front()));
+    if (found.end == End::stalled) return answer(Status::stalled, found.why);
+    const double gap = found.bound ? (out_.value - *found.bound) / out_.value : 1;
+    if (out_.value == 0 || gap <= problem_.tolerance)
+      return answer(Status::optimal, "no spline over these knots is better, to a relative " +
+                                         brief(problem_.tolerance));
+    answer(Status::converged,
+           "at most " + brief(100 * gap) + " % could still be saved by a spline over these knots");
+  }
+
+  const ShapeProblem& problem_;
+  const ShapeKeepGoing& keep_going_;
+  Clock::time_point begin_;
+  std::vector<Segment> given_;
+  ShapeOutcome out_;
+  bool out_of_time_ = false;
+};
+
+}  // namespace
+
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+  require_valid(problem);
+  return ShapeSearch(problem, keep_going).run();
+}
+
+}  // namespace jounce
