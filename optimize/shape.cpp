@@ -73,9 +73,10 @@ class ShapeSearch {
     for (int k = 0;; ++k) {
       const ShapeModel model(problem_, knots, given_);
       ShapeSolution found = improve(model, from);
+      const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
       if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
-      if (near_bound()) break;
+      if (near_bound() || before - out_.value < problem_.tolerance / 100 * out_.value) break;
       const std::vector<double> more = switches(model, found.z);
       if (more.empty()) break;
       knots.insert(knots.end(), more.begin(), more.end());

@@ -6,6 +6,7 @@
 
 #include "jounce/optimize/detail/certificate.hpp"
 #include "jounce/optimize/detail/findings.hpp"
+#include "jounce/optimize/detail/shape_norms.hpp"
 
 // With t_p for every figure that is a peak, planes g <= figure (FigureRows), walls w and figures that
 // are norms |F_r z|:
@@ -14,19 +15,7 @@
 //        subject to  g(z) <= t_p,   w(z) <= 0,   |F_c z| <= most_c,   the equalities.
 //
 // Which program that is: a norm alone, without walls, one linear system; peaks, a linear program; both, a
-// quadratic one. Norms: |v| = min over c > 0 of (|v|^2 / c + c) / 2, jointly convex in v and c, so with
-//
-//   (2)  mu_r = weight_r / (2 c_r),   c_r = |F_r z|
-//
-// the minimum of the quadratic program with mu_r |F_r z|^2 is that of (1): a fixed point, one number a
-// norm, found by secants in log c. A limited norm has a multiplier of its own: mu_c is increased from
-// 0 until |F_c z| is at its limit, again by secants.
-//
-// The bound of the quadratic program B, at mu_r = weight_r / (2 c_r), is B + sum weight_r c_r / 2 less what
-// another c_r could change: that function is convex in c_r with the slope weight_r (1 - (|F_r z| / c_r)^2) / 2,
-// and no better shape has |F_r z| > V / weight_r, V the sum reached:
-//
-//   (3)  bound = B + sum weight_r c_r / 2 - |slope| max(c_r, V / weight_r) - sum mu_c most_c^2
+// quadratic one (norms: shape_norms.hpp).
 //
 // Walls are kept 1e-9 off, where there is freedom: so what rounding leaves does not break them.
 
@@ -35,7 +24,6 @@ namespace {
 
 constexpr int max_rounds = 40;  ///< of one exchange
 constexpr int max_adjustments = 40;
-constexpr double margin = 1e-9;
 constexpr double hopeless = 1e-7;  ///< residual of a program that has no solution
 constexpr double worthwhile = 1e-9;
 constexpr double range = 1e3;  ///< of a certificate, in sizes of the solution
@@ -45,27 +33,6 @@ constexpr double no_freedom = 1e-11;
 struct Row {
   Form form;
   std::optional<std::size_t> term;
-};
-
-/// The root of a falling function of one number, from secants.
-class Root {
- public:
-  explicit Root(double at) : at_(at) {}
-  [[nodiscard]] double at() const { return at_; }
-
-  /// `slope`: what is believed at first.
-  void advance(double value, double slope) {
-    if (last_ && last_->first != at_) {
-      const double secant = (value - last_->second) / (at_ - last_->first);
-      if (secant < 0 && std::isfinite(secant)) slope = std::clamp(secant, 5 * slope, slope / 50);
-    }
-    last_ = {at_, value};
-    at_ += std::clamp(-value / slope, -8.0, 8.0);
-  }
-
- private:
-  double at_;
-  std::optional<std::pair<double, double>> last_;
 };
 
 /// What stands instead of t and mu in one kind of program.
@@ -81,19 +48,23 @@ class ShapeExchange {
  public:
   ShapeExchange(const ShapeModel& model, const Coordinates& start, double precision,
                 const GoOn& go_on)
-      : model_(model), go_on_(go_on), met_(std::clamp(precision / 100, 1e-11, 1e-9)) {
+      : model_(model),
+        norms_(model, model.space.segments(start)),
+        go_on_(go_on),
+        met_(std::clamp(precision / 100, 1e-11, 1e-9)) {
     found_.z = start;
     for (std::size_t p = 0; p < model.terms.size(); ++p)
-      for (const Form& f : model.terms[p].rows.start) add({scaled(f, 1 / model.terms[p].unit), p});
+      for (const Form& f : model.terms[p].rows.start)
+        rows_.push_back({scaled(f, 1 / model.terms[p].unit), p});
     for (const Wall& wall : model.walls)
-      for (const Form& f : wall.start) add_wall(f, wall.scale);
-    set_norms();
+      for (const Form& f : wall.start)
+        if (auto row = wall_row(f, wall.scale)) rows_.push_back(std::move(*row));
   }
 
   ShapeSolution run(double licence) {
     if (!walls_where_fixed()) return std::move(found_);
     if (!minimise()) return std::move(found_);
-    if (licence > 0 && !has_squares()) smooth(licence);
+    if (licence > 0 && !norms_.any()) smooth(licence);
     return std::move(found_);
   }
 
@@ -121,12 +92,13 @@ class ShapeExchange {
     return true;
   }
 
-  bool add_wall(const Form& form, double scale) {
+  /// Nothing where nothing free changes it.
+  [[nodiscard]] std::optional<Row> wall_row(const Form& form, double scale) const {
     const double free = model_.freedom(form);
-    if (free <= no_freedom) return false;
-    Form off = scaled(form, 1 / scale);
-    off.constant += margin * std::min(1.0, free);
-    return add({std::move(off), {}});
+    if (free <= no_freedom) return {};
+    Row row{scaled(form, 1 / scale), {}};
+    row.form.constant += margin * std::min(1.0, free);
+    return row;
   }
 
   /// The planes and walls that a shape exceeds; how many are new.
@@ -139,69 +111,9 @@ class ShapeExchange {
         added += add({scaled(f, 1 / term.unit), p});
     }
     for (const Wall& wall : model_.walls)
-      for (const Form& f : wall.beyond(shape, slack)) added += add_wall(f, wall.scale);
+      for (const Form& f : wall.beyond(shape, slack))
+        if (auto row = wall_row(f, wall.scale)) added += add(std::move(*row));
     return added;
-  }
-
-  // ---- norms ----------------------------------------------------------------------------------
-
-  void set_norms() {
-    const auto shape = model_.space.segments(found_.z);
-    for (const Term& term : model_.terms)
-      c_.emplace_back(std::log(
-          std::max(term.rows.by_squares() ? term.rows.value(shape) / term.unit : 1.0, 1e-3)));
-    for (std::size_t k = 0; k < model_.round.size(); ++k) mu_.emplace_back();
-  }
-
-  [[nodiscard]] bool has_squares() const {
-    return std::any_of(model_.terms.begin(), model_.terms.end(),
-                       [](const Term& t) { return t.rows.by_squares(); }) ||
-           std::any_of(mu_.begin(), mu_.end(), [](const auto& m) { return m.has_value(); });
-  }
-
-  [[nodiscard]] std::vector<Form> norm_squares() const {
-    std::vector<Form> squares;
-    const auto add = [&](const FigureRows& rows, double factor) {
-      for (const Form& f : rows.squares) squares.push_back(scaled(f, factor));
-    };
-    for (std::size_t p = 0; p < model_.terms.size(); ++p) {
-      const Term& t = model_.terms[p];
-      add(t.rows, std::sqrt(t.weight / (2 * std::exp(c_[p].at()))) / t.unit);
-    }
-    for (std::size_t k = 0; k < mu_.size(); ++k)
-      if (mu_[k]) add(model_.round[k].rows, std::exp(mu_[k]->at() / 2) / most(k));
-    return squares;
-  }
-
-  [[nodiscard]] double most(std::size_t k) const {
-    const RoundCeiling& c = model_.round[k];
-    return (c.at_most > 0 ? c.at_most : 1e-9 * c.rows.natural) * (1 - 5 * margin);
-  }
-
-  /// Brings c and mu nearer to what they should be; whether they are.
-  bool settle(const std::vector<Segment>& shape) {
-    bool settled = true;
-    for (std::size_t p = 0; p < model_.terms.size(); ++p) {
-      const Term& t = model_.terms[p];
-      if (!t.rows.by_squares()) continue;
-      const double now = t.rows.value(shape) / t.unit;
-      if (now <= 1e-9) continue;
-      const double off = std::log(now) - c_[p].at();
-      if (std::abs(off) <= 1e-8) continue;
-      c_[p].advance(off, -1);
-      settled = false;
-    }
-    for (std::size_t k = 0; k < mu_.size(); ++k) {
-      const double off = std::log(model_.round[k].rows.value(shape) / most(k));
-      if (!mu_[k] && off <= 0) continue;
-      if (std::abs(off) <= 4 * margin) continue;
-      if (!mu_[k])
-        mu_[k].emplace(std::log(0.1 * std::max(weighted_sum(model_, shape), 1e-3)));
-      else
-        mu_[k]->advance(off, -0.5);
-      settled = false;
-    }
-    return settled;
   }
 
   // ---- programs -------------------------------------------------------------------------------
@@ -251,36 +163,25 @@ class ShapeExchange {
     return solution;
   }
 
-  [[nodiscard]] std::vector<double> range_of(const Program& p, const ConvexSolution& s) const {
+  /// By how much a better solution can differ; `sum`: of the figures of this one.
+  [[nodiscard]] std::vector<double> range_of(const Program& p, const ConvexSolution& s,
+                                             double sum) const {
     std::vector<double> largest(static_cast<std::size_t>(model_.space.degree()) + 1, 1);
     for (std::size_t j = 0; j < model_.space.size(); ++j)
       largest[j % largest.size()] = std::max(largest[j % largest.size()], std::abs(s.x[j]));
     std::vector<double> all(s.x.size());
-    for (std::size_t j = 0; j < all.size(); ++j)
-      all[j] = j < model_.space.size() ? range * largest[j % largest.size()] : 1;
-    double sum = 0;
-    for (std::size_t k = 0; k < p.column.size(); ++k)
-      if (p.column[k]) sum += model_.terms[k].weight * std::abs(s.x[*p.column[k]]);
+    for (std::size_t j = 0; j < model_.space.size(); ++j)
+      all[j] = range * largest[j % largest.size()];
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) all[*p.column[k]] = sum / model_.terms[k].weight;
+    if (p.slack) all[*p.slack] = 1 + std::abs(s.x[*p.slack]);
     return all;
   }
 
-  /// (3).
   [[nodiscard]] double bound_of(const Program& p, const ConvexSolution& s,
                                 const std::vector<Segment>& shape) const {
-    double bound = weak_bound(p.convex, s, range_of(p, s));
     const double sum = weighted_sum(model_, shape);
-    for (std::size_t k = 0; k < model_.terms.size(); ++k) {
-      const Term& t = model_.terms[k];
-      if (!t.rows.by_squares()) continue;
-      const double c = std::exp(c_[k].at());
-      const double ratio = t.rows.value(shape) / t.unit / c;
-      bound += t.weight * c / 2 -
-               t.weight * std::abs(1 - ratio * ratio) / 2 * std::max(c, sum / t.weight);
-    }
-    for (const auto& mu : mu_)
-      if (mu) bound -= std::exp(mu->at()) * (1 + 20 * margin);
+    double bound = weak_bound(p.convex, s, range_of(p, s, sum)) + norms_.to_bound(shape, sum);
     for (std::size_t k = 0; k < rows_.size(); ++k)  // walls really stand a margin farther out
       if (!rows_[k].term) bound -= margin * s.multipliers[k];
     return bound;
@@ -308,7 +209,7 @@ class ShapeExchange {
       const auto shape = model_.space.segments(found_.z);
       last_sum_ = weighted_sum(model_, shape);
       if (keep_bound) keep(bound_of(p, s, shape));
-      alone_bound_ = keep_bound ? 0 : weak_bound(p.convex, s, range_of(p, s));
+      alone_bound_ = keep_bound ? 0 : weak_bound(p.convex, s, range_of(p, s, last_sum_));
       if (!task.terms) level.assign(level.size(), HUGE_VAL);
       if (exchange(shape, level, std::max(slack_, 0.0)) == 0) return true;
     }
@@ -336,7 +237,7 @@ class ShapeExchange {
   bool minimise() {
     for (int k = 0; k < max_adjustments; ++k) {
       Task task = plain();
-      task.squares = norm_squares();
+      task.squares = norms_.squares();
       if (!settle_rows(task, true)) {
         if (found_.end != End::stopped && !out_of_reach()) {
           found_.end = End::stalled;
@@ -346,8 +247,8 @@ class ShapeExchange {
         return false;
       }
       found_.end = End::solved;
-      const bool unlimited = std::none_of(mu_.begin(), mu_.end(), [](auto& m) { return m; });
-      if (settle(model_.space.segments(found_.z))) return true;
+      const bool unlimited = norms_.limited().empty();
+      if (norms_.settle(model_.space.segments(found_.z))) return true;
       if (unlimited && !round_in_reach()) return false;
     }
     found_.end = End::stalled;
@@ -379,19 +280,18 @@ class ShapeExchange {
 
   /// Whether each limited norm can be kept: its least value is below.
   bool round_in_reach() {
-    for (std::size_t k = 0; k < mu_.size(); ++k) {
-      if (!mu_[k]) continue;
+    for (const std::size_t k : norms_.limited()) {
       Task task = plain();
       task.terms = false;
       for (const Form& f : model_.round[k].rows.squares)
-        task.squares.push_back(scaled(f, 1 / most(k)));
+        task.squares.push_back(scaled(f, 1 / norms_.most(k)));
       if (!settle_rows(task, false)) return found_.end != End::stopped;
       if (alone_bound_ <= 1 + 20 * margin) continue;
       found_.bound.reset();
       found_.end = End::infeasible;
       found_.why = "no spline over these knots keeps limit/" + model_.round[k].rows.name +
-                   ": at least " + brief(std::sqrt(alone_bound_) * most(k)) + " is needed, " +
-                   brief(model_.round[k].at_most) + " allowed";
+                   ": at least " + brief(std::sqrt(alone_bound_) * norms_.most(k)) +
+                   " is needed, " + brief(model_.round[k].at_most) + " allowed";
       return false;
     }
     return true;
@@ -462,11 +362,10 @@ class ShapeExchange {
   }
 
   const ShapeModel& model_;
+  ShapeNorms norms_;
   const GoOn& go_on_;
   double met_;
   std::vector<Row> rows_;
-  std::vector<Root> c_;                  ///< log c of each term
-  std::vector<std::optional<Root>> mu_;  ///< log mu of each round ceiling, in units of its limit
   ShapeSolution found_;
   double last_sum_ = HUGE_VAL;
   double last_residual_ = 0;
@@ -475,12 +374,6 @@ class ShapeExchange {
 };
 
 }  // namespace
-
-double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape) {
-  double sum = 0;
-  for (const Term& t : model.terms) sum += t.weight * t.rows.value(shape) / t.unit;
-  return sum;
-}
 
 ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
                         double licence, const GoOn& go_on) {

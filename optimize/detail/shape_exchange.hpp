@@ -28,9 +28,6 @@ struct ShapeSolution {
 /// Before each round, with its number and the weighted sum so far.
 using GoOn = std::function<bool(int round, double value)>;
 
-/// sum of weight * figure / unit.
-double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape);
-
 /// Minimises the weighted sum. Peaks alone leave much open: of all shapes within `licence` (relative)
 /// of the least sum, then the smoothest; 0: whichever was found. `start` is of the model's space.
 ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,

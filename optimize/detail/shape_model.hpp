@@ -1,23 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "jounce/optimize/detail/figure_rows.hpp"
+#include "jounce/optimize/detail/shape_walls.hpp"
 
 /// A shape problem over fixed knots, as forms in the coordinates of a spline space.
 namespace jounce::optimizer {
-
-/// What must be kept everywhere in a window: a corridor, or a figure's ceiling.
-struct Wall {
-  std::string rule;  ///< "limit/geo_velocity"
-  double scale = 1;  ///< what violations are measured in, > 0
-  /// Each <= 0 where the wall is kept; to begin with.
-  std::vector<Form> start = {};
-  /// Those that a shape breaks by more than slack * scale: where it does so most, on each piece.
-  std::function<std::vector<Form>(const std::vector<Segment>& shape, double slack)> beyond = {};
-};
 
 /// A figure to be minimised, counted in `unit`: its value for the given shape.
 struct Term {
@@ -32,6 +20,9 @@ struct RoundCeiling {
   FigureRows rows;
   double at_most = 0;
 };
+
+/// What walls are kept off, in their scale, where something free can do so.
+constexpr double margin = 1e-9;
 
 struct ShapeModel {
   /// `given`: a shape over the whole interval. Every figure must have rows.
@@ -51,11 +42,8 @@ struct ShapeModel {
   [[nodiscard]] double freedom(const Form& form) const;
 };
 
-/// The value of an edge at x.
-double edge_at(const Corridor& corridor, const Edge& edge, double x);
-
-/// Whether the corridor leaves no room: what it holds is kept exactly.
-bool is_exact(const Corridor& corridor);
+/// sum of weight * figure / unit.
+double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape);
 
 /// `pieces` equal pieces, with knots where corridors begin and end.
 std::vector<double> first_knots(const ShapeProblem& problem);
