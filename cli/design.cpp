@@ -81,8 +81,9 @@ void print_text(std::FILE* out, const Input& input, const Report& report) {
                units.x);
   if (input.error && input.binding) fmt::print(out, "{}\n", fewest_text(input));
   for (const Residual& r : input.residuals)
-    fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without the operators {} {}\n",
+    fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without {} {} {}\n",
                rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,
+               input.spec && input.spec->polydyne ? "[polydyne]" : "the operators",
                rounded(r.before), units.position);
   // The table is what was asked for; that it steps, turns back or breaks a limit is not kept quiet.
   if (!report.ok()) fmt::print(out, "jounce check: {}\n", one_line(report, input.labels));

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/cam/polydyne.hpp"
 #include "jounce/io/detail/motion.hpp"
 #include "jounce/io/table_target.hpp"
 #include "jounce/io/units.hpp"
@@ -71,14 +72,41 @@ CamSpec cam_of(const Spec& spec) {
   return cam;
 }
 
+/// The mode of [polydyne] in cycles per unit of the master.
+Mode mode_over_master(const Spec& spec) {
+  if (!spec.master)
+    throw InputError("polydyne", "",
+                     "is made for one speed: add [master] with velocity and distance");
+  const double speed = spec.master->velocity / seconds_per_unit(spec);
+  return {spec.polydyne->frequency / speed, spec.polydyne->damping};
+}
+
+/// The cam for the load behind the spec's mode, whose motion its knots say.
+Polydyne driven(const Spec& spec, const Cam& output) {
+  return polydyne(output, mode_over_master(spec));
+}
+
+/// What a cam leaves swinging after one run at the master's speed.
+double residual_of(const Spec& spec, const Cam& cam) {
+  const auto segments = cam.segments();
+  return residual_vibration(Trajectory({segments.begin(), segments.end()}), mode_over_master(spec));
+}
+
 Made make_cam(const Spec& spec) {
   const CamSpec cam = cam_of(spec);
   auto [curve, origin] = design(cam);
+  std::vector<Residual> residuals;
+  if (spec.polydyne) {
+    Cam made = driven(spec, curve).cam;
+    residuals.push_back({*spec.polydyne, residual_of(spec, curve), residual_of(spec, made)});
+    curve = std::move(made);
+  }
   std::vector<std::string> names;
   names.reserve(origin.size());
   for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
   Sampled table = sampled(curve, spec.table);
-  return {spec.parts().front(), std::move(curve), std::move(names), std::move(table)};
+  return {spec.parts().front(), std::move(curve), std::move(names), std::move(table),
+          std::move(residuals)};
 }
 
 Made make_sync(const Spec& spec) {
@@ -254,6 +282,7 @@ Trajectory master_of(const Spec& spec) {
 
 Report table_warnings(const Spec& spec) {
   if (!spec.then.empty()) return {};
+  if (spec.polydyne) return driven(spec, design(cam_of(spec)).cam).warnings;
   if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
   const auto* knots = std::get_if<Table>(&spec.subject);
   if (knots == nullptr) return {};
@@ -280,6 +309,9 @@ CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
     throw InputError("kind", "", "only a cam can be optimised").at(spec.document.name);
+  if (spec.polydyne)
+    throw spec.document.located(InputError(
+        "polydyne", "", "is not optimised: the knots then are the load's, not the cam's"));
   CamProblem problem{.cam = *cam,
                      .free = spec.optimize.free,
                      .limits = spec.limits,

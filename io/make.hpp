@@ -37,7 +37,7 @@ std::vector<Made> make_axes(const Spec& spec);
 Made make(const Spec& spec);
 
 /// What a time table (kinds "pt" and "pvt", before any operator) plays without a word: warnings of
-/// steps, swings and overshoot; nothing of other kinds.
+/// steps, swings and overshoot; and of a polydyne cam where its acceleration steps. Nothing of others.
 Report table_warnings(const Spec& spec);
 
 /// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError

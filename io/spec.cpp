@@ -78,6 +78,7 @@ void read_cam(TomlReader& top, Spec& spec) {
   spec.subject = detail::read_cam(top, spec.units, spec);
   detail::read_optimize(top, spec.optimize);
   spec.disc = detail::read_disc(top, spec.units);
+  spec.polydyne = detail::read_polydyne(top);
 }
 
 void read_pvt(TomlReader& top, Spec& spec) {

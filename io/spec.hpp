@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/cam/coupling.hpp"
 #include "jounce/cam/cam_switch.hpp"
+#include "jounce/cam/coupling.hpp"
 #include "jounce/cam/design.hpp"
 #include "jounce/cam/disc.hpp"
 #include "jounce/io/document.hpp"
@@ -122,9 +122,11 @@ struct Spec {
   OptimizeSpec optimize;
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
+  std::optional<Mode>
+      polydyne;           ///< of a cam: its knots say what the load behind this mode (Hz) does
   AxisSwitches switches;  ///< of kinds "axis" and "cam"
   std::optional<CompareSpec> compare;  ///< of a motion over time
-  Report fill;            ///< of kind "pvt": what filling in its velocities could not do
+  Report fill;  ///< of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;

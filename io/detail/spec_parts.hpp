@@ -34,6 +34,9 @@ void read_optimize(TomlReader& top, OptimizeSpec& optimize);
 /// [disc] with [disc.limits], where there is one.
 std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);
 
+/// [polydyne], where there is one.
+std::optional<Mode> read_polydyne(TomlReader& top);
+
 /// [coupling], in s.
 std::optional<CouplingSpec> read_coupling(TomlReader& top, const Units& units,
                                           const std::string& time_unit);
