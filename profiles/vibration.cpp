@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/vibration_band.hpp"
 
 // Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). Each impulse at t_i
 // leaves at t_n, the last one's instant, A_i e^(s (t_n - t_i)), and one impulse at t_n leaves 1:
@@ -72,10 +73,24 @@ Complex phi_sine(double b, Complex z) {
   return std::exp(z) * phi(d)[0];
 }
 
+/// What is the same for all segments of one length, to the rounding of breaks.
+struct Span {
+  double length = 0;
+  Complex z, decay;  ///< s L, e^(s L)
+  std::array<Complex, moments> moment{};
+
+  void become(double new_length, Complex s) {
+    if (std::abs(new_length - length) <= 1e-14 * length) return;
+    length = new_length;
+    z = s * length;
+    decay = std::exp(z);
+    moment = phi(z);
+  }
+};
+
 /// The integral (3) over one segment, its end as T.
-Complex excitation(const Segment& f, Complex s) {
-  const Complex z = s * f.length;
-  const auto moment = phi(z);
+Complex excitation(const Segment& f, const Span& span) {
+  const auto& [length, z, decay, moment] = span;
   Complex total = 0;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(f.degree); ++k)
     total += static_cast<double>(k) * f.c[k] * moment[k - 1];
@@ -158,17 +173,23 @@ WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, 
   return worst;
 }
 
-double residual_vibration(const Trajectory& motion, const Mode& mode) {
+std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode) {
   require_valid(mode);
   const Complex s = pole(mode);
   Complex total = 0;
   double before = value(motion.segments().front(), 0);
+  Span span;
   for (const Segment& f : motion.segments()) {
     total += value(f, 0) - before;  // a step of the position, if there is one
-    total = total * std::exp(s * f.length) + excitation(f, s);
+    span.become(f.length, s);
+    total = total * span.decay + excitation(f, span);
     before = value(f, 1);
   }
-  return std::abs(total) / std::sqrt((1 - mode.damping) * (1 + mode.damping));  // (3)
+  return total / std::sqrt((1 - mode.damping) * (1 + mode.damping));  // (3)
+}
+
+double residual_vibration(const Trajectory& motion, const Mode& mode) {
+  return std::abs(residual_phasor(motion, mode));
 }
 
 }  // namespace jounce
