@@ -123,9 +123,7 @@ class Search {
   WorstMode worst_;
 };
 
-}  // namespace
-
-void require_valid(const ModeBand& band) {
+void require_band(const ModeBand& band) {
   require_positive("low", band.low);
   require_finite("high", band.high);
   if (band.high < band.low)
@@ -138,8 +136,10 @@ void require_valid(const ModeBand& band) {
         "must be less than 1 and not less than damping_low = " + number(band.damping_low));
 }
 
+}  // namespace
+
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance) {
-  require_valid(band);
+  require_band(band);
   if (!(tolerance >= 1e-12) || tolerance > 1)
     throw InputError("tolerance", tolerance, "must be between 1e-12 and 1");
   const double low = two_pi * band.low;

@@ -34,7 +34,4 @@ struct WorstMode {
 /// tolerance out of range.
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance = 1e-6);
 
-/// Throws InputError unless 0 < low <= high and 0 <= damping_low <= damping_high < 1.
-void require_valid(const ModeBand& band);
-
 }  // namespace jounce

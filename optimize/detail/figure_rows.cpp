@@ -217,7 +217,7 @@ namespace {
 
 template <class Figure>
 constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
-                        std::is_same_v<Figure, ResponseOf>;
+                        std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, ResidualOf>;
 
 }  // namespace
 
