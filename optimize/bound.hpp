@@ -31,6 +31,10 @@ double least_peak_jerk(const Stretch& stretch);
 /// The least integral of f''^2: that of the cubic. From rest to rest 12 h^2 / L^3.
 double least_square_acceleration(const Stretch& stretch);
 
+/// The least max |f' f''|, the peak power of a pure inertia: that of constant power, which is put in and
+/// then taken out again (9/4 h^2 / L^3 from rest to rest). End accelerations do not matter.
+double least_peak_power(const Stretch& stretch);
+
 /// What no choice of the problem's free quantities can beat, whatever the laws between the fixed
 /// knots: the cam is cut at the knots whose master, slave and geo_velocity are fixed; each stretch
 /// has the bound above, each segment without freedom its exact value. A first or last stretch whose

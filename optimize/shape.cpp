@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jounce/optimize/detail/findings.hpp"
+#include "jounce/optimize/detail/not_convex.hpp"
 #include "jounce/optimize/detail/shape_exchange.hpp"
 #include "jounce/optimize/detail/shape_report.hpp"
 
@@ -182,6 +183,7 @@ class ShapeSearch {
 
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
   require_valid(problem);
+  if (optimizer::needs_search(problem)) return optimizer::searched(problem, keep_going);
   return ShapeSearch(problem, keep_going).run();
 }
 

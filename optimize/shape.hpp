@@ -55,6 +55,39 @@ struct PowerOf {
   LinearQuantity velocity;
 };
 
+/// The torque of a load that the shape moves, where it is not linear in the shape f:
+///
+///     (1)  T = linear + d/dx (J(x) f') + coulomb sign(f') + gravity sin(angle + turn f)
+///
+/// Units as `linear` has them: T in N m if coulomb and gravity are. An inertia kg m^2 behind a master of
+/// w (unit of x)/s enters J with the factor w^2.
+struct LoadTorque {
+  std::string name = "torque";
+  LinearQuantity linear = {};         ///< J f'' + B f' + K f + F
+  std::vector<Segment> inertia = {};  ///< J(x) over the shape's interval, beside `linear`; no sines
+  double coulomb = 0;                 ///< dry friction, >= 0
+  double gravity = 0;                 ///< of a lever: weight times its length
+  double turn = 0;                    ///< rad/u
+  double angle = 0;                   ///< rad, at f = 0; 0: hanging down
+};
+
+/// max |T|, at every place; where f' is about to change its sign, on both sides of it.
+struct TorqueOf {
+  LoadTorque load;
+};
+
+/// sqrt(integral of T^2 / length): what heats the motor.
+struct RmsTorqueOf {
+  LoadTorque load;
+};
+
+/// The integral over x of what is put in, T f' > 0, less the share of what comes back that is
+/// recovered: 0 a braking resistor, 1 a drive without losses.
+struct EnergyOf {
+  LoadTorque load;
+  double recovered = 0;  ///< 0...1
+};
+
 /// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
 /// torque of a drive at every millisecond. Sampled: only at the places of the list.
 struct ResponseOf {
@@ -62,7 +95,9 @@ struct ResponseOf {
   std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
 };
 
-using ShapeFigure = std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf>;
+/// PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex: docs/optimize/physics.md.
+using ShapeFigure =
+    std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf, TorqueOf, RmsTorqueOf, EnergyOf>;
 
 std::string name(const ShapeFigure& figure);
 

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/detail/spline_space.hpp"
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/error.hpp"
@@ -112,6 +113,9 @@ std::string name(const ShapeFigure& figure) {
       return "peak " + f.force.name + " * " + f.velocity.name;
     }
     std::string operator()(const ResponseOf& f) const { return f.name; }
+    std::string operator()(const TorqueOf& f) const { return "peak " + f.load.name; }
+    std::string operator()(const RmsTorqueOf& f) const { return "rms " + f.load.name; }
+    std::string operator()(const EnergyOf& f) const { return "energy of " + f.load.name; }
   };
   return std::visit(Name{}, figure);
 }
@@ -136,6 +140,10 @@ void require_valid(const ShapeProblem& p) {
     require(std::isfinite(weight) && weight > 0, item("minimize", i, "weight"), weight,
             "must be finite and > 0");
   }
+  for (std::size_t i = 0; i < p.minimize.size(); ++i)
+    optimizer::require_pointwise(item("minimize", i, "figure"), p.minimize[i].figure, p);
+  for (std::size_t i = 0; i < p.ceilings.size(); ++i)
+    optimizer::require_pointwise(item("ceilings", i, "figure"), p.ceilings[i].figure, p);
   for (std::size_t i = 0; i < p.corridors.size(); ++i) require_corridor(i, p.corridors[i], p);
   for (std::size_t i = 0; i < p.ceilings.size(); ++i) {
     require_figure(item("ceilings", i, "figure"), p.ceilings[i].figure, p.degree);

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/detail/quadrature.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -219,6 +220,18 @@ template <class Figure>
 constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
                         std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, ResidualOf>;
 
+/// A figure that is not convex: what it is worth, and where, but no planes.
+FigureRows value_alone(const ShapeFigure& figure, const SplineSpace& space) {
+  const double begin = space.knots().front();
+  const Pointwise p = pointwise(figure, begin).value();
+  FigureRows rows{.name = name(figure),
+                  .value = [p, begin](const auto& shape) { return value_of(p, shape, begin); }};
+  rows.places = [p, begin](const std::vector<Segment>& shape, double level) {
+    return places_of(p, shape, begin, level);
+  };
+  return rows;
+}
+
 }  // namespace
 
 bool has_rows(const ShapeFigure& figure) {
@@ -228,8 +241,10 @@ bool has_rows(const ShapeFigure& figure) {
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space) {
   return std::visit(
       [&]<class Figure>(const Figure& f) -> FigureRows {
-        if constexpr (convex<Figure>) return rows_of(f, space);
-        throw InputError("minimize", name(figure), "is no figure of a convex problem");
+        if constexpr (convex<Figure>)
+          return rows_of(f, space);
+        else
+          return value_alone(figure, space);
       },
       figure);
 }

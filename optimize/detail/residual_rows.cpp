@@ -9,7 +9,7 @@
 // What a mode keeps (profiles/vibration_band.hpp, residual_phasor) is linear in the shape: with the
 // coordinates z of spline_space.hpp, piece i of length h ending at e_i, the end of all at e, and the pole s,
 //
-//   (1)  R(z) = sum over i, j of z_ij S_j e^(s (e - e_i)) r_j(h),   r_j: of the single segment u^j / j!
+//   (1)  R(z) = sum over i, j of z_ij S_ij e^(s (e - e_i)) r_j(h),   r_j: of the single segment u^j / j!
 //   (2)  |R| is the highest of the planes Re(e^(-i t) R) over all directions t
 //
 // The worst of a band is the highest of the planes of all its modes: convex. To begin with a few modes
@@ -57,7 +57,7 @@ struct Phasors {
       const Complex decay = std::exp(s * (space.knots().back() - space.knots()[i + 1]));
       for (int j = 1; j <= space.degree(); ++j) {
         index.push_back(space.index(i, j));
-        factor.push_back(decay * space.unit(j) * of_piece[static_cast<std::size_t>(j)]);
+        factor.push_back(decay * space.unit(i, j) * of_piece[static_cast<std::size_t>(j)]);
       }
     }
   }
@@ -120,7 +120,7 @@ FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space) {
     }
     return planes;
   };
-  rows.natural = space.unit(0);
+  rows.natural = space.natural(derivative_of_shape(0));
   return rows;
 }
 

@@ -81,6 +81,17 @@ std::optional<std::pair<int, double>> pure(const LinearQuantity& q) {
   return std::pair{n, std::abs(q.by[static_cast<std::size_t>(n)])};
 }
 
+/// Of an inertia alone: force a f'', velocity b f'.
+std::optional<double> least_power(const Ends& from, const Ends& to, const PowerOf& power,
+                                  double length) {
+  const auto force = pure(power.force);
+  const auto velocity = pure(power.velocity);
+  if (!force || !velocity || force->first != 2 || velocity->first != 1) return {};
+  if (!all_given(from, 2) || !all_given(to, 2)) return {};
+  const Stretch stretch{length, *to[0] - *from[0], *from[1], *to[1], {}, {}};
+  return force->second * velocity->second * least_peak_power(stretch);
+}
+
 }  // namespace
 
 std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure& figure) {
@@ -90,6 +101,7 @@ std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure
   if (const auto* f = std::get_if<PeakOf>(&figure))
     if (const auto q = pure(f->quantity))
       if (const auto least = least_peak(from, to, q->first, length)) return q->second * *least;
+  if (const auto* f = std::get_if<PowerOf>(&figure)) return least_power(from, to, *f, length);
   if (const auto* f = std::get_if<RmsOf>(&figure))
     if (const auto q = pure(f->quantity))
       if (all_given(from, q->first) && all_given(to, q->first))
