@@ -50,6 +50,12 @@ Drive with_backlash() {
   return drive;
 }
 
+Drive sampled(double cycle) {
+  Drive drive = with_lag();
+  drive.controller.cycle = cycle;
+  return drive;
+}
+
 void drive_for_a_second(benchmark::State& state, const Trajectory& move, const Drive& drive) {
   DriveResult result;
   for (auto _ : state) {
@@ -72,6 +78,10 @@ BENCHMARK_CAPTURE(drive_for_a_second, four_mass_s_curve, s_curve_second(), four_
 BENCHMARK_CAPTURE(drive_for_a_second, friction_s_curve, s_curve_second(), rubbing())
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(drive_for_a_second, backlash_s_curve, s_curve_second(), with_backlash())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, sampled_1ms_s_curve, s_curve_second(), sampled(1e-3))
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drive_for_a_second, sampled_62us_s_curve, s_curve_second(), sampled(62.5e-6))
     ->Unit(benchmark::kMicrosecond);
 
 /// A thousand axes whose load is off by up to 10 %, on two threads.

@@ -144,6 +144,11 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
   require_valid(options, drive);
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");
+  for (const Interval& sync : options.sync)
+    if (!(sync.from >= reference.start() && sync.to <= reference.end()))
+      throw InputError("sync.to", sync.to,
+                       "must lie within the motion, from " + number(reference.start()) + " to " +
+                           number(reference.end()) + " s, as must from");
   DriveResult result = detail::run(reference, drive, options);
   result.report = report_of(result, drive, options, reference.end());
   return result;

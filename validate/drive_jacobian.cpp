@@ -96,7 +96,7 @@ void DriveModel::limited_row(std::size_t row, double share, const Jet& r, const 
 /// The same of T_d: (1) to (3).
 void DriveModel::commanded_row(std::size_t row, double share, double* dfdy) const {
   asked_row(row, share, dfdy);
-  if (delayed()) Dense{dfdy, size_}(row, delay_ + 1) -= 12 * share;
+  if (delayed_) Dense{dfdy, size_}(row, delay_ + 1) -= 12 * share;
 }
 
 /// The same of T_c.
@@ -123,7 +123,7 @@ void DriveModel::controller_jacobian(const Jet& r, const double* y, double* dfdy
     limited_row(integral(), share, r, y, dfdy);
     commanded_row(integral(), -share, dfdy);
   }
-  if (delayed()) {  // (3)
+  if (delayed_) {  // (3)
     at(delay_, delay_ + 1) = 1 / c.delay;
     asked_row(delay_ + 1, 1 / c.delay, dfdy);
     at(delay_ + 1, delay_ + 1) -= 6 / c.delay;

@@ -43,6 +43,20 @@
 #include <numbers>
 
 namespace jounce::detail {
+namespace {
+
+/// Loss of the gear before the body for a joint torque and a sign of motion: L of (10).
+double loss(double efficiency, int sign, double joint) {
+  return std::abs(joint) * (sign * joint > 0 ? 1 - efficiency : 1 / efficiency - 1);
+}
+
+/// F of (10) at a speed w >= 0.
+double dry(const Friction& f, double w) {
+  const double u = w / f.stribeck_velocity;
+  return f.coulomb + (f.stribeck_velocity > 0 ? (f.breakaway - f.coulomb) * std::exp(-u * u) : 0);
+}
+
+}  // namespace
 
 DriveModel::DriveModel(const Drive& drive)
     : drive_(drive),
@@ -81,7 +95,7 @@ double DriveModel::asked(const Jet& r, const double* y) const {
 
 double DriveModel::commanded(const Jet& r, const double* y) const {
   if (sampled()) return held_;
-  return asked(r, y) - (delayed() ? 12 * y[delay_ + 1] : 0);  // (3)
+  return asked(r, y) - (delayed_ ? 12 * y[delay_ + 1] : 0);  // (3)
 }
 
 double DriveModel::motor_speed(const Jet& r, const double* y) const {
@@ -118,7 +132,7 @@ void DriveModel::controller_rhs(const Jet& r, const double* y, double* dy) const
   const double e = velocity_error(r, y[0], y[1]);
   if (c.integral_time > 0)
     dy[integral()] = (c.velocity_gain * e + given - commanded(r, y)) / c.integral_time;  // (5)
-  if (!delayed()) return;
+  if (!delayed_) return;
   dy[delay_] = y[delay_ + 1] / c.delay;  // (3)
   dy[delay_ + 1] = (asked(r, y) - 6 * y[delay_ + 1] - 12 * y[delay_]) / c.delay;
 }
@@ -152,17 +166,6 @@ double DriveModel::net(std::size_t i, const Jet& r, const double* y) const {
   const double behind = i + 1 < train_.size() ? joint(i + 1, y) : 0;
   return before - behind - train_[i].viscous * (y[2 * i + 1] + radians_ * r[1]) -
          loads(i, y[2 * i] + radians_ * r[0]);  // (9)
-}
-
-/// Loss of the gear before the body for a joint torque and a sign of motion: L of (10).
-static double loss(double efficiency, int sign, double joint) {
-  return std::abs(joint) * (sign * joint > 0 ? 1 - efficiency : 1 / efficiency - 1);
-}
-
-/// F of (10) at a speed w >= 0.
-static double dry(const Friction& f, double w) {
-  const double u = w / f.stribeck_velocity;
-  return f.coulomb + (f.stribeck_velocity > 0 ? (f.breakaway - f.coulomb) * std::exp(-u * u) : 0);
 }
 
 double DriveModel::holding(std::size_t i, int sign, const double* y) const {
@@ -212,7 +215,7 @@ void DriveModel::rest_train(double reference, double* y) const {
   const Controller& c = drive_.controller;
   y[integral()] = c.integral_time > 0 ? torque : 0;
   y[0] = c.integral_time > 0 ? 0 : -torque / (c.velocity_gain * c.position_gain);
-  if (delayed()) y[delay_] = torque / 12;
+  if (delayed_) y[delay_] = torque / 12;
   if (lagging_) y[lag_] = torque;
   for (std::size_t i = 1; i < train_.size(); ++i) {
     torque -= loads(i - 1, y[2 * i - 2] + reference);
@@ -227,8 +230,7 @@ void DriveModel::rest(const Jet& r, double* y) {
   // Gravity depends on the twist that it causes: a few rounds, each better by the ratio of
   // gravity's stiffness to the shaft's.
   for (int round = 0; round < 20; ++round) rest_train(radians_ * r[0], y);
-  held_ = commanded(r, y);
-  if (sampled()) held_ = asked(r, y);
+  held_ = asked(r, y);
   mode_.torque = 0;
   for (std::size_t i = 1; i < train_.size(); ++i) {
     const double twist = y[2 * i - 2] - y[2 * i];

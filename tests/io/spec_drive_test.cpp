@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 std::string spec_with(const std::string& drive, const std::string& unit = "mm") {
   return "jounce = 1\nkind = \"move\"\nunits = { position = \"" + unit +
-         "\" }\n[move]\nto = 10\nvelocity = 10\nacceleration = 100\n[drive]\n" + drive;
+         "\" }\n[move]\nprofile = \"trapezoid\"\nto = 10\nvelocity = 10\nacceleration = 100\n[drive]\n" + drive;
 }
 
 DriveSpec drive_of(const std::string& drive) {
@@ -106,7 +106,7 @@ TEST(DriveSpec, SaysWhereTheFlatKeysWent) {
 TEST(DriveSpec, RefusesWithPlaceAndRule) {
   EXPECT_THAT(refused("position_per_rev = 10\n"), HasSubstr("drive.motor.inertia = 0"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = -1\n"),
-              HasSubstr("a.toml:12:11: drive.motor.inertia = -1: must be greater than 0"));
+              HasSubstr("a.toml:13:11: drive.motor.inertia = -1: must be greater than 0"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\n[[drive.mass]]\ninertia = 1\nbacklash = 1\n"),
               HasSubstr("drive.mass[2].backlash = 1: needs a stiffness"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = \"1 N m\"\n"), HasSubstr("kg m^2"));

@@ -395,6 +395,12 @@ TEST(Sync, LooksAtItsIntervalsOnly) {
   EXPECT_LT(std::abs(run.sync_following_error.value), std::abs(run.following_error.value));
 }
 
+TEST(Sync, MustLieWithinTheMotion) {
+  EXPECT_THROW(
+      static_cast<void>(drive_through(test::s_curve_move(), servo_400w(), {.sync = {{0.2, 5}}})),
+      InputError);
+}
+
 TEST(Numbers, AreEachThereOnceAndCanBeWritten) {
   Drive drive = servo_400w();
   drive.pendulum = Pendulum{1, 0, 0.5};

@@ -78,7 +78,6 @@ class DriveModel {
   [[nodiscard]] double asked(const Jet& r, double velocity_error, double integral) const;
 
  private:
-  [[nodiscard]] bool delayed() const { return delayed_; }
   [[nodiscard]] double asked(const Jet& r, const double* y) const;
   [[nodiscard]] double limited(const Jet& r, const double* y) const;
   [[nodiscard]] double loads(std::size_t i, double angle) const;
