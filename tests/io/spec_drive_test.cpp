@@ -14,7 +14,9 @@ using testing::HasSubstr;
 
 std::string spec_with(const std::string& drive, const std::string& unit = "mm") {
   return "jounce = 1\nkind = \"move\"\nunits = { position = \"" + unit +
-         "\" }\n[move]\nprofile = \"trapezoid\"\nto = 10\nvelocity = 10\nacceleration = 100\n[drive]\n" + drive;
+         "\" }\n[move]\nprofile = \"trapezoid\"\nto = 10\nvelocity = 10\nacceleration = "
+         "100\n[drive]\n" +
+         drive;
 }
 
 DriveSpec drive_of(const std::string& drive) {
