@@ -36,25 +36,51 @@ double saturation_time(const DriveResult& run) {
   return sum;
 }
 
-/// What a run of the drive is judged by. "u": the unit of the position.
+bool always(const DriveSpec&) {
+  return true;
+}
+
+bool has_current(const DriveSpec& spec) {
+  return spec.drive.motor.torque_constant > 0;
+}
+
+/// What a run of the drive is judged by, where the spec has what it is made of. "u": the unit of the
+/// position.
 struct DriveFigure {
   const char* name;
   const char* unit;
   double (*of)(const DriveResult& run);
   std::optional<double> DriveLimits::*limit = nullptr;
+  bool (*has)(const DriveSpec& spec) = always;
 };
 constexpr std::array drive_figures{
     DriveFigure{"peak torque", "N m", [](const auto& run) { return run.torque.value; },
                 &DriveLimits::torque},
     DriveFigure{"rms torque", "N m", [](const auto& run) { return run.rms_torque; },
                 &DriveLimits::rms_torque},
+    DriveFigure{"peak current", "A", [](const auto& run) { return run.current.value; },
+                &DriveLimits::current, has_current},
+    DriveFigure{"rms current", "A", [](const auto& run) { return run.rms_current; }, nullptr,
+                has_current},
+    DriveFigure{"motor velocity", "rad/s", [](const auto& run) { return run.velocity.value; },
+                &DriveLimits::velocity},
     DriveFigure{"following error", "u", [](const auto& run) { return run.following_error.value; },
                 &DriveLimits::following_error},
-    DriveFigure{"end following error", "u",
-                [](const auto& run) { return run.end_following_error; }},
+    DriveFigure{"end following error", "u", [](const auto& run) { return run.end_following_error; },
+                &DriveLimits::end_following_error},
     DriveFigure{"residual", "u", [](const auto& run) { return run.residual.value; },
                 &DriveLimits::residual},
     DriveFigure{"residual frequency", "Hz", [](const auto& run) { return run.residual_frequency; }},
+    DriveFigure{"settling time", "s",
+                [](const auto& run) {
+                  return run.settling_time.value_or(std::numeric_limits<double>::infinity());
+                },
+                &DriveLimits::settling_time,
+                [](const auto& spec) { return spec.limits.settling_band.has_value(); }},
+    DriveFigure{"swing", "u", [](const auto& run) { return run.swing.value; }, nullptr,
+                [](const auto& spec) { return spec.drive.pendulum.has_value(); }},
+    DriveFigure{"i2t", "", [](const auto& run) { return run.i2t.value; }, nullptr,
+                [](const auto& spec) { return spec.drive.motor.thermal_time > 0; }},
     DriveFigure{"saturation time", "s", saturation_time},
 };
 
@@ -167,6 +193,7 @@ class Offers {
     Looked& looked = looked_;
     const std::string& u = input_.labels.units.position;
     for (const DriveFigure& f : drive_figures) {
+      if (!f.has(*input_.drive)) continue;
       add(
           f.name, f.unit == std::string("u") ? u : f.unit,
           [&looked, &f] { return std::abs(f.of(looked.drive())); }, true);
