@@ -78,7 +78,7 @@ class Drawing {
           near(of(rows(Verdict::broken), x, y, "beyond a limit", Style::dots), along, across);
       along.add(broken.x);
       panel.series.push_back(along.margins(best));
-      for (Series* each : {&best, &within, &broken})
+      for (Series* each : {&best, &broken, &within})
         if (!each->x.empty()) panel.series.push_back(std::move(*each));
       panel.upper = limit;
       panel.markers.push_back({.x = spec_.given[x].value,
