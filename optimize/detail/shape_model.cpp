@@ -80,6 +80,12 @@ std::vector<bool> fixed_by(const SplineSpace& space, const std::vector<Form>& eq
   return fixed;
 }
 
+/// One mode that may keep next to nothing: it keeps nothing, for planes so close together leave no inside.
+bool is_silence(const Ceiling& c, double natural) {
+  const auto* f = std::get_if<ResidualOf>(&c.figure);
+  return f && f->low == f->high && f->damping_low == f->damping_high && c.at_most <= 1e-6 * natural;
+}
+
 }  // namespace
 
 ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
@@ -102,7 +108,10 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
   fixed = fixed_by(space, equalities);
   for (const jounce::Ceiling& c : problem.ceilings) {
     FigureRows rows = figure_rows(c.figure, space);
-    if (rows.by_squares())
+    if (is_silence(c, rows.natural)) {  // real and imaginary part
+      equalities.push_back(of_size_one(rows.start[0]));
+      equalities.push_back(of_size_one(rows.start[2]));
+    } else if (rows.by_squares())
       round.push_back({std::move(rows), c.at_most});
     else
       walls.push_back(wall_of(std::move(rows), c.at_most));

@@ -42,9 +42,10 @@ double dense_mean(const std::vector<Segment>& shape, const G& g) {
   double sum = 0;
   double x = 0;
   for (const Segment& f : shape) {
-    for (int k = 0; k < 400; ++k) {
-      const double s = (k + 0.5) / 400;
-      sum += g(x + s * f.length, evaluate(f, s)) * f.length / 400;
+    constexpr int samples = 4000;
+    for (int k = 0; k < samples; ++k) {
+      const double s = (k + 0.5) / samples;
+      sum += g(x + s * f.length, evaluate(f, s)) * f.length / samples;
     }
     x += f.length;
   }
@@ -225,23 +226,21 @@ TEST(Residual, ABandIsKeptQuietWithLessAccelerationThanAShapedLaw) {
   ASSERT_NEAR(yardstick.end(), 1, 1e-12);
   const double peak = std::abs(extrema(yardstick, 2).peak().value);
 
-  ShapeProblem p = rest_to_rest(40, 4);
+  ShapeProblem p = rest_to_rest(24, 4);
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
   p.ceilings = {{ResidualOf{band.low, band.high, band.damping_low, band.damping_high}, 0.01}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
   EXPECT_LT(best.figures[0].reached, peak);
   EXPECT_LE(worst_residual(Trajectory(best.segments), band).residual, 0.01 * (1 + 1e-6) + 1e-6);
-  RecordProperty("peak", std::to_string(best.figures[0].reached) + " of " + std::to_string(peak));
-  std::printf("peak %.4f, shaped law %.4f (leaves %.4f): %s\n", best.figures[0].reached, peak,
-              worst_residual(yardstick, band).residual, best.reason.c_str());
+  EXPECT_LT(best.figures[0].reached, 0.7 * peak) << "4.9 instead of 7.55";
 }
 
 TEST(Residual, OfOneModeGoesToNothing) {
   ShapeProblem p = rest_to_rest(30);
   const Mode mode{12 / (2 * pi), 0};
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
-  p.ceilings = {{ResidualOf{mode.frequency, mode.frequency, 0, 0}, 1e-10}};
+  p.ceilings = {{ResidualOf{mode.frequency, mode.frequency, 0, 0}, 1e-9}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
   EXPECT_LT(residual_vibration(Trajectory(best.segments), mode), 1e-9);
