@@ -13,9 +13,9 @@
 #include "jounce/optimize/detail/shape_report.hpp"
 
 // One round: SLSQP on the rows there are, the signs of the velocity held; then the exact extrema of the
-// shape it found, where they exceed a row's level, become rows, and the signs are taken anew. Converged is a
-// round that adds no row, turns no sign and gains nothing. What counts is always the exact value of the
-// shape, never what the rows promise.
+// shape it found, where they exceed a row's level, become rows, and the signs are taken anew. Converged are
+// eight rounds that gain nothing and turn no sign, or one that adds no row either. What counts is always the
+// exact value of the shape, never what the rows promise.
 
 namespace jounce::optimizer {
 namespace {
@@ -95,7 +95,7 @@ std::vector<Part> parts_of(const ShapeProblem& p, const std::vector<Segment>& gi
   return parts;
 }
 
-/// Gauss's nodes and weights, degree + 1 places: those of squares() for a constant.
+/// Gauss's nodes and weights over a piece: the mean that a search sees; the result is judged by value_of().
 struct Place {
   double s, weight;
 };

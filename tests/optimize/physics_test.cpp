@@ -1,14 +1,18 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "jounce/cam/law.hpp"
 #include "jounce/optimize/bound.hpp"
+#include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/shaper.hpp"
 #include "jounce/profiles/vibration_band.hpp"
+
+#include "support/random.hpp"
 
 namespace jounce {
 namespace {
@@ -119,6 +123,35 @@ TEST(LoadTorque, IsWhatItsEquationSays) {
     return power > 0 ? power : 0.3 * power;
   });
   EXPECT_NEAR(o.figures[2].given, energy, 1e-4);
+}
+
+TEST(LoadTorque, HasExactGradients) {
+  testing::Random random(3);
+  const std::vector<ShapeFigure> figures{PowerOf{derivative_of_shape(2), derivative_of_shape(1)},
+                                         TorqueOf{lever()}, RmsTorqueOf{lever()},
+                                         EnergyOf{lever(), 0.4}};
+  for (const ShapeFigure& figure : figures) {
+    const optimizer::Pointwise p = optimizer::pointwise(figure, 0).value();
+    for (int n = 0; n < 50; ++n) {
+      std::vector<double> q(p.of.size());
+      for (double& each : q) each = random.uniform(-3, 3);
+      const double x = random.uniform(0, 1);
+      const double sign = random.below(2) == 0 ? 1 : -1;
+      std::vector<double> slope(q.size());
+      std::vector<double> ignored(q.size());
+      (void)p.g(x, sign, q, slope);
+      for (std::size_t k = 0; k < q.size(); ++k) {
+        constexpr double h = 1e-5;
+        const double at = std::exchange(q[k], q[k] + h);
+        const double above = p.g(x, sign, q, ignored);
+        q[k] = at - h;
+        const double below = p.g(x, sign, q, ignored);
+        q[k] = at;
+        EXPECT_NEAR(slope[k], (above - below) / (2 * h), 2e-8 * (1 + std::abs(slope[k])))
+            << name(figure) << ", case " << n << ", quantity " << k;
+      }
+    }
+  }
 }
 
 TEST(LoadTorque, RmsFallsAndKeepsItsLimits) {
