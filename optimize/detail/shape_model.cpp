@@ -109,8 +109,8 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
   for (const jounce::Ceiling& c : problem.ceilings) {
     FigureRows rows = figure_rows(c.figure, space);
     if (is_silence(c, rows.natural)) {  // real and imaginary part
-      equalities.push_back(of_size_one(rows.start[0]));
-      equalities.push_back(of_size_one(rows.start[2]));
+      equalities.push_back(rows.start[0]);
+      equalities.push_back(rows.start[2]);
     } else if (rows.by_squares())
       round.push_back({std::move(rows), c.at_most});
     else
