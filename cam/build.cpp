@@ -112,6 +112,7 @@ std::vector<Segment> by_law(const Placed& at) {
                     b.geo_acceleration.value_or(0))};
   if (law == Law::line || law == Law::dwell) return {line(at.length(), a.slave, b.slave)};
   if (law == Law::polynomial) return through_points(at);
+  if (law == Law::hermite) return through_hermite_points(at);
   if (is_spline(law)) return splined(at);
   std::vector<Segment> segments;
   for (const LawPiece& piece : shapes(at)) segments.push_back(combined(piece, at));

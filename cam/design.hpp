@@ -19,7 +19,9 @@ struct CamKnot {
   std::optional<double> geo_acceleration = {};
 };
 
-/// What a law through points is to meet inside its segment. Splines take positions alone.
+/// What a law through points is to meet inside its segment. Splines take positions alone; hermite
+/// takes slave, geo_velocity and geo_acceleration at each, and geo_jerk at all or none. A point of it at
+/// an end of the segment has the derivatives that the knot leaves out, and its geo_jerk.
 struct CamPoint {
   double master = 0;
   std::optional<double> slave = {};
@@ -35,7 +37,8 @@ struct CamSegment {
   CamKnot end;
   std::string name = {};  ///< for reports; may be empty
   LawForm form = {};
-  std::vector<CamPoint> points = {};  ///< of polynomial, cubic_spline, quintic_spline; ascending
+  /// Of polynomial, cubic_spline, quintic_spline, hermite; ascending.
+  std::vector<CamPoint> points = {};
 };
 
 /// A cam as an engineer writes it down: a start and a list of segments.

@@ -249,6 +249,7 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
     case Law::polynomial:
     case Law::cubic_spline:
     case Law::quintic_spline:
+    case Law::hermite:
       break;
   }
   assert(false && "a law through points has no shape of its own");

@@ -21,6 +21,7 @@ enum class Law {
   polynomial,      ///< through points and derivatives inside the segment, too: up to degree 11
   cubic_spline,    ///< cubic pieces through points
   quintic_spline,  ///< quintic pieces through points, least rms jerk
+  hermite,         ///< polynomial pieces through points with their derivatives
   cubic,           ///< 2-3 polynomial
   poly345,         ///< 3-4-5 polynomial
   poly4567,        ///< 4-5-6-7 polynomial
@@ -100,7 +101,7 @@ struct LawPiece {
   Segment bend_out;
 };
 
-/// The law as pieces. For all laws but polynomial and the splines, whose shape is not their own;
+/// The law as pieces. For all laws but polynomial, hermite and the splines, whose shape is not their own;
 /// dwell is a line without stroke. R-U laws run from rest to the reversal. Throws InputError for a
 /// form that the law does not take, or a value out of range.
 std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
@@ -108,7 +109,7 @@ std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 /// The rise alone, from 0 to 1: segments whose lengths sum to 1.
 std::vector<Segment> normalised(Law law, const LawForm& form = {});
 
-/// Whether pieces() knows the law. The others are polynomial and the splines.
+/// Whether pieces() knows the law. The others go through points: polynomial, hermite, the splines.
 bool has_own_shape(Law law);
 bool is_spline(Law law);
 

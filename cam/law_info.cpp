@@ -35,6 +35,11 @@ constexpr std::array laws{
             "measured or taught `points`, with a tolerance where they are noisy",
             "least rms jerk of all curves through the points; jerk and jounce continuous",
             "a far point bends its neighbourhood"},
+    LawInfo{Law::hermite, "hermite", "Piecewise polynomial", Ends::given, false,
+            "`points` with geo_velocity and geo_acceleration, as XYVA tables hold them and "
+            "`jounce optimize` writes them: quintic pieces, of degree 7 with a geo_jerk, too",
+            "any shape at all, exactly; each point changes its neighbourhood alone",
+            "as smooth as its numbers are: the jerk may step at every point"},
     LawInfo{Law::cubic, "cubic", "2-3 polynomial", Ends::moving_free, false,
             "where only rms acceleration (motor heat) counts: no law has less",
             "lowest rms acceleration and low peak velocity", "acceleration jumps at both ends"},
@@ -133,7 +138,7 @@ bool is_spline(Law law) {
 }
 
 bool has_own_shape(Law law) {
-  return law != Law::polynomial && !is_spline(law);
+  return law != Law::polynomial && law != Law::hermite && !is_spline(law);
 }
 
 }  // namespace jounce

@@ -32,7 +32,7 @@ class Resolver {
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_form_and_points(i);
     share_seam();
     for (std::size_t i = 0; i < spec_.segments.size(); ++i)
-      if (is_spline(law(i))) take_open_ends(i);
+      if (is_spline(law(i)) || law(i) == Law::hermite) take_open_ends(i);
     share_seam();
     for (CamKnot& knot : knots_) knot.geo_velocity = knot.geo_velocity.value_or(0);
     std::vector<Placed> placed;
@@ -137,8 +137,8 @@ void Resolver::require_form_and_points(std::size_t i) const {
   if (has_own_shape(segment.law) && !segment.points.empty())
     throw InputError(key, static_cast<double>(segment.points.size()),
                      std::string("the law `") + name(segment.law) +
-                         "` does not go through points; polynomial, cubic_spline and "
-                         "quintic_spline do");
+                         "` does not go through points; polynomial, cubic_spline, "
+                         "quintic_spline and hermite do");
   for (std::size_t p = 0; p < segment.points.size(); ++p) {
     const double master = segment.points[p].master;
     const std::string point = key + "[" + std::to_string(p + 1) + "].master";
@@ -259,7 +259,8 @@ void Resolver::take_own(std::size_t knot, double own, std::size_t segment, doubl
     knots_[knot].geo_acceleration = own;
 }
 
-/// A spline is natural where nothing is given: what it has there is then true of its neighbour.
+/// A spline is natural where nothing is given, a hermite law has its own points at its ends: what it
+/// has there is then true of its neighbour.
 void Resolver::take_open_ends(std::size_t i) {
   const bool alone = spec_.periodic && spec_.segments.size() == 1;
   const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});

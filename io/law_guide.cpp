@@ -84,6 +84,7 @@ so a law is chosen by what limits the machine:
 | no dwell beside it | `simple_sine` there and back; `harmonic_combination` from a dwell to a reversal |
 | given velocities at the ends | `quintic`; any law whose ends are "R, G" takes velocities, too |
 | measured points | `quintic_spline` with a `tolerance` |
+| a shape of one's own, or the best there is | `hermite`, by `jounce optimize`: see [optimising cams](optimize/cams.md) |
 
 Ends are told by the letters of VDI 2143: R rest, G constant velocity, U reversal (acceleration without velocity), B both. They are never written into a
 spec: they follow from the knots. What the knots leave out follows from the laws beside them, or from `boundaries`.

@@ -25,6 +25,9 @@ std::vector<Placed> resolve(const CamSpec& spec);
 /// The finished segments of one. What goes wrong is named by the segment: InputError.
 std::vector<Segment> built(const Placed& segment);
 
+/// built() for the law hermite.
+std::vector<Segment> through_hermite_points(const Placed& segment);
+
 /// The shapes that built() adds up, for a law of its own shape.
 std::vector<LawPiece> shapes(const Placed& segment);
 

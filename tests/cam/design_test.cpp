@@ -278,7 +278,7 @@ TEST(Design, NamesWhatContradictsItself) {
   EXPECT_EQ(
       complaint(spec),
       "segment[1].points = 1: the law `modified_sine` does not go through points; polynomial, "
-      "cubic_spline and quintic_spline do");
+      "cubic_spline, quintic_spline and hermite do");
 
   spec.segments = {{Law::quintic, {100, std::nan(""), {}, {}}, ""}};
   EXPECT_EQ(complaint(spec), "segment[1].end.slave = nan: must be a finite number");

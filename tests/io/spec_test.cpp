@@ -158,7 +158,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "\"quintic\"", "\"modified_sin\"",
             "a.toml:6:7: segment[1].law = \"modified_sin\": did you mean \"modified_sine\"? It "
             "must be one of line, dwell, quintic, septic, nonic, polynomial, cubic_spline, "
-            "quintic_spline, cubic, 345, 4567, 56789, parabola, simple_sine, inclined_sine, "
+            "quintic_spline, hermite, cubic, 345, 4567, 56789, parabola, simple_sine, "
+            "inclined_sine, "
             "modified_sine, modified_trapezoid, modified_constant_velocity, scca, gutman_13, "
             "freudenstein_13, freudenstein_135, minimum_peak_jerk, sine_straight, "
             "harmonic_combination, modified_trapezoid_ru, double_harmonic, eighth_degree"},
