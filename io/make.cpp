@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/cam/polydyne.hpp"
+#include "jounce/io/detail/cam_of.hpp"
 #include "jounce/io/detail/motion.hpp"
 #include "jounce/io/table_target.hpp"
 #include "jounce/io/units.hpp"
@@ -14,7 +15,23 @@
 #include "jounce/pvt/warnings.hpp"
 
 namespace jounce {
+
+CamSpec detail::cam_of(const Spec& spec) {
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  switch (spec.boundaries) {
+    case Boundaries::minimum_jerk:
+      return filled(cam, Fill::minimum_jerk);
+    case Boundaries::minimum_peak_acceleration:
+      return filled_for_least_peak(cam).cam;
+    case Boundaries::rest:
+      break;
+  }
+  return cam;
+}
+
 namespace {
+
+using detail::cam_of;
 
 /// A quintic needs one acceleration at each knot: where it steps, there are two.
 template <class Over>
@@ -56,20 +73,6 @@ Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
 
 std::string numbered(std::size_t i, const std::string& name) {
   return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
-}
-
-/// The cam with what its knots leave out chosen as the spec says.
-CamSpec cam_of(const Spec& spec) {
-  const auto& cam = std::get<CamSpec>(spec.subject);
-  switch (spec.boundaries) {
-    case Boundaries::minimum_jerk:
-      return filled(cam, Fill::minimum_jerk);
-    case Boundaries::minimum_peak_acceleration:
-      return filled_for_least_peak(cam).cam;
-    case Boundaries::rest:
-      break;
-  }
-  return cam;
 }
 
 /// The mode of [polydyne] in cycles per unit of the master.

@@ -51,4 +51,7 @@ double seconds_per_unit(const Spec& spec);
 /// well posed.
 CamProblem make_problem(const Spec& spec);
 
+/// The same of one that leaves shapes open: spec.optimize.shape.
+CamShapeProblem make_shape_problem(const Spec& spec);
+
 }  // namespace jounce

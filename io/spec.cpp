@@ -76,7 +76,8 @@ void read_beside_cam(TomlReader& top, Spec& spec) {
 
 void read_cam(TomlReader& top, Spec& spec) {
   spec.subject = detail::read_cam(top, spec.units, spec);
-  detail::read_optimize(top, spec.optimize);
+  spec.master = read_master(top, spec);
+  detail::read_optimize(top, spec);
   spec.disc = detail::read_disc(top, spec.units);
   spec.polydyne = detail::read_polydyne(top);
 }

@@ -13,6 +13,7 @@
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/io/motion_spec.hpp"
+#include "jounce/io/shape_spec.hpp"
 #include "jounce/io/sync_spec.hpp"
 #include "jounce/io/time_table.hpp"
 #include "jounce/optimize/problem.hpp"
@@ -55,6 +56,7 @@ struct OptimizeSpec {
   std::optional<std::size_t> seed;
   std::optional<std::size_t> starts;
   std::optional<double> tolerance;
+  ShapeSpec shape = {};  ///< where segments are free in shape; then `minimize` above is not used
 };
 
 /// The servo axis that the table is proven against: [drive] and [drive.limits].

@@ -22,8 +22,12 @@ void read_free(TomlReader& owner, std::size_t knot, const Units& units, Optimize
   f.slave = read_bound(*free, "slave", units.position);
   f.geo_velocity = read_bound(*free, "geo_velocity", rate_unit(units.position, units.x, 1));
   f.geo_acceleration = read_bound(*free, "geo_acceleration", rate_unit(units.position, units.x, 2));
+  if (knot > 0) read_free_shape(*free, knot - 1, optimize.shape);
   free->finish();
-  optimize.free.push_back(f);
+  const bool nothing = !f.master && !f.slave && !f.geo_velocity && !f.geo_acceleration;
+  const bool shape =
+      !optimize.shape.shapes.empty() && optimize.shape.shapes.back().segment + 1 == knot;
+  if (!(nothing && shape)) optimize.free.push_back(f);
 }
 
 CamKnot read_knot(TomlReader& knot, const Units& units) {
@@ -102,24 +106,40 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
   return cam;
 }
 
-void read_optimize(TomlReader& top, OptimizeSpec& optimize) {
-  auto table = top.optional_table("optimize");
-  if (!table) return;
+namespace {
+
+void read_knot_optimize(TomlReader& table, OptimizeSpec& optimize) {
   std::vector<Objective> minimize;
-  for (const auto& text : table->texts("minimize")) {
+  for (const auto& text : table.texts("minimize")) {
     const auto objective = objective_named(text);
     if (!objective)
-      table->fail(
+      table.fail(
           "minimize", '"' + text + '"',
-          "must be among \"peak geo_acceleration\", \"peak geo_jerk\", \"rms geo_acceleration\"");
+          "must be among \"peak geo_acceleration\", \"peak geo_jerk\", \"rms geo_acceleration\"; "
+          "other figures are of free shapes: free = { shape = 100 } of a segment");
     minimize.push_back(*objective);
   }
   if (!minimize.empty()) optimize.minimize = std::move(minimize);
-  optimize.seed = table->optional_count("seed");
-  optimize.starts = table->optional_count("starts");
+  optimize.seed = table.optional_count("seed");
+  optimize.starts = table.optional_count("starts");
   if (optimize.starts.value_or(1) > 10'000)
-    table->fail("starts", std::to_string(*optimize.starts), "must be at most 10000");
-  optimize.tolerance = table->optional_number("tolerance", "1");
+    table.fail("starts", std::to_string(*optimize.starts), "must be at most 10000");
+  optimize.tolerance = table.optional_number("tolerance", "1");
+}
+
+}  // namespace
+
+void read_optimize(TomlReader& top, Spec& spec) {
+  spec.optimize.shape.load = read_load(top, spec.units);
+  auto table = top.optional_table("optimize");
+  const bool shapes = !spec.optimize.shape.shapes.empty();
+  if (shapes && !table)
+    top.fail("optimize", "", "is missing: say what is wanted of the free shapes, by `minimize`");
+  if (!table) return;
+  if (shapes)
+    read_shape_optimize(*table, spec);
+  else
+    read_knot_optimize(*table, spec.optimize);
   table->finish();
 }
 

@@ -1,83 +1,110 @@
 #include "jounce/io/spec_edit.hpp"
 
-#include <algorithm>
 #include <cassert>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "jounce/io/detail/text_edit.hpp"
+#include "jounce/io/detail/toml_editor.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-using detail::Edit;
-using detail::offset;
+using detail::TomlEditor;
 
-/// `key = value` as a further entry of a knot's table: before the brace of an inline one, otherwise
-/// on a line below the master's.
-Edit insertion(const std::string& text, const toml::table& table, const char* key, double value) {
-  const std::string entry = std::string(key) + " = " + number(value);
-  if (table.is_inline()) {
-    const std::size_t brace = text.rfind('}', offset(text, table.source().end) - 1);
-    const std::size_t last = text.find_last_not_of(" \t", brace - 1) + 1;
-    return {last, last, ", " + entry};  // never the first: master and slave stand before
-  }
-  // Beside the master's own entry, whose line has the indent and, with dotted keys, the prefix.
-  const std::size_t at = offset(text, table.get("master")->source().begin);
-  const std::size_t master = text.rfind("master", at);
-  const std::size_t before = text.find_last_of("{,\n", master);
-  const std::size_t begin = text.find_first_not_of(" \t", before + 1);
-  const std::string prefixed = text.substr(begin, master - begin) + entry;
-  if (text[before] != '\n') return {begin, begin, prefixed + ", "};
-  const std::size_t end = std::min(text.find('\n', at), text.size());
-  return {end, end, text.substr(before, begin - before) + prefixed};
+/// A number of a knot. What is missing is added, if it may be, below the master.
+void set(TomlEditor& editor, const toml::table& table, const char* key, double before, double after,
+         bool may_add) {
+  if (before == after) return;
+  if (table.get(key) != nullptr)
+    editor.replace(table, key, number(after));
+  else if (may_add)
+    editor.add(table, "master", key, number(after));
 }
 
-class Editor {
- public:
-  explicit Editor(const std::string& text) : text_(text) {}
+void set(TomlEditor& editor, const toml::table& table, const CamKnot& before,
+         const CamKnot& after) {
+  set(editor, table, "master", before.master, after.master, false);
+  set(editor, table, "slave", before.slave, after.slave, false);
+  set(editor, table, "geo_velocity", *before.geo_velocity, *after.geo_velocity, true);
+  set(editor, table, "geo_acceleration", *before.geo_acceleration, *after.geo_acceleration, true);
+}
 
-  void set(const toml::table& table, const char* key, double before, double after, bool may_add) {
-    const toml::node* node = table.get(key);
-    if (before == after || (node == nullptr && !may_add)) return;
-    if (node == nullptr)
-      edits_.push_back(insertion(text_, table, key, after));
-    else
-      edits_.push_back(
-          {offset(text_, node->source().begin), offset(text_, node->source().end), number(after)});
+std::string line_of(const CamPoint& point) {
+  std::string line = "  { master = " + number(point.master);
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    if (value) line += std::string(", ") + key + " = " + number(*value);
+  };
+  add("slave", point.slave);
+  add("geo_velocity", point.geo_velocity);
+  add("geo_acceleration", point.geo_acceleration);
+  add("geo_jerk", point.geo_jerk);
+  return line + " },\n";
+}
+
+std::string list_of(const std::vector<CamPoint>& points) {
+  std::string list = fmt::format("[  # {} points, by `jounce optimize`\n", points.size());
+  for (const CamPoint& point : points) list += line_of(point);
+  return list + "]";
+}
+
+void set_law(TomlEditor& editor, const toml::table& segment, const CamSegment& after) {
+  editor.replace(segment, "law", std::string("\"") + name(after.law) + "\"");
+  for (const char* key : {"inflection", "straight", "shares"}) editor.erase(segment, key);
+  const toml::node* points = segment.get("points");
+  const bool tables = points != nullptr && points->is_array_of_tables() &&
+                      !points->as_array()->front().as_table()->is_inline();
+  if (points != nullptr && !tables) {
+    editor.replace(segment, "points", list_of(after.points));
+    return;
   }
+  if (tables) editor.erase(segment, "points");
+  editor.add(segment, "law", "points", list_of(after.points));
+}
 
-  void set(const toml::table& table, const CamKnot& before, const CamKnot& after) {
-    set(table, "master", before.master, after.master, false);
-    set(table, "slave", before.slave, after.slave, false);
-    set(table, "geo_velocity", *before.geo_velocity, *after.geo_velocity, true);
-    set(table, "geo_acceleration", *before.geo_acceleration, *after.geo_acceleration, true);
-  }
+/// What stands in the text and has changed: nothing is added.
+void set_given(TomlEditor& editor, const toml::table& table, const CamKnot& before,
+               const CamKnot& after) {
+  set(editor, table, "slave", before.slave, after.slave, false);
+  if (after.geo_velocity)
+    set(editor, table, "geo_velocity", before.geo_velocity.value_or(0), *after.geo_velocity, false);
+  if (after.geo_acceleration)
+    set(editor, table, "geo_acceleration", before.geo_acceleration.value_or(0),
+        *after.geo_acceleration, false);
+}
 
-  std::string result() { return detail::edited(text_, std::move(edits_)); }
-
- private:
-  const std::string& text_;
-  std::vector<Edit> edits_;
-};
+toml::table parsed(const Spec& spec) {
+  return toml::parse(std::string_view(spec.document.text), std::string_view(spec.document.name));
+}
 
 }  // namespace
 
 std::string with_knots(const Spec& spec, const CamSpec& cam) {
-  const std::string& text = spec.document.text;
-  const toml::table root =
-      toml::parse(std::string_view(text), std::string_view(spec.document.name));
+  const toml::table root = parsed(spec);
   const auto before = resolved_knots(std::get<CamSpec>(spec.subject));
   const auto after = resolved_knots(cam);
   assert(before.size() == after.size());
-  Editor editor(text);
-  editor.set(*root.get("start")->as_table(), before[0], after[0]);
+  TomlEditor editor(spec.document.text);
+  set(editor, *root.get("start")->as_table(), before[0], after[0]);
   for (std::size_t i = 1; i < after.size(); ++i)
-    editor.set(*root["segment"][i - 1]["end"].as_table(), before[i], after[i]);
+    set(editor, *root["segment"][i - 1]["end"].as_table(), before[i], after[i]);
+  return editor.result();
+}
+
+std::string with_shapes(const Spec& spec, const CamSpec& cam) {
+  const toml::table root = parsed(spec);
+  const auto& before = std::get<CamSpec>(spec.subject);
+  TomlEditor editor(spec.document.text);
+  set_given(editor, *root.get("start")->as_table(), before.start, cam.start);
+  for (const FreeShape& shape : spec.optimize.shape.shapes)
+    set_law(editor, *root["segment"][shape.segment].as_table(), cam.segments[shape.segment]);
+  for (std::size_t i = 0; i < cam.segments.size(); ++i)
+    set_given(editor, *root["segment"][i]["end"].as_table(), before.segments[i].end,
+              cam.segments[i].end);
   return editor.result();
 }
 

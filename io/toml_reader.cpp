@@ -211,6 +211,20 @@ std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* k
                    read_number(*array->get(1), path(key), unit)};
 }
 
+std::optional<std::pair<double, double>> TomlReader::optional_range(const char* key,
+                                                                    const std::string& unit) {
+  const toml::node* node = find(key);
+  if (node == nullptr || node->is_array()) return optional_pair(key, unit);
+  const double value = read_number(*node, path(key), unit);
+  return std::pair{value, value};
+}
+
+bool TomlReader::holds_tables(const char* key) {
+  const toml::node* node = find(key);
+  const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  return array != nullptr && !array->empty() && array->front().is_table();
+}
+
 std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};

@@ -28,8 +28,14 @@ Indexer read_indexer(TomlReader indexer, const Units& units);
 std::optional<Law> read_law(TomlReader& owner, const char* key);
 LawForm read_form(TomlReader& owner);
 
-/// [optimize].
-void read_optimize(TomlReader& top, OptimizeSpec& optimize);
+/// [optimize], with [load] where shapes are free.
+void read_optimize(TomlReader& top, Spec& spec);
+
+/// [load], where there is one; `free = { shape = ... }` of a segment; the keys of [optimize] that are
+/// about shapes.
+std::optional<LoadSpec> read_load(TomlReader& top, const Units& units);
+void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape);
+void read_shape_optimize(TomlReader& optimize, Spec& spec);
 
 /// [disc] with [disc.limits], where there is one.
 std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);

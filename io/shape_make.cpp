@@ -1,0 +1,100 @@
+#include <limits>
+
+#include "jounce/io/detail/cam_of.hpp"
+#include "jounce/io/make.hpp"
+
+// A spec with free shapes -> the problem: what its knots leave out, and its limits over time.
+
+namespace jounce {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool is_free(const ShapeSpec& shape, std::size_t segment) {
+  for (const FreeShape& free : shape.shapes)
+    if (free.segment == segment) return true;
+  return false;
+}
+
+/// A knot that two free shapes share has its slave given; a derivative that it leaves out is theirs to
+/// choose. Start and last knot of a periodic cam are one.
+void free_what_is_left_out(const CamSpec& cam, const ShapeSpec& shape,
+                           std::vector<FreeKnot>& knots) {
+  const std::size_t last = cam.segments.size();
+  for (std::size_t k = cam.periodic ? 0 : 1; k < last; ++k) {
+    if (!is_free(shape, k) || !is_free(shape, k == 0 ? last - 1 : k - 1)) continue;
+    FreeKnot* found = nullptr;
+    for (FreeKnot& each : knots)
+      if (each.knot % last == k) found = &each;
+    if (found == nullptr) {
+      found = &knots.emplace_back();
+      found->knot = k;
+    }
+    const CamKnot& end = cam.segments[k == 0 ? last - 1 : k - 1].end;
+    const auto given = [&](std::optional<double> CamKnot::*field) {
+      return (end.*field).has_value() || (k == 0 && (cam.start.*field).has_value());
+    };
+    if (!found->geo_velocity && !given(&CamKnot::geo_velocity))
+      found->geo_velocity = Bound{-infinite, infinite};
+    if (!found->geo_acceleration && !given(&CamKnot::geo_acceleration))
+      found->geo_acceleration = Bound{-infinite, infinite};
+  }
+}
+
+/// [limits.slave] with the master at its full speed.
+void add_limits_over_time(const Spec& spec, std::vector<Corridor>& corridors) {
+  const Limits& slave = spec.slave;
+  const std::array rates{slave.velocity, slave.acceleration, slave.jerk};
+  const std::array<const char*, 3> names{"velocity", "acceleration", "jerk"};
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  double factor = 1;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    if (!rates[k]) continue;
+    if (!spec.master)
+      throw InputError(std::string("limits.slave.") + names[k], *rates[k],
+                       "is over time, and so needs the speed of the master: add [master]");
+    LinearQuantity quantity{names[k], {}, 0};
+    factor = 1;
+    for (std::size_t j = 0; j <= k; ++j) factor *= spec.master->velocity;
+    quantity.by[k + 1] = factor;
+    corridors.push_back({quantity, cam.start.master, cam.segments.back().end.master,
+                         Edge{-*rates[k], -*rates[k]}, Edge{*rates[k], *rates[k]}});
+  }
+}
+
+CamShapeProblem problem_of(const Spec& spec) {
+  const ShapeSpec& shape = spec.optimize.shape;
+  CamShapeProblem problem;
+  problem.cam = detail::cam_of(spec);
+  problem.shapes = shape.shapes;
+  problem.knots = spec.optimize.free;
+  free_what_is_left_out(std::get<CamSpec>(spec.subject), shape, problem.knots);
+  problem.limits = spec.limits;
+  problem.corridors = shape.corridors;
+  add_limits_over_time(spec, problem.corridors);
+  problem.ceilings = shape.ceilings;
+  problem.minimize = shape.minimize;
+  problem.refine = shape.refine;
+  problem.seconds = shape.seconds;
+  if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
+  if (spec.optimize.tolerance) problem.concession = *spec.optimize.tolerance;
+  require_valid(problem);
+  return problem;
+}
+
+}  // namespace
+
+CamShapeProblem make_shape_problem(const Spec& spec) {
+  if (!std::holds_alternative<CamSpec>(spec.subject))
+    throw InputError("kind", "", "only a cam can be optimised").at(spec.document.name);
+  try {
+    return problem_of(spec);
+  } catch (const InputError& error) {
+    const bool own = error.key().starts_with("corridor") || error.key().starts_with("minimize") ||
+                     error.key().starts_with("tolerance");
+    throw spec.document.located(
+        InputError((own ? "optimize." : "") + error.key(), error.value(), error.rule()));
+  }
+}
+
+}  // namespace jounce

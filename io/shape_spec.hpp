@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/optimize/cam_shape.hpp"
+
+namespace jounce {
+
+/// What the slave's motor has to move, [load]: seen at the motor's shaft, turned by theta = 2 pi f /
+/// position_per_rev while the slave is at f. With r the slave's metres (rotary: radians) a radian of the
+/// motor and w the master's speed,
+///
+///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
+///                   + r (stiffness f + preload + force + mass gravity)
+///     (2)  power  = torque theta'
+///     (3)  heat   = winding_loss torque^2
+///
+/// All of it is linear in f, f', f'' but (2) and (3). Friction that changes its sign is not in it.
+struct LoadSpec {
+  double position_per_rev = 0;  ///< slave's unit a turn of the motor; its sign is the motor's
+  double inertia = 0;           ///< kg m^2, at the motor
+  double damping = 0;           ///< N m s/rad, at the motor
+  double torque = 0;            ///< N m, at the motor: constant
+  double mass = 0;              ///< kg, of a slave that moves straight
+  double gravity = 0;           ///< m/s^2 along the slave, against its positive direction
+  double stiffness = 0;         ///< of a return spring: N/m, of a rotary slave N m/rad
+  double preload = 0;           ///< its force where the slave is at 0: N, or N m
+  double force = 0;             ///< constant, against the positive direction: N, or N m
+  std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
+};
+
+/// The torque of (1) and the motor's speed as quantities of a shape over the master, which runs at
+/// `speed` units of it in 1 s; `unit` is the slave's.
+LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
+LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
+
+/// A figure of [optimize] with what is needed to print it.
+struct ShapeFigureSpec {
+  std::string name;    ///< as the spec writes it: "motor heating"
+  std::string unit;    ///< of the number that is printed
+  ShapeFigure figure;  ///< what is computed
+  double factor = 1;   ///< printed is factor value, or factor value^2
+  bool squared = false;
+  bool times_length = false;  ///< times the length of the run
+};
+
+/// The number that is printed for a figure of a run, and back.
+double shown(const ShapeFigureSpec& figure, double value, double length);
+double computed(const ShapeFigureSpec& figure, double shown);
+
+/// The shapes that a cam spec leaves open, and what is wanted of them.
+struct ShapeSpec {
+  std::vector<FreeShape> shapes = {};
+  std::optional<LoadSpec> load = {};
+  std::vector<std::vector<WeightedFigure>> minimize = {};
+  std::vector<Ceiling> ceilings = {};
+  /// Of `minimize`, then of `ceilings`: in the order of CamRunOutcome::figures.
+  std::vector<ShapeFigureSpec> figures = {};
+  std::vector<Corridor> corridors = {};
+  bool refine = false;
+  std::optional<double> seconds = {};
+};
+
+}  // namespace jounce
