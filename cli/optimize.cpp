@@ -1,146 +1,37 @@
-#include "jounce/optimize/optimize.hpp"
-
 #include <memory>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include "jounce/io/spec.hpp"
 
-#include "jounce/io/file.hpp"
-#include "jounce/io/spec_edit.hpp"
-#include "jounce/io/units.hpp"
-
-#include "input.hpp"
-#include "progress.hpp"
+#include "optimizing.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
 
-struct Options {
-  std::string spec;
-  std::string output;
-  std::string table;
-  bool json = false;
-};
-
-std::string objective_unit(Objective objective, const Units& units) {
-  return rate_unit(units.position, units.x, objective == Objective::peak_jerk ? 3 : 2);
-}
-
-Labels labels_of(const Spec& spec) {
-  Labels labels{spec.units, true, {}};
-  for (const auto& segment : std::get<CamSpec>(spec.subject).segments)
-    labels.segments.push_back(std::to_string(labels.segments.size() + 1) +
-                              (segment.name.empty() ? "" : " " + segment.name));
-  return labels;
-}
-
-std::string active_sentence(const Finding& finding, const Labels& labels) {
-  if (finding.rule.starts_with("bound/"))
-    return fmt::format("{} stands at its bound {}", finding.quantity, rounded(finding.limit));
-  const std::string where =
-      fmt::format("{} {} (segment {})", rounded(finding.where), labels.units.x,
-                  labels.segments[finding.segment.value_or(0)]);
-  if (finding.rule.starts_with("objective/"))
-    return fmt::format("{} is attained at {}", finding.rule.substr(10), where);
-  return fmt::format("{} meets its limit {} at {}", finding.quantity, rounded(finding.limit),
-                     where);
-}
-
-void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
-  fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
-  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
-             "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
-  for (const auto& r : outcome.objectives)
-    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>9.2f} %   {}\n", name(r.objective),
-               rounded(r.given), rounded(r.reached), rounded(r.bound), 100 * r.gap(),
-               objective_unit(r.objective, labels.units));
-  if (outcome.usable())
-    for (const auto& finding : outcome.active)
-      fmt::print(out, "  - {}\n", active_sentence(finding, labels));
-  else
-    fmt::print(out, "least violated:\n{}", full_text(outcome.limits, labels));
-}
-
-void print_json(std::FILE* out, const Outcome& outcome, const Labels& labels) {
-  using Json = nlohmann::ordered_json;
-  Json objectives = Json::array();
-  for (const auto& r : outcome.objectives)
-    objectives.push_back({{"objective", name(r.objective)},
-                          {"unit", objective_unit(r.objective, labels.units)},
-                          {"given", r.given},
-                          {"reached", r.reached},
-                          {"bound", r.bound},
-                          {"gap", r.gap()}});
-  Json active = Json::array();
-  for (const auto& finding : outcome.active)
-    active.push_back({{"rule", finding.rule},
-                      {"quantity", finding.quantity},
-                      {"where", finding.where},
-                      {"value", finding.value},
-                      {"limit", finding.limit}});
-  const Json document{{"status", name(outcome.status)},
-                      {"usable", outcome.usable()},
-                      {"reason", outcome.reason},
-                      {"objectives", objectives},
-                      {"active", active},
-                      {"limits", Json::parse(to_json(outcome.limits, labels))},
-                      {"evaluations", outcome.evaluations},
-                      {"starts", outcome.starts}};
-  fmt::print(out, "{}\n", document.dump(1));
-}
-
-/// The optimised spec and table, both of them or neither.
-void write(const Options& options, const Spec& spec, const Outcome& outcome) {
-  const std::string text = with_knots(spec, outcome.best);
-  const std::string path = options.output.empty() ? spec.document.name : options.output;
-  Spec better = parse_spec(text, path);
-  const Made made = make(better);
-  const TableFile table{
-      made.sampled.table, better.units, {path, hex(better.document.hash), made_by()}};
-  std::vector<Output> files;
-  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
-  if (!options.output.empty()) files.push_back({options.output, text});
-  write_files(files);
-}
-
-int run(const Options& options) {
+int run(const OptimizeOptions& options) {
+  for (const std::string& output : {options.table, options.plot})
+    require_other_file(options.spec, output);
   const Spec spec = read_spec(options.spec);
-  const CamProblem problem = make_problem(spec);
-  const Labels labels = labels_of(spec);
-  Outcome outcome;
-  {
-    Progress progress("optimising");
-    outcome = optimize(problem, [&](const OptimizeProgress& p) {
-      const double stages = static_cast<double>(problem.minimize.size());
-      const double done =
-          static_cast<double>(p.objective) +
-          static_cast<double>(p.start) / static_cast<double>(std::max<std::size_t>(p.starts, 1));
-      progress.show(done / stages, name(problem.minimize[p.objective]));
-      return true;
-    });
-  }
-  // A spec or table on standard output has it for itself.
-  std::FILE* out = options.output == "-" || options.table == "-" ? stderr : stdout;
-  options.json ? print_json(out, outcome, labels) : print_text(out, outcome, labels);
-  if (!outcome.usable()) return finding;
-  write(options, spec, outcome);
-  return fine;
+  return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
+                                            : optimize_shapes(options, spec);
 }
 
 }  // namespace
 
 void add_optimize(CLI::App& app, Work& work) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "optimize",
-                            "Move what the spec leaves free to the best place within the limits",
-                            "jounce optimize cam.toml -o better.toml --table better.csv");
+  const auto options = std::make_shared<OptimizeOptions>();
+  CLI::App* verb = add_verb(
+      app, "optimize", "Give what the spec leaves free its best value or shape within the limits",
+      "jounce optimize cam.toml -o better.toml --table better.csv");
   verb->add_option("SPEC", options->spec,
-                   "Cam spec with `free` knots and [optimize]; - is standard input")
+                   "Cam spec with [optimize], and knots or shapes that are `free`; - is standard "
+                   "input")
       ->required();
   verb->add_option("-o,--output", options->output,
-                   "Optimised spec to write: the same text, other numbers");
+                   "Optimised spec to write: the same text, other numbers and points");
   verb->add_option("--table", options->table, "Its table to write, CSV or .json");
+  verb->add_option("--plot", options->plot,
+                   "Picture to write, .svg or .png: the optimised cam over the given one");
   verb->add_flag("--json", options->json, "Outcome for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

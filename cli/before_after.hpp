@@ -1,0 +1,12 @@
+#pragma once
+
+#include "jounce/io/spec.hpp"
+#include "jounce/plot/figure.hpp"
+
+namespace jounce::cli {
+
+/// A cam over a paler one of before: position and derivatives by master, and the torque of its [load]
+/// where there is one.
+Figure before_after(const Spec& before, const Spec& after);
+
+}  // namespace jounce::cli

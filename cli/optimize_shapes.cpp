@@ -1,0 +1,220 @@
+// Segments of a cam that are free in shape.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/make.hpp"
+#include "jounce/io/report_text.hpp"
+#include "jounce/io/spec_edit.hpp"
+#include "jounce/io/units.hpp"
+
+#include "interrupt.hpp"
+#include "optimizing.hpp"
+#include "progress.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the numbers of an outcome are called.
+class Words {
+ public:
+  explicit Words(const Spec& spec)
+      : spec_(spec), cam_(std::get<CamSpec>(spec.subject)), labels_{spec.units, true, {}} {
+    for (std::size_t i = 0; i < cam_.segments.size(); ++i) labels_.segments.push_back(segment(i));
+  }
+
+  [[nodiscard]] const Labels& labels() const { return labels_; }
+  [[nodiscard]] const std::vector<ShapeFigureSpec>& figures() const {
+    return spec_.optimize.shape.figures;
+  }
+
+  [[nodiscard]] std::string segment(std::size_t i) const {
+    const std::string& name = cam_.segments[i].name;
+    return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
+  }
+
+  [[nodiscard]] std::string segments(const CamRunOutcome& run) const {
+    std::string list;
+    for (const std::size_t i : run.segments) list += (list.empty() ? "" : ", ") + segment(i);
+    return list;
+  }
+
+  /// A run may go beyond the seam: its places are told as the cam has them.
+  [[nodiscard]] double place(double where) const {
+    const double start = cam_.start.master;
+    const double end = cam_.segments.back().end.master;
+    return where > end ? where - (end - start) : where;
+  }
+
+  [[nodiscard]] std::string at(double where) const {
+    const double here = place(where);
+    std::size_t i = 0;
+    while (i + 1 < cam_.segments.size() && here > cam_.segments[i].end.master) ++i;
+    return fmt::format("{} {} (segment {})", rounded(here), spec_.units.x, segment(i));
+  }
+
+  [[nodiscard]] double length(const CamRunOutcome& run) const {
+    double length = 0;
+    for (const std::size_t i : run.segments)
+      length += cam_.segments[i].end.master -
+                (i == 0 ? cam_.start.master : cam_.segments[i - 1].end.master);
+    return length;
+  }
+
+ private:
+  const Spec& spec_;
+  const CamSpec& cam_;
+  Labels labels_;
+};
+
+/// A figure of a run in the numbers that are printed.
+struct Told {
+  const ShapeFigureSpec& spec;
+  double given;
+  double reached;
+  std::optional<double> bound;
+  std::optional<double> could_save;  ///< share of `reached`
+};
+
+/// A figure that is alone has the bound of its splines where no better one is known.
+std::vector<Told> told(const CamRunOutcome& run, const Words& words) {
+  const double length = words.length(run);
+  const bool alone = words.figures().size() == 1 && run.figures.size() == 1;
+  std::vector<Told> all;
+  for (std::size_t i = 0; i < run.figures.size() && i < words.figures().size(); ++i) {
+    const ShapeFigureSpec& spec = words.figures()[i];
+    const FigureResult& figure = run.figures[i];
+    Told t{spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
+    std::optional<double> bound = figure.bound;
+    if (bound) t.bound = shown(spec, *bound, length);
+    if (!bound && alone && run.shape.spline_bound && run.shape.value > 0)
+      bound = figure.reached * *run.shape.spline_bound / run.shape.value;
+    if (bound && t.reached > 0)
+      t.could_save = std::max(0.0, 1 - shown(spec, *bound, length) / t.reached);
+    all.push_back(t);
+  }
+  return all;
+}
+
+std::string active_sentence(const Finding& finding, const Words& words) {
+  if (finding.rule.starts_with("objective/"))
+    return fmt::format("{} is attained at {}", finding.quantity, words.at(finding.where));
+  return fmt::format("limited by {} at {}", finding.quantity, words.at(finding.where));
+}
+
+/// The limit that would stop it next: the least room of those that are not met already.
+const Finding* next_limit(const CamRunOutcome& run) {
+  const Finding* next = nullptr;
+  for (const Finding& f : run.shape.limits.findings) {
+    const bool met = std::any_of(run.shape.active.begin(), run.shape.active.end(),
+                                 [&](const Finding& a) { return a.quantity == f.quantity; });
+    if (f.broken || met || f.margin <= 1e-6) continue;
+    if (next == nullptr || f.margin < next->margin) next = &f;
+  }
+  return next;
+}
+
+void print_run(std::FILE* out, const CamRunOutcome& run, const Words& words) {
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   segments {}\n", "", "given", "reached",
+             "bound", "could save", words.segments(run));
+  for (const Told& t : told(run, words))
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name, rounded(t.given),
+               rounded(t.reached), t.bound ? rounded(*t.bound) : "-",
+               t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
+  for (const Finding& finding : run.shape.active)
+    fmt::print(out, "  - {}\n", active_sentence(finding, words));
+  if (const Finding* next = next_limit(run))
+    fmt::print(out, "  - {} stays {:.0f} % below its limit, closest at {}\n", next->quantity,
+               100 * next->margin, words.at(next->where));
+}
+
+void print_text(std::FILE* out, const CamShapeOutcome& outcome, const Words& words) {
+  fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
+  for (const CamRunOutcome& run : outcome.runs) {
+    print_run(out, run, words);
+    if (!run.shape.usable())
+      fmt::print(out, "least violated:\n{}",
+                 full_text(run.shape.limits, {words.labels().units, true, {}}));
+  }
+  if (!outcome.limits.ok())
+    fmt::print(out, "limits of the whole cam:\n{}", full_text(outcome.limits, words.labels()));
+}
+
+Json json_of(const Finding& finding, const Words& words) {
+  return {{"rule", finding.rule},
+          {"quantity", finding.quantity},
+          {"where", words.place(finding.where)},
+          {"value", finding.value},
+          {"limit", finding.limit},
+          {"margin", finding.margin}};
+}
+
+Json json_of(const CamRunOutcome& run, const Words& words) {
+  Json figures = Json::array();
+  for (const Told& t : told(run, words)) {
+    Json figure{
+        {"figure", t.spec.name}, {"unit", t.spec.unit}, {"given", t.given}, {"reached", t.reached}};
+    if (t.bound) figure["bound"] = *t.bound;
+    if (t.could_save) figure["could_save"] = *t.could_save;
+    figures.push_back(std::move(figure));
+  }
+  Json active = Json::array();
+  for (const Finding& finding : run.shape.active) active.push_back(json_of(finding, words));
+  Json segments = Json::array();
+  for (const std::size_t i : run.segments) segments.push_back(i + 1);
+  Json object{{"segments", segments},
+              {"status", name(run.shape.status)},
+              {"reason", run.shape.reason},
+              {"figures", figures},
+              {"active", active},
+              {"limits", Json::parse(to_json(run.shape.limits, {words.labels().units, true, {}}))},
+              {"rounds", run.shape.rounds},
+              {"evaluations", run.shape.evaluations}};
+  if (const Finding* next = next_limit(run)) object["next"] = json_of(*next, words);
+  return object;
+}
+
+void print_json(std::FILE* out, const CamShapeOutcome& outcome, const Words& words) {
+  Json runs = Json::array();
+  for (const CamRunOutcome& run : outcome.runs) runs.push_back(json_of(run, words));
+  const Json document{{"status", name(outcome.status)},
+                      {"usable", outcome.usable()},
+                      {"reason", outcome.reason},
+                      {"runs", runs},
+                      {"limits", Json::parse(to_json(outcome.limits, words.labels()))}};
+  fmt::print(out, "{}\n", document.dump(1));
+}
+
+CamShapeOutcome solved(const CamShapeProblem& problem, const Words& words) {
+  Progress progress("optimising");
+  const Interrupt interrupt;
+  return optimize_cam_shapes(problem, [&](const CamShapeProgress& p) {
+    const double parts = static_cast<double>(p.runs * p.stages);
+    const double round = static_cast<double>(p.round);
+    const double done = static_cast<double>(p.run * p.stages + p.stage) + round / (round + 10);
+    progress.show(done / parts,
+                  words.figures()[std::min(p.stage, words.figures().size() - 1)].name);
+    return !interrupt.requested();
+  });
+}
+
+}  // namespace
+
+int optimize_shapes(const OptimizeOptions& options, const Spec& spec) {
+  const CamShapeProblem problem = make_shape_problem(spec);
+  const Words words(spec);
+  const CamShapeOutcome outcome = solved(problem, words);
+  std::FILE* out = told_on(options);
+  options.json ? print_json(out, outcome, words) : print_text(out, outcome, words);
+  if (!outcome.usable()) return finding;
+  write_optimized(options, spec, with_shapes(spec, outcome.best));
+  return fine;
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "jounce/io/spec.hpp"
+
+/// What `jounce optimize` may be asked, each kind of freedom in a file of its own.
+namespace jounce::cli {
+
+struct OptimizeOptions {
+  std::string spec;
+  std::string output;
+  std::string table;
+  std::string plot;
+  bool json = false;
+};
+
+/// Free knots and free shapes: solved, told, and written if they keep the limits. Answer the exit
+/// status.
+int optimize_knots(const OptimizeOptions& options, const Spec& spec);
+int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
+
+/// Where the outcome is told: a spec, table or picture on standard output has it for itself.
+std::FILE* told_on(const OptimizeOptions& options);
+
+/// The optimised spec (its text), its table and the picture of both, all of them or none.
+void write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text);
+
+}  // namespace jounce::cli
