@@ -6,8 +6,8 @@
 
 #include "jounce/io/make.hpp"
 #include "jounce/plot/curve_figure.hpp"
+#include "jounce/study/input.hpp"
 
-#include "input.hpp"
 #include "picture.hpp"
 
 namespace jounce::cli {
@@ -36,7 +36,7 @@ std::optional<LinearQuantity> torque_of(const Spec& spec) {
 }
 
 Input input_of(const Spec& spec, const std::string& name) {
-  Input input = made_input(spec);
+  Input input = std::move(inputs_of(spec, spec.document.name).front());
   input.name = name;
   return input;
 }

@@ -40,10 +40,6 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
   return all;
 }
 
-Input made_input(const Spec& spec) {
-  return from_made(make(spec), spec, spec.document.name);
-}
-
 Input load(const std::string& path, const std::string& axis, bool decimal_comma) {
   std::vector<Input> all = load_axes(path, axis, decimal_comma);
   if (all.size() > 1)

@@ -16,9 +16,6 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis = 
 /// named.
 Input load(const std::string& path, const std::string& axis = "", bool decimal_comma = false);
 
-/// The input that a spec of one axis makes.
-Input made_input(const Spec& spec);
-
 /// What is compared with an input: the only axis of the file, or that of the same name.
 Input load_beside(const std::string& path, const Input& input);
 
