@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -102,10 +103,27 @@ std::vector<Told> told(const CamRunOutcome& run, const Words& words) {
   return all;
 }
 
-std::string active_sentence(const Finding& finding, const Words& words) {
-  if (finding.rule.starts_with("objective/"))
-    return fmt::format("{} is attained at {}", finding.quantity, words.at(finding.where));
-  return fmt::format("limited by {} at {}", finding.quantity, words.at(finding.where));
+/// "limited by geo_velocity at 12 deg (segment 1 push), 212 deg (segment 2 back) and 7 more places".
+std::string active_sentence(std::span<const Finding> findings, const Words& words) {
+  constexpr std::size_t most = 3;
+  const Finding& first = findings.front();
+  const bool objective = first.rule.starts_with("objective/");
+  std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
+    text += (i == 0 ? " at " : ", ") + words.at(findings[i].where);
+  if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);
+  return text;
+}
+
+/// Places that belong together told in one line; an rms has no place.
+void print_active(std::FILE* out, const std::vector<Finding>& active, const Words& words) {
+  for (auto first = active.begin(); first != active.end();) {
+    const auto last =
+        std::find_if(first, active.end(), [&](const Finding& f) { return f.rule != first->rule; });
+    if (!first->rule.starts_with("objective/") || first->quantity.starts_with("peak"))
+      fmt::print(out, "  - {}\n", active_sentence({first, last}, words));
+    first = last;
+  }
 }
 
 /// The limit that would stop it next: the least room of those that are not met already.
@@ -127,8 +145,7 @@ void print_run(std::FILE* out, const CamRunOutcome& run, const Words& words) {
     fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name, rounded(t.given),
                rounded(t.reached), t.bound ? rounded(*t.bound) : "-",
                t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
-  for (const Finding& finding : run.shape.active)
-    fmt::print(out, "  - {}\n", active_sentence(finding, words));
+  print_active(out, run.shape.active, words);
   if (const Finding* next = next_limit(run))
     fmt::print(out, "  - {} stays {:.0f} % below its limit, closest at {}\n", next->quantity,
                100 * next->margin, words.at(next->where));

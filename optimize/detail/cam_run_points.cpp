@@ -13,6 +13,14 @@ Jet jet_at(const Trajectory& curve, double x) {
                    x >= curve.end() ? Side::left : Side::right);
 }
 
+/// Both ends of a closed run are one knot, and have the same derivatives to the last digit.
+Jet jet_at(const Trajectory& curve, const CamRunOf& run, const RunKnot& knot) {
+  const bool last = run.closed && knot.x() == run.knots.back().x();
+  Jet f = jet_at(curve, last ? curve.start() : knot.x());
+  if (last) f[0] += run.advance;
+  return f;
+}
+
 CamPoint point_at(const Jet& f, double master, bool jerk) {
   CamPoint point{.master = master, .slave = f[0], .geo_velocity = f[1], .geo_acceleration = f[2]};
   if (jerk) point.geo_jerk = f[3];
@@ -20,8 +28,8 @@ CamPoint point_at(const Jet& f, double master, bool jerk) {
 }
 
 /// A point at a knot: the knot has the slave, and what is fixed there is so to the last digit.
-CamPoint point_at(const RunKnot& knot, const Trajectory& curve, double master, bool jerk) {
-  CamPoint point = point_at(jet_at(curve, knot.x()), master, jerk);
+CamPoint point_at(const RunKnot& knot, const Jet& f, double master, bool jerk) {
+  CamPoint point = point_at(f, master, jerk);
   point.slave.reset();
   if (knot.geo_velocity) point.geo_velocity = knot.geo_velocity;
   if (knot.geo_acceleration) point.geo_acceleration = knot.geo_acceleration;
@@ -33,9 +41,13 @@ const CamKnot& knot_of(const CamSpec& cam, std::size_t i) {
   return i == 0 ? cam.start : cam.segments[i - 1].end;
 }
 
-std::vector<CamPoint> points_of(const CamSpec& cam, std::size_t segment, const RunKnot& from,
-                                const RunKnot& to, const Trajectory& curve, bool jerk) {
-  std::vector<CamPoint> points{point_at(from, curve, knot_of(cam, segment).master, jerk)};
+/// The points of the run's r-th segment.
+std::vector<CamPoint> points_of(const CamSpec& cam, const CamRunOf& run, std::size_t r,
+                                const Trajectory& curve, bool jerk) {
+  const RunKnot& from = run.knots[r];
+  const RunKnot& to = run.knots[r + 1];
+  std::vector<CamPoint> points{
+      point_at(from, jet_at(curve, run, from), knot_of(cam, run.segments[r]).master, jerk)};
   const double near = same_place * curve.length();
   for (const double x : curve.breaks()) {
     if (x <= from.x() + near || x >= to.x() - near) continue;
@@ -43,7 +55,7 @@ std::vector<CamPoint> points_of(const CamSpec& cam, std::size_t segment, const R
     *point.slave -= to.lift;
     points.push_back(point);
   }
-  points.push_back(point_at(to, curve, to.master, jerk));
+  points.push_back(point_at(to, jet_at(curve, run, to), to.master, jerk));
   return points;
 }
 
@@ -74,11 +86,11 @@ CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem
   const bool jerk = problem.degree > 5;
   for (std::size_t r = 0; r < run.segments.size(); ++r) {
     const std::size_t i = run.segments[r];
-    auto points = points_of(cam, i, run.knots[r], run.knots[r + 1], curve, jerk);
+    auto points = points_of(cam, run, r, curve, jerk);
     cam.segments[i] = {
         Law::hermite, cam.segments[i].end, cam.segments[i].name, {}, std::move(points)};
   }
-  for (const RunKnot& knot : run.knots) take(cam, knot, run, jet_at(curve, knot.x()));
+  for (const RunKnot& knot : run.knots) take(cam, knot, run, jet_at(curve, run, knot));
   return cam;
 }
 
