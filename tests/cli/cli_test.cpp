@@ -335,6 +335,86 @@ TEST_F(Cli, OptimizeSaysWhatIsInfeasibleAndWritesNothing) {
   EXPECT_EQ(files(), std::vector<std::string>{"tight.toml"});
 }
 
+/// A cam with one free shape between two dwells.
+constexpr const char* free_cam = R"(jounce = 1
+kind = "cam"
+name = "lift"   # a comment
+periodic = true
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+[[segment]]
+name = "up"
+law = "4567"   # the law it was
+free = { shape = 20 }
+end = { master = 120, slave = 50 }
+[[segment]]
+law = "dwell"
+end = { master = 200, slave = 50 }
+[[segment]]
+law = "4567"
+end = { master = 320, slave = 0 }
+[[segment]]
+law = "dwell"
+end = { master = 360, slave = 0 }
+[master]
+velocity = 360
+distance = 360
+[load]
+position_per_rev = 100
+inertia = "2 kg cm^2"
+[limits]
+geo_velocity = 0.92
+[optimize]
+minimize = ["peak torque"]
+)";
+
+TEST_F(Cli, OptimizeFindsAShapeThatDesignMakesAgain) {
+  write("cam.toml", free_cam);
+  const Result result =
+      run("optimize --json cam.toml -o better.toml --table better.csv --plot better.svg");
+  ASSERT_EQ(result.status, 0) << result.err << result.out;
+  const json outcome = json::parse(result.out);
+  EXPECT_TRUE(outcome["usable"].get<bool>());
+  const json& figure = outcome["runs"][0]["figures"][0];
+  EXPECT_EQ(figure["figure"], "peak torque");
+  EXPECT_EQ(figure["unit"], "N m");
+  EXPECT_LT(figure["reached"].get<double>(), 0.65 * figure["given"].get<double>());
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"better.csv", "better.svg", "better.toml", "cam.toml"}));
+  const std::string better = slurp(folder / "better.toml");
+  EXPECT_THAT(better, HasSubstr("name = \"lift\"   # a comment\n"));
+  EXPECT_THAT(better, HasSubstr("law = \"hermite\"   # the law it was\n"));
+  // What is designed from it has the peak that was promised: J a with a of the exact curve.
+  const json check = json::parse(run("check --json better.toml").out);
+  EXPECT_EQ(run("check better.toml").status, 0);
+  const Result again = run("optimize --json better.toml");
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_NEAR(json::parse(again.out)["runs"][0]["figures"][0]["given"].get<double>(),
+              figure["reached"].get<double>(), 1e-9 * figure["reached"].get<double>());
+  EXPECT_THAT(slurp(folder / "better.svg"), HasSubstr("torque [N m]"));
+}
+
+TEST_F(Cli, OptimizeSaysWhatLimitsAShape) {
+  write("cam.toml", free_cam);
+  const Result result = run("optimize cam.toml");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("peak torque"));
+  EXPECT_THAT(result.out, HasSubstr("segments 1 up"));
+  EXPECT_THAT(result.out, HasSubstr("peak torque is attained at "));
+  EXPECT_EQ(files(), std::vector<std::string>{"cam.toml"});
+}
+
+TEST_F(Cli, OptimizeWritesNothingForAShapeThatCannotBe) {
+  std::string text = free_cam;
+  text.replace(text.find("0.92"), 4, "0.4 ");
+  write("cam.toml", text);
+  const Result result = run("optimize cam.toml -o better.toml --plot better.svg");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, StartsWith("infeasible"));
+  EXPECT_THAT(result.out, HasSubstr("geo_velocity"));
+  EXPECT_EQ(files(), std::vector<std::string>{"cam.toml"});
+}
+
 TEST_F(Cli, ValidateProvesAndFindsALie) {
   const Result good = run("validate --json " + cam);
   EXPECT_EQ(good.status, 0);
