@@ -15,6 +15,10 @@ using detail::CamRunOf;
 /// So that what was minimised may still be met where its least value is 0: of its given value.
 constexpr double least_concession = 1e-6;
 
+/// How true positions are, relative: of doubles, and of the joints of a spline from an iteration.
+constexpr double rounding = 1.2e-16;
+constexpr double joints = 1e-11;
+
 struct Watch {
   const CamShapeKeepGoing& keep_going;
   CamShapeProgress progress;
@@ -105,6 +109,38 @@ bool CamShapeOutcome::usable() const {
          std::all_of(runs.begin(), runs.end(), [](const auto& r) { return r.shape.usable(); });
 }
 
+namespace {
+
+/// Whether the segments of a run keep the limits as designed.
+bool keeps_limits(const CamSpec& cam, const Limits& limits, const CamRunOf& run) {
+  const Report report = limits_of(cam, limits);
+  return std::none_of(report.findings.begin(), report.findings.end(), [&](const Finding& f) {
+    return f.broken && f.segment &&
+           std::count(run.segments.begin(), run.segments.end(), *f.segment) > 0;
+  });
+}
+
+/// Optimises one run and puts it into outcome.best. What keeps the limits as a spline may break them in
+/// the last digits as points: then once more, by as much below.
+void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
+              CamShapeOutcome& outcome) {
+  const double parts = static_cast<double>(watch.progress.runs * watch.progress.stages);
+  CamRunOutcome found;
+  CamSpec best = outcome.best;
+  for (const double accuracy : {rounding, joints}) {
+    ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
+    if (problem.seconds) shape.seconds = *problem.seconds / parts;
+    found = optimized(problem, run, shape, watch);
+    if (found.shape.segments.empty()) break;
+    best = detail::with_shape(outcome.best, run, shape, found.shape.segments);
+    if (!found.shape.usable() || keeps_limits(best, problem.limits, run)) break;
+  }
+  outcome.best = std::move(best);
+  outcome.runs.push_back(std::move(found));
+}
+
+}  // namespace
+
 CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
                                     const CamShapeKeepGoing& keep_going) {
   require_valid(problem);
@@ -114,15 +150,9 @@ CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
   Watch watch{keep_going, {}};
   watch.progress.runs = runs.size();
   watch.progress.stages = problem.minimize.size();
-  const double parts = static_cast<double>(runs.size() * problem.minimize.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     watch.progress.run = i;
-    ShapeProblem shape = detail::shape_problem(problem, runs[i]);
-    if (problem.seconds) shape.seconds = *problem.seconds / parts;
-    outcome.runs.push_back(optimized(problem, runs[i], shape, watch));
-    const ShapeOutcome& found = outcome.runs.back().shape;
-    if (!found.segments.empty())
-      outcome.best = detail::with_shape(outcome.best, runs[i], shape, found.segments);
+    take_run(problem, runs[i], watch, outcome);
   }
   const auto worst =
       std::max_element(outcome.runs.begin(), outcome.runs.end(), [](const auto& a, const auto& b) {

@@ -36,8 +36,9 @@ std::vector<CamRunOf> runs_of(const CamShapeProblem& problem);
 /// Whether a corridor of the cam lies over some of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 
-/// The run as a problem of its own. `minimize` is empty.
-ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run);
+/// The run as a problem of its own. `minimize` is empty. Positions are counted as true to `accuracy`,
+/// relative: limits are kept by what that is worth in the cam as written.
+ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, double accuracy);
 
 /// `cam` with the shape in place of the run's laws: laws `hermite`, and slaves of knots that were free.
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,

@@ -57,27 +57,28 @@ void cut(const Corridor& c, const CamRunOf& run, std::vector<Corridor>& out) {
   cut(c, run.start, last.master, last.ahead, last.lift, out);
 }
 
-/// What rounding the positions of a table to double precision is worth in the k-th derivative of a
-/// polynomial through them, over pieces of length h: about c_k eps |slave| / h^k (hermite.hpp). Limits
-/// are kept by as much, so that the cam as written keeps them.
-double rounding(const CamShapeProblem& problem, const CamRunOf& run, std::size_t order) {
+/// What an error of the positions at the points is worth in the k-th derivative of a polynomial through
+/// them, over pieces of length h: about c_k error / h^k (hermite.hpp).
+double worth(const CamShapeProblem& problem, const CamRunOf& run, double accuracy,
+             std::size_t order) {
   constexpr std::array c{1., 4., 30., 250.};
   double greatest = 0;
   for (const RunKnot& knot : run.knots)
     greatest = std::max(greatest, std::abs(knot.slave.value_or(0)) + std::abs(knot.lift));
   const double length = run.knots.back().x() - run.knots.front().x();
   const double pieces = static_cast<double>(pieces_of(problem, run)) * (problem.refine ? 4 : 1);
-  return c[order] * 1.2e-16 * greatest * std::pow(pieces / length, static_cast<double>(order));
+  return c[order] * accuracy * greatest * std::pow(pieces / length, static_cast<double>(order));
 }
 
-void add_limits(const CamShapeProblem& problem, const CamRunOf& run, std::vector<Corridor>& all) {
+void add_limits(const CamShapeProblem& problem, const CamRunOf& run, double accuracy,
+                std::vector<Corridor>& all) {
   const Limits& limits = problem.limits;
   const double from = problem.cam.start.master;
   const double to = problem.cam.segments.back().end.master;
   const auto add = [&](std::size_t order, std::optional<double> low, std::optional<double> high) {
     if (!low && !high) return;
     Corridor c{derivative_named(names[order], order), from, to, {}, {}};
-    const double room = order == 0 ? 0 : rounding(problem, run, order);
+    const double room = order == 0 ? 0 : worth(problem, run, accuracy, order);
     if (low) c.lower = Edge{*low + room, *low + room};
     if (high) c.upper = Edge{*high - room, *high - room};
     cut(c, run, all);
@@ -140,7 +141,7 @@ bool meets(const Corridor& corridor, const CamRunOf& run) {
   return !parts.empty();
 }
 
-ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run) {
+ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, double accuracy) {
   ShapeProblem p;
   p.begin = run.knots.front().x();
   p.end = run.knots.back().x();
@@ -153,7 +154,7 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run) 
   p.given = given(problem, run);
   for (std::size_t r = 0; r < run.knots.size(); ++r)
     add_knot(run.knots[r], r > 0 && r + 1 < run.knots.size(), p.corridors);
-  add_limits(problem, run, p.corridors);
+  add_limits(problem, run, accuracy, p.corridors);
   add_monotone(problem, run, p.corridors);
   for (const Corridor& corridor : problem.corridors) cut(corridor, run, p.corridors);
   p.ceilings = problem.ceilings;
