@@ -53,22 +53,25 @@ class Words {
     return where > end ? where - (end - start) : where;
   }
 
-  [[nodiscard]] std::string at(double where) const {
+  [[nodiscard]] std::string at(double where, const CamRunOutcome& run) const {
     const double here = place(where);
-    std::size_t i = 0;
-    while (i + 1 < cam_.segments.size() && here > cam_.segments[i].end.master) ++i;
+    std::size_t i = run.segments.front();
+    for (const std::size_t each : run.segments)
+      if (here >= begin(each) && here <= cam_.segments[each].end.master) i = each;
     return fmt::format("{} {} (segment {})", rounded(here), spec_.units.x, segment(i));
   }
 
   [[nodiscard]] double length(const CamRunOutcome& run) const {
     double length = 0;
-    for (const std::size_t i : run.segments)
-      length += cam_.segments[i].end.master -
-                (i == 0 ? cam_.start.master : cam_.segments[i - 1].end.master);
+    for (const std::size_t i : run.segments) length += cam_.segments[i].end.master - begin(i);
     return length;
   }
 
  private:
+  [[nodiscard]] double begin(std::size_t i) const {
+    return i == 0 ? cam_.start.master : cam_.segments[i - 1].end.master;
+  }
+
   const Spec& spec_;
   const CamSpec& cam_;
   Labels labels_;
@@ -104,24 +107,26 @@ std::vector<Told> told(const CamRunOutcome& run, const Words& words) {
 }
 
 /// "limited by geo_velocity at 12 deg (segment 1 push), 212 deg (segment 2 back) and 7 more places".
-std::string active_sentence(std::span<const Finding> findings, const Words& words) {
+std::string active_sentence(std::span<const Finding> findings, const CamRunOutcome& run,
+                            const Words& words) {
   constexpr std::size_t most = 3;
   const Finding& first = findings.front();
   const bool objective = first.rule.starts_with("objective/");
   std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
-    text += (i == 0 ? " at " : ", ") + words.at(findings[i].where);
+    text += (i == 0 ? " at " : ", ") + words.at(findings[i].where, run);
   if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);
   return text;
 }
 
 /// Places that belong together told in one line; an rms has no place.
-void print_active(std::FILE* out, const std::vector<Finding>& active, const Words& words) {
+void print_active(std::FILE* out, const CamRunOutcome& run, const Words& words) {
+  const auto& active = run.shape.active;
   for (auto first = active.begin(); first != active.end();) {
     const auto last =
         std::find_if(first, active.end(), [&](const Finding& f) { return f.rule != first->rule; });
     if (!first->rule.starts_with("objective/") || first->quantity.starts_with("peak"))
-      fmt::print(out, "  - {}\n", active_sentence({first, last}, words));
+      fmt::print(out, "  - {}\n", active_sentence({first, last}, run, words));
     first = last;
   }
 }
@@ -145,10 +150,10 @@ void print_run(std::FILE* out, const CamRunOutcome& run, const Words& words) {
     fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name, rounded(t.given),
                rounded(t.reached), t.bound ? rounded(*t.bound) : "-",
                t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
-  print_active(out, run.shape.active, words);
+  print_active(out, run, words);
   if (const Finding* next = next_limit(run))
     fmt::print(out, "  - {} stays {:.0f} % below its limit, closest at {}\n", next->quantity,
-               100 * next->margin, words.at(next->where));
+               100 * next->margin, words.at(next->where, run));
 }
 
 void print_text(std::FILE* out, const CamShapeOutcome& outcome, const Words& words) {

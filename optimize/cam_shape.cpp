@@ -66,7 +66,7 @@ CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, Sha
     if (stage > 0 && !found.usable()) {  // what was reached before stands
       outcome.shape.status = found.status == Status::cancelled ? found.status : Status::stalled;
       outcome.shape.reason = name(problem.minimize[stage].front().figure) +
-                             " could not be improved without harm to what was minimised before";
+                             " was not improved beside what was minimised before: " + found.reason;
       return outcome;
     }
     outcome.shape = std::move(found);
