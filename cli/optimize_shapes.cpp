@@ -35,6 +35,11 @@ class Words {
     return spec_.optimize.shape.figures;
   }
 
+  /// Figures that are minimised; the others are ceilings.
+  [[nodiscard]] std::size_t minimized() const {
+    return figures().size() - spec_.optimize.shape.ceilings.size();
+  }
+
   [[nodiscard]] std::string segment(std::size_t i) const {
     const std::string& name = cam_.segments[i].name;
     return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
@@ -89,17 +94,18 @@ struct Told {
 /// A figure that is alone has the bound of its splines where no better one is known.
 std::vector<Told> told(const CamRunOutcome& run, const Words& words) {
   const double length = words.length(run);
-  const bool alone = words.figures().size() == 1 && run.figures.size() == 1;
+  const bool alone = words.minimized() == 1;
   std::vector<Told> all;
   for (std::size_t i = 0; i < run.figures.size() && i < words.figures().size(); ++i) {
     const ShapeFigureSpec& spec = words.figures()[i];
     const FigureResult& figure = run.figures[i];
     Told t{spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
     std::optional<double> bound = figure.bound;
-    if (bound) t.bound = shown(spec, *bound, length);
-    if (!bound && alone && run.shape.spline_bound && run.shape.value > 0)
-      bound = figure.reached * *run.shape.spline_bound / run.shape.value;
-    if (bound && t.reached > 0)
+    if (bound && *bound > 0) t.bound = shown(spec, *bound, length);  // 0 is no news
+    if (i == 0 && alone && run.shape.spline_bound && run.shape.value > 0)
+      bound =
+          std::max(bound.value_or(0), figure.reached * *run.shape.spline_bound / run.shape.value);
+    if (bound && *bound > 0 && t.reached > 0)
       t.could_save = std::max(0.0, 1 - shown(spec, *bound, length) / t.reached);
     all.push_back(t);
   }
