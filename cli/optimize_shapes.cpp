@@ -119,6 +119,8 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
   const Finding& first = findings.front();
   const bool objective = first.rule.starts_with("objective/");
   std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
+  if (first.quantity == "residual" || first.quantity.starts_with("rms "))
+    return text;  // of all of it
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
     text += (i == 0 ? " at " : ", ") + words.at(findings[i].where, run);
   if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);

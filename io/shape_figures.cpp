@@ -82,21 +82,22 @@ std::optional<std::size_t> index_of(const std::array<std::string, 5>& names,
   return std::nullopt;
 }
 
+/// The quantity called `name`, which the spec writes as part of `said`.
 std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const std::string& name,
-                                   const ShapeWords& words) {
+                                   const std::string& said, const ShapeWords& words) {
   const auto rate = [&](const std::string& x, std::size_t k) {
     return rate_unit(words.units.position, x, static_cast<int>(k));
   };
   if (const auto k = index_of(over_master, name))
     return NamedQuantity{derivative(name, *k, 1), rate(words.units.x, *k)};
   if (const auto k = index_of(over_time, name); k && *k > 0) {
-    const double speed = speed_for(reader, key, name, words);
+    const double speed = speed_for(reader, key, said, words);
     return NamedQuantity{derivative(name, *k, std::pow(speed, static_cast<double>(*k))),
                          rate(words.time_unit, *k)};
   }
   if (name == "torque") {
-    const double speed = speed_for(reader, key, name, words) / words.seconds;
-    const LoadSpec& load = load_for(reader, key, name, words);
+    const double speed = speed_for(reader, key, said, words) / words.seconds;
+    const LoadSpec& load = load_for(reader, key, said, words);
     return NamedQuantity{torque_of(load, speed, words.units.position), "N m"};
   }
   return std::nullopt;
@@ -130,7 +131,7 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
 
 NamedQuantity quantity_named(TomlReader& reader, const char* key, const std::string& name,
                              const ShapeWords& words) {
-  if (auto quantity = found(reader, key, name, words)) return *quantity;
+  if (auto quantity = found(reader, key, name, name, words)) return *quantity;
   std::vector<std::string> known(over_master.begin(), over_master.end());
   known.insert(known.end(), over_time.begin() + 1, over_time.end());
   known.emplace_back("torque");
@@ -149,7 +150,7 @@ ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::str
   const bool rms = name.starts_with("rms ");
   const std::string of = peak ? name.substr(5) : rms ? name.substr(4) : "";
   if (of != "slave" && !of.empty())
-    if (auto quantity = found(reader, key, of, words)) {
+    if (auto quantity = found(reader, key, of, name, words)) {
       if (peak) return {name, quantity->unit, PeakOf{quantity->quantity}};
       return {name, quantity->unit, RmsOf{quantity->quantity}};
     }

@@ -296,7 +296,7 @@ TEST(FreeShapes, NeedAMasterAndALoadForWhatIsOfThem) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("a.toml:27:1: optimize.minimize = \"rms torque\": needs "
+                  .find("a.toml:25:12: optimize.minimize = \"rms torque\": needs "
                         "to know what is moved: add [load]"),
               std::string::npos)
         << error.what();
