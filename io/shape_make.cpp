@@ -64,6 +64,9 @@ void add_limits_over_time(const Spec& spec, std::vector<Corridor>& corridors) {
 
 CamShapeProblem problem_of(const Spec& spec) {
   const ShapeSpec& shape = spec.optimize.shape;
+  if (spec.polydyne)
+    throw InputError("polydyne", "",
+                     "has no residual already: a cam is either polydyne, or free in shape");
   CamShapeProblem problem;
   problem.cam = detail::cam_of(spec);
   problem.shapes = shape.shapes;
