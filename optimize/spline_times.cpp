@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "jounce/optimize/detail/drawn.hpp"
 #include "jounce/optimize/detail/findings.hpp"
 #include "jounce/optimize/detail/joint_spline.hpp"
 #include "jounce/optimize/detail/time_search.hpp"
@@ -15,6 +16,7 @@
 namespace jounce {
 namespace {
 
+using optimizer::drawn;
 using optimizer::TimeAttempt;
 using Points = std::vector<std::vector<double>>;
 
@@ -70,14 +72,6 @@ void require_valid(const SplineTimesSpec& spec) {
     require_positive("duration", spec.duration);
   else if (spec.duration != 0)
     throw InputError("duration", spec.duration, "is what the shortest time is sought for");
-}
-
-/// splitmix64, in [0, 1).
-double drawn(std::uint64_t& state) {
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
 }
 
 /// The first: equal intervals, the outer ones a third of the others. The others: each of them times

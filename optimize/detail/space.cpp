@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/optimize/detail/drawn.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
@@ -71,14 +73,6 @@ double& quantity_of(CamKnot& knot, Quantity quantity) {
 
 double change(const Variable& v, double z) {
   return std::clamp(v.given + v.scale * z, v.lower, v.upper) - v.given;
-}
-
-/// Next of splitmix64 (Steele, Lea, Flood 2014), as a double in [0, 1).
-double draw(std::uint64_t& state) {
-  std::uint64_t x = (state += 0x9e3779b97f4a7c15U);
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>((x ^ (x >> 31U)) >> 11U) * 0x1p-53;
 }
 
 /// Masters in ascending order and within their bounds, left to right, each leaving room for those
@@ -191,7 +185,7 @@ Point start_point(const Space& space, std::uint64_t seed, std::size_t number) {
   if (number == 0) return z;
   std::uint64_t state = seed + 0x632be59bd9b4e019U * number;
   const auto master = ordered_masters(space, [&](std::size_t, double least, double greatest) {
-    return least + draw(state) * (greatest - least);
+    return least + drawn(state) * (greatest - least);
   });
   const Cam cam = design(space.given).cam;
   for (std::size_t i = 0; i < z.size(); ++i) {
