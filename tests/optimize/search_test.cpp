@@ -80,7 +80,7 @@ SearchAnswer g08(const X& x) {
 }
 
 TEST(Search, ReachesG08AmongItsManyPeaks) {
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
     const SearchOutcome outcome =
         search({{"x1", 0.001, 10, 9}, {"x2", 0.001, 10, 9}}, g08, {.seed = seed});
     expect_met(outcome, g08);
@@ -139,7 +139,7 @@ SearchAnswer rastrigin_in_disc(const X& x) {
 
 TEST(Search, FindsTheLowestOfManyDips) {
   int found = 0;
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}) {
     const SearchOutcome outcome = search(box(2, -5.12, 5.12, 4), rastrigin_in_disc, {.seed = seed});
     expect_met(outcome, rastrigin_in_disc);
     found += outcome.answer.objective < 1e-6 ? 1 : 0;
