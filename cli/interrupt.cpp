@@ -1,30 +1,26 @@
 #include "interrupt.hpp"
 
-#include <csignal>
-
 namespace jounce::cli {
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
-
-void ask(int signal) {
-  asked = 1;
-  std::signal(signal, SIG_DFL);
-}
+volatile std::sig_atomic_t interrupted = 0;
 
 }  // namespace
 
 Interrupt::Interrupt() {
-  asked = 0;
-  before_ = std::signal(SIGINT, ask);
+  interrupted = 0;
+  struct sigaction once {};
+  once.sa_handler = [](int) { interrupted = 1; };
+  once.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one ends the program
+  sigaction(SIGINT, &once, &before_);
 }
 
 Interrupt::~Interrupt() {
-  std::signal(SIGINT, before_);
+  sigaction(SIGINT, &before_, nullptr);
 }
 
-bool Interrupt::requested() const {
-  return asked != 0;
+bool Interrupt::asked() const {
+  return interrupted != 0;
 }
 
 }  // namespace jounce::cli

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <csignal>
+
 namespace jounce::cli {
 
-/// While it lives, the first Ctrl-C only asks long work to stop with what it has; the second ends the
-/// program as usual.
+/// While it lives, Ctrl-C asks for an end instead of making one: what was found so far is kept. A
+/// second one ends the program as usual.
 class Interrupt {
  public:
   Interrupt();
@@ -11,10 +13,10 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  [[nodiscard]] bool requested() const;
+  [[nodiscard]] bool asked() const;
 
  private:
-  void (*before_)(int);
+  struct sigaction before_ {};
 };
 
 }  // namespace jounce::cli

@@ -2,6 +2,7 @@
 
 #include "jounce/io/spec.hpp"
 
+#include "optimize_parameters.hpp"
 #include "optimizing.hpp"
 #include "verb.hpp"
 
@@ -12,6 +13,9 @@ int run(const OptimizeOptions& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
   const Spec spec = read_spec(options.spec);
+  if (spec.parameters)
+    return optimize_parameters(spec,
+                               {options.output, options.table, options.json, options.seconds});
   return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
                                             : optimize_shapes(options, spec);
 }
@@ -24,14 +28,16 @@ void add_optimize(CLI::App& app, Work& work) {
       app, "optimize", "Give what the spec leaves free its best value or shape within the limits",
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb->add_option("SPEC", options->spec,
-                   "Cam spec with [optimize], and knots or shapes that are `free`; - is standard "
-                   "input")
+                   "Spec with [optimize]: knots or shapes of a cam that are `free`, or "
+                   "[[optimize.parameter]] of any kind; - is standard input")
       ->required();
   verb->add_option("-o,--output", options->output,
                    "Optimised spec to write: the same text, other numbers and points");
   verb->add_option("--table", options->table, "Its table to write, CSV or .json");
   verb->add_option("--plot", options->plot,
                    "Picture to write, .svg or .png: the optimised cam over the given one");
+  verb->add_option("--seconds", options->seconds,
+                   "End a search over [[optimize.parameter]] after so long, with the best so far");
   verb->add_flag("--json", options->json, "Outcome for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -98,7 +98,7 @@ int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
           static_cast<double>(p.objective) +
           static_cast<double>(p.start) / static_cast<double>(std::max<std::size_t>(p.starts, 1));
       progress.show(done / stages, name(problem.minimize[p.objective]));
-      return !interrupt.requested();
+      return !interrupt.asked();
     });
   }
   std::FILE* out = told_on(options);

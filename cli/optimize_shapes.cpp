@@ -230,7 +230,7 @@ CamShapeOutcome solved(const CamShapeProblem& problem, const Words& words) {
     const double done = static_cast<double>(p.run * p.stages + p.stage) + round / (round + 10);
     progress.show(done / parts,
                   words.figures()[std::min(p.stage, words.figures().size() - 1)].name);
-    return !interrupt.requested();
+    return !interrupt.asked();
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "jounce/io/spec.hpp"
@@ -14,6 +15,7 @@ struct OptimizeOptions {
   std::string table;
   std::string plot;
   bool json = false;
+  std::optional<double> seconds = {};  ///< of a search over parameters
 };
 
 /// Free knots and free shapes: solved, told, and written if they keep the limits. Answer the exit

@@ -20,6 +20,7 @@ struct Document {
   std::string text;
   Sha256 hash{};  ///< of the text
   std::map<std::string, Place> places;
+  std::map<std::string, std::string> units = {};  ///< of every number read: what a plain one counts
 
   /// The error with the place of its key, or of the nearest enclosing key that is known.
   [[nodiscard]] InputError located(const InputError& error) const;

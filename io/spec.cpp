@@ -145,6 +145,7 @@ void read_body(TomlReader& top, Spec& spec) {
     spec.then = detail::read_then(top, spec);
     spec.compare = detail::read_compare(top, spec);
   }
+  if (kind.runs != Kind::no_curve) spec.parameters = detail::read_parameters(top, spec);
   top.finish();
 }
 

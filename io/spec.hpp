@@ -13,6 +13,7 @@
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/io/motion_spec.hpp"
+#include "jounce/io/parameters_spec.hpp"
 #include "jounce/io/shape_spec.hpp"
 #include "jounce/io/sync_spec.hpp"
 #include "jounce/io/time_table.hpp"
@@ -122,6 +123,7 @@ struct Spec {
   std::optional<MasterSpec> master;
   std::optional<CouplingSpec> coupling;  ///< of a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;
+  std::optional<ParametersSpec> parameters;  ///< that `jounce optimize` chooses
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
   std::optional<Mode>

@@ -135,7 +135,7 @@ void read_optimize(TomlReader& top, Spec& spec) {
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)
     top.fail("optimize", "", "is missing: say what is wanted of the free shapes, by `minimize`");
-  if (!table) return;
+  if (!table || table->has("parameter")) return;  // the latter: read_parameters()
   if (shapes)
     read_shape_optimize(*table, spec);
   else

@@ -78,6 +78,7 @@ InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
 
 double TomlReader::read_number(const toml::node& node, const std::string& key,
                                const std::string& unit) {
+  document_->units.emplace(key, unit);
   const auto error = [&](const std::string& value, const std::string& rule) {
     const auto at = place(node.source());
     return InputError(key, value, rule).at(document_->name, at.line, at.column);
@@ -108,6 +109,15 @@ std::optional<double> TomlReader::optional_number(const char* key, const std::st
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   return read_number(*node, path(key), unit);
+}
+
+std::optional<std::string> TomlReader::optional_quantity(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (const auto text = node->value_exact<std::string>(); text && printable(*text) == *text)
+    return *text;
+  if (!node->is_number()) fail(key, shown(*node), "must be a number, or a quantity in quotes");
+  return shown(*node);
 }
 
 std::optional<std::size_t> TomlReader::optional_count(const char* key) {

@@ -207,17 +207,10 @@ class Offers {
   std::vector<Offer>& all_;
 };
 
-/// A rule that holds as well as the design needs it to, and no better: a table meets its tolerance
-/// and joints are as continuous as they are. Only if it is broken, it says something of the margin.
-bool limits(const Finding& f) {
-  return f.severity == Severity::required &&
-         (f.broken || !(f.rule.starts_with("table/") || f.rule.starts_with("continuity/")));
-}
-
 double margin(const Report& report) {
   double least = std::numeric_limits<double>::infinity();
   for (const Finding& f : report.findings)
-    if (limits(f)) least = std::min(least, f.margin);
+    if (states_limit(f)) least = std::min(least, f.margin);
   return least;
 }
 
@@ -283,6 +276,11 @@ Assessment assessed(std::vector<Looked>& axes, const std::vector<std::string>& n
 }
 
 }  // namespace
+
+bool states_limit(const Finding& f) {
+  return f.severity == Severity::required &&
+         (f.broken || !(f.rule.starts_with("table/") || f.rule.starts_with("continuity/")));
+}
 
 std::optional<double> Assessment::value(const std::string& name) const {
   const auto at = std::find_if(figures.begin(), figures.end(),

@@ -48,6 +48,10 @@ struct Assessment {
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
 
+/// Whether a finding has a say in the margin. A table meets its tolerance, and joints are as continuous as
+/// they are: rules that hold as well as the design needs it to, and no better, only if they are broken.
+bool states_limit(const Finding& finding);
+
 /// Makes the spec, checks it against its limits and, where it has a [drive], drives it; the drive is
 /// left out where `names` asks neither for a figure of it nor for "margin". No names: everything.
 /// Throws InputError as make() does, for a name that this spec has no figure for (with those it has),

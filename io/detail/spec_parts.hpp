@@ -37,6 +37,9 @@ std::optional<LoadSpec> read_load(TomlReader& top, const Units& units);
 void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape);
 void read_shape_optimize(TomlReader& optimize, Spec& spec);
 
+/// [optimize] with [[optimize.parameter]], after everything else: by then the spec's numbers have been read.
+std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& spec);
+
 /// [disc] with [disc.limits], where there is one.
 std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);
 

@@ -25,6 +25,8 @@ class TomlReader {
   /// A number, or a quantity with unit in quotes, in `unit`.
   double number(const char* key, const std::string& unit);
   std::optional<double> optional_number(const char* key, const std::string& unit);
+  /// A number or a quantity as it is written, where only later is known in what it counts.
+  std::optional<std::string> optional_quantity(const char* key);
   std::optional<std::size_t> optional_count(const char* key);
   /// A whole number of any sign.
   std::optional<std::int64_t> optional_whole(const char* key);
