@@ -77,6 +77,13 @@ class Roaming {
                        [&](const Choice& each) { return distance(each, place.z) >= reach(); });
   }
 
+  /// Where a variable has no say, one basin has many ends: equal values are one too.
+  [[nodiscard]] bool is_same(const Trial& a, const Trial& b) const {
+    const double away = std::abs(a.answer.objective - b.answer.objective);
+    const bool as_good = a.violation == 0 && b.violation == 0 && away <= 1e-2 * trials_.spread();
+    return as_good || distance(a.z, b.z) <= 1e-2;
+  }
+
   void search_from(const Trial& place) {
     const int n = static_cast<int>(trials_.size());
     Trial end = descend(trials_, place.z, std::min(0.2, reach()), 1e-3, 25 * (n + 1));
@@ -85,7 +92,7 @@ class Roaming {
     known_.push_back(end.z);
     ++roamed_.searches;
     for (Basin& basin : basins_) {
-      if (distance(basin.end.z, end.z) > 1e-2) continue;
+      if (!is_same(basin.end, end)) continue;
       ++basin.searches;
       if (better(end, basin.end)) basin.end = end;
       return;
