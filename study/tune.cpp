@@ -269,7 +269,8 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   const std::vector<TunedFigure> given = given_figures(tuned);
   TuneOutcome outcome;
   outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
-  if (outcome.usable()) round_off(tuned, spec.parameters->options, outcome.search);
+  const bool cancelled = outcome.search.status == Outcome::Status::cancelled;
+  if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
   add_numbers(tuned, outcome);
   outcome.text = tuned.text(outcome.search.best);
   if (!outcome.search.answer.possible) return outcome;

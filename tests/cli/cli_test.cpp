@@ -415,6 +415,34 @@ TEST_F(Cli, OptimizeWritesNothingForAShapeThatCannotBe) {
   EXPECT_EQ(files(), std::vector<std::string>{"cam.toml"});
 }
 
+TEST_F(Cli, OptimizeChoosesNumbersOfAnySpec) {
+  const std::string shear = examples + "shear-line-speed/shear.toml";
+  const Result result = run("optimize --json " + shear + " -o faster.toml --table faster.csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json outcome = json::parse(result.out);
+  EXPECT_EQ(outcome["status"], "converged");
+  EXPECT_EQ(outcome["maximize"], "master velocity");
+  EXPECT_NEAR(outcome["figures"][0]["reached"].get<double>(), 1019.76, 0.01);
+  EXPECT_EQ(outcome["parameters"][0]["unit"], "m/min");
+  EXPECT_EQ(run("check faster.toml").status, 0);
+  EXPECT_EQ(run("check faster.csv").status, 0);
+  const Result piped = run("optimize " + shear + " -o -");
+  EXPECT_THAT(piped.out, HasSubstr("line_speed = \"61.18"));
+  EXPECT_THAT(piped.err, StartsWith("converged"));
+}
+
+TEST_F(Cli, OptimizeOfNumbersWritesNothingWhereNothingHolds) {
+  std::string text = slurp(examples + "shear-line-speed/shear.toml");
+  write("tight.toml", text + "\n[[optimize.require]]\nfigure = \"stroke\"\nat_most = 1\n");
+  const Result result = run("optimize tight.toml -o out.toml --table out.csv");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, StartsWith("infeasible"));
+  EXPECT_EQ(files(), std::vector<std::string>{"tight.toml"});
+  EXPECT_THAT(run("optimize tight.toml --seconds 0").err,
+              HasSubstr("--seconds = 0: must be greater than 0"));
+  EXPECT_EQ(run("optimize tight.toml --seconds nan").status, 2);
+}
+
 TEST_F(Cli, ValidateProvesAndFindsALie) {
   const Result good = run("validate --json " + cam);
   EXPECT_EQ(good.status, 0);
