@@ -124,7 +124,8 @@ class Tuned {
     std::map<std::string, double> all;
     for (const Finding& f : report.findings) {
       if (!states_limit(f)) continue;
-      const double margin = f.broken ? std::min(f.margin, -1e-9) : std::max(f.margin, 0.0);
+      const double margin =
+          f.broken ? std::clamp(f.margin, -1e6, -1e-9) : std::clamp(f.margin, 0.0, 1e6);
       const auto [it, fresh] = all.emplace(f.rule + (f.axis.empty() ? "" : " " + f.axis), margin);
       if (!fresh) it->second = std::min(it->second, margin);
     }

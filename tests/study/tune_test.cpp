@@ -137,7 +137,7 @@ TEST(Tune, GivesAKnifeItsLongestStretchInStep) {
   const TuneOutcome outcome = tuned(
       "jounce = 1\nkind = \"knife\"\nunits = { position = \"deg\", master = \"mm\" }\n[knife]\n"
       "diameter = 200\nblades = 2\ncut_length = 250\nsync_angle = 15\n[master]\nvelocity = 1500\n"
-      "distance = 1000\n[limits.slave]\nacceleration = \"800 rad/s^2\"\n"
+      "distance = 1000\n[limits.slave]\nacceleration = \"300 rad/s^2\"\n"
       "[optimize]\nmaximize = \"in step\"\n" +
       parameter("knife.sync_angle", "5, 60"));
   (void)expect_held(outcome);
@@ -147,8 +147,8 @@ TEST(Tune, GivesAKnifeItsLongestStretchInStep) {
     return std::abs(1 - b / (100 * h)) * 10 / std::sqrt(3.0) * h * 1500 * 1500 / (b * b);
   };
   const double reached = outcome.numbers[0].reached * pi / 180;
-  EXPECT_LE(acceleration(reached), 800 * (1 + 1e-9));
-  EXPECT_GE(acceleration(reached), 800 * (1 - 1e-4));
+  EXPECT_LE(acceleration(reached), 300 * (1 + 1e-9));
+  EXPECT_GE(acceleration(reached), 300 * (1 - 1e-4));
 }
 
 TEST(Tune, IndexesInTheShortestTime) {
