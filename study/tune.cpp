@@ -251,6 +251,20 @@ void add_numbers(const Tuned& tuned, TuneOutcome& outcome) {
   }
 }
 
+/// What is required and not held, as sentences.
+std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
+  std::vector<std::string> all;
+  const auto add = [&](const TunedFigure& f, const char* bound, double limit) {
+    all.push_back(f.name + " comes to " + number(f.reached) + " " + f.unit + ": " + bound + " " +
+                  number(limit) + " is required");
+  };
+  for (const TunedFigure& f : figures) {
+    if (f.at_least && f.reached < *f.at_least) add(f, "at least", *f.at_least);
+    if (f.at_most && f.reached > *f.at_most) add(f, "at most", *f.at_most);
+  }
+  return all;
+}
+
 /// What the spec came to as it was given; nothing where it cannot be made.
 std::vector<TunedFigure> given_figures(Tuned& tuned) {
   Point start;
@@ -279,6 +293,12 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   outcome.report = best.report;
   outcome.figures = tuned.figures(best);
   for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
+  if (!outcome.usable()) {
+    if (outcome.search.status == Outcome::Status::infeasible)
+      outcome.search.reason = "none of the numbers that were tried hold everything";
+    outcome.active = missed_of(outcome.figures);
+    return outcome;
+  }
   outcome.active = active_of(tuned, outcome, {spec.units, spec.over_master(), {}});
   return outcome;
 }
