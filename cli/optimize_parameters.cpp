@@ -46,13 +46,13 @@ void print_text(std::FILE* out, const TuneOutcome& outcome, const Spec& spec) {
     fmt::print(out, "  {:<28} {:>12} {:>12} {:<10} from {} to {}\n", n.key, number(n.given),
                outcome.usable() ? number(n.reached) : rounded(n.reached), unit_of(n.unit),
                number(n.lower), number(n.upper));
+  for (const std::string& sentence : outcome.active) fmt::print(out, "  - {}\n", sentence);
   if (!outcome.usable()) {
     const Labels labels{spec.units, spec.over_master(), {}};
     if (search.answer.possible)
       fmt::print(out, "least violated:\n{}", full_text(outcome.report, labels));
     return;
   }
-  for (const std::string& sentence : outcome.active) fmt::print(out, "  - {}\n", sentence);
   if (outcome.active.empty()) fmt::print(out, "  - no limit and no bound is reached\n");
 }
 

@@ -34,7 +34,7 @@ struct TuneOutcome {
   std::vector<TunedNumber> numbers;  ///< in the order of the spec
   std::vector<TunedFigure>
       figures;  ///< the objective, then what is required; empty: nothing can be made
-  std::vector<std::string> active;  ///< what stops further improvement, in sentences
+  std::vector<std::string> active;  ///< what stops it, or what is missed: sentences
   Report report;                    ///< of the best: every limit that the spec states
   std::string text;                 ///< the spec with the numbers of the best, nothing else touched
 

@@ -222,6 +222,7 @@ TEST(Tune, SaysWhatIsInTheWayWhereNothingHolds) {
             "[[optimize.require]]\nfigure = \"duration\"\nat_most = 0.3\n");
   EXPECT_EQ(outcome.search.status, Status::infeasible);
   EXPECT_FALSE(outcome.usable());
+  EXPECT_THAT(outcome.active, ElementsAre(HasSubstr("at most 0.3 is required")));
 }
 
 TEST(Tune, StopsWhenItIsTold) {
