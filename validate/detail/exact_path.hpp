@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <span>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/validate/detail/ladder.hpp"
+#include "jounce/validate/detail/linear_system.hpp"
+
+namespace jounce::detail {
+
+/// The way of a linear system along a curve that holds after its end, from rest at its start. The
+/// system and the curve must outlive it.
+class ExactPath {
+ public:
+  /// `step` > 0: the spacing at which the outputs will mostly be asked for.
+  ExactPath(const LinearSystem& system, const Trajectory& reference, double step);
+
+  /// The outputs at ascending times, none before the reference's start, one column a time.
+  Eigen::MatrixXd at(std::span<const double> times);
+
+  /// The reference as a whole.
+  struct Whole {
+    double square = 0;       ///< integral of the first output, squared
+    Eigen::VectorXd output;  ///< at the end, as the reference leaves it
+    Eigen::VectorXd state;   ///< there, met by the standstill that follows
+  };
+  Whole whole();
+
+ private:
+  void begin();
+  /// Takes x, the head of z_, into the next segment, with the steps of the reference.
+  void enter(const Segment& f);
+  /// What the reference is at the segment's end, for the next to step from.
+  void leave();
+  Ladder& ladder_for(const Segment& f);
+  [[nodiscard]] const Segment& segment(std::size_t i) const;
+
+  const LinearSystem& system_;
+  const Trajectory& reference_;
+  double step_;
+  int degree_ = 2;
+  Segment standstill_;
+  std::deque<Ladder> ladders_;
+  Ladder* ladder_ = nullptr;
+  const Segment* segment_ = nullptr;
+  Eigen::VectorXd z_;
+  std::array<double, 2> before_{};  // position and velocity of the reference before the break
+};
+
+}  // namespace jounce::detail

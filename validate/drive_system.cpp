@@ -1,0 +1,186 @@
+// A drive without nonlinear parts: bodies 0 (the motor) to n in a chain, joined by shafts; masses that
+// stand rigidly on the one before are one body with it, a pendulum is a body of its own, hung from the
+// last. With angles x_i = th_i - th_r relative to the reference,
+//
+//     (1)  e     = -K_p x_0 + (k_v - 1) w_r - x_0'                   both loops' error
+//     (2)  T_c   = K_v e + z + k_a J a_r + k_f b w_r                  J, b: of all bodies together
+//     (3)  z'    = K_v e / T_i
+//     (4)  T'    = (T_c - T) / tau                                    tau = 0: T = T_c
+//     (5)  S_i   = c_i (x_(i-1) - x_i) + d_i (x_(i-1)' - x_i')        shaft before body i
+//     (6)  J_i x_i'' = [T if i = 0] + S_i - S_(i+1) - b_i (x_i' + w_r) - L_i - J_i a_r
+//     (7)  pendulum of share s on the last mass, inertia J:
+//          its body has s J, the mass (1 - s) J;  c = s J (2 pi f)^2,  d = 2 D s J 2 pi f
+
+#include "jounce/validate/detail/drive_system.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace jounce::detail {
+namespace {
+
+struct Body {
+  double inertia = 0;
+  double friction = 0;
+  double load = 0;
+  double stiffness = 0;  // of the shaft to the body before
+  double damping = 0;
+};
+
+struct Chain {
+  std::vector<Body> bodies;
+  std::size_t load = 0;  // the body that the last mass belongs to
+};
+
+Chain chain_of(const Drive& drive) {
+  Chain chain;
+  chain.bodies.push_back({drive.motor.inertia, drive.motor.friction.viscous, 0, 0, 0});
+  double last = drive.motor.inertia;
+  for (const Mass& m : drive.train) {
+    if (m.stiffness > 0) chain.bodies.push_back({0, 0, 0, m.stiffness, m.damping});
+    Body& body = chain.bodies.back();
+    body.inertia += m.inertia;
+    body.friction += m.friction.viscous;
+    body.load += m.load_torque;
+    last = m.inertia;
+  }
+  chain.load = chain.bodies.size() - 1;
+  if (drive.pendulum) {  // (7)
+    const Pendulum& p = *drive.pendulum;
+    const double w = 2 * std::numbers::pi * p.frequency;
+    const double hung = p.share * last;
+    chain.bodies.back().inertia -= hung;
+    chain.bodies.push_back({hung, 0, 0, hung * w * w, 2 * p.damping * hung * w});
+  }
+  return chain;
+}
+
+using Eigen::Index;
+using Row = Eigen::RowVectorXd;
+
+/// A linear form in the states and the inputs.
+struct Form {
+  Row x;
+  Row w;
+};
+
+/// The bodies alone, driven by `torque`: (5), (6). The states are angles, then speeds, then others
+/// up to `states`.
+void add_bodies(LinearSystem& s, const Chain& chain, const Form& torque, double radians) {
+  const auto n = static_cast<Index>(chain.bodies.size());
+  for (Index i = 0; i < n; ++i) {
+    const Body& body = chain.bodies[static_cast<std::size_t>(i)];
+    s.a(i, n + i) = 1;
+    s.a(n + i, n + i) -= body.friction / body.inertia;
+    s.b(n + i, LinearSystem::one) = -body.load / body.inertia;
+    s.b(n + i, LinearSystem::velocity) = -radians * body.friction / body.inertia;
+    s.b(n + i, LinearSystem::acceleration) = -radians;
+    s.follows_position(i) = radians;
+    s.follows_velocity(n + i) = radians;
+    if (i == 0) continue;
+    const Index sides[2] = {i - 1, i};
+    for (const Index side : sides) {  // the shaft pulls body i towards i-1 and back
+      const double by = (side == i ? 1 : -1) / chain.bodies[static_cast<std::size_t>(side)].inertia;
+      s.a(n + side, i - 1) += by * body.stiffness;
+      s.a(n + side, i) -= by * body.stiffness;
+      s.a(n + side, n + i - 1) += by * body.damping;
+      s.a(n + side, n + i) -= by * body.damping;
+    }
+  }
+  s.a.row(n) += torque.x / chain.bodies[0].inertia;
+  s.b.row(n) += torque.w / chain.bodies[0].inertia;
+}
+
+LinearSystem empty(Index states) {
+  LinearSystem s;
+  s.a.setZero(states, states);
+  s.b.setZero(states, LinearSystem::inputs);
+  s.c.setZero(drive_rows, states);
+  s.d.setZero(drive_rows, LinearSystem::inputs);
+  s.follows_position.setZero(states);
+  s.follows_velocity.setZero(states);
+  s.scale.setOnes(states);
+  return s;
+}
+
+void add_outputs(LinearSystem& s, const Chain& chain, const Form& torque) {
+  s.c.row(torque_row) = torque.x;
+  s.d.row(torque_row) = torque.w;
+  s.c(motor_row, 0) = 1;
+  s.c(load_row, static_cast<Index>(chain.load)) = 1;
+}
+
+Form state(Index states, Index which) {
+  Form f{Row::Zero(states), Row::Zero(LinearSystem::inputs)};
+  f.x(which) = 1;
+  return f;
+}
+
+}  // namespace
+
+double total_inertia(const Drive& drive) {
+  double sum = drive.motor.inertia;
+  for (const Mass& m : drive.train) sum += m.inertia;
+  return sum;
+}
+
+double total_friction(const Drive& drive) {
+  double sum = drive.motor.friction.viscous;
+  for (const Mass& m : drive.train) sum += m.friction.viscous;
+  return sum;
+}
+
+LinearSystem drive_system(const Drive& drive) {
+  const Controller& k = drive.controller;
+  const Chain chain = chain_of(drive);
+  const auto n = static_cast<Index>(chain.bodies.size());
+  const bool integral = k.integral_time > 0;
+  const bool lag = drive.motor.current_lag > 0;
+  const Index states = 2 * n + (integral ? 1 : 0) + (lag ? 1 : 0);
+  const double radians = 2 * std::numbers::pi / drive.position_per_rev;
+  LinearSystem s = empty(states);
+
+  Form error{Row::Zero(states), Row::Zero(LinearSystem::inputs)};  // K_v e of (1)
+  error.x(0) = -k.velocity_gain * k.position_gain;
+  error.x(n) = -k.velocity_gain;
+  error.w(LinearSystem::velocity) = k.velocity_gain * (k.velocity_feed_forward - 1) * radians;
+
+  Form torque = error;  // (2)
+  if (integral) torque.x(2 * n) = 1;
+  torque.w(LinearSystem::acceleration) = k.torque_feed_forward * total_inertia(drive) * radians;
+  torque.w(LinearSystem::velocity) += k.friction_feed_forward * total_friction(drive) * radians;
+
+  if (integral) {  // (3)
+    s.a.row(2 * n) = error.x / k.integral_time;
+    s.b.row(2 * n) = error.w / k.integral_time;
+  }
+  if (lag) {  // (4)
+    const Form given = state(states, states - 1);
+    s.a.row(states - 1) = (torque.x - given.x) / drive.motor.current_lag;
+    s.b.row(states - 1) = torque.w / drive.motor.current_lag;
+    torque = given;
+  }
+  add_bodies(s, chain, torque, radians);
+  add_outputs(s, chain, torque);
+  return s;
+}
+
+LinearSystem open_drive(const Drive& drive) {
+  const Chain chain = chain_of(drive);
+  const auto n = static_cast<Index>(chain.bodies.size());
+  const bool lag = drive.motor.current_lag > 0;
+  const Index states = 2 * n + (lag ? 2 : 1);
+  LinearSystem s = empty(states);
+  Form torque = state(states, states - 1);
+  if (lag) {  // (4)
+    const Form given = state(states, 2 * n);
+    s.a.row(2 * n) = (torque.x - given.x) / drive.motor.current_lag;
+    torque = given;
+  }
+  add_bodies(s, chain, torque, 0);
+  add_outputs(s, chain, torque);
+  return s;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/profiles/curve.hpp"
+#include "jounce/pvt/table.hpp"
+#include "jounce/validate/drive.hpp"
+
+namespace jounce {
+
+/// Why a drive is not linear: the key of a number that makes it so ("mass[1].backlash"), as numbers()
+/// names it; nothing if it is linear. The limits of the motor do not count: a linear drive is solved
+/// as if it had none, which holds as long as its torque stays within them.
+std::optional<std::string> nonlinearity(const Drive& drive);
+
+/// One way in which an axis swings, or creeps, by itself, its loops closed.
+struct DriveMode {
+  double frequency = 0;  ///< Hz, as counted (damped); 0: it creeps
+  double damping = 0;    ///< ratio to the critical one; 1 where it creeps; negative: it grows
+  double rate = 0;       ///< 1/s, of the decay
+  /// How far it swings about its place at the reference's end, in u at the load: the envelope at
+  /// that instant. NaN where two modes are too much alike to be told apart.
+  double residual = 0;
+};
+
+/// What a linear drive does along a reference, exactly.
+struct ExactRun {
+  std::vector<DriveSample> samples;  ///< at the times asked for
+  double rms_torque = 0;             ///< N m, over the reference's duration
+  double end_following_error = 0;    ///< u, at the reference's end
+};
+
+/// Solves a linear drive along a reference, from rest at its start, as drive_through() does, but
+/// without an integrator:
+///
+///     const std::vector<double> times = every_millisecond(table);
+///     const ExactRun run = exact_run(table, servo_400w(), times);
+///     run.samples[250].torque;                                     // N m, at times[250]
+///
+/// Segments of a curve, polynomials and sines, are outputs of linear systems themselves; the drive and
+/// its reference together are z' = M z, solved by exponentials of M (equations at the head of
+/// ladder.cpp). A controller with a cycle is solved cycle by cycle, its delay whole or not.
+/// No step, no tolerance: the error is rounding, within 1e-11 of the stroke and of the peak torque
+/// (pinned by tests). A second of motion with a thousand outputs takes some 40 us.
+///
+/// Times ascend, in s on the reference's axis, none before its start; after its end the reference
+/// holds. Throws InputError where require_valid() does, for a drive that is not linear, for times that
+/// do not ascend or begin too early, and for a Table over master position.
+ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times);
+ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times);
+
+/// All modes of a linear drive whose controller is continuous, fastest last, and what the reference
+/// leaves of each. Throws InputError as exact_run(), and for a controller with a cycle.
+std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive);
+
+/// The modes alone, nothing left in them.
+std::vector<DriveMode> modes(const Drive& drive);
+
+/// What a response counts.
+enum class DriveOutput {
+  torque,           ///< N m, of the motor
+  following_error,  ///< u, reference - motor
+  load_error,       ///< u, load - reference: after the end, the residual vibration
+  load,             ///< u
+};
+
+/// The output at given times after the reference's start as a function of the reference: affine in
+/// it, so that an optimiser needs it once for every function it composes a shape of. The times
+/// ascend from 0; a list of another reference's length is met the same way. Throws InputError as
+/// exact_run(), when it is made.
+std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,
+                                                               DriveOutput output,
+                                                               std::vector<double> times);
+
+}  // namespace jounce
