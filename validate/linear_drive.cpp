@@ -93,7 +93,7 @@ std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorX
   const Eigen::MatrixXcd vectors = solver.eigenvectors();
   const auto inverse = vectors.fullPivLu();
   // Vectors nearly alike: what is left of each is a difference of large numbers.
-  const bool apart = inverse.rcond() > 1e-10;
+  const bool apart = inverse.rcond() > 1e-6;
   const Eigen::VectorXcd share = inverse.solve(state.cast<std::complex<double>>());
   std::vector<DriveMode> found;
   for (Index k = 0; k < values.size(); ++k) {

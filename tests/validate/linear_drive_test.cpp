@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/law.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/extrema.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "support/random.hpp"
@@ -56,6 +56,16 @@ Drive four_mass() {
   return drive;
 }
 
+Drive lagging() {
+  Drive drive = four_mass();
+  drive.train = {mass(2e-4, 1e-4, 50, 5e-3, 0.1)};
+  drive.controller.position_gain = 40;
+  drive.controller.velocity_gain = 0.05;
+  drive.controller.integral_time = 0.02;
+  drive.motor.current_lag = 2e-4;
+  return drive;
+}
+
 Drive with_pendulum() {
   Drive drive = servo_400w();
   drive.pendulum = Pendulum{4, 0.01, 0.3};
@@ -75,6 +85,7 @@ Drive rigid() {
 Drive named(const std::string& name) {
   if (name == "two_mass") return two_mass();
   if (name == "four_mass") return four_mass();
+  if (name == "lagging") return lagging();
   if (name == "pendulum") return with_pendulum();
   return rigid();
 }
@@ -137,8 +148,11 @@ TEST(LinearDrive, AgreesWithThirtyDigits) {
     const ExactRun run = exact_run(move, drive, times);
     const double stroke = move.jet(move.end(), Side::left)[0];
     const double torque = torque_peak(run);
-    expect_same(run.samples, truth, stroke, torque, 1e-11);
-    EXPECT_NEAR(run.rms_torque, c.at("rms_torque").get<double>(), 1e-11 * run.rms_torque);
+    // A sampled controller differentiates the angle's last digit.
+    const double share = drive.controller.cycle > 0 ? 1e-10 : 1e-11;
+    ASSERT_LT(torque, 20) << "a drive that is stable";
+    expect_same(run.samples, truth, stroke, torque, share);
+    EXPECT_NEAR(run.rms_torque, c.at("rms_torque").get<double>(), share * run.rms_torque);
   }
 }
 
@@ -182,7 +196,7 @@ TEST(LinearDrive, IsTheWitnessOfTheIntegrationOfTables) {
 TEST(LinearDrive, DoesNotDependOnTheTimesAskedFor) {
   testing::Random random(7);
   for (const Drive& drive : {two_mass(), four_mass(), with_pendulum(), rigid()})
-    for (const double cycle : {0.0, 0.00071}) {
+    for (const double cycle : {0.0, 0.00021}) {
       Drive d = drive;
       d.controller.cycle = cycle;
       const Trajectory move = reference("cycloid");
@@ -222,7 +236,9 @@ TEST(LinearDrive, ASampledControllerTendsToTheContinuousOne) {
     double worst = 0;
     for (std::size_t i = 0; i < times.size(); ++i)
       worst = std::max(worst, std::abs(run.samples[i].load - continuous.samples[i].load));
-    if (before > 0) EXPECT_NEAR(before / worst, 2, 0.3) << cycle;  // of first order
+    if (before > 0) {
+      EXPECT_NEAR(before / worst, 2, 0.3) << cycle;  // of first order
+    }
     before = worst;
   }
 }
@@ -310,24 +326,22 @@ TEST(LinearDrive, ModesTooMuchAlikeAreNotToldApart) {
   drive.controller.position_gain =
       damping * damping / (4 * 2.4e-4 * drive.controller.velocity_gain);
   for (const DriveMode& m : free_vibration(reference("s_curve"), drive))
-    EXPECT_TRUE(std::isnan(m.residual) || m.residual < 3600);
+    EXPECT_TRUE(std::isnan(m.residual));
 }
 
 // ---- responses ----------------------------------------------------------------------------------
 
 TEST(LinearDrive, ResponsesAreAffineInTheReference) {
   const Trajectory a = reference("law_4567");
-  Trajectory b = scaled(scaled(a, 0.3), 1, 1);
   std::vector<Segment> other{a.segments()[0]};
   other[0].c = {0, 0, 0, 100, 50, -20, 7, 3};
   const Trajectory c(other, 0, Outside::hold);
   for (const DriveOutput output : {DriveOutput::torque, DriveOutput::following_error,
                                    DriveOutput::load_error, DriveOutput::load}) {
     const auto f = response(four_mass(), output, milliseconds(0.5));
-    const auto fa = f(a), fc = f(c), both = f(*std::make_optional(sum(a, c)));
+    const auto fa = f(a), fc = f(c), both = f(sum(a, c));
     const auto none = f(scaled(a, 0));
-    for (std::size_t i = 0; i < fa.size(); ++i)
-      ASSERT_NEAR(both[i], fa[i] + fc[i] - none[i], 1e-8);
+    for (std::size_t i = 0; i < fa.size(); ++i) ASSERT_NEAR(both[i], fa[i] + fc[i] - none[i], 1e-8);
   }
 }
 

@@ -1,0 +1,296 @@
+#include "jounce/validate/tolerances.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::size_t all_corners_up_to = 10;  // numbers: 1024 cases
+
+/// splitmix64 (Steele, Lea, Flood 2014): the same cases everywhere.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : state_(seed) {}
+
+  /// In [0, 1).
+  double uniform() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  }
+
+  /// In [-1, 1], three standard deviations to each side (Box & Muller 1958; beyond: drawn again).
+  double normal() {
+    for (;;) {
+      const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+      const double x = radius * std::cos(2 * std::numbers::pi * uniform()) / 3;
+      if (std::abs(x) <= 1) return x;
+    }
+  }
+
+  double either() { return uniform() < 0.5 ? -1 : 1; }
+
+ private:
+  std::uint64_t state_;
+};
+
+double& number_of(Drive& drive, const std::string& key) {
+  for (const DriveNumber& n : numbers(drive))
+    if (n.key == key) return *n.value;
+  throw InputError("tolerances.key", key, "is no number of this drive");
+}
+
+/// What varies: middle and half width of each number.
+struct Band {
+  std::string key;
+  double middle;
+  double half;
+  bool normal;
+};
+
+std::vector<Band> bands_of(const Drive& drive, const ToleranceSpec& spec) {
+  std::vector<Band> bands;
+  Drive copy = drive;
+  for (const Tolerance& t : spec.numbers) {
+    require_not_negative("tolerances.share", t.share);
+    require_not_negative("tolerances.absolute", t.absolute);
+    const double middle = number_of(copy, t.key);
+    for (const Band& b : bands)
+      if (b.key == t.key) throw InputError("tolerances.key", t.key, "is given twice");
+    bands.push_back({t.key, middle, t.share * std::abs(middle) + t.absolute, t.normal});
+  }
+  return bands;
+}
+
+Drive with(const Drive& drive, const std::vector<Band>& bands, const std::vector<double>& values) {
+  Drive other = drive;
+  for (std::size_t i = 0; i < bands.size(); ++i) number_of(other, bands[i].key) = values[i];
+  return other;
+}
+
+/// Both ends of every number, alone, must make a drive.
+void require_ends(const Drive& drive, const std::vector<Band>& bands) {
+  for (const Band& b : bands)
+    for (const double end : {b.middle - b.half, b.middle + b.half}) {
+      Drive other = drive;
+      number_of(other, b.key) = end;
+      try {
+        require_valid(other);
+      } catch (const InputError& error) {
+        throw InputError("tolerances." + b.key, end, error.rule() + ", over its whole tolerance");
+      }
+    }
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+std::vector<double> middles(const std::vector<Band>& bands) {
+  std::vector<double> values;
+  for (const Band& b : bands) values.push_back(b.middle);
+  return values;
+}
+
+Rows every_corner(const std::vector<Band>& bands) {
+  Rows rows;
+  for (std::size_t bits = 0; bits < std::size_t{1} << bands.size(); ++bits) {
+    std::vector<double> row = middles(bands);
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      row[i] += ((bits >> i) & 1U) != 0 ? bands[i].half : -bands[i].half;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Rows some_corners(const std::vector<Band>& bands, const ToleranceSpec& spec) {
+  Rows rows;
+  for (std::size_t i = 0; i < bands.size(); ++i)
+    for (const double sign : {-1.0, 1.0}) {
+      rows.push_back(middles(bands));
+      rows.back()[i] += sign * bands[i].half;
+    }
+  Draw draw(spec.seed);
+  for (std::size_t k = 0; k < spec.cases; ++k) {
+    rows.push_back(middles(bands));
+    for (std::size_t i = 0; i < bands.size(); ++i) rows.back()[i] += draw.either() * bands[i].half;
+  }
+  return rows;
+}
+
+Rows draws(const std::vector<Band>& bands, const ToleranceSpec& spec) {
+  Rows rows;
+  Draw draw(spec.seed);
+  for (std::size_t k = 0; k < spec.cases; ++k) {
+    rows.push_back(middles(bands));
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      rows.back()[i] += (bands[i].normal ? draw.normal() : 2 * draw.uniform() - 1) * bands[i].half;
+  }
+  return rows;
+}
+
+Rows rows_of(const std::vector<Band>& bands, const ToleranceSpec& spec) {
+  if (spec.method == ToleranceSpec::Method::monte_carlo) return draws(bands, spec);
+  return bands.size() <= all_corners_up_to ? every_corner(bands) : some_corners(bands, spec);
+}
+
+// ---- figures ------------------------------------------------------------------------------------
+
+/// What is kept of a run, in the order of `figures` below.
+struct FigureOf {
+  const char* name;
+  const char* unit;
+  double (*value)(const DriveResult&);
+  std::optional<double> DriveLimits::*limit;
+};
+
+constexpr std::array figures{
+    FigureOf{"torque", "N m", [](const DriveResult& r) { return std::abs(r.torque.value); },
+             &DriveLimits::torque},
+    FigureOf{"rms_torque", "N m", [](const DriveResult& r) { return r.rms_torque; },
+             &DriveLimits::rms_torque},
+    FigureOf{"following_error", "u",
+             [](const DriveResult& r) { return std::abs(r.following_error.value); },
+             &DriveLimits::following_error},
+    FigureOf{"residual", "u", [](const DriveResult& r) { return std::abs(r.residual.value); },
+             &DriveLimits::residual},
+};
+
+struct Kept {
+  std::array<double, figures.size()> values{};
+  bool saturated = false;
+  bool failed = false;
+};
+
+Kept keep(const DriveResult& run) {
+  Kept kept;
+  for (std::size_t i = 0; i < figures.size(); ++i) kept.values[i] = figures[i].value(run);
+  kept.saturated = !run.saturation.empty();
+  kept.failed = !run.integration.ok();
+  return kept;
+}
+
+FigureSpread spread(std::size_t figure, const std::vector<Kept>& cases, const Rows& rows,
+                    const std::vector<Band>& bands, const DriveLimits& limits) {
+  FigureSpread s;
+  s.figure = figures[figure].name;
+  s.unit = figures[figure].unit;
+  const std::optional<double> limit = limits.*figures[figure].limit;
+  std::vector<double> values;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].failed) continue;
+    values.push_back(cases[i].values[figure]);
+    if (cases[worst].failed || values.back() > cases[worst].values[figure]) worst = i;
+    if (limit && !(values.back() <= *limit)) ++s.beyond;
+  }
+  if (values.empty()) return s;
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  s.least = values.front();
+  s.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double v : values) squares += (v - s.mean) * (v - s.mean);
+  s.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : 0;
+  s.most_of_all = values[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1];
+  s.worst.value = values.back();
+  for (std::size_t i = 0; i < bands.size(); ++i)
+    s.worst.numbers.emplace_back(bands[i].key, rows[worst][i]);
+  return s;
+}
+
+std::string where(const ToleranceCase& c) {
+  std::string text = "worst at ";
+  for (std::size_t i = 0; i < c.numbers.size(); ++i)
+    text += (i > 0 ? ", " : "") + c.numbers[i].first + " = " + number(c.numbers[i].second);
+  return text;
+}
+
+Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
+  Report report;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::optional<double> limit = limits.*figures[i].limit;
+    const FigureSpread& s = result.figures[i];
+    if (!limit) continue;
+    Finding finding;
+    finding.rule = std::string("tolerance/") + figures[i].name;
+    finding.quantity = figures[i].name;
+    finding.value = s.worst.value;
+    finding.limit = *limit;
+    finding.margin = (*limit - s.worst.value) / *limit;
+    finding.broken = !(s.worst.value <= *limit);
+    if (finding.broken)
+      finding.advice = std::to_string(s.beyond) + " of " + std::to_string(result.cases) +
+                       " cases are over; " + where(s.worst);
+    report.findings.push_back(std::move(finding));
+  }
+  if (result.failed > 0) {
+    Finding finding;
+    finding.rule = "tolerance/integration";
+    finding.quantity = "cases";
+    finding.value = static_cast<double>(result.failed);
+    finding.broken = true;
+    finding.advice = "cases whose integration did not end well are in no figure";
+    report.findings.push_back(std::move(finding));
+  }
+  sort(report);
+  return report;
+}
+
+void require_valid(const ToleranceSpec& spec) {
+  if (spec.numbers.empty())
+    throw InputError("tolerances.number", "none", "name at least one number that varies");
+  if (spec.cases < 1 || spec.cases > 10'000'000)
+    throw InputError("tolerances.cases", std::to_string(spec.cases),
+                     "must be between 1 and 10000000");
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> tolerance_cases(const Drive& drive, const ToleranceSpec& spec) {
+  require_valid(spec);
+  return rows_of(bands_of(drive, spec), spec);
+}
+
+ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
+                                const DriveOptions& options, const ToleranceSpec& spec,
+                                const ForEach& for_each) {
+  require_valid(spec);
+  DriveOptions quick = options;
+  quick.samples = 0;
+  const DriveResult nominal = drive_through(reference, drive, quick);  // or throws, before the rest
+  const std::vector<Band> bands = bands_of(drive, spec);
+  require_ends(drive, bands);
+  const Rows rows = rows_of(bands, spec);
+  std::vector<Kept> cases(rows.size());
+  const auto run = [&](std::size_t i) {
+    cases[i] = keep(drive_through(reference, with(drive, bands, rows[i]), quick));
+  };
+  if (for_each) {
+    for_each(rows.size(), run);
+  } else {
+    for (std::size_t i = 0; i < rows.size(); ++i) run(i);
+  }
+  ToleranceResult result;
+  result.cases = rows.size();
+  result.all_corners =
+      spec.method == ToleranceSpec::Method::corners && bands.size() <= all_corners_up_to;
+  for (const Kept& c : cases) {
+    result.saturated += c.saturated ? 1 : 0;
+    result.failed += c.failed ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    result.figures.push_back(spread(i, cases, rows, bands, options.limits));
+    result.figures.back().nominal = figures[i].value(nominal);
+  }
+  result.report = report_of(result, options.limits);
+  return result;
+}
+
+}  // namespace jounce
