@@ -5,9 +5,11 @@
 //     (1)  e     = -K_p x_0 + (k_v - 1) w_r - x_0'                   both loops' error
 //     (2)  T_c   = K_v e + z + k_a J a_r + k_f b w_r                  J, b: of all bodies together
 //     (3)  z'    = K_v e / T_i
-//     (4)  T'    = (T_c - T) / tau                                    tau = 0: T = T_c
+//     (4)  T'    = (T_d - T) / tau                                    tau = 0: T = T_d
 //     (5)  S_i   = c_i (x_(i-1) - x_i) + d_i (x_(i-1)' - x_i')        shaft before body i
 //     (6)  J_i x_i'' = [T if i = 0] + S_i - S_(i+1) - b_i (x_i' + w_r) - L_i - J_i a_r
+//     (8)  T_d   = T_c after a delay D by Pade's approximant of order (2, 2), as drive_model.cpp:
+//          q_1' = q_2 / D,  q_2' = (T_c - 6 q_2 - 12 q_1) / D,  T_d = T_c - 12 q_2
 //     (7)  pendulum of share s on the last mass, inertia J:
 //          its body has s J, the mass (1 - s) J;  c = s J (2 pi f)^2,  d = 2 D s J 2 pi f
 
@@ -16,6 +18,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include <Eigen/LU>
 
 namespace jounce::detail {
 namespace {
@@ -104,17 +108,36 @@ LinearSystem empty(Index states) {
   return s;
 }
 
-void add_outputs(LinearSystem& s, const Chain& chain, const Form& torque) {
+void add_outputs(LinearSystem& s, const Chain& chain, const Form& torque, double radians) {
   s.c.row(torque_row) = torque.x;
   s.d.row(torque_row) = torque.w;
   s.c(motor_row, 0) = 1;
   s.c(load_row, static_cast<Index>(chain.load)) = 1;
+  s.c(velocity_row, static_cast<Index>(chain.bodies.size())) = 1;
+  s.d(velocity_row, LinearSystem::velocity) = radians;
 }
 
 Form state(Index states, Index which) {
   Form f{Row::Zero(states), Row::Zero(LinearSystem::inputs)};
   f.x(which) = 1;
   return f;
+}
+
+/// x_which' = f / time.
+void set_rate(LinearSystem& s, Index which, const Form& f, double time) {
+  s.a.row(which) = f.x / time;
+  s.b.row(which) = f.w / time;
+}
+
+/// (8), its states q_1 and q_2 from `first` on.
+Form add_delay(LinearSystem& s, Index first, Form torque, double delay) {
+  Form rate = torque;
+  rate.x(first) -= 12;
+  rate.x(first + 1) -= 6;
+  set_rate(s, first, state(s.states(), first + 1), delay);
+  set_rate(s, first + 1, rate, delay);
+  torque.x(first + 1) -= 12;
+  return torque;
 }
 
 }  // namespace
@@ -136,8 +159,10 @@ LinearSystem drive_system(const Drive& drive) {
   const Chain chain = chain_of(drive);
   const auto n = static_cast<Index>(chain.bodies.size());
   const bool integral = k.integral_time > 0;
+  const bool delayed = k.delay > 0;
   const bool lag = drive.motor.current_lag > 0;
-  const Index states = 2 * n + (integral ? 1 : 0) + (lag ? 1 : 0);
+  const Index delay_state = 2 * n + (integral ? 1 : 0);
+  const Index states = delay_state + (delayed ? 2 : 0) + (lag ? 1 : 0);
   const double radians = 2 * std::numbers::pi / drive.position_per_rev;
   LinearSystem s = empty(states);
 
@@ -151,19 +176,39 @@ LinearSystem drive_system(const Drive& drive) {
   torque.w(LinearSystem::acceleration) = k.torque_feed_forward * total_inertia(drive) * radians;
   torque.w(LinearSystem::velocity) += k.friction_feed_forward * total_friction(drive) * radians;
 
-  if (integral) {  // (3)
-    s.a.row(2 * n) = error.x / k.integral_time;
-    s.b.row(2 * n) = error.w / k.integral_time;
-  }
+  if (integral) set_rate(s, 2 * n, error, k.integral_time);  // (3)
+  if (delayed) torque = add_delay(s, delay_state, torque, k.delay);
   if (lag) {  // (4)
-    const Form given = state(states, states - 1);
-    s.a.row(states - 1) = (torque.x - given.x) / drive.motor.current_lag;
-    s.b.row(states - 1) = torque.w / drive.motor.current_lag;
-    torque = given;
+    Form missing = torque;
+    missing.x(states - 1) -= 1;
+    set_rate(s, states - 1, missing, drive.motor.current_lag);
+    torque = state(states, states - 1);
   }
   add_bodies(s, chain, torque, radians);
-  add_outputs(s, chain, torque);
+  add_outputs(s, chain, torque, radians);
   return s;
+}
+
+Eigen::VectorXd equilibrium(const LinearSystem& system) {
+  const Eigen::VectorXd pull = system.b.col(LinearSystem::one);
+  if (pull.isZero(0)) return pull;
+  return system.a.fullPivLu().solve(-pull);
+}
+
+OpenRest open_rest(const Drive& drive) {
+  const Chain chain = chain_of(drive);
+  OpenRest rest;
+  for (const Body& body : chain.bodies) rest.torque += body.load;
+  double torque = rest.torque;
+  const Controller& k = drive.controller;
+  double angle = k.integral_time > 0 ? 0 : -torque / (k.velocity_gain * k.position_gain);
+  rest.angles.push_back(angle);
+  for (std::size_t i = 1; i < chain.bodies.size(); ++i) {
+    torque -= chain.bodies[i - 1].load;
+    angle -= torque / chain.bodies[i].stiffness;
+    rest.angles.push_back(angle);
+  }
+  return rest;
 }
 
 LinearSystem open_drive(const Drive& drive) {
@@ -179,7 +224,7 @@ LinearSystem open_drive(const Drive& drive) {
     torque = given;
   }
   add_bodies(s, chain, torque, 0);
-  add_outputs(s, chain, torque);
+  add_outputs(s, chain, torque, 0);
   return s;
 }
 

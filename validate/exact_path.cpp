@@ -1,6 +1,7 @@
 #include "jounce/validate/detail/exact_path.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace jounce::detail {
@@ -15,8 +16,9 @@ std::vector<double> frequencies(const Segment& f) {
 
 }  // namespace
 
-ExactPath::ExactPath(const LinearSystem& system, const Trajectory& reference, double step)
-    : system_(system), reference_(reference), step_(step) {
+ExactPath::ExactPath(const LinearSystem& system, const Trajectory& reference, double step,
+                     Eigen::VectorXd rest)
+    : system_(system), reference_(reference), step_(step), rest_(std::move(rest)) {
   for (const Segment& f : reference.segments()) degree_ = std::max(degree_, f.degree);
   standstill_.c[0] = evaluate(reference.segments().back(), 1)[0];
 }
@@ -34,7 +36,7 @@ const Segment& ExactPath::segment(std::size_t i) const {
 
 void ExactPath::begin() {
   segment_ = nullptr;
-  z_ = Eigen::VectorXd::Zero(system_.states());
+  z_ = rest_;
   before_ = {evaluate(segment(0), 0)[0], 0};
 }
 

@@ -57,13 +57,15 @@ DriveSample sample(const Trajectory& reference, const Drive& drive, double t,
           r + unit * y(detail::motor_row),
           r + unit * y(detail::load_row),
           y(detail::torque_row),
-          -unit * y(detail::motor_row)};
+          -unit * y(detail::motor_row),
+          y(detail::velocity_row)};
 }
 
 ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
                         std::span<const double> times) {
   const LinearSystem system = balanced(detail::drive_system(drive));
-  ExactPath path(system, reference, spacing(times, reference.length()));
+  ExactPath path(system, reference, spacing(times, reference.length()),
+                 detail::equilibrium(system));
   ExactRun run;
   const Eigen::MatrixXd outputs = path.at(times);
   run.samples.reserve(times.size());
@@ -172,10 +174,8 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive) {
   require_continuous(drive);
   const LinearSystem system = balanced(detail::drive_system(drive));
-  ExactPath path(system, reference, reference.length());
-  // Relative to where it comes to rest: 0 = A x + B (1, 0, 0).
-  const Eigen::VectorXd rest =
-      system.a.colPivHouseholderQr().solve(-system.b.col(LinearSystem::one));
+  const Eigen::VectorXd rest = detail::equilibrium(system);
+  ExactPath path(system, reference, reference.length(), rest);
   return modes_of(system, path.whole().state - rest, 1 / radians_per_unit(drive));
 }
 

@@ -39,6 +39,16 @@ class SampledRun {
         origin_(reference.jet(reference.start())[0]),
         slack_(same_instant * k_.cycle) {
     ladder_.place(Segment{}, 0, z_);
+    const OpenRest rest = open_rest(drive);
+    const auto set = [&](Eigen::Index state, double value) {
+      z_(state) = value / system_.scale(state);
+    };
+    for (std::size_t i = 0; i < rest.angles.size(); ++i)
+      set(static_cast<Eigen::Index>(i), rest.angles[i]);
+    for (Eigen::Index i = 2 * static_cast<Eigen::Index>(rest.angles.size()); i < system_.states();
+         ++i)
+      set(i, rest.torque);  // commanded, and given by the current loop
+    if (k_.integral_time > 0) integral_ = rest.torque;
   }
 
   ExactRun along(std::span<const double> times) {
@@ -118,7 +128,8 @@ class SampledRun {
   [[nodiscard]] DriveSample sample(double t) const {
     const double r = t < reference_.end() ? reference_.jet(t)[0] : end_position();
     const double motor = origin_ + output(motor_row) / radians_;
-    return {t, r, motor, origin_ + output(load_row) / radians_, output(torque_row), r - motor};
+    return {t, r, motor, origin_ + output(load_row) / radians_, output(torque_row), r - motor,
+            output(velocity_row)};
   }
 
   const Trajectory& reference_;

@@ -70,6 +70,16 @@ class Drive:
         a[n, :] += torque / self.bodies[0][0]
 
 
+    def rest(self):
+        """Angles relative to the reference, and the motor's torque, in equilibrium with the loads."""
+        torque = held = sum(b[2] for b in self.bodies)
+        angles = [mpf(0) if self.ti else -torque / (self.kv * self.kp)]
+        for before, body in zip(self.bodies, self.bodies[1:]):
+            torque -= before[2]
+            angles.append(angles[-1] - torque / body[3])
+        return angles, held
+
+
 def factorial(k):
     return mpf(1) if k < 2 else k * factorial(k - 1)
 
@@ -107,8 +117,11 @@ def continuous(drive, segments, times):
     base = 2 * n + 3
     core = matrix(base, 1)
     core[2 * n + 2] = 1
+    angles, held = drive.rest()
     for i in range(n):
-        core[i] = drive.rad * derivative(segments[0], 0, mpf(0))
+        core[i] = drive.rad * derivative(segments[0], 0, mpf(0)) + angles[i]
+    core[2 * n] = held if drive.ti else 0
+    core[2 * n + 1] = held
     end = sum(mpf(s[0]) for s in segments)
     pieces = segments + [(None, [derivative(segments[-1], 0, mpf(1))], [])]
     begin, square, samples, left = mpf(0), mpf(0), [], list(times)
@@ -165,9 +178,12 @@ def sampled(drive, segments, cycle, delay, times):
     events.sort(key=lambda e: (e[0], e[1]))
     x = matrix(size, 1)
     x[one] = 1
+    angles, held = drive.rest()
     for i in range(n):
-        x[i] = drive.rad * reference(mpf(0))[0]
-    now, z, before, square, commands, samples, cache = mpf(0), mpf(0), None, mpf(0), [], [], {}
+        x[i] = drive.rad * reference(mpf(0))[0] + angles[i]
+    x[u] = x[lag] = held
+    z = held if drive.ti else mpf(0)
+    now, before, square, commands, samples, cache = mpf(0), None, mpf(0), [], [], {}
     for when, kind, what in events:
         step = when - now
         if step > 0:

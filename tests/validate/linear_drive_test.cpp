@@ -142,7 +142,7 @@ TEST(LinearDrive, AgreesWithThirtyDigits) {
     for (const Json& s : c.at("samples")) {
       times.push_back(s.at(0));
       truth.push_back({s.at(0), s.at(4), s.at(2), s.at(3), s.at(1),
-                       s.at(4).get<double>() - s.at(2).get<double>()});
+                       s.at(4).get<double>() - s.at(2).get<double>(), 0});
     }
     const Trajectory move = reference(c.at("reference"));
     const ExactRun run = exact_run(move, drive, times);
@@ -159,8 +159,12 @@ TEST(LinearDrive, AgreesWithThirtyDigits) {
 // ---- against CVODES -----------------------------------------------------------------------------
 
 /// Samples equally spaced as drive_through() makes them, at the same instants.
-void expect_witnessed(const SignalView& signal, const Trajectory& same, const Drive& drive) {
-  DriveOptions options{.settle = 0.1, .samples = 201, .limits = {}, .tolerance = 1e-10};
+void expect_witnessed(const SignalView& signal, const Trajectory& same, const Drive& drive,
+                      double tolerance = 1e-10) {
+  DriveOptions options;
+  options.settle = 0.1;
+  options.samples = 201;
+  options.tolerance = tolerance;
   const DriveResult run = drive_through(signal, drive, options);
   ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
   std::vector<double> times;
@@ -169,6 +173,9 @@ void expect_witnessed(const SignalView& signal, const Trajectory& same, const Dr
   const Range range = extrema(same, 0);
   const double stroke = range.max.value - range.min.value;
   expect_same(run.samples, exact.samples, stroke, torque_peak(exact), 1e-8);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    ASSERT_NEAR(run.samples[i].velocity, exact.samples[i].velocity,
+                1e-8 * std::abs(run.velocity.value));
   EXPECT_NEAR(run.rms_torque, exact.rms_torque, 1e-8 * exact.rms_torque);
   EXPECT_NEAR(run.end_following_error, exact.end_following_error, 1e-8 * stroke);
 }
@@ -182,8 +189,27 @@ TEST(LinearDrive, IsTheWitnessOfTheIntegration) {
   for (const char* name : {"trapezoid", "s_curve", "cycloid", "law_4567"}) {
     SCOPED_TRACE(name);
     const Trajectory move = reference(name);
-    expect_witnessed(move, move, unlimited(two_mass()));
+    for (const Drive& drive : {two_mass(), four_mass(), with_pendulum(), lagging(), rigid()})
+      expect_witnessed(move, move, unlimited(drive));
   }
+}
+
+TEST(LinearDrive, IsTheWitnessOfADelay) {
+  Drive drive = two_mass();
+  drive.controller.delay = 5e-4;
+  const Trajectory move = reference("s_curve");
+  expect_witnessed(move, move, unlimited(drive));
+}
+
+TEST(LinearDrive, IsTheWitnessOfASampledController) {
+  const Trajectory move = test::law_345(360, 0.1);  // the end is no sample instant but for one cycle
+  for (const double cycle : {0.00025, 0.00023})
+    for (const double delay : {0.0, 0.00025, 0.0003}) {
+      Drive drive = unlimited(lagging());
+      drive.controller.cycle = cycle;
+      drive.controller.delay = delay;
+      expect_witnessed(move, move, drive, 1e-11);  // begins anew 1600 times
+    }
 }
 
 TEST(LinearDrive, IsTheWitnessOfTheIntegrationOfTables) {

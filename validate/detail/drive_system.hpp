@@ -1,12 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "jounce/validate/detail/linear_system.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce::detail {
 
-/// The outputs of a linear drive, in N m and, of the angles, in rad relative to the reference.
-enum DriveRow : Eigen::Index { torque_row, motor_row, load_row, drive_rows };
+/// The outputs of a linear drive: N m; angles in rad relative to the reference; the motor's own rad/s.
+enum DriveRow : Eigen::Index { torque_row, motor_row, load_row, velocity_row, drive_rows };
 
 /// A linear drive under a continuous controller. The equations stand at the head of drive_system.cpp.
 LinearSystem drive_system(const Drive& drive);
@@ -14,6 +16,17 @@ LinearSystem drive_system(const Drive& drive);
 /// The same without a controller: the commanded torque is the last state, and constant. Angles are
 /// absolute: nothing depends on a reference.
 LinearSystem open_drive(const Drive& drive);
+
+/// Where a system stays at rest on a reference at rest: A x + B (1, 0, 0) = 0.
+Eigen::VectorXd equilibrium(const LinearSystem& system);
+
+/// The same of an open drive, held by its controller: the angles, relative to the reference, and the
+/// torque.
+struct OpenRest {
+  std::vector<double> angles;
+  double torque = 0;
+};
+OpenRest open_rest(const Drive& drive);
 
 /// What a sampled controller multiplies, in N m per rad/s and rad/s^2.
 double total_inertia(const Drive& drive);

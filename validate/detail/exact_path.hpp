@@ -11,12 +11,13 @@
 
 namespace jounce::detail {
 
-/// The way of a linear system along a curve that holds after its end, from rest at its start. The
+/// The way of a linear system along a curve that holds after its end, from a state of rest at its start. The
 /// system and the curve must outlive it.
 class ExactPath {
  public:
   /// `step` > 0: the spacing at which the outputs will mostly be asked for.
-  ExactPath(const LinearSystem& system, const Trajectory& reference, double step);
+  ExactPath(const LinearSystem& system, const Trajectory& reference, double step,
+            Eigen::VectorXd rest);
 
   /// The outputs at ascending times, none before the reference's start, one column a time.
   Eigen::MatrixXd at(std::span<const double> times);
@@ -41,6 +42,7 @@ class ExactPath {
   const LinearSystem& system_;
   const Trajectory& reference_;
   double step_;
+  Eigen::VectorXd rest_;
   int degree_ = 2;
   Segment standstill_;
   std::deque<Ladder> ladders_;

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "jounce/validate/follower.hpp"
+
+namespace jounce::detail {
+
+/// The run of follow(), for a follower and options that have been checked, without the report.
+FollowerResult run(const SignalView& lift, const Follower& follower,
+                   const FollowerOptions& options);
+
+}  // namespace jounce::detail
