@@ -70,6 +70,7 @@ void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
 /// What any cam may have beside it: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
   if (auto master = read_master(top, spec)) spec.master = master;
+  spec.follower = detail::read_follower(top, spec);
   spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
   spec.switches = detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
 }

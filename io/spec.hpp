@@ -22,6 +22,8 @@
 #include "jounce/pvt/position_compare.hpp"
 #include "jounce/pvt/reduce.hpp"
 #include "jounce/validate/drive.hpp"
+#include "jounce/validate/follower.hpp"
+#include "jounce/validate/tolerances.hpp"
 
 namespace jounce {
 
@@ -66,10 +68,18 @@ struct DriveSpec {
   DriveLimits limits;
   double settle = 0.2;  ///< s of standstill after the motion's end
   std::vector<Interval> sync = {};  ///< [[drive.sync]], s of the motion
+  std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
     return {.settle = settle, .samples = samples, .limits = limits, .sync = sync};
   }
+};
+
+/// The cam follower that the lift is proven against: [follower] and [follower.limits].
+struct FollowerSpec {
+  Follower follower;
+  FollowerLimits limits;
+  double settle = 0;  ///< s of standstill after the motion's end
 };
 
 /// The plate that a cam is cut into: [disc] and [disc.limits].
@@ -128,6 +138,7 @@ struct Spec {
   std::optional<DiscPart> disc;  ///< of a cam
   std::optional<Mode>
       polydyne;           ///< of a cam: its knots say what the load behind this mode (Hz) does
+  std::optional<FollowerSpec> follower = {};  ///< of a cam with a master
   AxisSwitches switches;  ///< of kinds "axis" and "cam"
   std::optional<CompareSpec> compare;  ///< of a motion over time
   Report fill;  ///< of kind "pvt": what filling in its velocities could not do

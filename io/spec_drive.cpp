@@ -149,6 +149,7 @@ std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
   read_drive_numbers(*table, spec.drive, units);
   spec.settle = table->optional_number("settle", "s").value_or(spec.settle);
   spec.sync = read_drive_sync(*table);
+  spec.tolerances = read_tolerances(*table, spec.drive);
   if (auto limits = table->optional_table("limits"))
     spec.limits = read_drive_limits(*limits, units);
   table->finish();

@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve.hpp"
 #include "jounce/pvt/table.hpp"
 #include "jounce/validate/drive.hpp"
+#include "jounce/validate/signal_view.hpp"
 
 namespace jounce {
 
@@ -60,6 +61,14 @@ std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& 
 
 /// The modes alone, nothing left in them.
 std::vector<DriveMode> modes(const Drive& drive);
+
+/// A second opinion on a run of drive_through(): the finding "drive/exact", how far its samples are from
+/// the exact solution, as a share of the stroke and of the peak torque, whichever is worse. Broken
+/// beyond a hundred times the tolerance of the run. Nothing where there is none: for a drive that is
+/// not linear, a torque that met its limit, a signal without segments, an integration that failed, a
+/// run without samples.
+std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
+                                     const DriveResult& run, double tolerance = 1e-8);
 
 /// What a response counts.
 enum class DriveOutput {

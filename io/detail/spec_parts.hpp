@@ -103,6 +103,10 @@ Limits read_limits(TomlReader& owner, const Units& units);
 Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
                    const std::string& time_unit);
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);
+/// [drive.tolerances] of a drive that has been read.
+std::optional<ToleranceSpec> read_tolerances(TomlReader& drive_table, const Drive& drive);
+/// [follower] with [follower.limits], after the [master].
+std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec);
 
 /// [switches], [[switch]] and [[track]]. `of`: what they stand on if the spec does not say;
 /// `master_period`: of a master that repeats.

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/cam/design.hpp"
+#include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/pvt/sample.hpp"
@@ -202,7 +204,8 @@ TEST(LinearDrive, IsTheWitnessOfADelay) {
 }
 
 TEST(LinearDrive, IsTheWitnessOfASampledController) {
-  const Trajectory move = test::law_345(360, 0.1);  // the end is no sample instant but for one cycle
+  const Trajectory move =
+      test::law_345(360, 0.1);  // the end is no sample instant but for one cycle
   for (const double cycle : {0.00025, 0.00023})
     for (const double delay : {0.0, 0.00025, 0.0003}) {
       Drive drive = unlimited(lagging());
@@ -215,6 +218,54 @@ TEST(LinearDrive, IsTheWitnessOfASampledController) {
 TEST(LinearDrive, IsTheWitnessOfTheIntegrationOfTables) {
   const Table table = sample(reference("law_4567"), Rule::quintic_hermite, 50u).table;
   expect_witnessed(table, table.curve<OverTime>(), unlimited(two_mass()));
+}
+
+// ---- second opinion -----------------------------------------------------------------------------
+
+TEST(LinearDrive, GivesASecondOpinionOnARun) {
+  for (const char* name : {"trapezoid", "s_curve", "cycloid", "law_4567"})
+    for (const Drive& drive : {two_mass(), with_pendulum(), rigid()}) {
+      const Trajectory move = reference(name);
+      DriveResult run = drive_through(move, unlimited(drive), {.samples = 101});
+      const auto opinion = exact_opinion(move, unlimited(drive), run);
+      ASSERT_TRUE(opinion);
+      EXPECT_FALSE(opinion->broken) << name << ": " << opinion->value;
+      run.samples[50].load += 1e-3;  // a wrong run is told
+      EXPECT_TRUE(exact_opinion(move, unlimited(drive), run)->broken);
+    }
+}
+
+TEST(LinearDrive, HasNoOpinionWhereThereIsNoExactSolution) {
+  const Trajectory move = reference("s_curve");
+  Drive drive = unlimited(two_mass());
+  EXPECT_FALSE(exact_opinion(move, drive, drive_through(move, drive)));  // no samples
+  drive.motor.friction.coulomb = 0.01;
+  EXPECT_FALSE(exact_opinion(move, drive, drive_through(move, drive, {.samples = 11})));
+  Drive weak = two_mass();
+  weak.motor.torque_limit = 0.2;
+  EXPECT_FALSE(exact_opinion(move, weak, drive_through(move, weak, {.samples = 11})));
+}
+
+TEST(LinearDrive, AFollowedCamBehindASteadyMasterHasSegments) {
+  CamSpec spec{{0, 0, 0, 0}, {}, true};
+  spec.segments = {{Law::modified_sine, {150, 40, {}, {}}, ""},
+                   {Law::poly345, {360, 0, {}, {}}, ""}};
+  const Cam cam = design(spec).cam;
+  for (const double to : {900.0, -900.0}) {
+    const Followed slave(cam, Trajectory({line(1.7, 100, 100 + to), line(0.4, 100 + to, 100 + to)},
+                                         3, Outside::hold));
+    const auto same = SignalView(slave).trajectory();
+    ASSERT_TRUE(same);
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = i == 1000 ? slave.end() : 3 + 2.1 * i / 1000;
+      const Side side = i == 1000 ? Side::left : Side::right;
+      const Jet a = slave.jet(t, side), b = same->jet(t, side);
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_NEAR(a[k], b[k], 1e-9 * std::pow(20, k) * 40) << t << ", " << k;
+    }
+  }
+  const Followed ramped(cam, Trajectory({quintic(1, 0, 0, 0, 360, 0, 0)}, 0, Outside::hold));
+  EXPECT_FALSE(SignalView(ramped).trajectory());
 }
 
 // ---- what does not need a solution --------------------------------------------------------------

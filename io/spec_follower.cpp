@@ -1,0 +1,49 @@
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
+
+namespace jounce::detail {
+namespace {
+
+FollowerLimits read_follower_limits(TomlReader& limits, const Units& units) {
+  FollowerLimits found;
+  found.least_force = limits.optional_number("least_force", "N");
+  found.greatest_force = limits.optional_number("greatest_force", "N");
+  found.impact_speed = limits.optional_number("impact_speed", "m/s");
+  found.residual = limits.optional_number("residual", units.position);
+  limits.finish();
+  return found;
+}
+
+}  // namespace
+
+std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
+  auto table = top.optional_table("follower");
+  if (!table) return std::nullopt;
+  if (!spec.master)
+    top.fail("follower", "", "needs a [master]: a follower lifts off at a speed");
+  FollowerSpec found;
+  Follower& f = found.follower;
+  f.mass = table->number("mass", "kg");
+  f.linkage_stiffness = table->number("linkage_stiffness", "N/m");
+  f.linkage_damping = table->optional_number("linkage_damping", "N s/m").value_or(0);
+  f.spring_stiffness = table->optional_number("spring_stiffness", "N/m").value_or(0);
+  f.spring_damping = table->optional_number("spring_damping", "N s/m").value_or(0);
+  f.preload = table->optional_number("preload", "N").value_or(0);
+  found.settle = table->optional_number("settle", "s").value_or(0);
+  try {
+    f.metres_per_unit = conversion(spec.units.position, "m");
+  } catch (const InputError&) {
+    top.fail("follower", "", "needs a slave that moves along a line, not in " + spec.units.position);
+  }
+  if (auto limits = table->optional_table("limits"))
+    found.limits = read_follower_limits(*limits, spec.units);
+  table->finish();
+  try {
+    require_valid(f);
+  } catch (const InputError& error) {
+    throw InputError(top.path("follower." + error.key()), error.value(), error.rule());
+  }
+  return found;
+}
+
+}  // namespace jounce::detail
