@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "drive_figures.hpp"
 #include "over_time.hpp"
 #include "picture.hpp"
 #include "verb.hpp"
@@ -12,11 +13,17 @@ struct Options {
   std::string axis;
   std::string over = "master";
   std::string before;
+  std::string drive;
   std::string output = "-";
 };
 
 Figure figure(const Options& options) {
   std::vector<Input> inputs = load_axes(options.file, options.axis);
+  if (!options.drive.empty()) {
+    if (inputs.size() > 1)
+      throw InputError("--drive", options.drive, "is of one axis: say which with --axis");
+    return drive_figure(inputs.front(), options.drive);
+  }
   const bool over = options.over == "time";
   if (over)
     for (Input& input : inputs) input = over_time(input);
@@ -44,6 +51,10 @@ void add_plot(CLI::App& app, Work& work) {
   verb->add_option("--over", options->over,
                    "A cam over its master, or its slave over time behind the [master] of the spec")
       ->check(CLI::IsMember({"master", "time"}));
+  verb->add_option("--drive", options.drive,
+                   "Of a spec with a [drive]: its response over time, its torque over speed within "
+                   "the motor's envelope, or the spectrum of the vibration left")
+      ->check(CLI::IsMember({"response", "torque-speed", "spectrum"}));
   verb->add_option("--before", options->before, "Another one, drawn paler underneath");
   verb->add_option("-o,--output", options->output,
                    "Picture to write, .svg or .png; - is SVG on standard output");

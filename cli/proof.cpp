@@ -7,9 +7,12 @@
 
 #include "jounce/io/file.hpp"
 #include "jounce/study/driven.hpp"
+#include "jounce/validate/linear_drive.hpp"
 
 #include "drive_text.hpp"
+#include "follower_text.hpp"
 #include "reference.hpp"
+#include "robustness.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -58,8 +61,23 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
   std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
   add(proof.report, fit, "table");
   if (input.drive) {
-    proof.drive = driven(input, drive_samples);
+    constexpr std::size_t compared = 201;
+    proof.drive = driven(input, std::max(drive_samples, compared));
     add(proof.report, proof.drive->report, "drive", "s");
+    const Reference reference = table_reference(input);
+    if (const auto exact = exact_opinion(view(reference), input.drive->drive, *proof.drive))
+      add(proof.report, {{*exact}}, "drive", "s");
+    if (input.drive->tolerances) {
+      proof.tolerances = robustness(view(reference), *input.drive);
+      add(proof.report, proof.tolerances->report, "drive");
+    }
+  }
+  if (input.spec && input.spec->follower) {
+    const FollowerSpec& f = *input.spec->follower;
+    const Reference reference = table_reference(input);
+    proof.follower = follow(view(reference), f.follower,
+                            {.settle = f.settle, .samples = drive_samples, .limits = f.limits});
+    add(proof.report, proof.follower->report, "follower", "s");
   }
   if (!log.empty()) {
     proof.played = played(input, log);
@@ -82,6 +100,8 @@ std::string proof_text(const Proof& proof, const Input& input) {
                           w->report.ok() ? "ok" : "BROKEN", w->position.relative,
                           w->velocity.relative, w->acceleration.relative, w->integration.steps));
   if (proof.drive) text += drive_text(*proof.drive, *input.drive, u);
+  if (proof.tolerances) text += robustness_text(*proof.tolerances, u);
+  if (proof.follower) text += follower_text(*proof.follower, u);
   if (proof.played)
     line("executor", fmt::format("{}: {} ticks, at most {} {} from the designed curve",
                                  proof.played->report.ok() ? "ok" : "BROKEN", proof.played->ticks,

@@ -5,6 +5,8 @@
 
 #include "jounce/executor/played.hpp"
 #include "jounce/validate/drive.hpp"
+#include "jounce/validate/follower.hpp"
+#include "jounce/validate/tolerances.hpp"
 #include "jounce/validate/witness.hpp"
 
 #include "input.hpp"
@@ -17,6 +19,8 @@ struct Proof {
   Witness table;                     ///< of the table as the executor interpolates it
   std::optional<DriveResult> drive;  ///< where the spec has a [drive]
   std::optional<Played> played;      ///< where a tick log was given
+  std::optional<ToleranceResult> tolerances = {};  ///< where the spec has [drive.tolerances]
+  std::optional<FollowerResult> follower = {};     ///< where the spec has a [follower]
   Report report;                     ///< all findings of the above
 };
 

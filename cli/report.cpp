@@ -9,6 +9,7 @@
 #include "jounce/plot/page.hpp"
 
 #include "cam_check.hpp"
+#include "drive_figures.hpp"
 #include "picture.hpp"
 #include "proof.hpp"
 #include "verb.hpp"
@@ -54,22 +55,6 @@ DataTable extrema_table(const Input& input) {
       input.curve);
 }
 
-Figure drive_figure(const DriveResult& drive, const std::string& unit) {
-  Figure figure{.title = "Through the servo model", .x_label = "time [s]"};
-  Panel torque{.y_label = "torque [N m]"};
-  Panel error{.y_label = "following error [" + unit + "]"};
-  Series t{.label = "torque"};
-  Series e{.label = "following error"};
-  for (const auto& sample : drive.samples) {
-    t.x.push_back(sample.time), t.y.push_back(sample.torque);
-    e.x.push_back(sample.time), e.y.push_back(sample.following_error);
-  }
-  torque.series.push_back(std::move(t));
-  error.series.push_back(std::move(e));
-  figure.panels = {std::move(torque), std::move(error)};
-  return figure;
-}
-
 Facts facts(const Input& input) {
   const Table& table = input.table.table;
   Facts f;
@@ -96,10 +81,14 @@ Section proof_section(const Proof& proof, const Input& input) {
             "and its table claim. The table is read as the executor reads it."});
   DataTable table = findings_table(proof.report, input.labels);
   section.blocks.emplace_back(std::move(table));
-  if (proof.drive)
-    section.blocks.emplace_back(Chart{drive_figure(*proof.drive, input.labels.units.position),
-                                      "The table driven through the model of its [drive], under a "
-                                      "P-PI cascade with feed-forward, and held after its end."});
+  if (proof.drive) {
+    section.blocks.emplace_back(
+        Chart{response_figure(*proof.drive, *input.drive, input.labels.units.position),
+              "The table driven through the model of its [drive], under a P-PI cascade with "
+              "feed-forward, and held after its end."});
+    section.blocks.emplace_back(Chart{torque_speed_figure(*proof.drive, input.drive->drive),
+                                      "The same run within what the motor has."});
+  }
   return section;
 }
 

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "drive_text.hpp"
+#include "follower_text.hpp"
 #include "json.hpp"
 #include "proof.hpp"
+#include "robustness.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -30,6 +32,8 @@ nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   document["witness"] = {{"curve", witness_json(proof.curve)},
                          {"table", witness_json(proof.table)}};
   if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
+  if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
+  if (proof.follower) document["follower"] = follower_json(*proof.follower);
   if (proof.played)
     document["executor"] = {{"ticks", proof.played->ticks},
                             {"error", proof.played->error},

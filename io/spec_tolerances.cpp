@@ -12,15 +12,15 @@ Tolerance read_tolerance(TomlReader& table, Drive& drive) {
   Tolerance tolerance;
   tolerance.key = table.text("key");
   const std::vector<DriveNumber> known = numbers(drive);
-  const auto number = std::find_if(known.begin(), known.end(), [&](const DriveNumber& n) {
-    return n.key == tolerance.key;
-  });
+  const auto number = std::find_if(known.begin(), known.end(),
+                                   [&](const DriveNumber& n) { return n.key == tolerance.key; });
   if (number == known.end()) {
     std::vector<std::string> keys;
     for (const DriveNumber& n : known) keys.push_back(n.key);
     const std::string meant = nearest(tolerance.key, keys);
-    table.fail("key", tolerance.key,
-               "is no number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
+    table.fail(
+        "key", tolerance.key,
+        "is no number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
   }
   if (!table.has("share") && !table.has("absolute"))
     table.fail("share", "", "is missing: say share = \"10 %\", or absolute");
@@ -47,7 +47,8 @@ std::optional<ToleranceSpec> read_tolerances(TomlReader& drive_table, const Driv
   spec.cases = table->optional_count("cases").value_or(spec.cases);
   spec.seed = table->optional_count("seed").value_or(spec.seed);
   table->finish();
-  if (spec.numbers.empty()) drive_table.fail("tolerances", "", "needs a [[drive.tolerances.number]]");
+  if (spec.numbers.empty())
+    drive_table.fail("tolerances", "", "needs a [[drive.tolerances.number]]");
   return spec;
 }
 

@@ -221,6 +221,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
     Finding finding;
     finding.rule = std::string("tolerance/") + figures[i].name;
     finding.quantity = figures[i].name;
+    if (s.unit != "u") finding.unit = s.unit;
     finding.value = s.worst.value;
     finding.limit = *limit;
     finding.margin = (*limit - s.worst.value) / *limit;

@@ -68,7 +68,7 @@ struct ToleranceResult {
   std::size_t saturated = 0;  ///< cases that met a torque limit
   std::size_t failed = 0;     ///< cases whose integration did not end well
   std::vector<FigureSpread> figures;
-  /// "tolerance/torque", "tolerance/following_error", ...: the worst case against the limits given;
+  /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error", ...: the worst case against the limits given;
   /// "tolerance/integration" where a case failed.
   Report report;
 };
