@@ -77,7 +77,7 @@ struct DriveSpec {
 
 /// The cam follower that the lift is proven against: [follower] and [follower.limits].
 struct FollowerSpec {
-  Follower follower;
+  SpringFollower follower;
   FollowerLimits limits;
   double settle = 0;  ///< s of standstill after the motion's end
 };

@@ -21,7 +21,7 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   if (!table) return std::nullopt;
   if (!spec.master) top.fail("follower", "", "needs a [master]: a follower lifts off at a speed");
   FollowerSpec found;
-  Follower& f = found.follower;
+  SpringFollower& f = found.follower;
   f.mass = table->number("mass", "kg");
   f.linkage_stiffness = table->number("linkage_stiffness", "N/m");
   f.linkage_damping = table->optional_number("linkage_damping", "N s/m").value_or(0);

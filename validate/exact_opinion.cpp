@@ -19,15 +19,32 @@ double share(double difference, double of) {
                          : std::abs(difference) / std::max(of, std::numeric_limits<double>::min());
 }
 
-/// Where two runs differ most, in all that samples hold.
-Peak worst(const std::vector<DriveSample>& a, const std::vector<DriveSample>& b, double torque) {
-  const double length = stroke(a);
+/// Whether the torque steps at t, where a sample is of the one or the other side.
+bool steps(const Trajectory& reference, const Controller& controller, double t) {
+  const double near = 1e-9 * reference.length();
+  const auto breaks = reference.breaks();
+  const auto after = std::lower_bound(breaks.begin(), breaks.end(), t - near);
+  if (after != breaks.end() && *after <= t + near) return true;
+  if (controller.cycle == 0) return false;
+  const double gone = t - reference.start() - controller.delay;
+  return std::abs(gone - std::nearbyint(gone / controller.cycle) * controller.cycle) <= near;
+}
+
+/// Where two runs differ most, in motor, load and torque.
+Peak worst(const DriveResult& run, const ExactRun& exact, const Trajectory& reference,
+           const Controller& controller) {
+  const double length = stroke(run.samples);
   Peak peak;
-  for (std::size_t i = 0; i < a.size(); ++i)
+  for (std::size_t i = 0; i < run.samples.size(); ++i) {
+    const DriveSample& a = run.samples[i];
+    const DriveSample& b = exact.samples[i];
+    const double torque = steps(reference, controller, a.time)
+                              ? 0
+                              : share(a.torque - b.torque, std::abs(run.torque.value));
     for (const double now :
-         {share(a[i].motor - b[i].motor, length), share(a[i].load - b[i].load, length),
-          share(a[i].torque - b[i].torque, torque)})
-      if (!(now <= peak.value)) peak = {now, a[i].time};
+         {share(a.motor - b.motor, length), share(a.load - b.load, length), torque})
+      if (!(now <= peak.value)) peak = {now, a.time};
+  }
   return peak;
 }
 
@@ -42,8 +59,7 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
   if (!exact) return std::nullopt;
   std::vector<double> times;
   for (const DriveSample& s : run.samples) times.push_back(s.time);
-  const Peak peak =
-      worst(run.samples, exact_run(*exact, drive, times).samples, std::abs(run.torque.value));
+  const Peak peak = worst(run, exact_run(*exact, drive, times), *exact, drive.controller);
   Finding finding;
   finding.rule = "drive/exact";
   finding.quantity = "disagreement";

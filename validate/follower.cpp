@@ -97,7 +97,7 @@ Report report_of(const FollowerResult& result, const FollowerLimits& limits) {
 
 }  // namespace
 
-void require_valid(const Follower& f) {
+void require_valid(const SpringFollower& f) {
   require_positive("mass", f.mass);
   require_positive("linkage_stiffness", f.linkage_stiffness);
   require_not_negative("linkage_damping", f.linkage_damping);
@@ -110,7 +110,7 @@ void require_valid(const Follower& f) {
                      "must be greater than 0, where no spring_stiffness presses on the cam");
 }
 
-FollowerResult follow(const SignalView& lift, const Follower& follower,
+FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options) {
   require_valid(follower);
   require_valid(options);

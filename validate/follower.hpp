@@ -18,7 +18,7 @@ namespace jounce {
 ///
 /// The linkage pushes and does not pull: where its force would be negative the follower leaves the cam
 /// and flies, until the tip meets the cam again. Equations at the head of follower.cpp.
-struct Follower {
+struct SpringFollower {
   double mass = 0;               ///< kg, > 0, at the cam
   double linkage_stiffness = 0;  ///< k_l, N/m, > 0
   double linkage_damping = 0;    ///< c_l, N s/m, >= 0
@@ -30,7 +30,7 @@ struct Follower {
 
 /// Throws InputError, with the field's name as key, for a value out of range, and for a follower that
 /// nothing presses on the cam (neither preload nor spring).
-void require_valid(const Follower& follower);
+void require_valid(const SpringFollower& follower);
 
 /// What the follower may do; what is left out is not limited.
 struct FollowerLimits {
@@ -80,7 +80,7 @@ struct FollowerResult {
 /// Drives a follower by a cam that turns: the signal is the cam's lift over time, a Followed.
 ///
 ///     const Followed lift(cam, shaft);                       // at 3000 rpm
-///     Follower valve{.mass = 0.2, .linkage_stiffness = 5e6, .linkage_damping = 100,
+///     SpringFollower valve{.mass = 0.2, .linkage_stiffness = 5e6, .linkage_damping = 100,
 ///                    .spring_stiffness = 3e4, .preload = 250, .metres_per_unit = 1e-3};
 ///     const FollowerResult run = follow(lift, valve);
 ///     if (!run.flights.empty()) ...                            // floats: at run.flights[0].from
@@ -93,11 +93,11 @@ struct FollowerResult {
 ///
 /// Throws InputError for a follower, option or limit out of range, and for a Table over master
 /// position. An integration that fails is an outcome.
-FollowerResult follow(const SignalView& lift, const Follower& follower,
+FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {});
 
 /// A Cam is no motion over time: follow it with a master first (Followed).
-FollowerResult follow(const Cam& lift, const Follower& follower,
+FollowerResult follow(const Cam& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {}) = delete;
 
 }  // namespace jounce

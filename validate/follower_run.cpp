@@ -42,7 +42,7 @@ class FollowerModel {
   enum State { compression, rate, tip, size };
   using Values = std::array<double, size>;
 
-  explicit FollowerModel(const Follower& f) : f_(f) {}
+  explicit FollowerModel(const SpringFollower& f) : f_(f) {}
 
   bool flying = false;
 
@@ -91,7 +91,7 @@ class FollowerModel {
   }
 
  private:
-  const Follower& f_;
+  const SpringFollower& f_;
 };
 
 struct Standstill {
@@ -106,7 +106,7 @@ struct Standstill {
 
 class Run {
  public:
-  Run(const SignalView& lift, const Follower& follower, const FollowerOptions& options)
+  Run(const SignalView& lift, const SpringFollower& follower, const FollowerOptions& options)
       : follower_(follower),
         options_(options),
         origin_(lift.start()),
@@ -293,7 +293,7 @@ class Run {
     }
   }
 
-  const Follower& follower_;
+  const SpringFollower& follower_;
   const FollowerOptions& options_;
   double origin_;
   double end_;
@@ -313,7 +313,7 @@ class Run {
 
 }  // namespace
 
-FollowerResult run(const SignalView& lift, const Follower& follower,
+FollowerResult run(const SignalView& lift, const SpringFollower& follower,
                    const FollowerOptions& options) {
   return Run(lift, follower, options).result();
 }

