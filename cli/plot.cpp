@@ -51,7 +51,7 @@ void add_plot(CLI::App& app, Work& work) {
   verb->add_option("--over", options->over,
                    "A cam over its master, or its slave over time behind the [master] of the spec")
       ->check(CLI::IsMember({"master", "time"}));
-  verb->add_option("--drive", options.drive,
+  verb->add_option("--drive", options->drive,
                    "Of a spec with a [drive]: its response over time, its torque over speed within "
                    "the motor's envelope, or the spectrum of the vibration left")
       ->check(CLI::IsMember({"response", "torque-speed", "spectrum"}));

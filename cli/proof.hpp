@@ -19,9 +19,9 @@ struct Proof {
   Witness table;                     ///< of the table as the executor interpolates it
   std::optional<DriveResult> drive;  ///< where the spec has a [drive]
   std::optional<Played> played;      ///< where a tick log was given
+  Report report;                     ///< all findings
   std::optional<ToleranceResult> tolerances = {};  ///< where the spec has [drive.tolerances]
   std::optional<FollowerResult> follower = {};     ///< where the spec has a [follower]
-  Report report;                     ///< all findings of the above
 };
 
 /// Integrates, drives, and compares with the executor's log if `log` is not empty.
