@@ -162,7 +162,7 @@ TEST(LinearDrive, AgreesWithThirtyDigits) {
 
 /// Samples equally spaced as drive_through() makes them, at the same instants.
 void expect_witnessed(const SignalView& signal, const Trajectory& same, const Drive& drive,
-                      double tolerance = 1e-10) {
+                      double tolerance = 1e-11) {
   DriveOptions options;
   options.settle = 0.1;
   options.samples = 201;
@@ -211,7 +211,7 @@ TEST(LinearDrive, IsTheWitnessOfASampledController) {
       Drive drive = unlimited(lagging());
       drive.controller.cycle = cycle;
       drive.controller.delay = delay;
-      expect_witnessed(move, move, drive, 1e-11);  // begins anew 1600 times
+      expect_witnessed(move, move, drive, 1e-12);  // begins anew 1600 times
     }
 }
 
