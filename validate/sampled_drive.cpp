@@ -128,7 +128,12 @@ class SampledRun {
   [[nodiscard]] DriveSample sample(double t) const {
     const double r = t < reference_.end() ? reference_.jet(t)[0] : end_position();
     const double motor = origin_ + output(motor_row) / radians_;
-    return {t, r, motor, origin_ + output(load_row) / radians_, output(torque_row), r - motor,
+    return {t,
+            r,
+            motor,
+            origin_ + output(load_row) / radians_,
+            output(torque_row),
+            r - motor,
             output(velocity_row)};
   }
 
