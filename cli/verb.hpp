@@ -28,6 +28,7 @@ void add_diff(CLI::App& app, Work& work);
 void add_optimize(CLI::App& app, Work& work);
 void add_validate(CLI::App& app, Work& work);
 void add_sweep(CLI::App& app, Work& work);
+void add_identify(CLI::App& app, Work& work);
 void add_contour(CLI::App& app, Work& work);
 void add_plot(CLI::App& app, Work& work);
 void add_map(CLI::App& app, Work& work);

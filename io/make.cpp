@@ -220,6 +220,9 @@ std::vector<Made> make_motions(const Spec& spec) {
 std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
     throw InputError("kind", "\"axis\"", "an axis makes no table; it is what `jounce run` takes");
+  if (std::holds_alternative<DriveAlone>(spec.subject))
+    throw InputError("kind", "\"drive\"",
+                     "a drive makes no table; it is what `jounce identify` takes");
   if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
   all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));

@@ -93,6 +93,11 @@ void read_axis(TomlReader& top, Spec& spec) {
   spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
 }
 
+void read_drive_alone(TomlReader& top, Spec& spec) {
+  if (!spec.drive) top.fail("drive", "", "is missing: a spec of kind drive is a [drive]");
+  spec.subject = DriveAlone{};
+}
+
 constexpr std::array kinds{
     Kind{"cam", Kind::over_master, read_cam},
     Kind{"gear", Kind::over_master,
@@ -127,6 +132,7 @@ constexpr std::array kinds{
     Kind{"pt", Kind::over_time,
          [](auto& top, auto& spec) { spec.subject = detail::read_time_table(top, spec.units); }},
     Kind{"axis", Kind::no_curve, read_axis},
+    Kind{"drive", Kind::no_curve, read_drive_alone},
 };
 
 void read_body(TomlReader& top, Spec& spec) {

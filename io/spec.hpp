@@ -97,6 +97,9 @@ struct AxisSpec {
   double position = 0;  ///< where the axis stands at first
 };
 
+/// A drive alone: for `jounce identify`, and what a cam is optimised against.
+struct DriveAlone {};
+
 /// One axis of a spec: what belongs to it alone. A spec of one axis has one, without a name.
 struct AxisPart {
   std::string name;
@@ -122,7 +125,8 @@ struct Spec {
   Units units;              ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;    ///< "s" unless the spec says otherwise
   std::string master_unit;  ///< of an axis that follows a master; otherwise ""
-  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, TimeTableSpec, AxisSpec>
+  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, TimeTableSpec, AxisSpec,
+               DriveAlone>
       subject;
   std::vector<Operator> then;                ///< done to the motion, one after another
   std::vector<AxisPart> axes;                ///< of kind "axes"; empty for the others

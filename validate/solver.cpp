@@ -75,6 +75,8 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
                                   static_cast<sunindextype>(size_), context_))),
       linear_(made(SUNLinSol_Dense(y_.get(), matrix_.get(), context_))),
       cvode_(made(CVodeCreate(options_.method == Method::bdf ? CV_BDF : CV_ADAMS, context_))),
+      sensitivities_(ode_.parameters.size(), y_.get()),
+      sensitivities_between_(ode_.parameters.size(), y_.get()),
       crossings_(static_cast<std::size_t>(ode_.events)),
       time_(t0),
       before_(t0) {
@@ -87,6 +89,7 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
   set_up(CVodeWFtolerances(cvode, &Solver::weights));
   set_up(CVodeSetLinearSolver(cvode, linear_.get(), matrix_.get()));
   set_up(CVodeSetJacFn(cvode, &Solver::jacobian));
+  if (!ode_.parameters.empty()) set_up_sensitivities();
   if (ode_.events > 0) {
     set_up(CVodeRootInit(cvode, ode_.events, &Solver::event));
     set_up(CVodeSetNoInactiveRootWarn(cvode));
@@ -111,6 +114,8 @@ int Solver::weights(N_Vector y, N_Vector weight, void* self) {
 
 void Solver::restart(double t) {
   set_up(CVodeReInit(cvode_.get(), t, y_.get()));
+  if (!ode_.parameters.empty())
+    set_up(CVodeSensReInit(cvode_.get(), CV_STAGGERED, sensitivities_.at.data()));
   time_ = before_ = t;
   fresh_ = true;
   ++integration_.restarts;
@@ -141,6 +146,10 @@ Step Solver::step(double stop) {
   if (!finite_) return fail(Ended::not_finite, "the right-hand side is not finite");
   if (flag < 0) return fail(Ended::failed, message_);
   if (!all_finite(state())) return fail(Ended::not_finite, "the state is not finite");
+  if (!ode_.parameters.empty()) {
+    double at = 0;
+    set_up(CVodeGetSens(cvode_.get(), &at, sensitivities_.at.data()));
+  }
   if (flag == CV_ROOT_RETURN) {
     set_up(CVodeGetRootInfo(cvode_.get(), crossings_.data()));
     return Step::event;
@@ -159,6 +168,40 @@ void Solver::interpolate(double t, std::span<double> state) const {
   set_up(CVodeGetDky(cvode_.get(), t, 0, between_.get()));
   const double* y = N_VGetArrayPointer(between_.get());
   std::copy(y, y + size_, state.begin());
+}
+
+Solver::Vectors::Vectors(std::size_t count, N_Vector like) {
+  at.reserve(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    at.push_back(made(N_VClone(like)));
+    N_VConst(0, at.back());
+  }
+}
+
+Solver::Vectors::~Vectors() {
+  for (N_Vector v : at) N_VDestroy(v);
+}
+
+void Solver::set_up_sensitivities() {
+  void* cvode = cvode_.get();
+  const std::size_t count = ode_.parameters.size();
+  dfdy_.resize(size_ * size_);
+  dfdp_.resize(size_ * count);
+  set_up(CVodeSensInit(cvode, static_cast<int>(count), CV_STAGGERED, &Solver::sensitivity_rhs,
+                       sensitivities_.at.data()));
+  set_up(CVodeSetSensParams(cvode, nullptr, ode_.parameters.data(), nullptr));
+  set_up(CVodeSensEEtolerances(cvode));  // those of the state, over the size of the parameter
+  set_up(CVodeSetSensErrCon(cvode, SUNTRUE));
+}
+
+void Solver::interpolate_sensitivities(double t, std::span<double> sensitivities) const {
+  assert(sensitivities.size() == size_ * ode_.parameters.size());
+  if (sensitivities.empty()) return;
+  // CVODES takes an array it may write to; the vectors are ours alone.
+  auto& between = const_cast<std::vector<N_Vector>&>(sensitivities_between_.at);
+  set_up(CVodeGetSensDky(cvode_.get(), t, 0, between.data()));
+  for (std::size_t j = 0; j < between.size(); ++j)
+    std::copy_n(N_VGetArrayPointer(between[j]), size_, sensitivities.data() + j * size_);
 }
 
 /// No exception may pass through C. What was thrown is kept, and the solver told to stop.
@@ -187,6 +230,27 @@ int Solver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_
     std::fill_n(SUNDenseMatrix_Data(j), s.size_ * s.size_, 0.0);
     s.ode_.jacobian(t, N_VGetArrayPointer(y), SUNDenseMatrix_Data(j));
     return true;
+  });
+}
+
+int Solver::sensitivity_rhs(int count, double t, N_Vector y, N_Vector, N_Vector* s, N_Vector* ds,
+                            void* self, N_Vector, N_Vector) {
+  auto& solver = *static_cast<Solver*>(self);
+  const std::size_t n = solver.size_;
+  return solver.guarded([&] {
+    std::fill(solver.dfdy_.begin(), solver.dfdy_.end(), 0.0);
+    std::fill(solver.dfdp_.begin(), solver.dfdp_.end(), 0.0);
+    solver.ode_.jacobian(t, N_VGetArrayPointer(y), solver.dfdy_.data());
+    solver.ode_.by_parameter(t, N_VGetArrayPointer(y), solver.dfdp_.data());
+    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+      const double* in = N_VGetArrayPointer(s[j]);
+      double* out = N_VGetArrayPointer(ds[j]);
+      std::copy_n(solver.dfdp_.data() + j * n, n, out);
+      for (std::size_t column = 0; column < n; ++column)
+        for (std::size_t row = 0; row < n; ++row)
+          out[row] += solver.dfdy_[column * n + row] * in[column];
+    }
+    return all_finite(solver.dfdp_);
   });
 }
 

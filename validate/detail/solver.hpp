@@ -27,6 +27,11 @@ struct Ode {
   /// as many functions as `events`; a change of sign of any ends a step there
   std::function<void(double t, const double* y, double* g)> event;
   int events = 0;
+  /// df/dp, one parameter after another: dfdp[j * size + row], handed over filled with zeros
+  std::function<void(double t, const double* y, double* dfdp)> by_parameter = {};
+  /// One a parameter, > 0: by how much it has to change for the state to change by its own size. None:
+  /// no sensitivities are integrated.
+  std::vector<double> parameters = {};
 };
 
 enum class Method { adams, bdf };
@@ -49,6 +54,13 @@ enum class Step { inside, stop, event, failed };
 /// - messages go into Integration::reason, not to stderr;
 /// - exceptions thrown by the functions of the Ode are carried across the C code and rethrown;
 /// - a right-hand side that is not finite ends the integration as `not_finite`.
+///
+/// Where the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated beside the state, to
+/// the same tolerance (forward, staggered corrector, under error control):
+///
+///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
+///
+/// At a jump of the state whoever changes state() changes sensitivity() too, before restart().
 class Solver {
  public:
   Solver(Ode ode, SolverOptions options, double t0, std::span<const double> y0);
@@ -59,6 +71,11 @@ class Solver {
   [[nodiscard]] std::span<double> state() { return {N_VGetArrayPointer(y_.get()), size_}; }
   [[nodiscard]] std::span<const double> state() const {
     return {N_VGetArrayPointer(y_.get()), size_};
+  }
+
+  /// dy/dp_j now.
+  [[nodiscard]] std::span<double> sensitivity(std::size_t j) {
+    return {N_VGetArrayPointer(sensitivities_.at[j]), size_};
   }
 
   /// Other tolerances, before a restart.
@@ -81,6 +98,8 @@ class Solver {
   [[nodiscard]] double before() const { return before_; }
   /// The state at t between before() and time(); `state` holds as many numbers as state() does.
   void interpolate(double t, std::span<double> state) const;
+  /// The same of the sensitivities, one parameter after another.
+  void interpolate_sensitivities(double t, std::span<double> sensitivities) const;
 
   /// Counts and outcome so far.
   [[nodiscard]] const Integration& integration() const { return integration_; }
@@ -95,13 +114,25 @@ class Solver {
   template <class Handle>
   using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
 
+  /// As many vectors as there are parameters, the way CVODES takes them.
+  struct Vectors {
+    std::vector<N_Vector> at;
+    explicit Vectors(std::size_t count, N_Vector like);
+    Vectors(const Vectors&) = delete;
+    Vectors& operator=(const Vectors&) = delete;
+    ~Vectors();
+  };
+
   static int rhs(double t, N_Vector y, N_Vector dy, void* self);
   static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix j, void* self, N_Vector,
                       N_Vector, N_Vector);
   static int event(double t, N_Vector y, double* g, void* self);
   static int weights(N_Vector y, N_Vector weight, void* self);
+  static int sensitivity_rhs(int count, double t, N_Vector y, N_Vector dy, N_Vector* s,
+                             N_Vector* ds, void* self, N_Vector, N_Vector);
   static void message(int code, const char* module, const char* function, char* text, void* self);
 
+  void set_up_sensitivities();
   template <class Call>
   int guarded(Call call) noexcept;
   Step fail(Ended ended, std::string reason);
@@ -115,6 +146,10 @@ class Solver {
   Owned<SUNMatrix> matrix_;
   Owned<SUNLinearSolver> linear_;
   Owned<void*> cvode_;
+  Vectors sensitivities_;
+  Vectors sensitivities_between_;
+  std::vector<double> dfdy_;
+  std::vector<double> dfdp_;
   std::vector<int> crossings_;
   double time_ = 0;
   double before_ = 0;

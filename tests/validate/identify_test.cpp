@@ -1,0 +1,385 @@
+// Identification on synthetic recordings: the truth is known, the noise is seeded.
+#include "jounce/validate/identify.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/validate/detail/drive_response.hpp"
+#include "jounce/validate/detail/least_squares.hpp"
+
+#include "support/random.hpp"
+#include "validate/references.hpp"
+
+namespace jounce {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Random;
+using Status = Identification::Status;
+
+/// Standard normal, from two uniforms (Box and Muller).
+double normal(Random& random) {
+  return std::sqrt(-2 * std::log(random.uniform(1e-300, 1))) *
+         std::cos(2 * std::numbers::pi * random.uniform(0, 1));
+}
+
+struct Noise {
+  double position = 0;  ///< standard deviation, deg
+  double torque = 0;    ///< N m
+  double count = 0;     ///< encoder resolution, deg; 0: exact
+};
+
+Recording recorded(const Trajectory& move, const Drive& truth, std::size_t samples, Noise noise,
+                   std::uint64_t seed) {
+  const DriveResult run = drive_through(move, truth, {.settle = 0.05, .samples = samples});
+  EXPECT_TRUE(run.integration.ok());
+  Random random(seed);
+  Recording r;
+  for (const DriveSample& s : run.samples) {
+    r.time.push_back(s.time);
+    r.command.push_back(s.reference);
+    double position = s.motor + noise.position * normal(random);
+    if (noise.count > 0) position = noise.count * std::round(position / noise.count);
+    r.position.push_back(position);
+    r.torque.push_back(s.torque + noise.torque * normal(random));
+  }
+  return r;
+}
+
+/// The truth with every fitted number wrong by a factor.
+Drive wrong(const Drive& truth, const std::vector<std::string>& keys, double factor) {
+  Drive drive = truth;
+  double up = factor;
+  for (const DriveNumber& number : numbers(drive))
+    for (const std::string& key : keys)
+      if (number.key == key) {
+        *number.value *= up;
+        up = 1 / up;
+      }
+  // the controller stays what it was while the inertia is believed to be another
+  const double inertia = truth.motor.inertia + truth.train[0].inertia;
+  drive.controller.torque_feed_forward = truth.controller.torque_feed_forward * inertia /
+                                         (drive.motor.inertia + drive.train[0].inertia);
+  return drive;
+}
+
+double value_of(Drive drive, const std::string& key) {
+  for (const DriveNumber& number : numbers(drive))
+    if (number.key == key) return *number.value;
+  ADD_FAILURE() << key;
+  return 0;
+}
+
+const std::vector<std::string> machine{"motor.inertia", "motor.friction.viscous", "mass[1].inertia",
+                                       "mass[1].stiffness", "mass[1].damping"};
+
+// ---- the sensitivities of a drive -----------------------------------------------------------------
+
+detail::DriveResponse response(const Trajectory& move, const Drive& drive,
+                               const std::vector<std::string>& keys,
+                               const std::vector<double>& values, const std::vector<double>& times,
+                               double tolerance) {
+  return detail::respond(move, {&drive, keys, values, times, tolerance});
+}
+
+const std::vector<std::string> elastic{"motor.inertia", "mass[1].stiffness", "mass[1].damping"};
+
+void expect_differences(const Trajectory& move, const Drive& drive,
+                        const std::vector<std::string>& keys, double h, double share,
+                        double tight = 1e-11) {
+  std::vector<double> values, times;
+  for (const std::string& key : keys) values.push_back(value_of(drive, key));
+  for (int i = 1; i <= 23; ++i) times.push_back(i * (move.length() + 0.05) / 23);
+  const auto exact = response(move, drive, keys, values, times, 1e-9);
+  ASSERT_TRUE(exact.integration.ok()) << exact.integration.reason;
+  for (std::size_t j = 0; j < keys.size(); ++j) {
+    auto up = values, down = values;
+    up[j] *= std::exp(h);
+    down[j] *= std::exp(-h);
+    const auto a = response(move, drive, keys, up, times, tight);
+    const auto b = response(move, drive, keys, down, times, tight);
+    ASSERT_TRUE(a.integration.ok() && b.integration.ok())
+        << a.integration.reason << b.integration.reason;
+    for (std::size_t k = 0; k < detail::outputs; ++k) {
+      double scale = 0;
+      for (std::size_t i = 0; i < times.size(); ++i)
+        scale = std::max(scale, std::abs(exact.by[k][j * times.size() + i]));
+      for (std::size_t i = 0; i < times.size(); ++i)
+        EXPECT_NEAR(exact.by[k][j * times.size() + i], (a.value[k][i] - b.value[k][i]) / (2 * h),
+                    share * scale)
+            << keys[j] << ", output " << k << ", t = " << times[i];
+    }
+  }
+}
+
+TEST(DriveResponse, AgreesWithDifferencesOfAMuchTighterRun) {
+  expect_differences(test::law_345(360, 0.2), servo_400w(), elastic, 1e-3, 2e-5);
+}
+
+TEST(DriveResponse, GoesOnOverStepsOfTheAcceleration) {
+  expect_differences(test::trapezoid_move(), servo_400w(), elastic, 1e-3, 2e-5);
+}
+
+TEST(DriveResponse, GoesOnOverTheTorqueLimit) {
+  Drive drive = servo_400w();
+  drive.motor.torque_limit = 0.5;
+  const Trajectory move = test::law_345(360, 0.1);
+  ASSERT_FALSE(drive_through(move, drive).saturation.empty());
+  expect_differences(move, drive, elastic, 1e-5,
+                     1e-3);  // the instant moves with the number: a kink
+}
+
+/// Dry friction stops and frees both bodies at instants that move with every number.
+TEST(DriveResponse, GoesOnThroughDryFriction) {
+  Drive drive = servo_400w();
+  drive.motor.friction.coulomb = 0.05;
+  drive.motor.friction.breakaway = 0.07;
+  drive.motor.friction.stribeck_velocity = 2;
+  drive.train[0].friction.coulomb = 0.02;
+  expect_differences(test::law_345(60, 0.1), drive, {"motor.friction.coulomb", "motor.inertia"},
+                     1e-4, 5e-3, 1e-10);
+}
+
+TEST(DriveResponse, IsTheRunOfDriveThrough) {
+  const Trajectory move = test::s_curve_move();
+  const DriveResult run = drive_through(move, servo_400w(), {.settle = 0.1, .samples = 101});
+  std::vector<double> times;
+  for (const DriveSample& s : run.samples) times.push_back(s.time);
+  const auto again = response(move, servo_400w(), {}, {}, times, 1e-8);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(again.value[detail::position][i], run.samples[i].motor - run.samples[i].reference,
+                1e-8 * 3600);
+    EXPECT_NEAR(again.value[detail::load][i], run.samples[i].load - run.samples[i].reference,
+                1e-8 * 3600);
+    EXPECT_NEAR(again.value[detail::torque][i], run.samples[i].torque,
+                1e-6 * std::abs(run.torque.value));
+  }
+}
+
+// ---- known truth ----------------------------------------------------------------------------------
+
+TEST(Identify, RecoversTheTruthFromARecordingWithoutNoise) {
+  const Trajectory move = test::s_curve_move();
+  const Drive truth = servo_400w();
+  const Recording run = recorded(move, truth, 301, {}, 1);
+  const Identification found = identify(run, move, {wrong(truth, machine, 1.6), machine});
+  ASSERT_EQ(found.status, Status::converged) << found.reason;
+  for (const FittedNumber& n : found.numbers)
+    EXPECT_NEAR(n.value, value_of(truth, n.key), 1e-4 * value_of(truth, n.key)) << n.key;
+  EXPECT_NEAR(found.drive.controller.torque_feed_forward, 1, 1e-4);
+}
+
+TEST(Identify, RecoversDryFriction) {
+  const Trajectory move = test::law_345(360, 0.2);
+  Drive truth = servo_400w();
+  truth.motor.friction.coulomb = 0.1;
+  const std::vector<std::string> keys{"motor.friction.coulomb", "mass[1].inertia"};
+  const Recording run = recorded(move, truth, 201, {.position = 2e-3, .torque = 5e-3}, 11);
+  const Identification found = identify(run, move, {wrong(truth, keys, 1.5), keys, 50, 1e-6});
+  ASSERT_EQ(found.status, Status::converged) << found.reason;
+  for (const FittedNumber& n : found.numbers) {
+    const double half = (n.high - n.low) / 2;
+    EXPECT_NEAR(n.value, value_of(truth, n.key), 1.6 * half) << n.key;
+    EXPECT_LT(half, 0.05 * n.value) << n.key;
+  }
+}
+
+TEST(Identify, FittedIntervalsHoldTheTruthInNinetyFiveOfAHundredRecordings) {
+  const Trajectory move = test::law_345(360, 0.1);
+  const Drive truth = servo_400w();
+  const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness",
+                                      "motor.friction.viscous"};
+  const Drive start = wrong(truth, keys, 1.1);
+  constexpr int seeds = 100;
+  std::vector<int> held(keys.size());
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Recording run = recorded(move, truth, 101, {.position = 2e-3, .torque = 5e-3},
+                                   static_cast<std::uint64_t>(seed));
+    const Identification found = identify(run, move, {start, keys, 50, 1e-5});
+    ASSERT_TRUE(found.usable()) << "seed " << seed << ": " << found.reason;
+    for (std::size_t j = 0; j < keys.size(); ++j) {
+      const double true_value = value_of(truth, keys[j]);
+      held[j] += found.numbers[j].low <= true_value && true_value <= found.numbers[j].high;
+    }
+  }
+  // Binomial(100, 0.95): fewer than 88 or, for 300 in all, fewer than 272 or more than 296 has a
+  // probability below 0.1 %.
+  int all = 0;
+  for (std::size_t j = 0; j < keys.size(); ++j) {
+    EXPECT_GE(held[j], 88) << keys[j];
+    all += held[j];
+  }
+  EXPECT_GE(all, 272);
+  EXPECT_LE(all, 296);
+}
+
+TEST(Identify, TakesEncoderCountsForNoise) {
+  const Trajectory move = test::s_curve_move();
+  const Drive truth = servo_400w();
+  const Recording run = recorded(move, truth, 501, {.torque = 0.01, .count = 360.0 / 10'000}, 3);
+  const Identification found = identify(run, move, {wrong(truth, machine, 1.5), machine});
+  ASSERT_TRUE(found.usable()) << found.reason;
+  for (const FittedNumber& n : found.numbers) {
+    const double half = (n.high - n.low) / 2;
+    EXPECT_NEAR(n.value, value_of(truth, n.key), 1.6 * half) << n.key;
+  }
+  ASSERT_EQ(found.explained[0].quantity, "position");
+  EXPECT_NEAR(found.explained[0].after, 0.036 / std::sqrt(12.0), 0.2 * 0.036 / std::sqrt(12.0));
+  EXPECT_LT(found.explained[0].after, found.explained[0].before);
+}
+
+TEST(Identify, KeepsTheControllersFeedForward) {
+  const Trajectory move = test::s_curve_move();
+  Drive truth = servo_400w();
+  truth.controller.torque_feed_forward = 0.7;  // the controller was set for less inertia
+  const Recording run = recorded(move, truth, 301, {}, 1);
+  Drive start = truth;
+  start.train[0].inertia = 0.7 * 2.4e-4 - 4e-5;  // and with that the start is what it was set for
+  start.controller.torque_feed_forward = 1;
+  const Identification found = identify(run, move, {start, {"mass[1].inertia"}});
+  ASSERT_EQ(found.status, Status::converged) << found.reason;
+  EXPECT_NEAR(found.numbers[0].value, 2e-4, 1e-8);
+  EXPECT_NEAR(found.drive.controller.torque_feed_forward, 0.7, 1e-4);
+  ASSERT_EQ(found.notes.size(), 1u);
+  EXPECT_THAT(found.notes[0], HasSubstr("torque_feed_forward"));
+}
+
+TEST(Identify, FromTheRecordedCommandAlone) {
+  const Trajectory move = test::s_curve_move();
+  const Drive truth = servo_400w();
+  const Recording run = recorded(move, truth, 701, {}, 1);  // about a sample a ms
+  const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness"};
+  const Identification found =
+      identify(run, commanded_motion(run), {wrong(truth, keys, 1.3), keys});
+  ASSERT_TRUE(found.usable()) << found.reason;
+  for (const FittedNumber& n : found.numbers)
+    EXPECT_NEAR(n.value, value_of(truth, n.key), 5e-3 * value_of(truth, n.key)) << n.key;
+}
+
+// ---- what a recording does not tell --------------------------------------------------------------
+
+TEST(Identify, SaysWhatCannotBeToldApart) {
+  // friction of motor and load act alike on a shaft that is much faster than the motion
+  const Trajectory move = test::law_345(360, 0.4);
+  const Drive truth = servo_400w();
+  const std::vector<std::string> keys{"motor.friction.viscous", "mass[1].friction.viscous"};
+  const Recording run = recorded(move, truth, 201, {.position = 1e-3, .torque = 1e-3}, 5);
+  const Identification found = identify(run, move, {wrong(truth, keys, 1.3), keys});
+  EXPECT_EQ(found.status, Status::not_identifiable) << found.reason;
+  ASSERT_EQ(found.entangled.size(), 1u);
+  EXPECT_LT(found.entangled[0].correlation, -0.99);
+  EXPECT_THAT(found.reason, HasSubstr("cannot be told apart"));
+}
+
+TEST(Identify, SaysWhatDoesNotActAtAll) {
+  const Trajectory move = test::law_345(360, 0.3);
+  const Drive truth = servo_400w();
+  const std::vector<std::string> keys{"mass[1].inertia", "motor.torque_limit"};  // never reached
+  const Recording run = recorded(move, truth, 101, {.position = 1e-3, .torque = 1e-3}, 5);
+  const Identification found = identify(run, move, {truth, keys});
+  EXPECT_EQ(found.status, Status::not_identifiable);
+  EXPECT_THAT(found.reason, HasSubstr("motor.torque_limit"));
+  EXPECT_NEAR(found.numbers[0].value, 2e-4, 2e-6);  // the other is known all the same
+  EXPECT_LT(found.numbers[0].high, 1.1 * found.numbers[0].low);
+}
+
+TEST(Identify, SaysThatTheModelMissesSomething) {
+  const Trajectory move = test::s_curve_move();
+  const Drive truth = servo_400w();
+  Recording run = recorded(move, truth, 301, {}, 1);
+  for (std::size_t i = 0; i < run.time.size(); ++i)
+    run.torque[i] += 0.05 * std::sin(60 * run.time[i]);  // a torque that no number explains
+  const Identification found = identify(run, move, {truth, {"mass[1].inertia"}});
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_THAT(found.notes[0], HasSubstr("not white"));
+}
+
+TEST(Identify, StopsWhenAsked) {
+  const Trajectory move = test::law_345(360, 0.3);
+  const Recording run = recorded(move, servo_400w(), 101, {.position = 1e-3, .torque = 1e-3}, 5);
+  const Identification found = identify(run, move, {wrong(servo_400w(), machine, 1.5), machine},
+                                        [](int, double) { return false; });
+  EXPECT_EQ(found.status, Status::cancelled);
+  const Identification once = identify(run, move, {wrong(servo_400w(), machine, 1.5), machine, 1});
+  EXPECT_EQ(once.status, Status::stalled);
+}
+
+// ---- bad input ------------------------------------------------------------------------------------
+
+void expect_refused(const Recording& run, const IdentifySpec& spec, const std::string& says) {
+  try {
+    identify(run, test::law_345(360, 0.3), spec);
+    ADD_FAILURE() << "not refused: " << says;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(says));
+  }
+}
+
+TEST(Identify, RefusesBadInput) {
+  const Drive drive = servo_400w();
+  const Recording run = recorded(test::law_345(360, 0.3), drive, 51, {}, 1);
+  expect_refused(run, {drive, {}}, "fit");
+  expect_refused(run, {drive, {"mass[2].inertia"}}, "is no number of this drive");
+  expect_refused(run, {drive, {"controller.position_gain"}}, "is set, not measured");
+  expect_refused(run, {drive, {"motor.friction.coulomb"}}, "cannot be fitted from 0");
+  expect_refused(run, {drive, {"motor.inertia", "motor.inertia"}}, "twice");
+  Drive helped = drive;
+  helped.controller.friction_feed_forward = 1;
+  expect_refused(run, {helped, {"motor.friction.viscous"}}, "friction_feed_forward");
+  Recording bad = run;
+  bad.time[7] = bad.time[6];
+  expect_refused(bad, {drive, {"motor.inertia"}}, "time[8]");
+  bad = run;
+  bad.torque.pop_back();
+  expect_refused(bad, {drive, {"motor.inertia"}}, "torque");
+  bad = run;
+  bad.position[3] = std::nan("");
+  expect_refused(bad, {drive, {"motor.inertia"}}, "position");
+  bad = run;
+  bad.position.clear();
+  bad.torque.clear();
+  expect_refused(bad, {drive, {"motor.inertia"}}, "must be recorded");
+}
+
+// ---- least squares --------------------------------------------------------------------------------
+
+TEST(LeastSquares, FindsTheValleyOfRosenbrock) {
+  const auto rosenbrock = [](const Eigen::VectorXd& x) {
+    detail::Linearised r{Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
+    r.residual << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
+    r.jacobian << -20 * x[0], 10, -1, 0;
+    return std::optional(r);
+  };
+  const auto found =
+      detail::least_squares(rosenbrock, Eigen::Vector2d(-1.2, 1), {.max_iterations = 200});
+  EXPECT_EQ(found.status, detail::LeastSquares::Status::converged);
+  EXPECT_NEAR(found.x[0], 1, 1e-8);
+  EXPECT_NEAR(found.x[1], 1, 1e-8);
+}
+
+TEST(LeastSquares, CovarianceIsTheInverseOfTheNormalMatrix) {
+  Eigen::MatrixXd j(4, 2);
+  j << 1, 2, 0, 1, 3, -1, 1, 1;
+  const Eigen::Matrix2d whole = (j.transpose() * j).inverse();
+  const detail::Covariance c = detail::covariance(j);
+  EXPECT_NEAR(c.deviation[0], std::sqrt(whole(0, 0)), 1e-14);
+  EXPECT_NEAR(c.deviation[1], std::sqrt(whole(1, 1)), 1e-14);
+  EXPECT_NEAR(c.correlation(0, 1), whole(0, 1) / std::sqrt(whole(0, 0) * whole(1, 1)), 1e-14);
+}
+
+TEST(LeastSquares, StudentsFactorsAreThoseOfTheTables) {
+  EXPECT_NEAR(detail::student_95(5), 2.5706, 0.01);
+  EXPECT_NEAR(detail::student_95(10), 2.2281, 1e-3);
+  EXPECT_NEAR(detail::student_95(30), 2.0423, 1e-4);
+  EXPECT_NEAR(detail::student_95(1e9), 1.959964, 1e-6);
+}
+
+}  // namespace
+}  // namespace jounce
