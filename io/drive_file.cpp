@@ -20,8 +20,14 @@ std::string limits_text(const DriveLimits& limits, const std::string& position) 
   };
   add("torque", limits.torque, "N m");
   add("rms_torque", limits.rms_torque, "N m");
+  add("current", limits.current, "A");
+  add("velocity", limits.velocity, "rad/s");
   add("following_error", limits.following_error, position);
+  add("end_following_error", limits.end_following_error, position);
+  add("sync_following_error", limits.sync_following_error, position);
   add("residual", limits.residual, position);
+  add("settling_band", limits.settling_band, position);
+  add("settling_time", limits.settling_time, "s");
   return text.empty() ? text : "\n[drive.limits]\n" + text;
 }
 
@@ -50,6 +56,9 @@ std::string drive_text(const DriveSpec& spec, const Units& units, const std::str
     if (const auto found = beside.find(n.key); found != beside.end()) text += "; " + found->second;
     text += "\n";
   }
+  for (const Interval& sync : spec.sync)
+    text += fmt::format("\n[[drive.sync]]\nfrom = {}  # s\nto = {}  # s\n", number(sync.from),
+                        number(sync.to));
   return text + limits_text(spec.limits, units.position);
 }
 
