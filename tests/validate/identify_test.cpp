@@ -307,7 +307,8 @@ TEST(Identify, StopsWhenAsked) {
   const Identification found = identify(run, move, {wrong(servo_400w(), machine, 1.5), machine},
                                         [](int, double) { return false; });
   EXPECT_EQ(found.status, Status::cancelled);
-  const Identification once = identify(run, move, {wrong(servo_400w(), machine, 1.5), machine, 1});
+  const std::vector<std::string> one{"mass[1].inertia"};
+  const Identification once = identify(run, move, {wrong(servo_400w(), one, 1.5), one, 1});
   EXPECT_EQ(once.status, Status::stalled);
 }
 
