@@ -67,7 +67,7 @@ std::string robustness_text(const ToleranceResult& result, const std::string& un
       result.cases, result.all_corners ? ", every corner" : "",
       result.saturated > 0 ? fmt::format(", {} of them at the torque limit", result.saturated)
                            : "");
-  for (const FigureSpread& f : result.figures) {
+  for (const ToleranceSpread& f : result.figures) {
     const std::string& u = f.unit == "u" ? unit : f.unit;
     text +=
         fmt::format("  {:<12} {}: {} {} on paper, {} at the worst ({:.0f} % of cases within {})\n",
@@ -81,7 +81,7 @@ std::string robustness_text(const ToleranceResult& result, const std::string& un
 nlohmann::ordered_json robustness_json(const ToleranceResult& result) {
   using Json = nlohmann::ordered_json;
   Json figures = Json::array();
-  for (const FigureSpread& f : result.figures) {
+  for (const ToleranceSpread& f : result.figures) {
     Json worst = Json::object();
     for (const auto& [key, value] : f.worst.numbers) worst[key] = value;
     figures.push_back({{"figure", f.figure},

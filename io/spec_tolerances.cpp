@@ -8,8 +8,8 @@
 namespace jounce::detail {
 namespace {
 
-Tolerance read_tolerance(TomlReader& table, Drive& drive) {
-  Tolerance tolerance;
+NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
+  NumberTolerance tolerance;
   tolerance.key = table.text("key");
   const std::vector<DriveNumber> known = numbers(drive);
   const auto number = std::find_if(known.begin(), known.end(),

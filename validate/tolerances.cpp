@@ -59,7 +59,7 @@ struct Band {
 std::vector<Band> bands_of(const Drive& drive, const ToleranceSpec& spec) {
   std::vector<Band> bands;
   Drive copy = drive;
-  for (const Tolerance& t : spec.numbers) {
+  for (const NumberTolerance& t : spec.numbers) {
     require_not_negative("tolerances.share", t.share);
     require_not_negative("tolerances.absolute", t.absolute);
     const double middle = number_of(copy, t.key);
@@ -176,9 +176,9 @@ Kept keep(const DriveResult& run) {
   return kept;
 }
 
-FigureSpread spread(std::size_t figure, const std::vector<Kept>& cases, const Rows& rows,
-                    const std::vector<Band>& bands, const DriveLimits& limits) {
-  FigureSpread s;
+ToleranceSpread spread(std::size_t figure, const std::vector<Kept>& cases, const Rows& rows,
+                       const std::vector<Band>& bands, const DriveLimits& limits) {
+  ToleranceSpread s;
   s.figure = figures[figure].name;
   s.unit = figures[figure].unit;
   const std::optional<double> limit = limits.*figures[figure].limit;
@@ -216,7 +216,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
   Report report;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::optional<double> limit = limits.*figures[i].limit;
-    const FigureSpread& s = result.figures[i];
+    const ToleranceSpread& s = result.figures[i];
     if (!limit) continue;
     Finding finding;
     finding.rule = std::string("tolerance/") + figures[i].name;

@@ -14,7 +14,7 @@
 namespace jounce {
 
 /// A number of a drive that is known within a tolerance only.
-struct Tolerance {
+struct NumberTolerance {
   std::string key;      ///< as numbers() names it: "mass[1].stiffness"
   double share = 0;     ///< of its value, either way, >= 0: 0.1 is +-10 %
   double absolute = 0;  ///< in its own unit, either way, >= 0; both add up
@@ -37,7 +37,7 @@ struct ToleranceSpec {
     corners,
     monte_carlo,  ///< `cases` draws of all numbers at once
   };
-  std::vector<Tolerance> numbers;
+  std::vector<NumberTolerance> numbers;
   Method method = Method::corners;
   std::size_t cases = 1000;  ///< 1 to 10 000 000
   std::uint64_t seed = 1;
@@ -50,7 +50,7 @@ struct ToleranceCase {
 };
 
 /// A figure of the run over all cases, as a magnitude.
-struct FigureSpread {
+struct ToleranceSpread {
   std::string figure;  ///< "torque", "rms_torque", "following_error", "residual", ...
   std::string unit;    ///< "N m", "u": the reference's unit of position, "s", "1"
   double nominal = 0;  ///< with every number as given
@@ -67,7 +67,7 @@ struct ToleranceResult {
   bool all_corners = false;   ///< every combination of ends was run
   std::size_t saturated = 0;  ///< cases that met a torque limit
   std::size_t failed = 0;     ///< cases whose integration did not end well
-  std::vector<FigureSpread> figures;
+  std::vector<ToleranceSpread> figures;
   /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error", ...: the worst case against the limits given;
   /// "tolerance/integration" where a case failed.
   Report report;

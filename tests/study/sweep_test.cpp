@@ -89,7 +89,9 @@ TEST_F(Sweeps, CombineAllListedValues) {
       EXPECT_NEAR(row.figures[0], 30 / v + v / a, 1e-12);
       EXPECT_NEAR(row.figures[1], v, 1e-12);
       EXPECT_EQ(row.verdict, v > 12.5 ? Verdict::broken : Verdict::within);
-      if (v > 12.5) EXPECT_EQ(row.why, "limit/velocity");
+      if (v > 12.5) {
+        EXPECT_EQ(row.why, "limit/velocity");
+      }
       ++i;
     }
 }

@@ -29,9 +29,9 @@ ToleranceSpec three_numbers() {
   return spec;
 }
 
-const FigureSpread& figure(const ToleranceResult& result, const std::string& name) {
+const ToleranceSpread& figure(const ToleranceResult& result, const std::string& name) {
   return *std::find_if(result.figures.begin(), result.figures.end(),
-                       [&](const FigureSpread& f) { return f.figure == name; });
+                       [&](const ToleranceSpread& f) { return f.figure == name; });
 }
 
 TEST(Tolerances, CornersAreAllCombinationsOfEnds) {
@@ -66,14 +66,14 @@ TEST(Tolerances, WorstCaseIsTheRunOfItsNumbers) {
   EXPECT_TRUE(result.all_corners);
   EXPECT_EQ(result.failed, 0u);
   const DriveResult nominal = drive_through(move, strong());
-  const FigureSpread& torque = figure(result, "torque");
+  const ToleranceSpread& torque = figure(result, "torque");
   EXPECT_EQ(torque.nominal, std::abs(nominal.torque.value));
   EXPECT_GT(torque.worst.value, torque.nominal);
   EXPECT_LT(torque.least, torque.nominal);
   // A heavier load needs more torque: the worst corner has the greatest inertia.
   ASSERT_EQ(torque.worst.numbers[0].first, "mass[1].inertia");
   EXPECT_NEAR(torque.worst.numbers[0].second, 2.4e-4, 1e-18);
-  for (const FigureSpread& f : result.figures) {
+  for (const ToleranceSpread& f : result.figures) {
     Drive drive = strong();
     drive.train[0].inertia = f.worst.numbers[0].second;
     drive.train[0].stiffness = f.worst.numbers[1].second;
@@ -142,7 +142,7 @@ TEST(Tolerances, RmsTorqueOfARigidAxisGoesWithItsInertia) {
   spec.numbers = {{.key = "mass[1].inertia", .share = 0.3}};
   const Trajectory move = test::s_curve_move();
   const ToleranceResult result = over_tolerances(move, drive, {}, spec);
-  const FigureSpread& rms = figure(result, "rms_torque");
+  const ToleranceSpread& rms = figure(result, "rms_torque");
   EXPECT_NEAR(rms.worst.value / rms.nominal, (4e-5 + 2.6e-4) / 2.4e-4, 1e-6);
   EXPECT_NEAR(rms.least / rms.nominal, (4e-5 + 1.4e-4) / 2.4e-4, 1e-6);
 }
