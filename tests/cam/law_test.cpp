@@ -23,6 +23,10 @@ struct Case {
   LawForm form = {};
 };
 
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.oracle;
+}
+
 class Laws : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Laws, MeetTheOracleInCoefficientsAndPoints) {

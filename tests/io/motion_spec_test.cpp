@@ -449,6 +449,10 @@ struct BadMotion {
   const char* message;
 };
 
+void PrintTo(const BadMotion& bad, std::ostream* out) {
+  *out << bad.message;
+}
+
 class BadMotionSpec : public ::testing::TestWithParam<BadMotion> {};
 
 TEST_P(BadMotionSpec, GetsOneMessageWithPlaceKeyValueAndRule) {
