@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "drive_by_hand.hpp"
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/validate/drive.hpp"
 
@@ -67,6 +68,20 @@ void drive_for_a_second(benchmark::State& state, const Trajectory& move, const D
   state.counters["restarts"] = static_cast<double>(result.integration.restarts);
 }
 
+/// The yardstick, in the same run.
+void by_hand_for_a_second(benchmark::State& state, const Trajectory& move) {
+  const Drive drive = servo_400w();
+  long steps = 0;
+  for (auto _ : state) {
+    bench::ByHand hand(move, drive, 1);
+    benchmark::DoNotOptimize(hand.run(1e-8, steps));
+  }
+  state.counters["steps"] = static_cast<double>(steps);
+}
+
+BENCHMARK_CAPTURE(by_hand_for_a_second, trapezoid, trapezoid_second())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(by_hand_for_a_second, s_curve, s_curve_second())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(drive_for_a_second, two_mass_trapezoid, trapezoid_second(), servo_400w())
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(drive_for_a_second, two_mass_s_curve, s_curve_second(), servo_400w())
