@@ -6,9 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "drive_by_hand.hpp"
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/validate/drive.hpp"
+
+#include "drive_by_hand.hpp"
 
 namespace jounce {
 namespace {

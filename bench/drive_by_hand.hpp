@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <span>
 
@@ -122,7 +122,8 @@ class ByHand {
     const double torque = e + x[4] + d.total_ * r.a;
     const double shaft = d.load_.stiffness * (x[0] - x[2]) + d.load_.damping * (x[1] - x[3]);
     to[0] = x[1];
-    to[1] = (torque - shaft - d.d_.motor.friction.viscous * (x[1] + r.w)) / d.d_.motor.inertia - r.a;
+    to[1] =
+        (torque - shaft - d.d_.motor.friction.viscous * (x[1] + r.w)) / d.d_.motor.inertia - r.a;
     to[2] = x[3];
     to[3] = (shaft - d.load_.friction.viscous * (x[3] + r.w)) / d.load_.inertia - r.a;
     to[4] = e / d.c_.integral_time;

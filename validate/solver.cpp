@@ -1,6 +1,7 @@
 #include "jounce/validate/detail/solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <new>
@@ -48,6 +49,38 @@ double weighted_rms(N_Vector x, N_Vector weights) {
   return std::sqrt(sum / static_cast<double>(NV_LENGTH_S(x)));
 }
 
+void constant(double c, N_Vector z) {
+  std::fill_n(NV_DATA_S(z), NV_LENGTH_S(z), c);
+}
+
+constexpr int most_at_once = 16;  // the history of BDF has 6 vectors, that of Adams 13
+
+/// z = sum of c_k x_k, of which z may be one.
+int linear_combination(int count, double* c, N_Vector* x, N_Vector z) {
+  if (count > most_at_once) return N_VLinearCombination_Serial(count, c, x, z);
+  std::array<const double*, most_at_once> in;
+  for (int k = 0; k < count; ++k) in[static_cast<std::size_t>(k)] = NV_DATA_S(x[k]);
+  double* w = NV_DATA_S(z);
+  for (sunindextype i = 0; i < NV_LENGTH_S(z); ++i) {
+    double sum = 0;
+    for (int k = 0; k < count; ++k) sum += c[k] * in[static_cast<std::size_t>(k)][i];
+    w[i] = sum;
+  }
+  return 0;
+}
+
+/// z_k = a_k x + y_k, where z_k may be y_k.
+int scale_add(int count, double* a, N_Vector x, N_Vector* y, N_Vector* z) {
+  const double* u = NV_DATA_S(x);
+  for (int k = 0; k < count; ++k) {
+    const double factor = a[k];
+    const double* v = NV_DATA_S(y[k]);
+    double* w = NV_DATA_S(z[k]);
+    for (sunindextype i = 0; i < NV_LENGTH_S(x); ++i) w[i] = factor * u[i] + v[i];
+  }
+  return 0;
+}
+
 /// A vector whose clones, as all of CVODES', are quick on few numbers.
 N_Vector short_vector(std::size_t size, SUNContext context) {
   N_Vector v = N_VNew_Serial(static_cast<sunindextype>(size), context);
@@ -56,6 +89,9 @@ N_Vector short_vector(std::size_t size, SUNContext context) {
   v->ops->nvlinearsum = linear_sum;
   v->ops->nvscale = scale;
   v->ops->nvwrmsnorm = weighted_rms;
+  v->ops->nvconst = constant;
+  v->ops->nvlinearcombination = linear_combination;
+  v->ops->nvscaleaddmulti = scale_add;
   return v;
 }
 
