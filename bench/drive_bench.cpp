@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/validate/drive.hpp"
+#include "jounce/validate/linear_drive.hpp"
 
 #include "drive_by_hand.hpp"
 
@@ -98,6 +99,19 @@ BENCHMARK_CAPTURE(drive_for_a_second, backlash_s_curve, s_curve_second(), with_b
 BENCHMARK_CAPTURE(drive_for_a_second, sampled_1ms_s_curve, s_curve_second(), sampled(1e-3))
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(drive_for_a_second, sampled_62us_s_curve, s_curve_second(), sampled(62.5e-6))
+    ->Unit(benchmark::kMicrosecond);
+
+/// The same second exactly, at a thousand instants.
+void exact_second(benchmark::State& state, const Trajectory& move, const Drive& drive) {
+  std::vector<double> times(1000);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(i) / 999;
+  for (auto _ : state) benchmark::DoNotOptimize(exact_run(move, drive, times));
+}
+BENCHMARK_CAPTURE(exact_second, two_mass_trapezoid, trapezoid_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exact_second, two_mass_s_curve, s_curve_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exact_second, sampled_1ms_s_curve, s_curve_second(), sampled(1e-3))
     ->Unit(benchmark::kMicrosecond);
 
 /// A thousand axes whose load is off by up to 10 %, on two threads.

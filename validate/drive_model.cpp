@@ -225,6 +225,13 @@ void DriveModel::rest_train(double reference, double* y) const {
   }
 }
 
+void DriveModel::shift(const Jet& before, const Jet& after, double* y) const {
+  for (std::size_t i = 0; i < integral(); i += 2) {
+    y[i] -= radians_ * (after[0] - before[0]);
+    y[i + 1] -= radians_ * (after[1] - before[1]);
+  }
+}
+
 void DriveModel::rest(const Jet& r, double* y) {
   std::fill_n(y, size_, 0.0);
   // Gravity depends on the twist that it causes: a few rounds, each better by the ratio of

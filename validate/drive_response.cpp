@@ -25,6 +25,7 @@
 #include <limits>
 #include <memory>
 
+#include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_model.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/solver.hpp"
@@ -33,46 +34,15 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double difference = 6e-6;   // (1)
-constexpr double longest_step = 0.3;  // of an interval, as in drive_run.cpp
-constexpr double rounding = 1e-12;
-constexpr double smooth = 1e-4;
-
-struct Standstill {
-  double position;
-  std::array<double, 2> interval;
-
-  [[nodiscard]] double start() const { return interval[0]; }
-  [[nodiscard]] double end() const { return interval[1]; }
-  [[nodiscard]] std::span<const double> breaks() const { return interval; }
-  [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
-};
-
-double usable(double scale) {
-  return scale > 0 && std::isfinite(scale) ? scale : 1;
-}
-
-double torque_scale(const DriveModel& model, const Scales& of) {
-  double loads = 0;
-  for (const Body& body : model.train()) {
-    loads += std::abs(body.load);
-    for (const Gravity& g : body.gravity) loads += std::abs(g.torque);
-    for (const Friction& f : body.dry) loads += f.breakaway;
-  }
-  return usable(model.radians_per_unit() *
-                    (model.inertia() * of.peak[2] + model.friction() * of.peak[1]) +
-                loads);
-}
-
+constexpr double difference = 6e-6;  // (1)
 /// A model with its switches, which refer to it: at home in one place.
 struct Switched {
   DriveModel model;
+  DriveScales scales;
   Switches switches;
 
   Switched(const Drive& drive, double tolerance, const Scales& of)
-      : model(drive),
-        switches(model, tolerance, torque_scale(model, of),
-                 usable(model.radians_per_unit() * of.peak[1])) {}
+      : model(drive), scales(model, of), switches(model, tolerance, scales.torque, scales.speed) {}
   Switched(const Switched&) = delete;
   Switched& operator=(const Switched&) = delete;
 };
@@ -82,7 +52,7 @@ class Run {
   Run(const SignalView& reference, const ResponseSpec& spec)
       : spec_(spec),
         origin_(reference.start()),
-        closest_(shortest(reference, spec)),
+        closest_(shortest_time(origin_, std::max(reference.end(), spec.times.back()))),
         pieces_(pieces(reference, closest_)),
         size_(scales(pieces_)),
         standstill_{pieces_.back().at(reference.end())[0], {reference.end(), spec.times.back()}},
@@ -117,13 +87,6 @@ class Run {
   }
 
  private:
-  static double shortest(const SignalView& reference, const ResponseSpec& spec) {
-    const double from = reference.start();
-    const double to = std::max(reference.end(), spec.times.back());
-    return std::max(rounding * (to - from), 16 * std::numeric_limits<double>::epsilon() *
-                                                std::max(std::abs(from), std::abs(to)));
-  }
-
   Ode ode() {
     Ode ode;
     ode.rhs = [this](double t, const double* y, double* dy) { model_.rhs(at(t), y, dy); };
@@ -150,11 +113,10 @@ class Run {
 
   [[nodiscard]] SolverOptions settings() const {
     const double least = 1e-3 * spec_.tolerance;
-    const double radians = model_.radians_per_unit();
-    std::vector<double> absolute(n_, least * torque_scale(model_, size_));
+    std::vector<double> absolute(n_, least * here_.scales.torque);
     for (std::size_t i = 0; i < model_.integral(); i += 2) {
-      absolute[i] = least * usable(radians * size_.range);
-      absolute[i + 1] = least * usable(radians * size_.peak[1]);
+      absolute[i] = least * here_.scales.angle;
+      absolute[i + 1] = least * here_.scales.speed;
     }
     for (std::size_t i = model_.torque_squared(); i < n_; ++i)
       absolute[i] = std::numeric_limits<double>::max();  // integrals that nobody looks at here
@@ -214,24 +176,16 @@ class Run {
     piece_ = piece;
     asked_ = std::numeric_limits<double>::quiet_NaN();
     const Jet r = piece.at(piece.begin);
-    const auto stepped = [&](std::size_t k, double scale, double share) {
-      return !(std::abs(r[k] - before_[k]) <= share * scale);
-    };
     const bool first = solver_.integration().restarts == 0;
     const double cap = longest_step * piece.length();
     const int feed = model_.mode().feed;
     solver_.limit_step(cap);
     here_.switches.begin(r, size_.peak[1]);
     share_mode();
-    if (first || stepped(0, size_.range, rounding) || stepped(1, size_.peak[1], rounding) ||
-        stepped(2, size_.peak[2], smooth) || solver_.next_step() > 2 * cap ||
+    if (first || steps(before_, r, size_) || solver_.next_step() > 2 * cap ||
         feed != model_.mode().feed) {
-      const double radians = model_.radians_per_unit();
       auto y = solver_.state();
-      for (std::size_t i = 0; i < model_.integral(); i += 2) {
-        y[i] -= radians * (r[0] - before_[0]);
-        y[i + 1] -= radians * (r[1] - before_[1]);
-      }
+      model_.shift(before_, r, y.data());
       static_cast<void>(here_.switches.update(r, y.data()));
       share_mode();
       solver_.restart(solver_.time());

@@ -14,12 +14,12 @@
 #include "jounce/validate/detail/drive_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_model.hpp"
 #include "jounce/validate/detail/observer.hpp"
 #include "jounce/validate/detail/piece.hpp"
@@ -30,51 +30,13 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double longest_step = 0.3;  // of an interval; no law has its zeros at these multiples
-constexpr double rounding = 1e-12;    // a step of position or velocity below this is none
-constexpr double smooth = 1e-4;       // a step of acceleration below this is left to error control
-
-/// What a reference is after its end.
-struct Standstill {
-  double position;
-  std::array<double, 2> interval;
-
-  [[nodiscard]] double start() const { return interval[0]; }
-  [[nodiscard]] double end() const { return interval[1]; }
-  [[nodiscard]] std::span<const double> breaks() const { return interval; }
-  [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
-};
-
-double usable(double scale) {
-  return scale > 0 && std::isfinite(scale) ? scale : 1;
-}
-
-/// The sizes of what a run is about, rad and N m: what tolerances are shares of.
-struct RunScales {
-  double angle, speed, torque;
-
-  RunScales(const DriveModel& model, const Scales& of) {
-    const double radians = model.radians_per_unit();
-    double loads = 0;
-    for (const Body& body : model.train()) {
-      loads += std::abs(body.load);
-      for (const Gravity& g : body.gravity) loads += std::abs(g.torque);
-      for (const Friction& f : body.dry) loads += f.breakaway;
-    }
-    angle = usable(radians * of.range);
-    speed = usable(radians * of.peak[1]);
-    torque =
-        usable(radians * (model.inertia() * of.peak[2] + model.friction() * of.peak[1]) + loads);
-  }
-};
-
 class Run {
  public:
   Run(const SignalView& reference, const Drive& drive, const DriveOptions& options)
       : options_(options),
         origin_(reference.start()),
         end_(reference.end()),
-        closest_(shortest(reference, options)),
+        closest_(shortest_time(origin_, end_ + options.settle)),
         pieces_(pieces(reference, closest_)),
         size_(scales(pieces_)),
         standstill_{pieces_.back().at(end_)[0], {end_, end_ + options.settle}},
@@ -101,13 +63,6 @@ class Run {
   }
 
  private:
-  static double shortest(const SignalView& reference, const DriveOptions& options) {
-    const double from = reference.start();
-    const double to = reference.end() + options.settle;
-    return std::max(rounding * (to - from), 16 * std::numeric_limits<double>::epsilon() *
-                                                std::max(std::abs(from), std::abs(to)));
-  }
-
   Ode ode() {
     Ode ode;
     ode.rhs = [this](double t, const double* y, double* dy) { model_.rhs(at(t), y, dy); };
@@ -186,23 +141,14 @@ class Run {
     piece_ = piece;
     asked_ = std::numeric_limits<double>::quiet_NaN();
     const Jet r = piece.at(piece.begin);
-    const auto stepped = [&](std::size_t k, double scale, double share) {
-      return !(std::abs(r[k] - before_[k]) <= share * scale);
-    };
     const bool first = solver_.integration().restarts == 0;
     const double cap = longest_step * piece.length();
     const int feed = model_.mode().feed;
     solver_.limit_step(cap);
     switches_.begin(r, size_.peak[1]);
-    if (first || stepped(0, size_.range, rounding) || stepped(1, size_.peak[1], rounding) ||
-        stepped(2, size_.peak[2], smooth) || solver_.next_step() > 2 * cap ||
+    if (first || steps(before_, r, size_) || solver_.next_step() > 2 * cap ||
         feed != model_.mode().feed) {
-      const double radians = model_.radians_per_unit();
-      auto y = solver_.state();
-      for (std::size_t i = 0; i < model_.integral(); i += 2) {
-        y[i] -= radians * (r[0] - before_[0]);
-        y[i + 1] -= radians * (r[1] - before_[1]);
-      }
+      model_.shift(before_, r, solver_.state().data());
       static_cast<void>(update());
       solver_.restart(solver_.time());
     }
@@ -267,7 +213,7 @@ class Run {
   Scales size_;
   Standstill standstill_;
   DriveModel model_;
-  RunScales run_size_;
+  DriveScales run_size_;
   Switches switches_;
   Piece piece_;
   Jet before_;

@@ -26,16 +26,13 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/peak.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/solver.hpp"
 
 namespace jounce::detail {
 namespace {
-
-constexpr double longest_step = 0.3;  // of an interval, and of the shortest period's radian
-constexpr double rounding = 1e-12;
-constexpr double smooth = 1e-4;
 
 class FollowerModel {
  public:
@@ -94,16 +91,6 @@ class FollowerModel {
   const SpringFollower& f_;
 };
 
-struct Standstill {
-  double position;
-  std::array<double, 2> interval;
-
-  [[nodiscard]] double start() const { return interval[0]; }
-  [[nodiscard]] double end() const { return interval[1]; }
-  [[nodiscard]] std::span<const double> breaks() const { return interval; }
-  [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
-};
-
 class Run {
  public:
   Run(const SignalView& lift, const SpringFollower& follower, const FollowerOptions& options)
@@ -111,15 +98,13 @@ class Run {
         options_(options),
         origin_(lift.start()),
         end_(lift.end()),
-        closest_(rounding * (end_ + options.settle - origin_) +
-                 16 * std::numeric_limits<double>::epsilon() *
-                     std::max(std::abs(origin_), std::abs(end_) + options.settle)),
+        closest_(shortest_time(origin_, end_ + options.settle)),
         pieces_(pieces(lift, closest_)),
         size_(scales(pieces_)),
         standstill_{pieces_.back().at(end_)[0], {end_, end_ + options.settle}},
         model_(follower),
         piece_(pieces_.front()),
-        before_(model_.lift({pieces_.front().at(origin_)[0], 0, 0, 0})),
+        before_{pieces_.front().at(origin_)[0], 0, 0, 0},
         spacing_(options.samples > 1
                      ? (end_ + options.settle - origin_) / static_cast<double>(options.samples - 1)
                      : 0),
@@ -153,7 +138,7 @@ class Run {
   }
 
   [[nodiscard]] FollowerModel::Values start() const {
-    const double e = model_.rest(before_[0]);
+    const double e = model_.rest(model_.lift(before_)[0]);
     if (!(e > 0))
       throw InputError("preload", follower_.preload,
                        "must press the follower on the cam where the lift begins");
@@ -161,7 +146,7 @@ class Run {
   }
 
   [[nodiscard]] SolverOptions settings() const {
-    const double e = model_.rest(before_[0]);
+    const double e = model_.rest(model_.lift(before_)[0]);
     const double least = 1e-3 * options_.tolerance;
     const double lift = model_.lift(size_.peak)[2] * model_.radian() * model_.radian();
     const double length = std::max(e, lift);
@@ -183,27 +168,22 @@ class Run {
       if (switched(step)) solver_.restart(solver_.time());
       if (step == Step::stop) break;
     }
-    before_ = model_.lift(piece.at(piece.end));
+    before_ = piece.at(piece.end);
     return true;
   }
 
   /// Mass and tip stay where they are when the cam steps.
   void enter(const Piece& piece) {
     piece_ = piece;
-    const Jet y = model_.lift(piece.at(piece.begin));
-    const Jet scale = model_.lift(size_.peak);
-    const double cap = std::min(longest_step * piece.length(), longest_step * model_.radian());
+    const Jet y = piece.at(piece.begin);
+    const double cap = longest_step * std::min(piece.length(), model_.radian());
     solver_.limit_step(cap);
-    const auto stepped = [&](std::size_t k, double share) {
-      return !(std::abs(y[k] - before_[k]) <= share * scale[k]);
-    };
     const bool first = solver_.integration().restarts == 0;
-    if (!(first || stepped(0, rounding) || stepped(1, rounding) || stepped(2, smooth) ||
-          solver_.next_step() > 2 * cap))
-      return;
+    if (!(first || steps(before_, y, size_) || solver_.next_step() > 2 * cap)) return;
     auto s = solver_.state();
-    s[FollowerModel::compression] += y[0] - before_[0];
-    s[FollowerModel::rate] += y[1] - before_[1];
+    const double metres = follower_.metres_per_unit;
+    s[FollowerModel::compression] += metres * (y[0] - before_[0]);
+    s[FollowerModel::rate] += metres * (y[1] - before_[1]);
     if (!model_.flying && model_.linkage(s.data()) < 0) take_off();
     solver_.restart(solver_.time());
   }
@@ -218,7 +198,8 @@ class Run {
       if (!(event && solver_.crossing(0) < 0) && model_.linkage(s) >= least) return false;
       take_off();
     } else {
-      const double most = -10 * options_.tolerance * (model_.rest(before_[0]) + height_);
+      const double most =
+          -10 * options_.tolerance * (model_.rest(model_.lift(before_)[0]) + height_);
       if (!(event && solver_.crossing(0) < 0) && model_.gap(s) >= most) return false;
       land();
     }

@@ -3,24 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/validate/detail/peak.hpp"
+
 namespace jounce::detail {
-namespace {
-
-void raise(Peak& peak, double value, double where) {
-  if (std::abs(value) > std::abs(peak.value)) peak = {value, where};
-}
-
-/// The three values at t, t + h, t + 2 h, and the vertex of the parabola through them if it lies
-/// between.
-void raise(Peak& peak, const std::array<double, 3>& f, double t, double h) {
-  for (std::size_t i = 0; i < f.size(); ++i) raise(peak, f[i], t + static_cast<double>(i) * h);
-  const double slope = (f[2] - f[0]) / 2;
-  const double bend = f[0] - 2 * f[1] + f[2];
-  if (std::abs(slope) < std::abs(bend))
-    raise(peak, f[1] - slope * slope / (2 * bend), t + h * (1 - slope / bend));
-}
-
-}  // namespace
 
 Observer::Observer(const DriveModel& model, const DriveOptions& options, double origin,
                    double duration)
@@ -62,7 +47,8 @@ void Observer::step(const Solver& solver, const Piece& reference) {
                  point(solver.state().data(), reference, solver.time())};
   const double unit = 1 / model_.radians_per_unit();
   const auto watch = [&](Peak& peak, double Point::*what, double factor) {
-    raise(peak, {p[0].*what * factor, p[1].*what * factor, p[2].*what * factor}, p[0].time, h);
+    see_parabola({p[0].*what * factor, p[1].*what * factor, p[2].*what * factor}, p[0].time, h,
+                 [&](double value, double where) { raise(peak, value, where); });
   };
   watch(found_.torque, &Point::torque, 1);
   watch(found_.velocity, &Point::velocity, 1);

@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/jet.hpp"
 #include "jounce/validate/detail/bodies.hpp"
+#include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce::detail {
@@ -60,6 +61,8 @@ class DriveModel {
 
   /// Rest in equilibrium at the reference's position, and the modes that belong to it.
   void rest(const Jet& r, double* y);
+  /// The axis moves on as it is where the reference steps, so the deviations step.
+  void shift(const Jet& before, const Jet& after, double* y) const;
 
   /// Torque of the joint before body i, i >= 1: (7).
   [[nodiscard]] double joint(std::size_t i, const double* y) const;
@@ -103,6 +106,13 @@ class DriveModel {
   std::size_t delay_, lag_, size_;  // indices of states
   DriveMode mode_;
   double held_ = 0;
+};
+
+/// The sizes of what a run is about, rad, rad/s and N m: what tolerances are shares of. All > 0.
+struct DriveScales {
+  double angle, speed, torque;
+
+  DriveScales(const DriveModel& model, const Scales& reference);
 };
 
 }  // namespace jounce::detail
