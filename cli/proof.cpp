@@ -65,8 +65,6 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
     proof.drive = driven(input, std::max(drive_samples, compared));
     add(proof.report, proof.drive->report, "drive", "s");
     const Reference reference = table_reference(input);
-    if (const auto exact = exact_opinion(view(reference), input.drive->drive, *proof.drive))
-      add(proof.report, {{*exact}}, "drive", "s");
     if (input.drive->tolerances) {
       proof.tolerances = robustness(view(reference), *input.drive);
       add(proof.report, proof.tolerances->report, "drive");

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/detail/drive_run.hpp"
+#include "jounce/validate/linear_drive.hpp"
 
 namespace jounce {
 namespace {
@@ -123,9 +124,13 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
         limits.sync_following_error, follow);
   check("drive/residual", "residual vibration", result.residual, limits.residual,
         "take a smoother law, or a shaper for the residual frequency");
-  if (limits.settling_time) report.findings.push_back(settling_of(result, options, end));
+  if (limits.settling_time && result.integration.ok())
+    report.findings.push_back(settling_of(result, options, end));
   report.findings.push_back(saturation_of(result, drive.motor.torque_limit));
-  if (!result.integration.ok()) report.findings.push_back(integration_of(result.integration));
+  if (!result.integration.ok()) {  // what was not exceeded by then may have been later
+    std::erase_if(report.findings, [](const Finding& f) { return !f.broken; });
+    report.findings.push_back(integration_of(result.integration));
+  }
   sort(report);
   return report;
 }
@@ -151,6 +156,10 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
                            number(reference.end()) + " s, as must from");
   DriveResult result = detail::run(reference, drive, options);
   result.report = report_of(result, drive, options, reference.end());
+  if (const auto exact = exact_opinion(reference, drive, result, options.tolerance)) {
+    result.report.findings.push_back(*exact);
+    sort(result.report);
+  }
   return result;
 }
 

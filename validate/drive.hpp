@@ -197,7 +197,10 @@ struct DriveResult {
   Peak residual;                   ///< u, load - reference, after the reference's end
   double residual_frequency = 0;   ///< Hz, of the load after the end; 0: it does not swing
   std::optional<double> settling_time = {};  ///< s after the end; none: no band, or not settled
-  Peak swing;                                ///< u, pendulum - load
+  /// Where the following error was beyond its limit, if one is given: entered and left at zeros of the
+  /// solver's dense output. An excursion and return within half a step is seen by its parabola's vertex.
+  std::vector<Interval> beyond_following_error = {};
+  Peak swing;  ///< u, pendulum - load
   /// Peak share of the winding's thermal limit, from cold: h' = ((T / rated)^2 - h) / thermal_time.
   Peak i2t;
   DriveEnergy energy;
@@ -208,7 +211,9 @@ struct DriveResult {
   /// "drive/end_following_error", "drive/sync_following_error", "drive/residual",
   /// "drive/settling_time" against the limits given; "drive/i2t", "drive/rated_torque" (rms) and
   /// "drive/max_velocity" where the motor has these; always "drive/saturation", broken where the
-  /// torque limit was reached at all; and "drive/integration" where the integration did not end well.
+  /// torque limit was reached at all; "drive/exact" where there are samples and exact_opinion() has one;
+  /// and "drive/integration" where the integration did not end well: then limits that were not exceeded by
+  /// its end are no findings.
   Report report;
 };
 

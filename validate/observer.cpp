@@ -57,6 +57,7 @@ void Observer::step(const Solver& solver, const Piece& reference) {
   for (const Interval& sync : options_.sync)
     if (p[0].time < sync.to && p[2].time > sync.from)
       watch(found_.sync_following_error, &Point::motor, -unit);
+  beyond(solver, reference, p);
   if (settling_) {
     watch(found_.residual, &Point::load, unit);
     swing(p[0], p[1]);
@@ -103,6 +104,47 @@ void Observer::power(const Points& p, double done) {
   found_.energy.regenerated += driving - done;
 }
 
+/// The instant between a and b (either first) where `outside` changes: of a itself it is true.
+template <class Outside>
+double Observer::crossing(const Solver& solver, const Piece& reference, double out, double in,
+                          Outside outside) {
+  for (int k = 0; k < 40 && out != in; ++k) {
+    const double middle = out + (in - out) / 2;
+    (outside(between(solver, reference, middle - origin_)) ? out : in) = middle;
+  }
+  return in;
+}
+
+/// Keeps where the following error is beyond its limit.
+void Observer::beyond(const Solver& solver, const Piece& reference, const Points& p) {
+  if (!options_.limits.following_error) return;
+  const double limit = *options_.limits.following_error * model_.radians_per_unit();
+  const auto outside = [&](const Point& at) { return std::abs(at.motor) > limit; };
+  auto& found = found_.beyond_following_error;
+  const auto part = [&](const Point& a, const Point& b) {
+    if (outside(a) && !beyond_) found.push_back({a.time, a.time}), beyond_ = true;
+    if (!outside(a) && outside(b)) {
+      const double entered = crossing(solver, reference, b.time, a.time, outside);
+      found.push_back({entered, entered});
+    } else if (outside(a) && !outside(b)) {
+      found.back().to = crossing(solver, reference, a.time, b.time, outside);
+    }
+    beyond_ = outside(b);
+    if (beyond_) found.back().to = b.time;
+  };
+  const double slope = (p[2].motor - p[0].motor) / 2;
+  const double bend = p[0].motor - 2 * p[1].motor + p[2].motor;
+  if (!(std::abs(slope) < std::abs(bend)) || outside(p[0]) || outside(p[1]) || outside(p[2])) {
+    part(p[0], p[1]);
+    part(p[1], p[2]);
+    return;
+  }
+  const double vertex = p[1].time - (p[2].time - p[0].time) / 2 * slope / bend;
+  const Point v = between(solver, reference, vertex - origin_);
+  part(p[0], v);
+  part(v, p[2]);
+}
+
 /// Keeps since when the load is within the band; its entry is a zero of the dense output.
 void Observer::settling(const Solver& solver, const Piece& reference, const Points& p) {
   if (!options_.limits.settling_band) return;
@@ -113,13 +155,7 @@ void Observer::settling(const Solver& solver, const Piece& reference, const Poin
     if (outside(p[i])) {
       inside_.reset();
     } else if (!inside_) {
-      double out = p[i - 1].time;
-      double in = p[i].time;
-      for (int k = 0; k < 40 && out < in; ++k) {
-        const double middle = out + (in - out) / 2;
-        (outside(between(solver, reference, middle - origin_)) ? out : in) = middle;
-      }
-      inside_ = in - end_;
+      inside_ = crossing(solver, reference, p[i - 1].time, p[i].time, outside) - end_;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -147,7 +148,8 @@ struct FigureOf {
   const char* name;
   const char* unit;
   double (*value)(const DriveResult&);
-  std::optional<double> DriveLimits::*limit;
+  std::optional<double> DriveLimits::*limit = nullptr;
+  bool (*there)(const Drive&, const DriveOptions&) = nullptr;  ///< left out: always
 };
 
 constexpr std::array figures{
@@ -160,20 +162,41 @@ constexpr std::array figures{
              &DriveLimits::following_error},
     FigureOf{"residual", "u", [](const DriveResult& r) { return std::abs(r.residual.value); },
              &DriveLimits::residual},
+    FigureOf{
+        "settling_time", "s", [](const DriveResult& r) { return r.settling_time.value_or(0); },
+        &DriveLimits::settling_time,
+        [](const Drive&, const DriveOptions& o) { return o.limits.settling_band.has_value(); }},
+    FigureOf{"i2t", "1", [](const DriveResult& r) { return r.i2t.value; }, nullptr,
+             [](const Drive& d, const DriveOptions&) { return d.motor.thermal_time > 0; }},
+    FigureOf{"driving_energy", "J", [](const DriveResult& r) { return r.energy.driving; }},
 };
 
 struct Kept {
   std::array<double, figures.size()> values{};
   bool saturated = false;
+  bool unsettled = false;  // within the standstill that was watched
   bool failed = false;
 };
 
-Kept keep(const DriveResult& run) {
+/// A figure of a run; a settling that was not seen to end took the whole standstill at least.
+double value_of(const FigureOf& figure, const DriveResult& run, const DriveOptions& options) {
+  if (!run.integration.ok()) return std::numeric_limits<double>::quiet_NaN();
+  if (figure.limit == &DriveLimits::settling_time && !run.settling_time) return options.settle;
+  return figure.value(run);
+}
+
+Kept keep(const DriveResult& run, const DriveOptions& options) {
   Kept kept;
-  for (std::size_t i = 0; i < figures.size(); ++i) kept.values[i] = figures[i].value(run);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    kept.values[i] = value_of(figures[i], run, options);
+  kept.unsettled = !run.settling_time;
   kept.saturated = !run.saturation.empty();
   kept.failed = !run.integration.ok();
   return kept;
+}
+
+std::optional<double> limit_of(const FigureOf& figure, const DriveLimits& limits) {
+  return figure.limit == nullptr ? std::nullopt : limits.*figure.limit;
 }
 
 ToleranceSpread spread(std::size_t figure, const std::vector<Kept>& cases, const Rows& rows,
@@ -181,14 +204,15 @@ ToleranceSpread spread(std::size_t figure, const std::vector<Kept>& cases, const
   ToleranceSpread s;
   s.figure = figures[figure].name;
   s.unit = figures[figure].unit;
-  const std::optional<double> limit = limits.*figures[figure].limit;
+  const std::optional<double> limit = limit_of(figures[figure], limits);
+  const bool times = figures[figure].limit == &DriveLimits::settling_time;
   std::vector<double> values;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases[i].failed) continue;
     values.push_back(cases[i].values[figure]);
     if (cases[worst].failed || values.back() > cases[worst].values[figure]) worst = i;
-    if (limit && !(values.back() <= *limit)) ++s.beyond;
+    if (limit && (!(values.back() <= *limit) || (times && cases[i].unsettled))) ++s.beyond;
   }
   if (values.empty()) return s;
   std::sort(values.begin(), values.end());
@@ -214,18 +238,20 @@ std::string where(const ToleranceCase& c) {
 
 Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
   Report report;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const std::optional<double> limit = limits.*figures[i].limit;
-    const ToleranceSpread& s = result.figures[i];
-    if (!limit) continue;
+  for (const ToleranceSpread& s : result.figures) {
+    const FigureOf& figure = *std::find_if(figures.begin(), figures.end(),
+                                           [&](const FigureOf& f) { return f.name == s.figure; });
+    const std::optional<double> limit = limit_of(figure, limits);
+    if (!limit || result.failed == result.cases) continue;
     Finding finding;
-    finding.rule = std::string("tolerance/") + figures[i].name;
-    finding.quantity = figures[i].name;
+    finding.rule = "tolerance/" + s.figure;
+    finding.quantity = s.figure;
     if (s.unit != "u") finding.unit = s.unit;
     finding.value = s.worst.value;
     finding.limit = *limit;
     finding.margin = (*limit - s.worst.value) / *limit;
-    finding.broken = !(s.worst.value <= *limit);
+    finding.broken = s.beyond > 0;
+    if (finding.broken) finding.margin = std::min(finding.margin, 0.0);
     if (finding.broken)
       finding.advice = std::to_string(s.beyond) + " of " + std::to_string(result.cases) +
                        " cases are over; " + where(s.worst);
@@ -271,7 +297,7 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
   const Rows rows = rows_of(bands, spec);
   std::vector<Kept> cases(rows.size());
   const auto run = [&](std::size_t i) {
-    cases[i] = keep(drive_through(reference, with(drive, bands, rows[i]), quick));
+    cases[i] = keep(drive_through(reference, with(drive, bands, rows[i]), quick), quick);
   };
   if (for_each) {
     for_each(rows.size(), run);
@@ -287,8 +313,9 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
     result.failed += c.failed ? 1 : 0;
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (figures[i].there != nullptr && !figures[i].there(drive, options)) continue;
     result.figures.push_back(spread(i, cases, rows, bands, options.limits));
-    result.figures.back().nominal = figures[i].value(nominal);
+    result.figures.back().nominal = value_of(figures[i], nominal, quick);
   }
   result.report = report_of(result, options.limits);
   return result;

@@ -51,9 +51,12 @@ struct ToleranceCase {
 
 /// A figure of the run over all cases, as a magnitude.
 struct ToleranceSpread {
-  std::string figure;  ///< "torque", "rms_torque", "following_error", "residual", ...
+  /// "torque", "rms_torque", "following_error", "residual"; "settling_time" where a settling_band is given
+  /// (what does not settle counts as the whole standstill, and as beyond the limit), "i2t" where the motor
+  /// has a thermal_time, "driving_energy".
+  std::string figure;
   std::string unit;    ///< "N m", "u": the reference's unit of position, "s", "1"
-  double nominal = 0;  ///< with every number as given
+  double nominal = 0;  ///< with every number as given; NaN where that run failed
   double least = 0;
   double mean = 0;
   double deviation = 0;    ///< standard, of the sample; of corners it is no statistic of machines

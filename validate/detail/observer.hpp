@@ -50,6 +50,10 @@ class Observer {
   [[nodiscard]] Point point(const double* y, const Piece& reference, double t) const;
   [[nodiscard]] Point between(const Solver& solver, const Piece& reference, double t);
   void swing(const Point& a, const Point& b);
+  template <class Outside>
+  [[nodiscard]] double crossing(const Solver& solver, const Piece& reference, double out, double in,
+                                Outside outside);
+  void beyond(const Solver& solver, const Piece& reference, const Points& p);
   void settling(const Solver& solver, const Piece& reference, const Points& p);
   void heat(double dt, double squared, double time);
   void power(const Points& p, double done);
@@ -69,6 +73,7 @@ class Observer {
   std::optional<Point> last_ = {};  ///< where the last step ended,
   long restarts_ = -1;              ///< unless the solver began anew there
   double heat_ = 0;
+  bool beyond_ = false;               ///< the limit of the following error, at the last point
   std::optional<double> inside_ = 0;  ///< since when, after the end; none: outside of the band
   std::vector<Zero> zeros_;
   double speed_ = 0;
