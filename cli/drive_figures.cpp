@@ -51,6 +51,16 @@ std::vector<DriveMode> swinging(const Drive& drive) {
   return found;
 }
 
+/// Hz: below it a tenth of the stroke and more is left, beside which nothing else would be seen.
+double least_worth_seeing(const Trajectory& motion, double highest) {
+  constexpr int steps = 200;
+  const Range travel = extrema(motion, 0);
+  const double much = 0.1 * (travel.max.value - travel.min.value);
+  int i = 1;
+  while (i < steps && residual_vibration(motion, Mode{highest * i / steps, 0}) > much) ++i;
+  return highest * i / steps;
+}
+
 }  // namespace
 
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit) {
@@ -113,13 +123,17 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
   constexpr int points = 800;
   const std::vector<DriveMode> own = swinging(drive);
   double highest = 12 / motion.length();
-  for (const DriveMode& m : own) highest = std::max(highest, 1.3 * m.frequency);
+  double lowest = least_worth_seeing(motion, highest);
+  for (const DriveMode& m : own) {
+    highest = std::max(highest, 1.3 * m.frequency);
+    lowest = std::min(lowest, 0.7 * m.frequency);
+  }
   Figure figure{.title = "What the motion leaves of a vibration", .x_label = "its frequency [Hz]"};
   Panel panel{.y_label = "amplitude left [" + unit + "]"};
   for (const double damping : {0.0, 0.05}) {
     Series series{.label = damping == 0 ? "undamped" : fmt::format("damping ratio {}", damping)};
-    for (int i = 1; i <= points; ++i) {
-      const double frequency = highest * i / points;
+    for (int i = 0; i <= points; ++i) {
+      const double frequency = lowest + (highest - lowest) * i / points;
       series.x.push_back(frequency);
       series.y.push_back(residual_vibration(motion, Mode{frequency, damping}));
     }
@@ -152,6 +166,8 @@ Figure drive_figure(const Input& input, const std::string& which) {
     const DriveResult run = driven(input, 2001);
     figure = which == "response" ? response_figure(run, *input.drive, unit)
                                  : torque_speed_figure(run, input.drive->drive);
+    if (which == "response" && input.drive->settle > 0)
+      figure.shades = {{duration(reference), run.samples.back().time, "standstill"}};
   }
   figure.title = input.name + ": " + figure.title;
   return figure;

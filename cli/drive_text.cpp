@@ -52,6 +52,10 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
   const auto line = [&](const std::string& says) {
     text += fmt::format("  {:<12} {}\n", text.empty() ? "drive" : "", says);
   };
+  if (!d.integration.ok()) {
+    line("BROKEN: not integrated to its end");
+    return text;
+  }
   line(fmt::format("{}: torque {} N m peak at {} s, {} N m rms", d.report.ok() ? "ok" : "BROKEN",
                    rounded(d.torque.value), rounded(d.torque.where), rounded(d.rms_torque)));
   line(motor_text(d, drive.motor));

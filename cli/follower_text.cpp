@@ -11,15 +11,19 @@ namespace jounce::cli {
 
 std::string follower_text(const FollowerResult& run, const std::string& unit) {
   constexpr std::size_t shown = 5;
+  if (!run.integration.ok())
+    return fmt::format("  {:<12} BROKEN: not integrated to its end\n", "follower");
   std::string text =
       fmt::format("  {:<12} {}: contact force {} to {} N, least at {} s\n", "follower",
                   run.report.ok() ? "ok" : "BROKEN", rounded(run.least_force.value),
                   rounded(run.greatest_force.value), rounded(run.least_force.where));
   for (std::size_t i = 0; i < std::min(shown, run.flights.size()); ++i) {
     const Flight& f = run.flights[i];
-    text += fmt::format("  {:<12} off the cam from {} to {} s, up to {} {}, lands at {} m/s\n", "",
-                        rounded(f.from), rounded(f.to), rounded(f.height), unit,
-                        rounded(f.impact_speed));
+    text +=
+        fmt::format("  {:<12} off the cam from {} to {} s, up to {} {}, {}\n", "", rounded(f.from),
+                    rounded(f.to), rounded(f.height), unit,
+                    f.impact_speed == 0 ? "still in the air at the end"
+                                        : fmt::format("lands at {} m/s", rounded(f.impact_speed)));
   }
   if (run.flights.size() > shown)
     text += fmt::format("  {:<12} and {} times more\n", "", run.flights.size() - shown);

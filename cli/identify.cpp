@@ -14,6 +14,8 @@
 #include "jounce/io/report_text.hpp"
 #include "jounce/plot/figure.hpp"
 
+#include "interrupt.hpp"
+#include "picture.hpp"
 #include "progress.hpp"
 #include "verb.hpp"
 
@@ -96,8 +98,8 @@ void print_json(std::FILE* out, const Identification& found) {
 }
 
 /// Recorded and model above each other, what is left below.
-std::string picture(const Identification& found, const Recording& run, const Options& options,
-                    const std::string& u) {
+Figure picture(const Identification& found, const Recording& run, const Options& options,
+               const std::string& u) {
   Figure figure{.title = "identification from " + options.log, .x_label = "time [s]"};
   for (const Explained& e : found.explained) {
     const Quantity q = quantity_named(run, e.quantity, u);
@@ -113,7 +115,7 @@ std::string picture(const Identification& found, const Recording& run, const Opt
     figure.panels.push_back({.y_label = fmt::format("residual [{}]", q.unit),
                              .series = {{"recorded - model", run.time, left, Style::dots}}});
   }
-  return svg(figure);
+  return figure;
 }
 
 std::string fitted_file(const Identification& found, DriveSpec drive, const Units& units,
@@ -130,31 +132,34 @@ std::string fitted_file(const Identification& found, DriveSpec drive, const Unit
 
 Identification fitted(const Recording& run, const Drive& drive, const Options& options) {
   Progress progress("identifying");
+  const Interrupt interrupt;
   const Trajectory command = commanded_motion(run);
   return identify(run, command, {drive, options.fit, options.iterations},
                   [&](int done, double share) {
                     progress.show(std::min(1.0, done / 20.0),
                                   fmt::format("residual {:.3g} of the start's", share));
-                    return true;
+                    return !interrupt.asked();
                   });
 }
 
 int run(const Options& options) {
-  const Spec spec = parse_spec(read_file(options.drive), options.drive);
+  for (const std::string& output : {options.output, options.plot}) {
+    require_other_file(options.drive, output);
+    require_other_file(options.log, output);
+  }
+  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  const Spec spec = read_spec(options.drive);
   if (!spec.drive)
     throw spec.document.located(InputError("drive", "", "is missing: nothing to fit"));
-  require_other_file(options.drive, options.output);
   const std::string& u = spec.units.position;
   const Recording recording = read_recording(options.log, spec.drive->drive, u);
   const Identification found = fitted(recording, spec.drive->drive, options);
   std::FILE* out = options.output == "-" || options.plot == "-" ? stderr : stdout;
   options.json ? print_json(out, found) : print_text(out, found, recording, u);
   if (!found.usable()) return finding;
-  std::vector<Output> files;
   if (!options.output.empty())
-    files.push_back({options.output, fitted_file(found, *spec.drive, spec.units, options)});
-  if (!options.plot.empty()) files.push_back({options.plot, picture(found, recording, options, u)});
-  write_files(files);
+    write_file(options.output, fitted_file(found, *spec.drive, spec.units, options));
+  if (!options.plot.empty()) write_picture(options.plot, picture(found, recording, options, u));
   return found.status == Identification::Status::converged ? fine : finding;
 }
 
@@ -176,7 +181,8 @@ void add_identify(CLI::App& app, Work& work) {
       ->required()
       ->delimiter(',');
   verb->add_option("-o,--output", options->output, "Drive with the fitted numbers to write");
-  verb->add_option("--plot", options->plot, "SVG to write: recorded, model, residual");
+  verb->add_option("--plot", options->plot,
+                   "Picture to write, .svg or .png: recorded, model, residual");
   verb->add_option("--iterations", options->iterations, "At most as many")
       ->default_val(50)
       ->check(CLI::Range(1, 10'000));

@@ -2,20 +2,34 @@
 
 #include "jounce/io/spec.hpp"
 
-#include "optimize_parameters.hpp"
 #include "optimizing.hpp"
+#include "picture.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
 
+void give_budget(Spec& spec, double seconds) {
+  require_positive("--seconds", seconds);
+  if (spec.parameters)
+    spec.parameters->options.seconds = seconds;
+  else if (!spec.optimize.shape.shapes.empty())
+    spec.optimize.shape.seconds = seconds;
+  else
+    throw InputError("--seconds", seconds,
+                     "is for free shapes and [[optimize.parameter]]: knots have no time budget");
+}
+
 int run(const OptimizeOptions& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
-  const Spec spec = read_spec(options.spec);
-  if (spec.parameters)
-    return optimize_parameters(spec,
-                               {options.output, options.table, options.json, options.seconds});
+  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  Spec spec = read_spec(options.spec);
+  if (options.seconds) give_budget(spec, *options.seconds);
+  if (!options.plot.empty() && spec.parts().size() > 1)
+    throw InputError("--plot", options.plot,
+                     "compares one axis, and this spec has several: jounce plot draws them");
+  if (spec.parameters) return optimize_parameters(options, spec);
   return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
                                             : optimize_shapes(options, spec);
 }
@@ -35,9 +49,10 @@ void add_optimize(CLI::App& app, Work& work) {
                    "Optimised spec to write: the same text, other numbers and points");
   verb->add_option("--table", options->table, "Its table to write, CSV or .json");
   verb->add_option("--plot", options->plot,
-                   "Picture to write, .svg or .png: the optimised cam over the given one");
+                   "Picture to write, .svg or .png: the optimised motion over the given one");
   verb->add_option("--seconds", options->seconds,
-                   "End a search over [[optimize.parameter]] after so long, with the best so far");
+                   "End a search over [[optimize.parameter]] or free shapes after so long, with "
+                   "the best so far");
   verb->add_flag("--json", options->json, "Outcome for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

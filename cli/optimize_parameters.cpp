@@ -1,17 +1,15 @@
-#include "optimize_parameters.hpp"
-
+// Any numbers of a spec.
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/io/file.hpp"
-#include "jounce/io/make.hpp"
 #include "jounce/io/report_text.hpp"
-#include "jounce/io/table_file.hpp"
 #include "jounce/study/tune.hpp"
 
 #include "interrupt.hpp"
+#include "optimizing.hpp"
 #include "progress.hpp"
 #include "verb.hpp"
 
@@ -92,22 +90,6 @@ void print_json(std::FILE* out, const TuneOutcome& outcome, const Spec& spec) {
   fmt::print(out, "{}\n", document.dump(1));
 }
 
-/// The spec and its table, both or neither.
-void write(const ParameterOptions& options, const Spec& given, const TuneOutcome& outcome) {
-  const std::string path = options.output.empty() ? given.document.name : options.output;
-  std::vector<Output> files;
-  if (!options.table.empty()) {
-    const Spec better = parse_spec(outcome.text, path);
-    const Made made = make(better);
-    files.push_back(
-        {options.table, table_text(options.table, {made.sampled.table,
-                                                   better.units,
-                                                   {path, hex(better.document.hash), made_by()}})});
-  }
-  if (!options.output.empty()) files.push_back({options.output, outcome.text});
-  write_files(files);
-}
-
 TuneOutcome searched(const Spec& spec) {
   Progress progress("searching");
   const Interrupt interrupt;
@@ -127,17 +109,12 @@ TuneOutcome searched(const Spec& spec) {
 
 }  // namespace
 
-int optimize_parameters(Spec spec, const ParameterOptions& options) {
-  if (options.seconds) {
-    require_positive("--seconds", *options.seconds);
-    spec.parameters->options.seconds = options.seconds;
-  }
+int optimize_parameters(const OptimizeOptions& options, const Spec& spec) {
   const TuneOutcome outcome = searched(spec);
-  // A spec or table on standard output has it for itself.
-  std::FILE* out = options.output == "-" || options.table == "-" ? stderr : stdout;
+  std::FILE* out = told_on(options);
   options.json ? print_json(out, outcome, spec) : print_text(out, outcome, spec);
   if (!outcome.usable()) return finding;
-  write(options, spec, outcome);
+  write_optimized(options, spec, outcome.text);
   return fine;
 }
 

@@ -15,13 +15,14 @@ struct OptimizeOptions {
   std::string table;
   std::string plot;
   bool json = false;
-  std::optional<double> seconds = {};  ///< of a search over parameters
+  std::optional<double> seconds = {};  ///< over the spec's own time budget
 };
 
-/// Free knots and free shapes: solved, told, and written if they keep the limits. Answer the exit
-/// status.
+/// Free knots, free shapes and [[optimize.parameter]]: solved, told, and written if they keep the
+/// limits. Answer the exit status.
 int optimize_knots(const OptimizeOptions& options, const Spec& spec);
 int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
+int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 
 /// Where the outcome is told: a spec, table or picture on standard output has it for itself.
 std::FILE* told_on(const OptimizeOptions& options);

@@ -166,13 +166,15 @@ void write_png(const std::string& path, const std::string& svg) {
 
 }  // namespace
 
+void require_picture(const char* option, const std::string& path) {
+  if (!path.ends_with(".png") && !path.ends_with(".svg") && path != "-")
+    throw InputError(option, path, "must end in .svg or .png, or be - for SVG on standard output");
+}
+
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options) {
-  const bool png = path.ends_with(".png");
-  if (!png && !path.ends_with(".svg") && path != "-")
-    throw InputError("--output", path,
-                     "must end in .svg or .png, or be - for SVG on standard output");
+  require_picture("--output", path);
   const std::string picture = svg(figure, options);
-  if (png)
+  if (path.ends_with(".png"))
     write_png(path, picture);
   else
     write_file(path, picture);

@@ -22,6 +22,9 @@ Figure figure_of(const std::vector<Input>& axes);
 /// zero, under the name of their segment.
 std::vector<Shade> in_step(const Cam& cam, const Labels& labels);
 
+/// Throws InputError for a path, given with `option`, that names no picture: before the work that it shows.
+void require_picture(const char* option, const std::string& path);
+
 /// Writes SVG, or PNG where the path ends in ".png" (by rsvg-convert); "-" is SVG on standard output.
 /// Throws InputError for any other name, std::runtime_error where rsvg-convert is missing or fails.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});

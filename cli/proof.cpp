@@ -10,6 +10,7 @@
 #include "jounce/validate/linear_drive.hpp"
 
 #include "drive_text.hpp"
+#include "follower_figure.hpp"
 #include "follower_text.hpp"
 #include "reference.hpp"
 #include "robustness.hpp"
@@ -71,10 +72,7 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
     }
   }
   if (input.spec && input.spec->follower) {
-    const FollowerSpec& f = *input.spec->follower;
-    const Reference reference = table_reference(input);
-    proof.follower = follow(view(reference), f.follower,
-                            {.settle = f.settle, .samples = drive_samples, .limits = f.limits});
+    proof.follower = followed(input, drive_samples);
     add(proof.report, proof.follower->report, "follower", "s");
   }
   if (!log.empty()) {

@@ -10,6 +10,7 @@
 
 #include "cam_check.hpp"
 #include "drive_figures.hpp"
+#include "follower_figure.hpp"
 #include "picture.hpp"
 #include "proof.hpp"
 #include "verb.hpp"
@@ -89,6 +90,10 @@ Section proof_section(const Proof& proof, const Input& input) {
     section.blocks.emplace_back(Chart{torque_speed_figure(*proof.drive, input.drive->drive),
                                       "The same run within what the motor has."});
   }
+  if (proof.follower)
+    section.blocks.emplace_back(
+        Chart{follower_figure(*proof.follower, *input.spec->follower, input.labels.units.position),
+              "The [follower] on the table as its cam."});
   return section;
 }
 

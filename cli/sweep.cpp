@@ -137,6 +137,7 @@ int run_under_mpi(const Options& options) {
 int run(const Options& options) {
   for (const std::string& output : {options.output, options.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
+  if (!options.plot.empty()) require_picture("--plot", options.plot);
   return mpi_place().started ? run_under_mpi(options) : run_here(options);
 }
 

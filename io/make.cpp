@@ -314,7 +314,9 @@ double seconds_per_unit(const Spec& spec) {
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
-    throw InputError("kind", "", "only a cam can be optimised").at(spec.document.name);
+    throw InputError("kind", "",
+                     "only a cam has free knots; numbers of any spec: [[optimize.parameter]]")
+        .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(
         "polydyne", "", "is not optimised: the knots then are the load's, not the cam's"));

@@ -35,6 +35,10 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
   };
   Recording recording;
   recording.time = points.in_unit("time", "s");
+  if (recording.time.size() < 4)
+    throw InputError("time", std::to_string(recording.time.size()) + " rows",
+                     "are too few for a recording: four at least")
+        .at(points.document);
   require_ascending(points, recording.time);
   recording.command = points.in_unit("command", position);
   recording.position = optional("feedback", position);

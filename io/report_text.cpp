@@ -40,6 +40,10 @@ std::string verdict(const Finding& finding) {
   if (finding.broken && finding.rule.starts_with("limit/position"))
     return fmt::format("is outside the limit {} by {}", limit,
                        rounded(std::abs(finding.value - finding.limit)));
+  if (finding.rule == "follower/contact")  // its margin is no share of the limit
+    return finding.broken && finding.limit == 0
+               ? "means that contact is lost"
+               : fmt::format("is {} the least, {}", finding.broken ? "below" : "above", limit);
   if (is_least(finding))
     return fmt::format("is {} {} the least, {}", percent(finding.margin),
                        finding.broken ? "below" : "above", limit);
@@ -200,6 +204,8 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));
+  if (finding.rule.ends_with("/integration"))
+    return fmt::format("the integration ended at {}", place(finding, labels));
   if (is_sync_rule(finding.rule)) return sync_sentence(finding, place(finding, labels));
   if (finding.rule.starts_with("joint/") || finding.rule.starts_with("follow/"))
     return fmt::format("{} is {} at {}", finding.quantity,

@@ -89,7 +89,9 @@ CamShapeProblem problem_of(const Spec& spec) {
 
 CamShapeProblem make_shape_problem(const Spec& spec) {
   if (!std::holds_alternative<CamSpec>(spec.subject))
-    throw InputError("kind", "", "only a cam can be optimised").at(spec.document.name);
+    throw InputError("kind", "",
+                     "only a cam has free shapes; numbers of any spec: [[optimize.parameter]]")
+        .at(spec.document.name);
   try {
     return problem_of(spec);
   } catch (const InputError& error) {

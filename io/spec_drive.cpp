@@ -85,6 +85,8 @@ void read_train(TomlReader& table, const Units& units, Drive& drive) {
 
 void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
   drive.position_per_rev = table.number("position_per_rev", units.position + "/rev");
+  if (drive.position_per_rev == 0)  // before a mass is counted with it
+    table.fail("position_per_rev", "0", "must not be 0: the motor would not turn");
   for (const char* part : {"motor", "controller"})
     if (auto reader = table.optional_table(part)) {
       read_part(*reader, std::string(part) + ".", drive);

@@ -4,12 +4,23 @@
 namespace jounce::detail {
 namespace {
 
+std::optional<double> not_negative(TomlReader& table, const char* key, const char* unit) {
+  const std::optional<double> value = table.optional_number(key, unit);
+  if (value && *value < 0) table.fail(key, number(*value), "must not be negative");
+  return value;
+}
+
 FollowerLimits read_follower_limits(TomlReader& limits, const Units& units) {
   FollowerLimits found;
-  found.least_force = limits.optional_number("least_force", "N");
-  found.greatest_force = limits.optional_number("greatest_force", "N");
-  found.impact_speed = limits.optional_number("impact_speed", "m/s");
-  found.residual = limits.optional_number("residual", units.position);
+  found.least_force = not_negative(limits, "least_force", "N");
+  const auto positive = [&](const char* key, const std::string& unit) {
+    const std::optional<double> value = limits.optional_number(key, unit);
+    if (value && *value <= 0) limits.fail(key, number(*value), "must be greater than 0");
+    return value;
+  };
+  found.greatest_force = positive("greatest_force", "N");
+  found.impact_speed = positive("impact_speed", "m/s");
+  found.residual = positive("residual", units.position);
   limits.finish();
   return found;
 }
@@ -28,7 +39,7 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   f.spring_stiffness = table->optional_number("spring_stiffness", "N/m").value_or(0);
   f.spring_damping = table->optional_number("spring_damping", "N s/m").value_or(0);
   f.preload = table->optional_number("preload", "N").value_or(0);
-  found.settle = table->optional_number("settle", "s").value_or(0);
+  found.settle = not_negative(*table, "settle", "s").value_or(0);
   try {
     f.metres_per_unit = conversion(spec.units.position, "m");
   } catch (const InputError&) {

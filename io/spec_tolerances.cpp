@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/io/detail/share.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/nearest.hpp"
 
@@ -24,7 +25,7 @@ NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
   }
   if (!table.has("share") && !table.has("absolute"))
     table.fail("share", "", "is missing: say share = \"10 %\", or absolute");
-  tolerance.share = table.optional_number("share", "1").value_or(0);
+  tolerance.share = optional_share(table, "share").value_or(0);
   tolerance.absolute = table.optional_number("absolute", number->unit).value_or(0);
   const std::vector<std::string> shapes{"uniform", "normal"};
   tolerance.normal = table.optional_choice("distribution", shapes).value_or(0) == 1;

@@ -66,6 +66,9 @@ constexpr std::array drive_figures{
                 &DriveLimits::velocity},
     DriveFigure{"following error", "u", [](const auto& run) { return run.following_error.value; },
                 &DriveLimits::following_error},
+    DriveFigure{
+        "sync following error", "u", [](const auto& run) { return run.sync_following_error.value; },
+        &DriveLimits::sync_following_error, [](const auto& spec) { return !spec.sync.empty(); }},
     DriveFigure{"end following error", "u", [](const auto& run) { return run.end_following_error; },
                 &DriveLimits::end_following_error},
     DriveFigure{"residual", "u", [](const auto& run) { return run.residual.value; },
@@ -82,6 +85,10 @@ constexpr std::array drive_figures{
     DriveFigure{"i2t", "", [](const auto& run) { return run.i2t.value; }, nullptr,
                 [](const auto& spec) { return spec.drive.motor.thermal_time > 0; }},
     DriveFigure{"saturation time", "s", saturation_time},
+    DriveFigure{"energy", "J", [](const auto& run) { return run.energy.driving; }},
+    DriveFigure{"regenerated energy", "J", [](const auto& run) { return run.energy.regenerated; }},
+    DriveFigure{"copper loss", "J", [](const auto& run) { return run.energy.copper; }, nullptr,
+                [](const auto& spec) { return spec.drive.motor.resistance > 0; }},
 };
 
 /// A figure that is computed when it is asked for.

@@ -33,9 +33,10 @@ struct KeyFigure {
 /// - what the generator says of itself (sync_figures): "longest cut", "fastest line", "in step" ...;
 /// - "predicted residual" of the first mode that an operator was made for, "predicted residual 2" ...;
 /// - with a [drive]: "peak torque", "rms torque", "motor velocity", "following error", "end following
-///   error", "residual", "residual frequency", "saturation time"; where it has what they are made of
-///   "peak current", "rms current", "settling time" (infinite: never), "swing" of a pendulum, "i2t" (a
-///   share of the limit);
+///   error", "residual", "residual frequency", "saturation time", "energy" (J that it drives with),
+///   "regenerated energy"; where it has what they are made of "sync following error", "peak current",
+///   "rms current", "settling time" (infinite: never), "swing" of a pendulum, "i2t" (a share of the
+///   limit), "copper loss" (J);
 /// - "margin": the smallest of all limits that the spec states, a share of the limit, below 0: broken;
 ///   infinite where it states none.
 ///

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "jounce/io/detail/share.hpp"
 #include "jounce/io/detail/toml_reader.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/printable.hpp"
@@ -78,25 +79,10 @@ NormalSpread read_normal(TomlReader normal, const std::string& unit, double give
 
 /// "5 %" or 0.05, of the number that the spec gives.
 UniformSpread read_tolerance(TomlReader& table, double given) {
-  const auto refuse = [&](const std::string& value) {
-    table.fail("tolerance", value, "must be a share such as \"5 %\" or 0.05, greater than 0");
-  };
-  double share = 0;
-  if (table.is_text("tolerance")) {
-    std::string text = table.text("tolerance");
-    const std::string shown = '"' + text + '"';
-    const std::size_t sign = text.find('%');
-    if (sign == std::string::npos || text.find_first_not_of(" \t", sign + 1) != std::string::npos)
-      refuse(shown);
-    try {
-      share = quantity(text.substr(0, sign), "1") / 100;
-    } catch (const InputError&) {
-      refuse(shown);
-    }
-  } else {
-    share = table.number("tolerance", "1");
-  }
-  if (!(share > 0)) refuse(number(share));
+  const double share = *optional_share(table, "tolerance");
+  if (!(share > 0))
+    table.fail("tolerance", number(share),
+               "must be a share such as \"5 %\" or 0.05, greater than 0");
   if (given == 0)
     table.fail("tolerance", number(share),
                "is a share of the number in the spec, which is 0: give uniform = { from, to }");

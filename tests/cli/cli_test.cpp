@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -75,8 +76,9 @@ class Cli : public ::testing::Test {
 
 TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
   EXPECT_EQ(run("--help").status, 0);
-  for (const char* verb : {"new", "design", "check", "optimize", "validate", "diff", "convert",
-                           "plot", "report", "stream", "run", "monitor", "stop"}) {
+  for (const char* verb :
+       {"new", "design", "check", "optimize", "validate", "diff", "convert", "plot", "report",
+        "stream", "run", "monitor", "stop", "sweep", "identify"}) {
     const Result help = run(std::string(verb) + " --help");
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  jounce ") + verb)) << verb;
@@ -108,6 +110,57 @@ TEST_F(Cli, EveryStartingSpecIsGood) {
   }
   EXPECT_EQ(run("new axis -o axis.toml").status, 0);
   EXPECT_EQ(run("new lathe").status, 2);
+}
+
+TEST_F(Cli, IdentifyFindsTheInertiaThatWasRecorded) {
+  ASSERT_EQ(run("new drive -o drive.toml").status, 0);
+  // A rigid machine without error of following: its torque is inertia times acceleration and friction.
+  constexpr double inertia = 3e-4, friction = 2e-4, turns = 2 * 3.141592653589793, time = 0.3;
+  std::string log = "time [s],command [rev],torque [N m]\n";
+  for (int i = 0; i <= 300; ++i) {
+    const double x = i / 300.0;
+    const double v = turns / time * (1 - std::cos(turns * x));
+    const double a = turns * turns / time / time * std::sin(turns * x);
+    log += std::to_string(time * x) + "," + std::to_string(x - std::sin(turns * x) / turns) + "," +
+           std::to_string(inertia * a + friction * v) + "\n";
+  }
+  write("run.csv", log);
+  const std::string identify = "identify drive.toml --log run.csv --fit mass[1].inertia";
+  const Result found = run(identify + " -o fitted.toml --plot fit.svg --json");
+  EXPECT_EQ(found.status, 0) << found.err;
+  const json first = json::parse(found.out)["numbers"][0];
+  EXPECT_NEAR(first["value"].get<double>(), inertia - 4e-5, 0.01 * inertia);  // less the motor's
+  EXPECT_THAT(slurp(folder / "fitted.toml"), HasSubstr("kind = \"drive\""));
+  EXPECT_THAT(slurp(folder / "fit.svg"), StartsWith("<svg"));
+  EXPECT_EQ(run(identify + " --plot fit.png").status, 0);
+  EXPECT_EQ(slurp(folder / "fit.png").substr(1, 3), "PNG");  // not SVG by another name
+  EXPECT_THAT(run(identify + " -o drive.toml").err, HasSubstr("is the input"));
+  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("is the input"));
+  EXPECT_EQ(run("identify drive.toml --log run.csv --fit mass[1].inertai").status, 2);
+}
+
+TEST_F(Cli, OptimizeRefusesBeforeItSearches) {
+  const std::string shapes = "optimize " + examples + "residual-17hz/cam.toml";
+  EXPECT_EQ(
+      run(shapes + " --plot x.pdf").err,
+      "jounce: --plot = x.pdf: must end in .svg or .png, or be - for SVG on standard output\n");
+  EXPECT_THAT(run(shapes + " --seconds nan").err, HasSubstr("--seconds = nan"));
+  EXPECT_THAT(run("optimize " + cam + " --seconds 1").err, HasSubstr("no time budget"));
+  EXPECT_THAT(files(), ::testing::IsEmpty());
+}
+
+TEST_F(Cli, OptimizeDrawsParametersBeforeAndAfter) {
+  const Result done = run("optimize " + examples + "shear-line-speed/shear.toml --plot both.svg");
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_THAT(slurp(folder / "both.svg"), HasSubstr("optimised"));
+}
+
+TEST_F(Cli, PlotOfADriveGoesWithNothingElse) {
+  for (const char* other : {"--over time", "--before x.toml"}) {
+    const Result both = run("plot " + cam + " --drive response " + other + " -o x.svg");
+    EXPECT_EQ(both.status, 2) << other;
+    EXPECT_THAT(both.err, HasSubstr("excludes")) << other;
+  }
 }
 
 TEST_F(Cli, DesignDoesNotKeepQuietOfWhatCheckFinds) {

@@ -124,6 +124,29 @@ TEST(DriveSpec, RefusesWithPlaceAndRule) {
       refused("model = \"servo_400w\"\nposition_per_rev = 10\n[[drive.mass]]\nmass = 1\n", "deg"),
       HasSubstr("needs a position that is a length"));
   EXPECT_THAT(refused("model = \"servo_9\"\nposition_per_rev = 1\n"), HasSubstr("servo_400w"));
+  EXPECT_THAT(refused("model = \"servo_400w\"\nposition_per_rev = 0\n[[drive.mass]]\nmass = 1\n"),
+              HasSubstr("drive.position_per_rev = 0: must not be 0"));
+}
+
+TEST(DriveSpec, ReadsTolerancesAsSharesOrInTheirUnits) {
+  const std::string number = "[[drive.tolerances.number]]\nkey = \"motor.inertia\"\n";
+  const auto first = [&](const std::string& more) {
+    return drive_of(model + number + more).tolerances.value().numbers.at(0);
+  };
+  EXPECT_DOUBLE_EQ(first("share = \"20 %\"\n").share, 0.2);
+  EXPECT_DOUBLE_EQ(first("share = 0.2\n").share, 0.2);
+  EXPECT_DOUBLE_EQ(first("absolute = \"1 kg cm^2\"\n").absolute, 1e-4);
+  EXPECT_TRUE(first("share = 0.1\ndistribution = \"normal\"\n").normal);
+  const auto said = [&](const std::string& more) { return refused(model + number + more); };
+  EXPECT_THAT(said("share = \"20 kg\"\n"), HasSubstr("must be a share such as \"5 %\" or 0.05"));
+  EXPECT_THAT(said("share = \"nan %\"\n"), HasSubstr("must be a share such as"));
+  EXPECT_THAT(said(""), HasSubstr("share: is missing"));
+  EXPECT_THAT(said("share = 0.1\nshares = 1\n"), HasSubstr("did you mean share?"));
+  EXPECT_THAT(refused(model + "[drive.tolerances]\nmethod = \"corners\"\n"),
+              HasSubstr("needs a [[drive.tolerances.number]]"));
+  EXPECT_THAT(
+      refused(model + "[[drive.tolerances.number]]\nkey = \"motor.inertai\"\nshare = 0.1\n"),
+      HasSubstr("did you mean motor.inertia?"));
 }
 
 }  // namespace

@@ -104,6 +104,32 @@ torque = 0.001
   EXPECT_FALSE(assess(spec, {"peak velocity", "margin"}).report.ok());
 }
 
+TEST(KeyFigures, OfARigidDriveAreItsEnergies) {
+  // The speed w over two ramps of 0.5 s and 2.5 s between, without an error of following.
+  const Assessment all = assess(parse_spec(std::string(move) + R"([drive]
+position_per_rev = 10
+[drive.motor]
+inertia = 1e-3
+friction.viscous = 1e-4
+torque_limit = 1
+[drive.controller]
+position_gain = 50
+velocity_gain = 0.1
+velocity_feed_forward = 1
+torque_feed_forward = 1
+friction_feed_forward = 1
+)",
+                                           "move.toml"));
+  const double w = 2 * 3.14159265358979323846;
+  const double kinetic = 1e-3 * w * w / 2;
+  const double ramp = 1e-4 * w * w * 0.5 / 3;
+  EXPECT_NEAR(figure(all, "energy"), kinetic + ramp + 1e-4 * w * w * 2.5, 1e-6 * kinetic);
+  EXPECT_NEAR(figure(all, "regenerated energy"), kinetic - ramp, 1e-6 * kinetic);
+  EXPECT_EQ(all.value("copper loss"), std::nullopt);
+  EXPECT_EQ(all.value("sync following error"), std::nullopt);
+  EXPECT_EQ(all.value("settling time"), std::nullopt);
+}
+
 TEST(KeyFigures, OfSeveralAxesHaveTheirNames) {
   const Assessment all = assess(parse_spec(R"(jounce = 1
 kind = "axes"

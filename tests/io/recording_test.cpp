@@ -1,0 +1,72 @@
+// Recordings of a drive: columns and units, and what is refused with which words.
+#include "jounce/io/recording.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+
+namespace jounce {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::error_of;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Recording recorded(const std::string& text, const Drive& drive = servo_400w()) {
+  const std::string path = ::testing::TempDir() + "jounce_recording.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  return read_recording(path, drive, "deg");
+}
+
+std::string refused(const std::string& text, const Drive& drive = servo_400w()) {
+  return error_of([&] { (void)recorded(text, drive); });
+}
+
+const std::string rows = "0,0,0\n1,1,1\n2,2,2\n3,3,3\n";
+
+TEST(Recording, IsReadInTheUnitsOfItsHeader) {
+  const Recording run = recorded("time [ms],command [rev],torque [N mm]\n" + rows);
+  EXPECT_THAT(run.time, ElementsAre(0, 0.001, 0.002, 0.003));
+  EXPECT_THAT(run.command, ElementsAre(0, 360, 720, 1080));
+  EXPECT_THAT(run.torque, ElementsAre(0, 0.001, 0.002, 0.003));
+  EXPECT_THAT(run.position, IsEmpty());
+}
+
+TEST(Recording, HasTheUnitsOfTheDriveWithoutBrackets) {
+  const Recording run = recorded("time,command,feedback\n" + rows);
+  EXPECT_THAT(run.command, ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(run.position, ElementsAre(0, 1, 2, 3));
+}
+
+TEST(Recording, CountsACurrentByTheTorqueConstant) {
+  Drive drive = servo_400w();
+  drive.motor.torque_constant = 0.5;
+  const Recording run = recorded("time;command;current\n0;0;0\n1;1;2\n2;2;4\n3;3;6\n", drive);
+  EXPECT_THAT(run.torque, ElementsAre(0, 1, 2, 3));
+  drive.motor.torque_constant = 0;
+  EXPECT_THAT(refused("time,command,current\n" + rows, drive),
+              HasSubstr("current: needs motor.torque_constant"));
+}
+
+TEST(Recording, RefusesWhatIsNone) {
+  const std::string head = "time,command,feedback\n";
+  EXPECT_THAT(refused(""), HasSubstr("holds no points"));
+  EXPECT_THAT(refused(head), HasSubstr("holds a header and no points"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,2\n"), HasSubstr("3 rows: are too few"));
+  EXPECT_THAT(refused("time,feedback,load\n" + rows), HasSubstr("command: is missing"));
+  EXPECT_THAT(refused("time,command,other\n" + rows), HasSubstr("feedback: is missing"));
+  EXPECT_THAT(refused("time,command [mm],feedback\n" + rows), HasSubstr("command = mm"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,nan,1\n2,2,2\n3,3,3\n"), HasSubstr(".csv:3: command = nan"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,1\n2,2,2\n3,3,3\n"), HasSubstr(".csv:3: row"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n1,2,2\n3,3,3\n"),
+              HasSubstr(".csv:4: time = 1: must be greater than 1 s"));
+}
+
+}  // namespace
+}  // namespace jounce
