@@ -26,7 +26,7 @@ std::string follower_text(const FollowerResult& run, const std::string& unit) {
                                         : fmt::format("lands at {} m/s", rounded(f.impact_speed)));
   }
   if (run.flights.size() > shown)
-    text += fmt::format("  {:<12} and {} times more\n", "", run.flights.size() - shown);
+    text += fmt::format("  {:<12} and {} more\n", "", run.flights.size() - shown);
   if (run.residual.value != 0)
     text +=
         fmt::format("  {:<12} residual vibration {} {}\n", "", rounded(run.residual.value), unit);
