@@ -29,6 +29,7 @@ using End = ShapeSolution::End;
 
 constexpr int max_refinements = 12;
 constexpr std::size_t most_new_knots = 24;
+constexpr double rounding = 1e-12;       ///< of a figure, in its natural size
 constexpr double shortest_piece = 1e-7;  ///< of the shape
 
 /// Where (1) wants knots; the largest steps first.
@@ -130,6 +131,11 @@ class ShapeSearch {
     out_.value = value;
     out_.limits = std::move(limits);
     out_.spline_bound = found.bound;
+    if (found.bound) out_.spline_bound = std::max(*found.bound, 0.0);  // no figure is below 0
+    nothing_ = 0;
+    for (const auto& term : model.terms)
+      nothing_ += rounding * term.weight * term.rows.natural / term.unit;
+    if (out_.value <= nothing_ && out_.spline_bound) out_.spline_bound = 0;
     fill_figures(model);
     out_.active = optimizer::active(problem_, model, out_.segments);
     set_status(found);
@@ -163,8 +169,9 @@ class ShapeSearch {
       return answer(Status::stalled, "the shape found breaks a limit: " +
                                          optimizer::sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
-    const double gap = found.bound ? (out_.value - *found.bound) / out_.value : 1;
-    if (out_.value == 0 || gap <= problem_.tolerance)
+    if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
+    const double gap = out_.spline_bound ? (out_.value - *out_.spline_bound) / out_.value : 1;
+    if (out_.value <= nothing_ || gap <= problem_.tolerance)
       return answer(Status::optimal, "no spline over these knots is better, to a relative " +
                                          brief(problem_.tolerance));
     answer(Status::converged,
@@ -177,6 +184,7 @@ class ShapeSearch {
   std::vector<Segment> given_;
   ShapeOutcome out_;
   bool out_of_time_ = false;
+  double nothing_ = 0;  ///< a sum that is only rounding
 };
 
 }  // namespace

@@ -12,8 +12,7 @@
 // vertex, at which sequential quadratic programming converges quadratically. In whitened variables it needs
 // 0.1 s for 50 coefficients and 2000 rows and 2.2 s for 200 and 4000, and agrees with an interior point
 // method to 6 digits; MMA and CCSAQ end up to 40 times off with a success code, COBYLA needs seconds for
-// 20 coefficients. Above 150 coefficients without peaks (few rows, a smooth objective) AUGLAG with L-BFGS
-// does in 0.3 s what takes SLSQP 2.2 s.
+// 20 coefficients.
 
 namespace jounce::optimizer {
 namespace {

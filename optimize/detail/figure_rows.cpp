@@ -102,7 +102,10 @@ double rms_of(const LinearQuantity& q, const std::vector<Segment>& shape) {
 
 double largest(const std::vector<double>& y) {
   double peak = 0;
-  for (const double v : y) peak = std::max(peak, std::isnan(v) ? v : std::abs(v));
+  for (const double v : y) {
+    if (std::isnan(v)) return v;  // std::max would lose it
+    peak = std::max(peak, std::abs(v));
+  }
   return peak;
 }
 
@@ -220,6 +223,26 @@ template <class Figure>
 constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
                         std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, ResidualOf>;
 
+/// The size of a figure that is not convex in a perfect spline, its parts added up.
+double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
+  const auto derivative = [&](int order) { return space.natural(derivative_of_shape(order)); };
+  const auto torque = [&](const LoadTorque& load) {
+    double sum = space.natural(load.linear) + std::abs(load.linear.constant) + load.coulomb +
+                 std::abs(load.gravity);
+    for (const Segment& j : load.inertia)
+      sum = std::max(
+          sum, magnitude(j) * derivative(2) + magnitude(jounce::derivative(j)) * derivative(1));
+    return sum;
+  };
+  double natural = 0;
+  if (const auto* f = std::get_if<PowerOf>(&figure))
+    natural = space.natural(f->force) * space.natural(f->velocity);
+  if (const auto* f = std::get_if<TorqueOf>(&figure)) natural = torque(f->load);
+  if (const auto* f = std::get_if<RmsTorqueOf>(&figure)) natural = torque(f->load);
+  if (const auto* f = std::get_if<EnergyOf>(&figure)) natural = torque(f->load) * derivative(0);
+  return natural > 0 ? natural : 1;
+}
+
 /// A figure that is not convex: what it is worth, and where, but no planes.
 FigureRows value_alone(const ShapeFigure& figure, const SplineSpace& space) {
   const double begin = space.knots().front();
@@ -229,6 +252,7 @@ FigureRows value_alone(const ShapeFigure& figure, const SplineSpace& space) {
   rows.places = [p, begin](const std::vector<Segment>& shape, double level) {
     return places_of(p, shape, begin, level);
   };
+  rows.natural = natural_of(figure, space);
   return rows;
 }
 

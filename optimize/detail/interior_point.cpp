@@ -25,7 +25,6 @@ namespace {
 using Vector = Kkt::Vector;
 
 constexpr int max_iterations = 100;
-constexpr double precision = 1e-11;
 constexpr int patience = 8;    ///< iterations without progress
 constexpr double good = 1e-8;  ///< a residual that is not worth another attempt
 constexpr std::array regular{1e-8, 0.0};
@@ -54,12 +53,14 @@ class Newton {
     at_.y = at_.s.cwiseInverse() / static_cast<double>(std::max<Eigen::Index>(at_.s.size(), 1));
   }
 
-  ConvexSolution run() {
+  ConvexSolution run(const SolveOptions& options) {
     double best = worst();
     double nearest = infeasibility();
     Step kept = at_;
     int rounds = 0;
-    for (int since = 0; rounds < max_iterations && best > precision && since < patience; ++rounds) {
+    for (int since = 0; rounds < max_iterations && best > options.precision && since < patience;
+         ++rounds) {
+      if (options.go_on && !options.go_on()) break;
       if (!advance()) break;
       ++since;
       if (infeasibility() < 0.9 * nearest) {  // complementarity may rise meanwhile
@@ -148,10 +149,12 @@ Form scaled(Form f, double factor) {
 }
 
 ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
-                     bool thorough) {
-  ConvexSolution best = Newton(program, start, regular.front()).run();
-  for (std::size_t k = 1; thorough && k < regular.size() && best.residual > good; ++k) {
-    ConvexSolution other = Newton(program, start, regular[k]).run();
+                     const SolveOptions& options) {
+  ConvexSolution best = Newton(program, start, regular.front()).run(options);
+  for (std::size_t k = 1;
+       options.thorough && k < regular.size() && best.residual > std::max(good, options.precision);
+       ++k) {
+    ConvexSolution other = Newton(program, start, regular[k]).run(options);
     other.iterations += best.iterations;
     if (other.residual < best.residual) best = std::move(other);
   }

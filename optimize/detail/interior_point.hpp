@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace jounce::optimizer {
@@ -38,11 +39,17 @@ struct ConvexSolution {
   double residual = 0;  ///< the worst of complementarity and of what is left of each condition
 };
 
+struct SolveOptions {
+  /// Where there are equalities and rounding stops it, it begins anew with a slower, stabler
+  /// factorisation.
+  bool thorough = true;
+  double precision = 1e-11;               ///< residuals and complementarity that are good enough
+  std::function<bool()> go_on = nullptr;  ///< asked before each iteration; false: the best so far
+};
+
 /// Mehrotra's predictor-corrector method from `start`, which need not be feasible. Sparse; stops when
-/// residuals and complementarity are below 1e-11 or no longer fall.
-/// Where there are equalities and rounding stops it, it begins anew with a slower, stabler
-/// factorisation if `thorough`.
+/// residuals and complementarity are below `precision` or no longer fall.
 ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
-                     bool thorough = true);
+                     const SolveOptions& options = {});
 
 }  // namespace jounce::optimizer

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "jounce/optimize/detail/descent.hpp"
+#include "jounce/optimize/detail/drawn.hpp"
 #include "jounce/optimize/detail/shape_model.hpp"
 #include "jounce/optimize/detail/shape_report.hpp"
 
@@ -63,16 +64,9 @@ struct Standing {
   [[nodiscard]] bool better_than(const Standing& other) const {
     if (other.shape.empty()) return true;
     if (violation > 0 || other.violation > 0) return violation < other.violation;
-    return value < other.value;
+    return value < other.value || (std::isnan(other.value) && !std::isnan(value));
   }
 };
-
-std::uint64_t next(std::uint64_t& state) {  // splitmix64
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31U);
-}
 
 /// The problem's convex part.
 ShapeProblem convex_part(ShapeProblem p) {
@@ -81,13 +75,16 @@ ShapeProblem convex_part(ShapeProblem p) {
   return p;
 }
 
-std::vector<Part> parts_of(const ShapeProblem& p, const std::vector<Segment>& given) {
+std::vector<Part> parts_of(const ShapeProblem& p, const std::vector<Segment>& given,
+                           const SplineSpace& space) {
   std::vector<Part> parts;
   const auto add = [&](const ShapeFigure& figure, double weight, std::optional<double> at_most) {
     auto found = pointwise(figure, p.begin);
     if (!found) return;
     const double value = std::abs(value_of(*found, given, p.begin));
-    const double unit = at_most && *at_most > 0 ? *at_most : (value > 0 ? value : 1);
+    const double natural = figure_rows(figure, space).natural;
+    const double unit =
+        at_most && *at_most > 0 ? *at_most : (value > 1e-9 * natural ? value : natural);
     parts.push_back({std::move(*found), unit, weight, at_most});
   };
   for (const WeightedFigure& m : p.minimize) add(m.figure, m.weight, {});
@@ -121,6 +118,13 @@ class Search {
 
   [[nodiscard]] bool contradicts() const { return reduced_.contradiction() > 1e-7; }
   [[nodiscard]] bool finite() const { return finite_; }
+  [[nodiscard]] bool has_no_freedom() const { return reduced_.size() == 0; }
+  /// That of the ends, where they leave nothing free.
+  [[nodiscard]] Standing only_shape() const {
+    Standing only = standing(VectorXd(0));
+    only.settled = true;
+    return only;
+  }
 
   /// Each round starts from the best shape so far: where SLSQP gets lost, its next start is no worse.
   Standing run(const VectorXd& start, Budget& budget, const ShapeKeepGoing& keep_going) {
@@ -155,8 +159,7 @@ class Search {
     VectorXd y = VectorXd::Zero(reduced_.size());
     std::uint64_t state = problem_.seed * 1000003U + static_cast<std::uint64_t>(start);
     const double width = start == 0 ? 0 : 0.5 / std::sqrt(static_cast<double>(y.size()));
-    for (double& each : y)
-      each = width * (2 * static_cast<double>(next(state) >> 11U) * 0x1p-53 - 1);
+    for (double& each : y) each = width * (2 * drawn(state) - 1);
     return y;
   }
 
@@ -181,7 +184,7 @@ class Search {
   /// Whether a shape is better by more than a share of the tolerance.
   [[nodiscard]] bool gain(const Standing& now, const Standing& best, double share = 0.01) const {
     if (best.violation > 0 || now.violation > 0) return now.violation < 0.9 * best.violation;
-    return now.value < best.value * (1 - share * problem_.tolerance);
+    return now.value < best.value - share * problem_.tolerance * std::abs(best.value);
   }
   [[nodiscard]] std::size_t pieces() const { return model_.space.pieces(); }
 
@@ -289,7 +292,7 @@ class Search {
     for (const Term& term : model_.terms)
       if (term.rows.by_squares()) p.means.push_back(mean_of(term.rows, term.weight / term.unit, 0));
     for (const RoundCeiling& c : model_.round)
-      p.ceilings.push_back(mean_of(c.rows, 1 / c.at_most, 1 - margin));
+      p.ceilings.push_back(mean_of(c.rows, 1 / scale_of(c), c.at_most / scale_of(c) - margin));
     for (const Part& part : parts_)
       if (part.figure.over != Pointwise::Over::peak)
         (part.at_most ? p.ceilings : p.means).push_back(mean_of(part));
@@ -338,7 +341,7 @@ class Search {
     }
     for (const RoundCeiling& c : model_.round)
       now.violation =
-          std::max(now.violation, beyond(c.rows.value(now.shape), c.at_most, c.at_most));
+          std::max(now.violation, beyond(c.rows.value(now.shape), c.at_most, scale_of(c)));
     for (const Wall& wall : model_.walls) {
       for (const Form& form : wall.beyond(now.shape, 1e-12))
         if (model_.freedom(form) > 0)
@@ -348,6 +351,10 @@ class Search {
             std::max(now.violation, beyond(reduced_.row(form).at(y) / wall.scale, 0, 1));
     }
     return now;
+  }
+
+  static double scale_of(const RoundCeiling& c) {
+    return c.at_most > 0 ? c.at_most : c.rows.natural;
   }
 
   static double beyond(double value, double limit, double scale) {
@@ -458,19 +465,25 @@ bool needs_search(const ShapeProblem& problem) {
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
                              const ShapeKeepGoing& keep_going) {
   Budget budget{.most_evaluations = problem.max_evaluations};
-  if (problem.seconds)
-    budget.until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(*problem.seconds));
-  const std::vector<Part> parts = parts_of(problem, given);
+  if (problem.seconds)  // for ever is a year: more would not fit the clock
+    budget.until =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(*problem.seconds, 3e7)));
+  const ShapeModel first(convex_part(problem), first_knots(problem), given);
+  const std::vector<Part> parts = parts_of(problem, given, first.space);
   auto search = std::make_unique<Search>(problem, parts, first_knots(problem), given);
   if (search->contradicts())
     return {NotConvexResult::End::infeasible,
             "the ends and what is kept in step contradict each other", given, 0, 0};
   Standing best;
   bool finite = true;
+  if (search->has_no_freedom()) {
+    best = search->only_shape();
+    return result_of(std::move(best), budget, true);
+  }
   for (int start = 0; start < starts && !budget.spent(); ++start) {
     Standing now = search->run(search->beside(start), budget, keep_going);
-    finite = search->finite() || start > 0;
+    finite = finite && search->finite();
     if (!now.shape.empty() && now.better_than(best)) best = std::move(now);
   }
   for (int k = 0; problem.refine && k < most_refinements && !best.shape.empty(); ++k) {

@@ -399,9 +399,13 @@ double value_of(const Pointwise& figure, const std::vector<Segment>& shape, doub
     return figure.over == Pointwise::Over::rms ? std::sqrt(total / length) : total;
   }
   double peak = 0;
-  for (const Wave& wave : figure.waves(shape, begin))
-    peak = std::max({peak, std::abs(wave.at(0)), std::abs(wave.at(1))});
-  for (const Wave& wave : figure.waves(shape, begin))
+  const std::vector<Wave> waves = figure.waves(shape, begin);
+  for (const Wave& wave : waves) {
+    const double ends = std::max(std::abs(wave.at(0)), std::abs(wave.at(1)));
+    if (!std::isfinite(ends)) return std::nan("");  // std::max would lose it
+    peak = std::max(peak, ends);
+  }
+  for (const Wave& wave : waves)
     peak = std::max(peak, std::abs(range_of(wave, 1e-8 * peak).peak().value));
   return peak;
 }

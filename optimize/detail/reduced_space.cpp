@@ -54,6 +54,9 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   z0_ = q * turned;
   contradiction_ = (a * z0_ + constants_of(equalities)).lpNorm<Eigen::Infinity>();
   const MatrixXd free = q.rightCols(n - rank);
+  basis_ = MatrixXd::Zero(n, 0);
+  inverse_ = MatrixXd::Zero(0, n);
+  if (free.cols() == 0) return;  // the ends leave nothing free
   // N' M N = L L' without forming it, which would square its condition; what moves nothing is left out.
   Eigen::ColPivHouseholderQR<MatrixXd> half(measure(space) * free);
   half.setThreshold(1e-13);

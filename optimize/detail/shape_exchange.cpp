@@ -28,6 +28,8 @@ constexpr double hopeless = 1e-7;  ///< residual of a program that has no soluti
 constexpr double worthwhile = 1e-9;
 constexpr double range = 1e3;  ///< of a certificate, in sizes of the solution
 constexpr double no_freedom = 1e-11;
+constexpr double coarse = 1e-6;  ///< residual of a program that is solved again anyway
+constexpr double fine = 1e-11;
 
 /// g(z) <= t of its term, or w(z) <= 0.
 struct Row {
@@ -51,7 +53,7 @@ class ShapeExchange {
       : model_(model),
         norms_(model, model.space.segments(start)),
         go_on_(go_on),
-        met_(std::clamp(precision / 100, 1e-11, 1e-9)) {
+        met_(std::clamp(precision / 20, 1e-11, 1e-7)) {
     found_.z = start;
     for (std::size_t p = 0; p < model.terms.size(); ++p)
       for (const Form& f : model.terms[p].rows.start)
@@ -152,12 +154,21 @@ class ShapeExchange {
     return p;
   }
 
-  ConvexSolution solve_once(const Program& p, const std::vector<double>& level, bool thorough) {
+  /// Of the task as it stands: with (1), what is left of it; elastic, of v without hint().
+  [[nodiscard]] double lower(Program p, const ConvexSolution& s, bool elastic) const {
+    if (elastic) p.convex.squares.clear();
+    return weak_bound(p.convex, s, range_of(p, s, last_sum_));
+  }
+
+  ConvexSolution solve_once(const Program& p, const std::vector<double>& level, const Task& task) {
     std::vector<double> start = found_.z;
     start.resize(p.convex.slope.size(), 1);
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) start[*p.column[k]] = level[k];
-    ConvexSolution solution = solve(p.convex, start, thorough);
+    ConvexSolution solution = solve(
+        p.convex, start, {.thorough = !task.squares_alone, .precision = precision_, .go_on = [&] {
+                            return !stopped();
+                          }});
     found_.iterations += solution.iterations;
     ++found_.rounds;
     return solution;
@@ -196,12 +207,16 @@ class ShapeExchange {
   /// Rounds of one task until nothing new is exceeded. False: no solution, or stopped.
   bool settle_rows(const Task& task, bool keep_bound) {
     std::vector<double> level(model_.terms.size(), 1);
+    const bool linear = keep_bound && task.squares.empty();
+    precision_ = linear ? coarse : fine;
     for (int round = 0; round < max_rounds; ++round) {
       if (stopped()) return false;
       const Program p = program(task);
-      const ConvexSolution s = solve_once(p, level, !task.squares_alone);
+      const ConvexSolution s = solve_once(p, level, task);
+      if (found_.end == End::stopped) return false;
       last_residual_ = s.residual;
-      if (!(s.residual <= (task.squares_alone ? worthwhile : hopeless))) return false;
+      const double enough = task.squares_alone ? worthwhile : std::max(hopeless, precision_);
+      if (!(s.residual <= enough)) return false;
       take(s.x);
       for (std::size_t k = 0; k < level.size(); ++k)
         level[k] = p.column[k] ? s.x[*p.column[k]] : task.level[k].value_or(HUGE_VAL);
@@ -209,12 +224,23 @@ class ShapeExchange {
       const auto shape = model_.space.segments(found_.z);
       last_sum_ = weighted_sum(model_, shape);
       if (keep_bound) keep(bound_of(p, s, shape));
-      alone_bound_ = keep_bound ? 0 : weak_bound(p.convex, s, range_of(p, s, last_sum_));
+      alone_bound_ = keep_bound ? 0 : lower(p, s, task.elastic);
       if (!task.terms) level.assign(level.size(), HUGE_VAL);
-      if (exchange(shape, level, std::max(slack_, 0.0)) == 0) return true;
+      const int added = exchange(shape, level, std::max(slack_, 0.0));
+      if (added == 0 && precision_ == fine) return true;
+      precision_ = added == 0 || !linear ? fine : finer(p, s);
     }
     found_.why = "peaks kept moving for " + std::to_string(max_rounds) + " rounds";
     return false;
+  }
+
+  /// As long as places are still far from where they belong, so may the solution be.
+  [[nodiscard]] double finer(const Program& p, const ConvexSolution& s) const {
+    double promised = 0;
+    for (std::size_t k = 0; k < p.column.size(); ++k)
+      if (p.column[k]) promised += model_.terms[k].weight * s.x[*p.column[k]];
+    const double missed = 1e-3 * (last_sum_ - promised);
+    return missed > 1e-8 ? std::min(missed, coarse) : fine;
   }
 
   /// What is fixed at the ends to the bit: rest stays rest.
@@ -239,7 +265,7 @@ class ShapeExchange {
       Task task = plain();
       task.squares = norms_.squares();
       if (!settle_rows(task, true)) {
-        if (found_.end != End::stopped && !out_of_reach()) {
+        if (found_.end != End::stopped && !out_of_reach() && found_.end != End::stopped) {
           found_.end = End::stalled;
           if (found_.why.empty())
             found_.why = "rounding stopped the solver at a residual of " + brief(last_residual_);
@@ -268,7 +294,11 @@ class ShapeExchange {
       return true;
     }
     const double residual = std::exchange(last_residual_, 0);
-    const bool settled = settle_rows(task, false);
+    bool settled = settle_rows(task, false);
+    if (!settled && found_.end != End::stopped) {  // the walls may leave coordinates open
+      task.squares = hint();
+      settled = settle_rows(task, false);
+    }
     last_residual_ = residual;
     if (!settled) return false;
     if (alone_bound_ <= 2 * margin) return false;
@@ -278,31 +308,55 @@ class ShapeExchange {
     return true;
   }
 
+  /// Squares next to nothing, which leave no coordinate open where the walls do.
+  [[nodiscard]] std::vector<Form> hint() const {
+    LinearQuantity top = derivative_of_shape(std::min(model_.space.degree(), 5));
+    std::vector<Form> squares = model_.space.squares(top);
+    const auto knots = model_.space.knots();
+    const double size = model_.space.natural(top) * std::sqrt(knots.back() - knots.front());
+    for (Form& f : squares) f = scaled(std::move(f), 1e-5 / size);
+    return squares;
+  }
+
   /// Whether each limited norm can be kept: its least value is below.
   bool round_in_reach() {
     for (const std::size_t k : norms_.limited()) {
       Task task = plain();
       task.terms = false;
-      for (const Form& f : model_.round[k].rows.squares)
-        task.squares.push_back(scaled(f, 1 / norms_.most(k)));
+      const FigureRows& rows = model_.round[k].rows;
+      const double scale = std::max(norms_.most(k), rows.value(model_.space.segments(found_.z)));
+      for (const Form& f : rows.squares) task.squares.push_back(scaled(f, 1 / scale));
       if (!settle_rows(task, false)) return found_.end != End::stopped;
-      if (alone_bound_ <= 1 + 20 * margin) continue;
+      const double least = std::sqrt(std::max(alone_bound_, 0.0)) * scale;
+      if (least <= norms_.most(k) * (1 + 10 * margin)) continue;
       found_.bound.reset();
       found_.end = End::infeasible;
-      found_.why = "no spline over these knots keeps limit/" + model_.round[k].rows.name +
-                   ": at least " + brief(std::sqrt(alone_bound_) * norms_.most(k)) +
-                   " is needed, " + brief(model_.round[k].at_most) + " allowed";
+      found_.why = "no spline over these knots keeps limit/" + rows.name + ": at least " +
+                   brief(least) + " is needed, " + brief(model_.round[k].at_most) + " allowed";
       return false;
     }
     return true;
   }
 
   /// Whether no shape at all has what is fixed and kept exactly.
-  [[nodiscard]] bool contradictory() const {
-    const ConvexSolution s =
-        solve({std::vector<double>(model_.space.size(), 0), {}, {}, model_.equalities}, found_.z);
-    const auto apart = [&](const Form& f) { return std::abs(f.at(s.x)) > 1e-7; };
-    return std::any_of(model_.equalities.begin(), model_.equalities.end(), apart);
+  [[nodiscard]] bool contradictory() const { return apart(as_fixed()); }
+
+  /// A shape near the one so far that has what is fixed and kept exactly.
+  [[nodiscard]] Coordinates as_fixed() const {
+    ConvexProgram p{std::vector<double>(model_.space.size(), 0), {}, {}, {}};
+    Coordinates z = found_.z;
+    for (int round = 0; round < 3;
+         ++round) {  // least squares, so that equalities may be said twice
+      p.squares = model_.equalities;
+      for (std::size_t k = 0; k < z.size(); ++k) p.squares.push_back({-1e-5 * z[k], {{k, 1e-5}}});
+      z = solve(p, z).x;
+    }
+    return z;
+  }
+
+  [[nodiscard]] bool apart(const Coordinates& z) const {
+    const auto off = [&](const Form& f) { return !(std::abs(f.at(z)) <= hopeless); };
+    return std::any_of(model_.equalities.begin(), model_.equalities.end(), off);
   }
 
   /// The walls that stand in each other's way: those broken the most where the violation is least.
@@ -319,10 +373,13 @@ class ShapeExchange {
 
   /// Walls that no free coordinate changes: kept or not, once and for all.
   bool walls_where_fixed() {
+    std::optional<Coordinates> fixed;  // not `start`: that need not keep what is fixed
     for (const Wall& wall : model_.walls)
       for (const Form& f : wall.start) {
         if (model_.freedom(f) > no_freedom) continue;
-        const double excess = f.at(found_.z) / wall.scale;
+        if (!fixed) fixed = as_fixed();
+        if (apart(*fixed)) return true;  // minimise() will say so
+        const double excess = f.at(*fixed) / wall.scale;
         if (excess <= margin) continue;
         found_.end = End::infeasible;
         found_.why = "what is fixed breaks " + wall.rule + " by " + brief(100 * excess) + " %";
@@ -369,6 +426,7 @@ class ShapeExchange {
   ShapeSolution found_;
   double last_sum_ = HUGE_VAL;
   double last_residual_ = 0;
+  double precision_ = fine;  ///< of the next program
   double slack_ = 0;
   double alone_bound_ = 0;  ///< of the last program that was not the problem itself
 };

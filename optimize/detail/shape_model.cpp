@@ -7,8 +7,6 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double same_knot = 1e-6;  ///< of a piece
-
 struct Size {
   double unit = 1;
   double offset = 0;
@@ -119,7 +117,7 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
   for (const WeightedFigure& m : problem.minimize) {
     FigureRows rows = figure_rows(m.figure, space);
     const double value = rows.value(given);
-    const double unit = value > 1e-9 * rows.natural ? value : rows.natural;
+    const double unit = std::abs(value) > 1e-9 * rows.natural ? std::abs(value) : rows.natural;
     terms.push_back({std::move(rows), m.weight, unit, order_in(m.figure)});
   }
 }

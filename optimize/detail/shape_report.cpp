@@ -7,6 +7,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double met = 1e-6;        ///< relative: closer than this is there
+constexpr double missed = 1e-7;     ///< of a derivative's size: that is a step
 constexpr double forgiven = 1e-12;  ///< what rounding may break, as in profiles/limits
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
@@ -59,6 +60,37 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
   }
 }
 
+/// What is fixed at the ends, and joints, where the finished segments miss them: in units of SplineSpace.
+void add_missed(const ShapeProblem& problem, const ShapeModel& model,
+                const std::vector<Segment>& shape, std::vector<Finding>& findings) {
+  const auto expect = [&](const char* rule, std::size_t knot, std::size_t k, double value,
+                          double wanted) {
+    const double off = std::abs(value - wanted);
+    const double size = model.space.unit(knot, static_cast<int>(k));
+    if (off <= missed * size + forgiven * std::abs(wanted)) return;
+    const Extremum e{value, model.space.knots()[knot], Side::right};
+    const std::string quantity = derivative_of_shape(static_cast<int>(k)).name;
+    findings.push_back(finding(rule + quantity, quantity, e, wanted,
+                               -off / std::max(std::abs(wanted), size),
+                               std::min(knot, shape.size() - 1)));
+  };
+  const auto from = derivatives_of(problem.from);
+  const auto to = derivatives_of(problem.to);
+  const Jet first = evaluate(shape.front(), 0);
+  const Jet last = evaluate(shape.back(), 1);
+  for (std::size_t k = 0; k < first.size() && static_cast<int>(k) < problem.degree; ++k) {
+    if (from[k]) expect("fixed/", 0, k, first[k], *from[k]);
+    if (to[k]) expect("fixed/", model.space.pieces(), k, last[k], *to[k]);
+  }
+  if (shape.size() != model.space.pieces()) return;
+  for (std::size_t i = 0; i + 1 < shape.size(); ++i) {
+    const Jet before = evaluate(shape[i], 1);
+    const Jet after = evaluate(shape[i + 1], 0);
+    for (std::size_t k = 0; k < 3 && static_cast<int>(k) < problem.degree; ++k)
+      expect("joint/", i + 1, k, after[k], before[k]);
+  }
+}
+
 double scale_of(const ShapeModel& model, const Corridor& c) {
   double scale = 0;
   for (const auto& edge : {c.lower, c.upper})
@@ -98,6 +130,7 @@ Report checked(const ShapeProblem& problem, const ShapeModel& model,
         finding("limit/" + rows.name, rows.name, e, std::copysign(c.at_most, e.value),
                 (c.at_most - std::abs(e.value)) / scale, piece_at(model, e.where)));
   }
+  add_missed(problem, model, shape, report.findings);
   sort(report);
   return report;
 }

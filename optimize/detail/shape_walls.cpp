@@ -7,8 +7,6 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double same_knot = 1e-6;  ///< of a piece
-
 bool is_within(const SplineSpace& space, const Corridor& c, std::size_t piece) {
   const double near = same_knot * space.length(piece);
   return space.knots()[piece] >= c.from - near && space.knots()[piece + 1] <= c.to + near;

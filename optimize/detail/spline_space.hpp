@@ -27,6 +27,9 @@ namespace jounce::optimizer {
 
 using Coordinates = std::vector<double>;
 
+/// Places that are closer, in lengths of a piece, are one knot.
+constexpr double same_knot = 1e-6;
+
 /// The order of the highest derivative in q; -1 if q is constant.
 int order_of(const LinearQuantity& q);
 
