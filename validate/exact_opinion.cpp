@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "jounce/validate/linear_drive.hpp"
 
@@ -30,17 +31,26 @@ bool steps(const Trajectory& reference, const Controller& controller, double t) 
   return std::abs(gone - std::nearbyint(gone / controller.cycle) * controller.cycle) <= near;
 }
 
+/// What a difference of torque is a share of: the peak, or what a sampled controller, which differentiates
+/// the angle over a cycle, makes of the stroke.
+double torque_size(const DriveResult& run, const Drive& drive, double stroke) {
+  const Controller& c = drive.controller;
+  const double radians = 2 * std::numbers::pi / drive.position_per_rev;
+  const double sampled = c.cycle > 0 ? c.velocity_gain * radians * stroke / c.cycle : 0;
+  return std::max(std::abs(run.torque.value), sampled);
+}
+
 /// Where two runs differ most, in motor, load and torque.
 Peak worst(const DriveResult& run, const ExactRun& exact, const Trajectory& reference,
-           const Controller& controller) {
+           const Drive& drive) {
   const double length = stroke(run.samples);
+  const double most = torque_size(run, drive, length);
   Peak peak;
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
     const DriveSample& a = run.samples[i];
     const DriveSample& b = exact.samples[i];
-    const double torque = steps(reference, controller, a.time)
-                              ? 0
-                              : share(a.torque - b.torque, std::abs(run.torque.value));
+    const double torque =
+        steps(reference, drive.controller, a.time) ? 0 : share(a.torque - b.torque, most);
     for (const double now :
          {share(a.motor - b.motor, length), share(a.load - b.load, length), torque})
       if (!(now <= peak.value)) peak = {now, a.time};
@@ -59,7 +69,7 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
   if (!exact) return std::nullopt;
   std::vector<double> times;
   for (const DriveSample& s : run.samples) times.push_back(s.time);
-  const Peak peak = worst(run, exact_run(*exact, drive, times), *exact, drive.controller);
+  const Peak peak = worst(run, exact_run(*exact, drive, times), *exact, drive);
   Finding finding;
   finding.rule = "drive/exact";
   finding.quantity = "disagreement";

@@ -63,7 +63,8 @@ std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& 
 std::vector<DriveMode> modes(const Drive& drive);
 
 /// A second opinion on a run of drive_through(): the finding "drive/exact", how far its samples are from
-/// the exact solution, as a share of the stroke and of the peak torque, whichever is worse. Broken
+/// the exact solution, as a share of the stroke and of the peak torque, whichever is worse (of a sampled
+/// controller, which differentiates the angle, the share of torque is of what it makes of the stroke in a cycle). Broken
 /// beyond a hundred times the tolerance of the run. Nothing where there is none: for a drive that is
 /// not linear, a torque that met its limit, a signal without segments, an integration that failed, a
 /// run without samples.

@@ -14,6 +14,8 @@
 #include "jounce/validate/drive.hpp"
 #include "jounce/validate/follower.hpp"
 #include "jounce/validate/identify.hpp"
+#include "jounce/validate/linear_drive.hpp"
+#include "jounce/validate/tolerances.hpp"
 
 #include "validate/references.hpp"
 
@@ -79,6 +81,12 @@ Drive hanging() {
   drive.train[0].load_torque = 0.3;
   drive.train[0].gravity_torque = 0.2;
   drive.train[0].gravity_angle = 0.4;
+  return drive;
+}
+
+Drive hanging_load() {
+  Drive drive = plain();
+  drive.train[0].load_torque = 0.3;
   return drive;
 }
 
@@ -286,6 +294,128 @@ TEST(FailedRun, StillTellsALimitThatWasExceededBefore) {
   ASSERT_FALSE(run.integration.ok());
   EXPECT_TRUE(std::any_of(run.report.findings.begin(), run.report.findings.end(),
                           [](const Finding& f) { return f.rule == "drive/velocity"; }));
+}
+
+TEST(FailedRun, IsInNoFigureOfTolerances) {
+  const ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.2}}};
+  const ToleranceResult all =
+      over_tolerances(test::s_curve_move(), plain(),
+                      {.limits = {.torque = 100, .residual = 100}, .max_steps = 100}, spec);
+  EXPECT_EQ(all.failed, all.cases);
+  EXPECT_TRUE(std::isnan(all.figures[0].nominal));
+  ASSERT_EQ(all.report.findings.size(), 1U);
+  EXPECT_EQ(all.report.findings[0].rule, "tolerance/integration");
+  EXPECT_TRUE(all.report.findings[0].broken);
+}
+
+// ---- what is told ------------------------------------------------------------------------------
+
+const Finding* found(const Report& report, const std::string& rule) {
+  for (const Finding& f : report.findings)
+    if (f.rule == rule) return &f;
+  return nullptr;
+}
+
+/// Entered and left where the exact solution goes through the limit.
+TEST(Beyond, TheFollowingErrorIsOnIntervalsOfTheExactSolution) {
+  const Drive drive = plain();
+  const Trajectory move = test::s_curve_move();
+  const double peak = std::abs(drive_through(move, drive).following_error.value);
+  for (const double share : {0.3, 0.6, 0.9, 0.999}) {
+    SCOPED_TRACE(share);
+    const double limit = share * peak;
+    const DriveResult run = drive_through(move, drive, {.limits = {.following_error = limit}});
+    const auto& beyond = run.beyond_following_error;
+    ASSERT_FALSE(beyond.empty());
+    std::vector<double> times;
+    for (const Interval& i : beyond) {
+      EXPECT_LT(i.from, i.to);
+      times.push_back(i.from);
+      times.push_back((i.from + i.to) / 2);
+      times.push_back(i.to);
+    }
+    ASSERT_TRUE(std::is_sorted(times.begin(), times.end()));
+    const ExactRun exact = exact_run(move, drive, times);
+    for (std::size_t k = 0; k < times.size(); k += 3) {
+      EXPECT_NEAR(std::abs(exact.samples[k].following_error), limit, 1e-6 * peak);
+      EXPECT_GT(std::abs(exact.samples[k + 1].following_error), limit);
+      EXPECT_NEAR(std::abs(exact.samples[k + 2].following_error), limit, 1e-6 * peak);
+    }
+  }
+}
+
+/// Nothing is missed between the intervals either.
+TEST(Beyond, NothingIsLeftOut) {
+  const Drive drive = plain();
+  const Trajectory move = test::s_curve_move();
+  const double limit = 0.4 * std::abs(drive_through(move, drive).following_error.value);
+  const DriveResult run =
+      drive_through(move, drive, {.samples = 5001, .limits = {.following_error = limit}});
+  const double slack = 1e-6;  // s
+  for (const DriveSample& s : run.samples) {
+    const bool within = std::any_of(
+        run.beyond_following_error.begin(), run.beyond_following_error.end(),
+        [&](const Interval& i) { return s.time > i.from - slack && s.time < i.to + slack; });
+    EXPECT_TRUE(within || std::abs(s.following_error) <= limit) << s.time;
+  }
+}
+
+TEST(Beyond, IsEmptyWithinTheLimitAndWithoutOne) {
+  EXPECT_TRUE(drive_through(test::s_curve_move(), plain()).beyond_following_error.empty());
+  EXPECT_TRUE(drive_through(test::s_curve_move(), plain(), {.limits = {.following_error = 1e3}})
+                  .beyond_following_error.empty());
+}
+
+TEST(SecondOpinion, IsInTheReportOfARunWithSamples) {
+  const DriveResult run = drive_through(test::s_curve_move(), plain(), {.samples = 101});
+  const Finding* exact = found(run.report, "drive/exact");
+  ASSERT_NE(exact, nullptr);
+  EXPECT_FALSE(exact->broken) << exact->value;
+  EXPECT_EQ(found(drive_through(test::s_curve_move(), with_gap(), {.samples = 101}).report,
+                  "drive/exact"),
+            nullptr);
+}
+
+/// Whatever tolerance is asked for, the two solutions agree to what the finding allows.
+TEST(SecondOpinion, HoldsAtEveryTolerance) {
+  Drive late = plain();
+  late.motor.current_lag = 1e-4;
+  late.controller.delay = 5e-4;
+  Drive swinging = plain();
+  swinging.pendulum = Pendulum{4, 0.02, 0.4};
+  Drive sampled = plain();
+  sampled.controller.cycle = 1e-3;
+  sampled.motor.torque_limit = 1e3;
+  for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12})
+    for (const Drive& drive : {plain(), late, swinging, hanging_load(), sampled})
+      for (const Trajectory& move : {test::trapezoid_move(), test::s_curve_move()}) {
+        if (drive.controller.cycle > 0 && tolerance != 1e-6) continue;  // slow
+        const DriveResult run =
+            drive_through(move, drive, {.settle = 0.05, .samples = 101, .tolerance = tolerance});
+        const Finding* exact = found(run.report, "drive/exact");
+        ASSERT_NE(exact, nullptr);
+        EXPECT_FALSE(exact->broken) << tolerance << ": " << exact->value;
+      }
+}
+
+TEST(Tolerances, TellSettlingHeatAndEnergyWhereTheDriveHasThem) {
+  Drive drive = plain();
+  drive.motor.rated_torque = 1.3;
+  drive.motor.thermal_time = 600;
+  const ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.1}}};
+  const DriveOptions options{.limits = {.settling_band = 1e-9, .settling_time = 0.05}};
+  const Trajectory move = test::s_curve_move();
+  const ToleranceResult all = over_tolerances(move, drive, options, spec);
+  ASSERT_EQ(all.figures.size(), 7U);
+  EXPECT_EQ(all.figures[4].figure, "settling_time");
+  EXPECT_EQ(all.figures[4].nominal, options.settle);  // never within such a band
+  EXPECT_EQ(all.figures[4].beyond, all.cases);
+  ASSERT_NE(found(all.report, "tolerance/settling_time"), nullptr);
+  EXPECT_TRUE(found(all.report, "tolerance/settling_time")->broken);
+  drive.train[0].inertia = all.figures[5].worst.numbers[0].second;
+  const DriveResult worst = drive_through(move, drive, options);
+  EXPECT_EQ(all.figures[5].worst.value, worst.i2t.value);
+  EXPECT_EQ(all.figures[6].worst.value, worst.energy.driving);
 }
 
 // ---- a follower without preload ---------------------------------------------------------------
