@@ -25,12 +25,16 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/fill.hpp"
 #include "jounce/validate/detail/drive_response.hpp"
+#include "jounce/validate/detail/identify_rules.hpp"
 #include "jounce/validate/detail/least_squares.hpp"
 
 namespace jounce {
 namespace {
 
 using detail::DriveResponse;
+using detail::numbered;
+using detail::quantities;
+using detail::recorded;
 using Eigen::Index;
 using Eigen::VectorXd;
 
@@ -40,89 +44,6 @@ constexpr double white = 0.3;      // autocorrelation from which intervals are c
 constexpr int weightings = 8;      // (2), (3) at most as often
 constexpr double settled = 0.01;   // of a sigma
 constexpr double flat = 1e-3;      // of |r|^2: a step of some hundredths of a standard deviation
-
-constexpr std::array<const char*, detail::outputs> quantities{"position", "velocity", "torque",
-                                                              "load"};
-
-const std::vector<double>& recorded(const Recording& recording, std::size_t output) {
-  const std::array all{&recording.position, &recording.velocity, &recording.torque,
-                       &recording.load};
-  return *all[output];
-}
-
-void require_column(const char* key, const std::vector<double>& values, std::size_t samples) {
-  if (values.size() != samples)
-    throw InputError(key, std::to_string(values.size()) + " samples",
-                     "must be as many as of time: " + std::to_string(samples));
-  for (const double value : values) require_finite(key, value);
-}
-
-void require_times(const Recording& recording) {
-  const std::vector<double>& t = recording.time;
-  if (t.size() < 4)
-    throw InputError("time", std::to_string(t.size()) + " samples", "four at least");
-  require_column("time", t, t.size());
-  require_column("command", recording.command, t.size());
-  for (std::size_t i = 1; i < t.size(); ++i)
-    if (!(t[i] > t[i - 1]))
-      throw InputError("time[" + std::to_string(i + 1) + "]", t[i],
-                       "must be greater than " + number(t[i - 1]) + ", the sample before");
-}
-
-void require_valid(const Recording& recording) {
-  require_times(recording);
-  bool any = false;
-  for (std::size_t k = 0; k < detail::outputs; ++k) {
-    const std::vector<double>& values = recorded(recording, k);
-    if (values.empty()) continue;
-    require_column(quantities[k], values, recording.time.size());
-    any = true;
-  }
-  if (!any)
-    throw InputError("position", "none",
-                     "must be recorded, or velocity, torque, load: what to fit to");
-}
-
-/// A number to fit, as the start has it.
-DriveNumber numbered(Drive& drive, const std::string& key) {
-  std::string all;
-  for (const DriveNumber& number : numbers(drive)) {
-    if (number.key == key) return number;
-    all += (all.empty() ? "" : ", ") + number.key;
-  }
-  throw InputError("fit", key, "is no number of this drive; there are " + all);
-}
-
-bool of_friction(const std::string& key) {
-  return key.find("friction.") != key.npos;
-}
-
-void require_can_fit(const Drive& drive, const DriveNumber& number) {
-  if (number.key.starts_with("controller.") || number.key == "position_per_rev")
-    throw InputError("fit", number.key, "is set, not measured: fit numbers of the machine");
-  if (*number.value == 0)
-    throw InputError(number.key, 0,
-                     "cannot be fitted from 0: give a start of the right order of magnitude");
-  if (of_friction(number.key) && drive.controller.friction_feed_forward != 0)
-    throw InputError("controller.friction_feed_forward", drive.controller.friction_feed_forward,
-                     "must be 0 where friction is fitted: record the run without it");
-}
-
-void require_valid(const IdentifySpec& spec) {
-  require_valid(spec.drive);
-  if (spec.fit.empty()) throw InputError("fit", "", "must name one number at least");
-  if (spec.max_iterations < 1)
-    throw InputError("max_iterations", std::to_string(spec.max_iterations), "must be at least 1");
-  if (!(spec.tolerance >= 1e-12 && spec.tolerance <= 1e-3))
-    throw InputError("tolerance", spec.tolerance, "must be between 1e-12 and 1e-3");
-  Drive copy = spec.drive;
-  for (std::size_t i = 0; i < spec.fit.size(); ++i) {
-    require_can_fit(spec.drive, numbered(copy, spec.fit[i]));
-    if (std::find(spec.fit.begin(), spec.fit.begin() + static_cast<std::ptrdiff_t>(i),
-                  spec.fit[i]) != spec.fit.begin() + static_cast<std::ptrdiff_t>(i))
-      throw InputError("fit", spec.fit[i], "is named twice");
-  }
-}
 
 /// A sampled controller does not depend smoothly on anything: a count more or less steps. Fitted is
 /// with a continuous one that is as late: hold and difference quotient cost half a cycle each.
@@ -427,7 +348,7 @@ const char* name(Identification::Status status) {
 }
 
 Trajectory commanded_motion(const Recording& recording) {
-  require_times(recording);
+  detail::require_times(recording);
   FillSpec spec{.x = recording.time, .p = recording.command};
   spec.filling = Filling::clamped;
   return filled(spec).table.curve<OverTime>();
@@ -435,8 +356,8 @@ Trajectory commanded_motion(const Recording& recording) {
 
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going) {
-  require_valid(recording);
-  require_valid(spec);
+  detail::require_valid(recording);
+  detail::require_valid(spec);
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");
   if (recording.time.front() < reference.start())
