@@ -1,9 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
 
 #include <cvodes/cvodes.h>
 #include <nvector/nvector_serial.h>
@@ -18,8 +17,8 @@ namespace jounce::bench {
 
 /// The yardstick of drive_through(): CVODES as one would call it for this one axis and no other. Two
 /// masses, a P-PI controller with feed-forward, the integral of the squared torque; BDF, dense Newton
-/// with its Jacobian, restarts at steps of the reference's acceleration, 0.2 of the tolerance kept at
-/// nothing but the end: no limits, no peaks, no events, nothing watched. Polynomial references only.
+/// with its Jacobian, restarts at steps of the reference's acceleration. No limits, no peaks, no events,
+/// nothing watched. References of degree 3 at most.
 class ByHand {
  public:
   ByHand(const Trajectory& move, const Drive& drive, double end)
