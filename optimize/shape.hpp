@@ -89,7 +89,8 @@ struct EnergyOf {
 };
 
 /// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
-/// torque of a drive at every millisecond. Sampled: only at the places of the list.
+/// torque of a drive at every millisecond. Sampled: only at the places of the list. What is not affine,
+/// finite and always as many numbers is refused.
 struct ResponseOf {
   std::string name;
   std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
@@ -185,10 +186,14 @@ struct ShapeOutcome {
   std::string reason;             ///< one sentence
   std::vector<Segment> segments;  ///< the best shape, from `begin` on
   double value = 0;               ///< the weighted sum reached
-  /// Proven by weak duality for convex problems: no spline over these knots has a weighted sum below.
+  /// By weak duality, for convex problems: no spline over these knots, of up to 1000 times the size of this
+  /// one in every derivative, has a weighted sum below. (One beyond, k times as far, could be better by k
+  /// times what `value` is above the bound, and no more.)
   std::optional<double> spline_bound = {};
   std::vector<FigureResult> figures;  ///< of `minimize`, then of `ceilings`
-  Report limits;  ///< corridors and ceilings checked on the result, independently and exactly
+  /// Corridors and ceilings checked on the result, independently and exactly; also "fixed/..." and
+  /// "joint/..." where it misses what is fixed at an end, or a joint.
+  Report limits;
   std::vector<Finding> active;  ///< what stops further improvement, as in Outcome
   int rounds = 0;               ///< of the exchange
   int evaluations = 0;
@@ -196,7 +201,8 @@ struct ShapeOutcome {
   [[nodiscard]] bool usable() const { return limits.ok() && !segments.empty(); }
 };
 
-/// Between two rounds; false stops, the best so far is still answered.
+/// Between two rounds and, with the same number, many times within one; false stops, the best so far is
+/// still answered.
 using ShapeKeepGoing = std::function<bool(int round, double value)>;
 
 /// Throws InputError as require_valid() does.

@@ -27,6 +27,7 @@ constexpr std::size_t most_quantities = 4;
 struct Run {
   const DescentProgram& program;
   nlopt::opt& solver;
+  const std::function<bool()>& go_on;
   VectorXd y = {};
   VectorXd gradient = {};
   int evaluations = 0;
@@ -114,6 +115,7 @@ void constraints(unsigned m, double* result, unsigned n, const double* x, double
   auto& run = *static_cast<Run*>(data);
   watch(run, x, n);
   guarded(run, [&] {
+    if (!run.go_on()) run.solver.force_stop();
     run.constraints({result, m}, n, x, slope);
     for (unsigned i = 0; i < m && !run.lost; ++i)
       run.finite = run.finite && std::isfinite(result[i]);
@@ -173,14 +175,15 @@ double Mean::evaluate(const VectorXd& y, double by, Eigen::Ref<VectorXd> gradien
   return factor * value;
 }
 
-Descended descend(const DescentProgram& program, const VectorXd& y, int max_evaluations) {
+Descended descend(const DescentProgram& program, const VectorXd& y, int max_evaluations,
+                  const std::function<bool()>& go_on) {
   const Index extra = static_cast<Index>(program.weight.size());
   const VectorXd t = least_t(program, y);
   std::vector<double> x(y.begin(), y.end());
   x.insert(x.end(), t.begin(), t.end());
   const std::size_t rows = program.rows.size() + program.ceilings.size();
   nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(x.size()));
-  Run run{program, solver};
+  Run run{program, solver, go_on};
   solver.set_min_objective(objective, &run);
   if (rows > 0)
     solver.add_inequality_mconstraint(constraints, &run, std::vector<double>(rows, 1e-10));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -62,8 +63,9 @@ struct Descended {
 };
 
 /// A local solution from y by SLSQP, or where it stopped: the caller judges by exact values, NLopt's own
-/// verdict counts for nothing.
-Descended descend(const DescentProgram& program, const Eigen::VectorXd& y, int max_evaluations);
+/// verdict counts for nothing. `go_on` is asked at each evaluation of rows.
+Descended descend(const DescentProgram& program, const Eigen::VectorXd& y, int max_evaluations,
+                  const std::function<bool()>& go_on);
 
 /// The least t that the rows permit at y.
 Eigen::VectorXd least_t(const DescentProgram& program, const Eigen::VectorXd& y);

@@ -133,7 +133,11 @@ class Search {
     for (int round = 0, idle = 0; round < most_rounds && !budget.spent(); ++round) {
       const DescentProgram rows = program();
       const int left = budget.most_evaluations - budget.evaluations;
-      Descended found = descend(rows, y, std::min(evaluations_a_round, left));
+      const auto go_on = [&] {
+        if (keep_going && !keep_going(budget.rounds, best.value)) budget.cancelled = true;
+        return !budget.cancelled && !(budget.until && Clock::now() >= *budget.until);
+      };
+      Descended found = descend(rows, y, std::min(evaluations_a_round, left), go_on);
       budget.evaluations += found.evaluations;
       ++budget.rounds;
       finite_ = found.finite;
@@ -147,7 +151,7 @@ class Search {
       }
       const bool turned = hold_signs(best.shape);
       idle = gains || turned ? 0 : idle + 1;
-      if (keep_going && !keep_going(budget.rounds, best.value)) budget.cancelled = true;
+      if (!go_on()) break;
       best.settled = idle >= (added == 0 ? 1 : most_idle);
       if (best.settled) break;
     }

@@ -249,6 +249,16 @@ TEST(HardSearch, ForEverIsNoTimeAtAllOnlyInTheory) {
   EXPECT_EQ(optimize_shape(p).status, Status::converged);
 }
 
+TEST(HardSearch, IsStoppedWithinARound) {
+  ShapeProblem p = least_acceleration(30);
+  p.minimize = {{TorqueOf{inertia()}}};
+  int asked = 0;
+  const ShapeOutcome best = optimize_shape(p, [&](int, double) { return ++asked < 4; });
+  EXPECT_EQ(best.status, Status::cancelled) << best.reason;
+  EXPECT_EQ(best.rounds, 1);
+  EXPECT_LE(best.evaluations, 5) << "a round has up to 200";
+}
+
 TEST(HardSearch, ACeilingOfNothingIsNotANaN) {
   ShapeProblem p = least_acceleration(8);
   p.minimize = {{TorqueOf{inertia()}}};
