@@ -29,6 +29,9 @@ int run(const OptimizeOptions& options) {
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
                      "compares one axis, and this spec has several: jounce plot draws them");
+  if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
+    throw spec.document.located(
+        InputError("optimize", "", "--against is for cams with segments that are free in shape"));
   if (spec.parameters) return optimize_parameters(options, spec);
   return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
                                             : optimize_shapes(options, spec);
@@ -50,6 +53,10 @@ void add_optimize(CLI::App& app, Work& work) {
   verb->add_option("--table", options->table, "Its table to write, CSV or .json");
   verb->add_option("--plot", options->plot,
                    "Picture to write, .svg or .png: the optimised motion over the given one");
+  verb->add_option("--against", options->against,
+                   "Drive to optimise against, a spec of kind \"drive\": for minimize = [\"drive "
+                   "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
+                   "error\", \"drive end following error\"");
   verb->add_option("--seconds", options->seconds,
                    "End a search over [[optimize.parameter]] or free shapes after so long, with "
                    "the best so far");

@@ -11,6 +11,7 @@
 #include "jounce/io/report_text.hpp"
 #include "jounce/io/spec_edit.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/study/against.hpp"
 
 #include "interrupt.hpp"
 #include "optimizing.hpp"
@@ -210,21 +211,22 @@ Json json_of(const CamRunOutcome& run, const Words& words) {
   return object;
 }
 
-void print_json(std::FILE* out, const CamShapeOutcome& outcome, const Words& words) {
+Json json_of(const CamShapeOutcome& outcome, const Words& words) {
   Json runs = Json::array();
   for (const CamRunOutcome& run : outcome.runs) runs.push_back(json_of(run, words));
-  const Json document{{"status", name(outcome.status)},
-                      {"usable", outcome.usable()},
-                      {"reason", outcome.reason},
-                      {"runs", runs},
-                      {"limits", Json::parse(to_json(outcome.limits, words.labels()))}};
-  fmt::print(out, "{}\n", document.dump(1));
+  return {{"status", name(outcome.status)},
+          {"usable", outcome.usable()},
+          {"reason", outcome.reason},
+          {"runs", runs},
+          {"limits", Json::parse(to_json(outcome.limits, words.labels()))}};
 }
 
-CamShapeOutcome solved(const CamShapeProblem& problem, const Words& words) {
+/// The outcome, with progress and Ctrl-C. `optimize` is given what to ask whether to go on.
+template <class Optimize>
+auto watched(const Words& words, const Optimize& optimize) {
   Progress progress("optimising");
   const Interrupt interrupt;
-  return optimize_cam_shapes(problem, [&](const CamShapeProgress& p) {
+  return optimize([&](const CamShapeProgress& p) {
     const double parts = static_cast<double>(p.runs * p.stages);
     const double round = static_cast<double>(p.round);
     const double done = static_cast<double>(p.run * p.stages + p.stage) + round / (round + 10);
@@ -236,12 +238,96 @@ CamShapeOutcome solved(const CamShapeProblem& problem, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+/// The drive of --against in the units of the cam.
+Against against_of(const OptimizeOptions& options, const Spec& spec) {
+  const Spec file = read_spec(options.against);
+  if (!file.drive)
+    throw file.document.located(InputError("drive", "", "is missing: nothing to optimise against"));
+  if (!spec.master)
+    throw spec.document.located(
+        InputError("master", "", "is missing: how fast the drive must follow"));
+  Against against{.drive = file.drive->drive, .settle = file.drive->settle};
+  against.velocity = spec.master->velocity / conversion(spec.time_unit, "s");
+  try {
+    against.drive.position_per_rev *= conversion(file.units.position, spec.units.position);
+  } catch (const InputError&) {
+    throw file.document.located(
+        InputError("units.position", '"' + file.units.position + '"',
+                   "must measure what the cam's slave does, in " + spec.units.position));
+  }
+  return against;
+}
+
+std::string unit_of(const DriveFigureResult& figure, const Words& words) {
+  return figure.name.ends_with("torque") ? "N m" : words.labels().units.position;
+}
+
+void print_drive(std::FILE* out, const AgainstOutcome& outcome, const Words& words) {
+  if (outcome.figures.empty()) return;
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}\n", "by integration", "given", "reached",
+             "", "saved");
+  for (const DriveFigureResult& f : outcome.figures)
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", f.name, rounded(f.given),
+               rounded(f.reached), "",
+               f.given > 0 ? fmt::format("{:.2f} %", 100 * (1 - f.reached / f.given)) : "-",
+               unit_of(f, words));
+  for (const auto& [whose, run] : {std::pair{"given", &outcome.given}, {"reached", &outcome.best}})
+    if (!run->saturation.empty())
+      fmt::print(out, "  - the torque of the {} cam meets its limit {} times\n", whose,
+                 run->saturation.size());
+}
+
+Json json_of(const AgainstOutcome& outcome, const Words& words) {
+  Json figures = Json::array();
+  for (const DriveFigureResult& f : outcome.figures)
+    figures.push_back({{"figure", f.name},
+                       {"unit", unit_of(f, words)},
+                       {"given", f.given},
+                       {"reached", f.reached}});
+  return {{"real", outcome.real},
+          {"rounds", outcome.rounds},
+          {"figures", figures},
+          {"saturated", !outcome.best.saturation.empty()}};
+}
+
+int optimize_against_drive(const OptimizeOptions& options, const Spec& spec) {
+  const CamShapeProblem problem = make_shape_problem(spec, true);
+  const Against against = against_of(options, spec);
+  const Words words(spec);
+  const AgainstOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
+    return optimize_against(problem, against, keep_going);
+  });
+  std::FILE* out = told_on(options);
+  if (options.json) {
+    Json document = json_of(outcome.shapes, words);
+    document["usable"] = outcome.usable();
+    document["drive"] = json_of(outcome, words);
+    fmt::print(out, "{}\n", document.dump(1));
+  } else {
+    print_text(out, outcome.shapes, words);
+    print_drive(out, outcome, words);
+  }
+  if (!outcome.usable()) return finding;
+  write_optimized(options, spec, with_shapes(spec, outcome.shapes.best));
+  return fine;
+}
+
+}  // namespace
+
 int optimize_shapes(const OptimizeOptions& options, const Spec& spec) {
+  if (!options.against.empty()) return optimize_against_drive(options, spec);
   const CamShapeProblem problem = make_shape_problem(spec);
   const Words words(spec);
-  const CamShapeOutcome outcome = solved(problem, words);
+  const CamShapeOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
+    return optimize_cam_shapes(problem, keep_going);
+  });
   std::FILE* out = told_on(options);
-  options.json ? print_json(out, outcome, words) : print_text(out, outcome, words);
+  if (options.json)
+    fmt::print(out, "{}\n", json_of(outcome, words).dump(1));
+  else
+    print_text(out, outcome, words);
   if (!outcome.usable()) return finding;
   write_optimized(options, spec, with_shapes(spec, outcome.best));
   return fine;

@@ -14,6 +14,7 @@ struct OptimizeOptions {
   std::string output;
   std::string table;
   std::string plot;
+  std::string against;  ///< file of a drive
   bool json = false;
   std::optional<double> seconds = {};  ///< over the spec's own time budget
 };

@@ -51,7 +51,8 @@ double seconds_per_unit(const Spec& spec);
 /// well posed.
 CamProblem make_problem(const Spec& spec);
 
-/// The same of one that leaves shapes open: spec.optimize.shape.
-CamShapeProblem make_shape_problem(const Spec& spec);
+/// The same of one that leaves shapes open: spec.optimize.shape. Figures of a drive have no function yet
+/// (io/drive_figures.hpp): they throw unless `against_a_drive`.
+CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 
 }  // namespace jounce

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/io/drive_figures.hpp"
 #include "jounce/io/nearest.hpp"
 #include "jounce/io/units.hpp"
 
@@ -37,6 +38,7 @@ std::vector<std::string> figure_names() {
   }
   for (const char* name : {"peak power", "motor heating", "energy", "residual"})
     names.emplace_back(name);
+  for (const DriveFigure figure : all_drive_figures) names.push_back(jounce::name(figure));
   return names;
 }
 
@@ -127,6 +129,14 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
   return figure;
 }
 
+/// Not known before the drive is.
+ShapeFigureSpec driven(TomlReader& reader, const char* key, DriveFigure figure,
+                       const ShapeWords& words) {
+  speed_for(reader, key, name(figure), words);
+  const bool torque = figure == DriveFigure::torque || figure == DriveFigure::rms_torque;
+  return {name(figure), torque ? "N m" : words.units.position, asked(figure)};
+}
+
 }  // namespace
 
 NamedQuantity quantity_named(TomlReader& reader, const char* key, const std::string& name,
@@ -146,6 +156,7 @@ ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::str
                 "\"17 Hz\"");
   if (name == "peak power") return power_named(reader, key, name, words);
   if (name == "motor heating" || name == "energy") return loss_named(reader, key, name, words);
+  if (const auto drive = drive_figure(name)) return driven(reader, key, *drive, words);
   const bool peak = name.starts_with("peak ");
   const bool rms = name.starts_with("rms ");
   const std::string of = peak ? name.substr(5) : rms ? name.substr(4) : "";

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "jounce/io/detail/cam_of.hpp"
+#include "jounce/io/drive_figures.hpp"
 #include "jounce/io/make.hpp"
 
 // A spec with free shapes -> the problem: what its knots leave out, and its limits over time.
@@ -62,7 +63,14 @@ void add_limits_over_time(const Spec& spec, std::vector<Corridor>& corridors) {
   }
 }
 
-CamShapeProblem problem_of(const Spec& spec) {
+void refuse_figures_of_a_drive(const ShapeSpec& shape) {
+  for (const ShapeFigureSpec& figure : shape.figures)
+    if (drive_figure(figure.figure))
+      throw InputError("minimize", '"' + figure.name + '"',
+                       "is of a drive: give its file with --against drive.toml");
+}
+
+CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   const ShapeSpec& shape = spec.optimize.shape;
   if (spec.polydyne)
     throw InputError("polydyne", "",
@@ -81,19 +89,21 @@ CamShapeProblem problem_of(const Spec& spec) {
   problem.seconds = shape.seconds;
   if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
   if (spec.optimize.tolerance) problem.concession = *spec.optimize.tolerance;
+  if (against_a_drive) return problem;
+  refuse_figures_of_a_drive(shape);
   require_valid(problem);
   return problem;
 }
 
 }  // namespace
 
-CamShapeProblem make_shape_problem(const Spec& spec) {
+CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive) {
   if (!std::holds_alternative<CamSpec>(spec.subject))
     throw InputError("kind", "",
                      "only a cam has free shapes; numbers of any spec: [[optimize.parameter]]")
         .at(spec.document.name);
   try {
-    return problem_of(spec);
+    return problem_of(spec, against_a_drive);
   } catch (const InputError& error) {
     const bool own = error.key().starts_with("corridor") || error.key().starts_with("minimize") ||
                      error.key().starts_with("tolerance");

@@ -96,9 +96,15 @@ struct ResponseOf {
   std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
 };
 
+/// sqrt(mean of y^2) of such a list: the rms torque of a drive.
+struct RmsResponseOf {
+  std::string name;
+  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+};
+
 /// PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex: docs/optimize/physics.md.
-using ShapeFigure =
-    std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf, TorqueOf, RmsTorqueOf, EnergyOf>;
+using ShapeFigure = std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf, TorqueOf,
+                                 RmsTorqueOf, EnergyOf, RmsResponseOf>;
 
 std::string name(const ShapeFigure& figure);
 

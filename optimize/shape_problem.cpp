@@ -70,6 +70,8 @@ void require_figure(const std::string& key, const ShapeFigure& figure, const Sha
     require_quantity(key + ".velocity", f->velocity, degree);
   }
   if (const auto* f = std::get_if<ResponseOf>(&figure)) require_response(key + ".of", *f, p);
+  if (const auto* f = std::get_if<RmsResponseOf>(&figure))
+    require_response(key + ".of", ResponseOf{f->name, f->of}, p);
   if (const auto* f = std::get_if<ResidualOf>(&figure)) {
     require(std::isfinite(f->low) && f->low > 0, key + ".low", f->low, "must be > 0");
     require(std::isfinite(f->high) && f->high >= f->low, key + ".high", f->high,
@@ -172,6 +174,7 @@ std::string name(const ShapeFigure& figure) {
       return "peak " + f.force.name + " * " + f.velocity.name;
     }
     std::string operator()(const ResponseOf& f) const { return f.name; }
+    std::string operator()(const RmsResponseOf& f) const { return f.name; }
     std::string operator()(const TorqueOf& f) const { return "peak " + f.load.name; }
     std::string operator()(const RmsTorqueOf& f) const { return "rms " + f.load.name; }
     std::string operator()(const EnergyOf& f) const { return "energy of " + f.load.name; }

@@ -20,6 +20,8 @@
 // a basis and c_k their coordinates
 //
 //   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0))
+//
+// and of a response that is wanted small in the mean: a square for each of the m numbers, y_i^2 / m.
 
 namespace jounce::optimizer {
 namespace {
@@ -180,11 +182,15 @@ FigureRows rows_of(const RmsOf& figure, const SplineSpace& space) {
   return rows;
 }
 
-FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
-  const double begin = space.knots().front();
-  const auto respond = [of = figure.of, begin](const std::vector<Segment>& shape) {
-    return of(Trajectory(shape, begin));
-  };
+namespace {
+
+using Respond = std::function<std::vector<double>(const std::vector<Segment>&)>;
+
+Respond responding(const std::function<std::vector<double>(const Trajectory&)>& of, double begin) {
+  return [of, begin](const std::vector<Segment>& shape) { return of(Trajectory(shape, begin)); };
+}
+
+Affine affine(const Respond& respond, const SplineSpace& space) {
   Affine y{respond(space.segments(Coordinates(space.size(), 0))), {}};
   for (std::size_t k = 0; k < space.size(); ++k) {
     if (!space.independent(k)) continue;
@@ -194,6 +200,39 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= y.at_zero[i];
     y.by.emplace_back(k, std::move(change));
   }
+  return y;
+}
+
+/// The largest of all y(z_k), or 1 where all are 0.
+double natural(const Affine& y) {
+  double size = largest(y.at_zero);
+  for (const auto& [k, change] : y.by) size = std::max(size, largest(change));
+  return size > 0 ? size : 1;
+}
+
+double rms(const std::vector<double>& y) {
+  double sum = 0;
+  for (const double v : y) sum += v * v;
+  return y.empty() ? 0 : std::sqrt(sum / static_cast<double>(y.size()));
+}
+
+}  // namespace
+
+FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space) {
+  const Respond respond = responding(figure.of, space.knots().front());
+  const Affine y = affine(respond, space);
+  FigureRows rows{.name = figure.name,
+                  .value = [respond](const auto& shape) { return rms(respond(shape)); }};
+  for (std::size_t i = 0; i < y.at_zero.size(); ++i)
+    rows.squares.push_back(
+        scaled(y.plane(i, 1), 1 / std::sqrt(static_cast<double>(y.at_zero.size()))));
+  rows.natural = natural(y);
+  return rows;
+}
+
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
+  const Respond respond = responding(figure.of, space.knots().front());
+  const Affine y = affine(respond, space);
   FigureRows rows{.name = figure.name,
                   .value = [respond](const auto& shape) { return largest(respond(shape)); }};
   const std::size_t every = std::max<std::size_t>(y.at_zero.size() / 32, 1);
@@ -211,9 +250,7 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
     }
     return planes;
   };
-  rows.natural = largest(y.at_zero);
-  for (const auto& [k, change] : y.by) rows.natural = std::max(rows.natural, largest(change));
-  if (!(rows.natural > 0)) rows.natural = 1;
+  rows.natural = natural(y);
   return rows;
 }
 
@@ -221,7 +258,8 @@ namespace {
 
 template <class Figure>
 constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
-                        std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, ResidualOf>;
+                        std::is_same_v<Figure, ResponseOf> ||
+                        std::is_same_v<Figure, RmsResponseOf> || std::is_same_v<Figure, ResidualOf>;
 
 /// The size of a figure that is not convex in a perfect spline, its parts added up.
 double natural_of(const ShapeFigure& figure, const SplineSpace& space) {

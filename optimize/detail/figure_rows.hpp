@@ -35,6 +35,7 @@ struct FigureRows {
 FigureRows rows_of(const PeakOf& figure, const SplineSpace& space);
 FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
 FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space);
+FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space);
 FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space);
 
 /// Whether there is a rows_of() for it.

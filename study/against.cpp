@@ -1,0 +1,281 @@
+#include "jounce/study/against.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/study/detail/driven_cam.hpp"
+
+// With z the shape and y(z) what a drive does at the instants that are looked at. Of a linear drive y_l
+// is affine in z, and the problem is convex (ResponseOf). Of another drive
+//
+//   (1)  y(z) ~ y_l(z) + d,    d = y(z_k) - y_l(z_k)
+//
+// where y_l is the same drive without what makes it nonlinear: exact at z_k, with the slopes of y_l. Solved,
+// the drive itself is run along what is found; better, and z_k moves there; not better, and d goes only
+// part of the way
+//
+//   (2)  d <- (d_old + d_new) / 2
+//
+// A figure is known between the instants, too, once it is integrated. A ceiling C that the integrated
+// figure F exceeds is lowered to C C / F, and all is solved again.
+
+namespace jounce {
+namespace {
+
+using detail::DrivenCam;
+using Lists = DrivenCam::Lists;
+using Status = Outcome::Status;
+
+constexpr double worth_a_round = 1e-3;  ///< relative gain
+constexpr double rounding = 1e-9;       ///< of a ceiling
+
+/// The problem with every figure of the drive as a function of the shape.
+class Prepared {
+ public:
+  Prepared(const CamShapeProblem& problem, const DrivenCam& cam) : problem_(problem), cam_(cam) {
+    for (auto& stage : problem_.minimize)
+      for (WeightedFigure& m : stage) wanted_.push_back(&m.figure);
+    for (Ceiling& c : problem_.ceilings) wanted_.push_back(&c.figure);
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  /// d of (1), and what ceilings are held to.
+  CamShapeProblem& with(const Lists& correction, const std::vector<double>& at_most) {
+    for (ShapeFigure* figure : wanted_)
+      if (const auto drive = drive_figure(*figure)) fill(*figure, *drive, correction);
+    for (std::size_t i = 0; i < at_most.size(); ++i) problem_.ceilings[i].at_most = at_most[i];
+    return problem_;
+  }
+
+ private:
+  void fill(ShapeFigure& figure, DriveFigure drive, const Lists& correction) const {
+    const auto found = correction.find(drive);
+    const auto of = [respond = cam_.response(drive),
+                     d = found == correction.end() ? std::vector<double>{}
+                                                   : found->second](const Trajectory& shape) {
+      std::vector<double> y = respond(shape);
+      for (std::size_t i = 0; i < d.size(); ++i) y[i] += d[i];
+      return y;
+    };
+    if (auto* peak = std::get_if<ResponseOf>(&figure)) peak->of = of;
+    if (auto* rms = std::get_if<RmsResponseOf>(&figure)) rms->of = of;
+  }
+
+  CamShapeProblem problem_;
+  const DrivenCam& cam_;
+  std::vector<ShapeFigure*> wanted_;
+};
+
+/// d of (1) at a cam; nothing where the drive could not be integrated.
+std::optional<Lists> correction_at(const DrivenCam& driven, const CamSpec& cam) {
+  Lists own = driven.measured(cam);
+  Lists twin = driven.linear(cam);
+  for (auto& [figure, y] : own) {
+    if (y.size() != twin[figure].size()) return std::nullopt;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] -= twin[figure][i];
+  }
+  if (own.empty()) return std::nullopt;
+  return own;
+}
+
+Lists halfway(const Lists& a, Lists b) {  // (2)
+  for (auto& [figure, y] : b)
+    if (const auto other = a.find(figure); other != a.end())
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = (y[i] + other->second[i]) / 2;
+  return b;
+}
+
+class Search {
+ public:
+  Search(const CamShapeProblem& problem, const Against& against,
+         const CamShapeKeepGoing& keep_going)
+      : problem_(problem),
+        against_(against),
+        keep_going_(keep_going),
+        driven_(problem, against),
+        prepared_(problem, driven_) {
+    for (const Ceiling& c : problem.ceilings) at_most_.push_back(c.at_most);
+    out_.given = driven_.run(problem.cam);
+    exact_ = driven_.is_linear() && out_.given.saturation.empty();
+  }
+
+  AgainstOutcome run() {
+    if (!out_.given.integration.ok()) return failed();
+    if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Lists{});
+    for (out_.rounds = 1;; ++out_.rounds) {
+      const bool more = round();
+      if (!more || out_.rounds == against_.max_rounds) break;
+    }
+    return told();
+  }
+
+ private:
+  AgainstOutcome failed() {
+    out_.shapes.status = Status::infeasible;
+    out_.shapes.reason =
+        "the given cam could not be integrated through the drive: " + out_.given.integration.reason;
+    out_.shapes.best = problem_.cam;
+    return out_;
+  }
+
+  /// One solution and its run; whether another may be better.
+  bool round() {
+    CamShapeOutcome found = optimize_cam_shapes(prepared_.with(correction_, at_most_), watched());
+    if (!found.usable()) {
+      if (!have_) out_.shapes = std::move(found);
+      return false;
+    }
+    DriveResult run = driven_.run(found.best);
+    if (!run.integration.ok()) return false;
+    const bool stopped = found.status == Status::cancelled;
+    const double before = have_ ? score_ : HUGE_VAL;
+    const CamSpec cam = found.best;
+    const bool excess = lower_ceilings(run);
+    if (!run.saturation.empty()) exact_ = false;
+    const bool better = take(std::move(found), std::move(run), excess);
+    if (stopped) return false;
+    if (exact_) return excess;
+    return correct(cam, better) && (excess || !better || before - score_ > worth_a_round * before);
+  }
+
+  bool correct(const CamSpec& cam, bool better) {
+    const auto now = correction_at(driven_, cam);
+    if (!now || (!better && ++worse_ > 3)) return false;
+    correction_ = better ? *now : halfway(correction_, *now);
+    return true;
+  }
+
+  /// Whether a ceiling of the drive is exceeded.
+  bool lower_ceilings(const DriveResult& run) {
+    bool excess = false;
+    for (std::size_t i = 0; i < at_most_.size(); ++i) {
+      const Ceiling& ceiling = problem_.ceilings[i];
+      const auto drive = drive_figure(ceiling.figure);
+      if (!drive) continue;
+      const double value = detail::value_of(*drive, run);
+      if (value <= ceiling.at_most * (1 + rounding)) continue;
+      at_most_[i] *= ceiling.at_most / value;
+      excess = true;
+    }
+    return excess;
+  }
+
+  /// What keeps the ceilings comes before what does not; then the first weighted sum counts.
+  bool take(CamShapeOutcome found, DriveResult run, bool excess) {
+    const double score = weighted(found, run);
+    const bool better = !have_ || (excess_ && !excess) || (excess_ == excess && score < score_);
+    if (!better) return false;
+    have_ = true;
+    excess_ = excess;
+    score_ = score;
+    promised_ = weighted(found, std::nullopt);
+    out_.shapes = std::move(found);
+    out_.best = std::move(run);
+    return true;
+  }
+
+  /// Relative to the given cam; the drive's figures by integration, where there is one.
+  [[nodiscard]] double weighted(const CamShapeOutcome& found,
+                                const std::optional<DriveResult>& run) const {
+    double sum = 0;
+    double all = 0;
+    for (std::size_t i = 0; i < problem_.minimize.front().size(); ++i) {
+      const WeightedFigure& m = problem_.minimize.front()[i];
+      const FigureResult& figure = found.runs.front().figures[i];
+      double given = figure.given;
+      double reached = figure.reached;
+      if (const auto drive = run ? drive_figure(m.figure) : std::nullopt) {
+        given = detail::value_of(*drive, out_.given);
+        reached = detail::value_of(*drive, *run);
+      }
+      sum += m.weight * (given > 0 ? reached / given : 1 + reached);
+      all += m.weight;
+    }
+    return sum / all;
+  }
+
+  [[nodiscard]] CamShapeKeepGoing watched() const {
+    return [this](const CamShapeProgress& p) { return !keep_going_ || keep_going_(p); };
+  }
+
+  AgainstOutcome told() {
+    if (!have_) return out_;
+    add_figures();
+    if (!exact_) without_bounds();
+    // What promised nothing (the given cam broke a limit, say) need not be better.
+    const bool improved = score_ < 1 || promised_ >= 1;
+    out_.real = !excess_ && improved;
+    if (excess_)
+      out_.shapes.reason = "by integration, a ceiling of the drive is exceeded";
+    else if (!improved)
+      out_.shapes.reason = "by integration, the drive does no better than with the given cam";
+    if (!out_.real) out_.shapes.status = Status::stalled;
+    return out_;
+  }
+
+  void add_figures() {
+    const auto add = [&](const ShapeFigure& figure) {
+      if (const auto drive = drive_figure(figure))
+        out_.figures.push_back({name(*drive), detail::value_of(*drive, out_.given),
+                                detail::value_of(*drive, out_.best)});
+    };
+    for (const auto& stage : problem_.minimize)
+      for (const WeightedFigure& m : stage) add(m.figure);
+    for (const Ceiling& c : problem_.ceilings) add(c.figure);
+  }
+
+  void without_bounds() {
+    for (CamRunOutcome& run : out_.shapes.runs) {
+      run.shape.spline_bound.reset();
+      for (FigureResult& figure : run.figures) figure.bound.reset();
+    }
+    if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
+    out_.shapes.reason = "the drive is not linear: better by its own runs, not proven best (" +
+                         std::to_string(out_.rounds) + " rounds)";
+  }
+
+  const CamShapeProblem& problem_;
+  const Against& against_;
+  const CamShapeKeepGoing& keep_going_;
+  DrivenCam driven_;
+  Prepared prepared_;
+  AgainstOutcome out_;
+  Lists correction_;
+  std::vector<double> at_most_;
+  bool exact_ = true;  ///< the linear drive is the drive
+  bool have_ = false;
+  bool excess_ = false;  ///< of `out_`
+  double score_ = 1;
+  double promised_ = 1;
+  int worse_ = 0;
+};
+
+void require_valid(const CamShapeProblem& problem, const Against& against) {
+  require_valid(against.drive);
+  require_positive("velocity", against.velocity);
+  require_not_negative("settle", against.settle);
+  bool asked = false;
+  for (const auto& stage : problem.minimize)
+    for (const WeightedFigure& m : stage) asked = asked || drive_figure(m.figure);
+  for (const Ceiling& c : problem.ceilings) asked = asked || drive_figure(c.figure);
+  if (!asked)
+    throw InputError("minimize", "",
+                     "names no figure of the drive, such as \"drive rms torque\": there is nothing "
+                     "to ask it");
+  if (problem.shapes.empty())
+    throw InputError("shapes", "none", "must name a segment that is free in shape");
+}
+
+}  // namespace
+
+AgainstOutcome optimize_against(const CamShapeProblem& problem, const Against& against,
+                                const CamShapeKeepGoing& keep_going) {
+  require_valid(problem, against);
+  return Search(problem, against, keep_going).run();
+}
+
+}  // namespace jounce

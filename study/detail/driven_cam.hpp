@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "jounce/study/against.hpp"
+
+/// A cam as a drive that follows it once sees it, of which one run of segments changes.
+namespace jounce::detail {
+
+class DrivenCam {
+ public:
+  /// The free segments of the problem must be one run within the cam.
+  DrivenCam(const CamShapeProblem& problem, const Against& against);
+
+  /// What a figure is made of, at the instants that are looked at.
+  using Lists = std::map<DriveFigure, std::vector<double>>;
+
+  /// Of the linear drive, with a shape over the master in place of the run.
+  [[nodiscard]] std::function<std::vector<double>(const Trajectory& shape)> response(
+      DriveFigure figure) const;
+
+  /// Of the drive as it is, integrated, along a whole cam; `result` is that run, with its own standstill.
+  [[nodiscard]] DriveResult run(const CamSpec& cam) const;
+  [[nodiscard]] Lists measured(const CamSpec& cam) const;
+  [[nodiscard]] Lists linear(const CamSpec& cam) const;
+
+  /// Whether the linear drive is the drive, as far as its torque keeps its limits.
+  [[nodiscard]] bool is_linear() const { return linear_; }
+
+ private:
+  [[nodiscard]] Trajectory over_time(const CamSpec& cam) const;
+  [[nodiscard]] std::vector<double> times() const;
+  [[nodiscard]] std::vector<double> list(DriveFigure figure,
+                                         const std::vector<DriveSample>& samples) const;
+
+  Against against_;
+  Drive twin_;  ///< linear
+  bool linear_ = true;
+  std::vector<Segment> before_, after_;  ///< of the cam, over time
+  double step_ = 0;                      ///< s
+  std::size_t settling_ = 0;             ///< steps
+};
+
+/// The number that a run has for a figure.
+double value_of(DriveFigure figure, const DriveResult& run);
+
+}  // namespace jounce::detail

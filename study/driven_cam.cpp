@@ -1,0 +1,147 @@
+// A cam and its drive over time.
+#include "jounce/study/detail/driven_cam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/validate/linear_drive.hpp"
+
+namespace jounce::detail {
+namespace {
+
+constexpr std::size_t moving = 500;         ///< steps along the cam
+constexpr std::size_t most_settling = 500;  ///< steps of standstill after it
+
+void make_linear(Friction& friction) {
+  friction.coulomb = 0;
+  friction.breakaway = 0;
+}
+
+/// The drive without what nonlinearity() finds.
+Drive linear_twin(Drive drive) {
+  make_linear(drive.motor.friction);
+  for (Mass& mass : drive.train) {
+    make_linear(mass.friction);
+    mass.backlash = 0;
+    mass.efficiency = 1;
+    mass.gravity_torque = 0;
+  }
+  drive.controller.encoder_counts = 0;
+  return drive;
+}
+
+Segment at_speed(Segment segment, double velocity) {
+  segment.length /= velocity;
+  return segment;
+}
+
+void require_one_run(const CamShapeProblem& problem) {
+  const auto& shapes = problem.shapes;
+  for (std::size_t i = 1; i < shapes.size(); ++i)
+    if (shapes[i].segment != shapes[i - 1].segment + 1)
+      throw InputError(
+          "segment[" + std::to_string(shapes[i].segment + 1) + "].free.shape",
+          static_cast<double>(shapes[i].pieces),
+          "against a drive, free segments must follow one another: free those between, "
+          "too, with a corridor that holds them where they must be");
+}
+
+}  // namespace
+
+DrivenCam::DrivenCam(const CamShapeProblem& problem, const Against& against)
+    : against_(against), twin_(linear_twin(against.drive)), linear_(!nonlinearity(against.drive)) {
+  require_one_run(problem);
+  const CamDesign made = design(problem.cam);
+  for (std::size_t i = 0; i < made.origin.size(); ++i) {
+    const Segment segment = at_speed(made.cam.segments()[i], against.velocity);
+    if (made.origin[i] < problem.shapes.front().segment) before_.push_back(segment);
+    if (made.origin[i] > problem.shapes.back().segment) after_.push_back(segment);
+  }
+  step_ = made.cam.length() / against.velocity / static_cast<double>(moving);
+  settling_ = static_cast<std::size_t>(
+      std::clamp(std::ceil(against.settle / step_), 1.0, static_cast<double>(most_settling)));
+}
+
+Trajectory DrivenCam::over_time(const CamSpec& cam) const {
+  const CamDesign made = design(cam);
+  std::vector<Segment> segments;
+  for (const Segment& segment : made.cam.segments())
+    segments.push_back(at_speed(segment, against_.velocity));
+  return Trajectory(std::move(segments));
+}
+
+std::vector<double> DrivenCam::times() const {
+  std::vector<double> times(moving + settling_ + 1);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = step_ * static_cast<double>(i);
+  return times;
+}
+
+std::vector<double> DrivenCam::list(DriveFigure figure,
+                                    const std::vector<DriveSample>& samples) const {
+  std::vector<double> y;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const DriveSample& s = samples[i];
+    if (figure == DriveFigure::torque) y.push_back(s.torque);
+    if (figure == DriveFigure::following_error) y.push_back(s.following_error);
+    if (figure == DriveFigure::rms_torque && i <= moving) {
+      // The mean of the squares is the trapezoidal rule: half of both ends, over one interval less.
+      const double share = (i == 0 || i == moving ? 0.5 : 1.0) * (moving + 1.0) / moving;
+      y.push_back(std::sqrt(share) * s.torque);
+    }
+    if (figure == DriveFigure::residual && i >= moving) y.push_back(s.load - s.reference);
+    if (figure == DriveFigure::end_following_error && i == moving) y.push_back(s.following_error);
+  }
+  return y;
+}
+
+std::function<std::vector<double>(const Trajectory& shape)> DrivenCam::response(
+    DriveFigure figure) const {
+  return [this, figure, at = times()](const Trajectory& shape) {
+    std::vector<Segment> segments = before_;
+    for (const Segment& segment : shape.segments())
+      segments.push_back(at_speed(segment, against_.velocity));
+    segments.insert(segments.end(), after_.begin(), after_.end());
+    return list(figure, exact_run(Trajectory(std::move(segments)), twin_, at).samples);
+  };
+}
+
+DriveResult DrivenCam::run(const CamSpec& cam) const {
+  return drive_through(over_time(cam), against_.drive, {.settle = against_.settle});
+}
+
+DrivenCam::Lists DrivenCam::measured(const CamSpec& cam) const {
+  const DriveResult run =
+      drive_through(over_time(cam), against_.drive,
+                    {.settle = step_ * static_cast<double>(settling_), .samples = times().size()});
+  Lists lists;
+  if (run.integration.ok())
+    for (const DriveFigure figure : all_drive_figures) lists[figure] = list(figure, run.samples);
+  return lists;
+}
+
+DrivenCam::Lists DrivenCam::linear(const CamSpec& cam) const {
+  const std::vector<double> at = times();
+  const ExactRun run = exact_run(over_time(cam), twin_, at);
+  Lists lists;
+  for (const DriveFigure figure : all_drive_figures) lists[figure] = list(figure, run.samples);
+  return lists;
+}
+
+double value_of(DriveFigure figure, const DriveResult& run) {
+  switch (figure) {
+    case DriveFigure::torque:
+      return std::abs(run.torque.value);
+    case DriveFigure::rms_torque:
+      return run.rms_torque;
+    case DriveFigure::residual:
+      return std::abs(run.residual.value);
+    case DriveFigure::following_error:
+      return std::abs(run.following_error.value);
+    case DriveFigure::end_following_error:
+      return std::abs(run.end_following_error);
+  }
+  return 0;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,110 @@
+#include "jounce/study/against.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/validate/linear_drive.hpp"
+
+namespace jounce {
+namespace {
+
+/// An index of 120 deg in 0.15 s between two dwells.
+CamShapeProblem index_problem(DriveFigure figure) {
+  CamShapeProblem problem;
+  problem.cam.segments = {
+      {Law::dwell, {30, 0}}, {Law::modified_sine, {210, 120}, "index"}, {Law::dwell, {240, 120}}};
+  problem.shapes = {{.segment = 1, .pieces = 30}};
+  problem.minimize = {{{asked(figure)}}};
+  return problem;
+}
+
+Against axis() {
+  Against against{.drive = servo_400w(), .velocity = 1200, .settle = 0.1};
+  against.drive.position_per_rev = 360;
+  return against;
+}
+
+/// A motor alone with no friction, whose torque is fed forward: T = J theta'' exactly.
+Against rigid() {
+  Against against = axis();
+  against.drive = Drive{};
+  against.drive.motor.inertia = 1e-4;
+  against.drive.motor.torque_limit = 100;
+  against.drive.controller = {.position_gain = 40, .velocity_gain = 0.05};
+  against.drive.position_per_rev = 360;
+  return against;
+}
+
+double
+rms_acceleration_torque() {  // of the least rms: theta'' is a straight line, sqrt(12) h / t^2
+  const double h = 2 * M_PI / 3;
+  const double t = 180.0 / 1200;
+  return 1e-4 * std::sqrt(12.0) * h / (t * t) * std::sqrt(180.0 / 240);
+}
+
+TEST(Against, RigidDriveHasTheRmsTorqueOfTheParabolaOfVelocity) {
+  CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  problem.shapes.front().continuity = 2;
+  problem.knots = {};
+  const AgainstOutcome outcome = optimize_against(problem, rigid());
+  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  const double least = rms_acceleration_torque();
+  EXPECT_GE(outcome.best.rms_torque, least * (1 - 1e-6)) << "below what any motion needs";
+  EXPECT_LE(outcome.best.rms_torque, least * 1.03) << "acceleration is 0 at both ends";
+  EXPECT_EQ(outcome.rounds, 1);
+}
+
+TEST(Against, WhatIsReachedIsWhatIsIntegrated) {
+  for (const DriveFigure figure : all_drive_figures) {
+    if (figure == DriveFigure::end_following_error) continue;  // 0 is reached: nothing to compare
+    SCOPED_TRACE(name(figure));
+    const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
+    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+    ASSERT_EQ(outcome.figures.size(), 1U);
+    const DriveFigureResult& f = outcome.figures.front();
+    const FigureResult& modelled = outcome.shapes.runs.front().figures.front();
+    EXPECT_LT(f.reached, f.given);
+    EXPECT_NEAR(modelled.given, f.given, 2e-3 * f.given) << "between its instants";
+    EXPECT_NEAR(modelled.reached, f.reached, 5e-3 * f.given);
+  }
+}
+
+TEST(Against, CeilingsOfTheDriveHoldByIntegration) {
+  CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  const AgainstOutcome free = optimize_against(problem, axis());
+  ASSERT_TRUE(free.usable());
+  const double most = 0.9 * std::abs(free.best.torque.value);
+  problem.ceilings = {{asked(DriveFigure::torque), most}};
+  const AgainstOutcome limited = optimize_against(problem, axis());
+  ASSERT_TRUE(limited.usable()) << limited.shapes.reason;
+  EXPECT_LE(std::abs(limited.best.torque.value), most * (1 + 1e-6));
+  EXPECT_GE(limited.best.rms_torque, free.best.rms_torque * (1 - 1e-4));
+}
+
+TEST(Against, DriveWithDryFrictionDoesBetterByItsOwnRuns) {
+  Against against = axis();
+  against.drive.train.front().friction.coulomb = 0.15;
+  ASSERT_TRUE(nonlinearity(against.drive));
+  const AgainstOutcome outcome = optimize_against(index_problem(DriveFigure::rms_torque), against);
+  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  EXPECT_LT(outcome.best.rms_torque, outcome.given.rms_torque);
+  EXPECT_NE(outcome.shapes.status, Outcome::Status::optimal) << "nothing is proven";
+  EXPECT_FALSE(outcome.shapes.runs.front().shape.spline_bound);
+}
+
+TEST(Against, RefusesWhatItCannotDo) {
+  CamShapeProblem none = index_problem(DriveFigure::torque);
+  none.minimize = {{{PeakOf{derivative_of_shape(2)}}}};
+  EXPECT_THROW(optimize_against(none, axis()), InputError);
+  CamShapeProblem apart = index_problem(DriveFigure::torque);
+  apart.shapes = {{.segment = 0}, {.segment = 2}};
+  EXPECT_THROW(optimize_against(apart, axis()), InputError);
+  Against still = axis();
+  still.velocity = 0;
+  EXPECT_THROW(optimize_against(index_problem(DriveFigure::torque), still), InputError);
+}
+
+}  // namespace
+}  // namespace jounce
