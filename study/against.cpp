@@ -205,10 +205,10 @@ class Search {
   AgainstOutcome told() {
     if (!have_) return out_;
     add_figures();
-    if (!exact_) without_bounds();
-    // What promised nothing (the given cam broke a limit, say) need not be better.
-    const bool improved = score_ < 1 || promised_ >= 1;
+    // Where the best there is within the limits is no better than the given cam, it need not be.
+    const bool improved = score_ < 1 || (promised_ >= 1 && out_.shapes.status == Status::optimal);
     out_.real = !excess_ && improved;
+    if (!exact_) without_bounds();
     if (excess_)
       out_.shapes.reason = "by integration, a ceiling of the drive is exceeded";
     else if (!improved)

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <Eigen/SparseCholesky>
+
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/detail/quadrature.hpp"
 #include "jounce/profiles/error.hpp"
@@ -21,7 +23,13 @@
 //
 //   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0))
 //
-// and of a response that is wanted small in the mean: a square for each of the m numbers, y_i^2 / m.
+// One coordinate at a time is no spline, but pieces apart: what that costs, jumps of the position, cancels
+// in any spline. Rows a of y are therefore taken as they are within the joints E z = 0:
+//
+//   (2)  a <- a - E' (E E')^-1 E a
+//
+// (A basis of splines instead, what a jump of the top derivative becomes to the end, loses all digits.)
+// A response that is wanted small in the mean has a square for each of the m numbers, y_i^2 / m.
 
 namespace jounce::optimizer {
 namespace {
@@ -190,15 +198,39 @@ Respond responding(const std::function<std::vector<double>(const Trajectory&)>& 
   return [of, begin](const std::vector<Segment>& shape) { return of(Trajectory(shape, begin)); };
 }
 
+/// (2).
+Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space) {
+  const std::vector<Form> joints = space.joints();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    for (const Form::Term& t : joints[i].terms)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(t.index), t.factor);
+  Eigen::SparseMatrix<double> e(static_cast<Eigen::Index>(joints.size()), rows.rows());
+  e.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> square = e * e.transpose();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(square);
+  Eigen::MatrixXd left = rows;
+  for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(e * left);
+  return left;
+}
+
 Affine affine(const Respond& respond, const SplineSpace& space) {
   Affine y{respond(space.segments(Coordinates(space.size(), 0))), {}};
-  for (std::size_t k = 0; k < space.size(); ++k) {
-    if (!space.independent(k)) continue;
+  const auto size = static_cast<Eigen::Index>(y.at_zero.size());
+  const std::size_t at_the_end = space.index(space.pieces(), 0);  // in no segment
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(space.size()), size);
+  for (std::size_t k = 0; k < at_the_end; ++k) {
     Coordinates z(space.size(), 0);
     z[k] = 1;
-    std::vector<double> change = respond(space.segments(space.propagated(std::move(z))));
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= y.at_zero[i];
-    y.by.emplace_back(k, std::move(change));
+    const std::vector<double> now = respond(space.segments(z));
+    for (Eigen::Index i = 0; i < size; ++i)
+      rows(static_cast<Eigen::Index>(k), i) =
+          now[static_cast<std::size_t>(i)] - y.at_zero[static_cast<std::size_t>(i)];
+  }
+  rows = without_joints(rows, space);
+  for (std::size_t k = 0; k < space.size(); ++k) {
+    const auto row = rows.row(static_cast<Eigen::Index>(k));
+    y.by.emplace_back(k, std::vector<double>(row.begin(), row.end()));
   }
   return y;
 }

@@ -46,8 +46,7 @@ rms_acceleration_torque() {  // of the least rms: theta'' is a straight line, sq
 
 TEST(Against, RigidDriveHasTheRmsTorqueOfTheParabolaOfVelocity) {
   CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
-  problem.shapes.front().continuity = 2;
-  problem.knots = {};
+  problem.shapes = {{.segment = 1, .pieces = 100, .continuity = 2}};
   const AgainstOutcome outcome = optimize_against(problem, rigid());
   ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
   const double least = rms_acceleration_torque();
@@ -57,17 +56,26 @@ TEST(Against, RigidDriveHasTheRmsTorqueOfTheParabolaOfVelocity) {
 }
 
 TEST(Against, WhatIsReachedIsWhatIsIntegrated) {
-  for (const DriveFigure figure : all_drive_figures) {
-    if (figure == DriveFigure::end_following_error) continue;  // 0 is reached: nothing to compare
+  for (const DriveFigure figure : {DriveFigure::torque, DriveFigure::rms_torque}) {
     SCOPED_TRACE(name(figure));
     const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
     ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
     ASSERT_EQ(outcome.figures.size(), 1U);
     const DriveFigureResult& f = outcome.figures.front();
     const FigureResult& modelled = outcome.shapes.runs.front().figures.front();
-    EXPECT_LT(f.reached, f.given);
+    EXPECT_LT(f.reached, 0.95 * f.given);
     EXPECT_NEAR(modelled.given, f.given, 2e-3 * f.given) << "between its instants";
-    EXPECT_NEAR(modelled.reached, f.reached, 5e-3 * f.given);
+    EXPECT_NEAR(modelled.reached, f.reached, 2e-3 * f.given);
+  }
+}
+
+TEST(Against, WhatIsNoBetterByIntegrationIsNotUsable) {
+  for (const DriveFigure figure : {DriveFigure::residual, DriveFigure::following_error}) {
+    SCOPED_TRACE(name(figure));
+    const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
+    ASSERT_EQ(outcome.figures.size(), 1U);
+    const DriveFigureResult& f = outcome.figures.front();
+    EXPECT_EQ(outcome.usable(), f.reached < f.given) << f.reached << " of " << f.given;
   }
 }
 
