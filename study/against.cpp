@@ -132,7 +132,7 @@ class Search {
     DriveResult run = driven_.run(found.best);
     if (!run.integration.ok()) return false;
     const bool stopped = found.status == Status::cancelled;
-    const double before = have_ ? score_ : HUGE_VAL;
+    const double before = have_ ? score_ : 1;
     const CamSpec cam = found.best;
     const bool excess = lower_ceilings(run);
     if (!run.saturation.empty()) exact_ = false;
@@ -235,7 +235,7 @@ class Search {
     }
     if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
     out_.shapes.reason = "the drive is not linear: better by its own runs, not proven best (" +
-                         std::to_string(out_.rounds) + " rounds)";
+                         std::to_string(out_.rounds) + " rounds tried)";
   }
 
   const CamShapeProblem& problem_;
