@@ -1,5 +1,7 @@
 #include "jounce/io/recording.hpp"
 
+#include <cmath>
+
 #include "jounce/io/points.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
@@ -15,13 +17,23 @@ void require_ascending(const Points& points, const std::vector<double>& time) {
           .at(points.document, static_cast<int>(points.lines[i]));
 }
 
+/// A column whose squares can be summed.
+std::vector<double> column(const Points& points, const char* name, const std::string& unit) {
+  std::vector<double> values = points.in_unit(name, unit);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(std::abs(values[i]) < 1e100))
+      throw InputError(name, values[i], "is beyond any machine")
+          .at(points.document, static_cast<int>(points.lines[i]));
+  return values;
+}
+
 std::vector<double> torques(const Points& points, const Drive& drive) {
-  if (points.find("torque") != nullptr) return points.in_unit("torque", "N m");
+  if (points.find("torque") != nullptr) return column(points, "torque", "N m");
   if (points.find("current") == nullptr) return {};
   if (drive.motor.torque_constant == 0)
     throw InputError("current", "", "needs motor.torque_constant in the drive's file")
         .at(points.document, 1);
-  std::vector<double> values = points.in_unit("current", "A");
+  std::vector<double> values = column(points, "current", "A");
   for (double& value : values) value *= drive.motor.torque_constant;
   return values;
 }
@@ -31,16 +43,16 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position) {
   const Points points = read_points(path);
   const auto optional = [&](const char* name, const std::string& unit) {
-    return points.find(name) == nullptr ? std::vector<double>{} : points.in_unit(name, unit);
+    return points.find(name) == nullptr ? std::vector<double>{} : column(points, name, unit);
   };
   Recording recording;
-  recording.time = points.in_unit("time", "s");
+  recording.time = column(points, "time", "s");
   if (recording.time.size() < 4)
     throw InputError("time", std::to_string(recording.time.size()) + " rows",
                      "are too few for a recording: four at least")
         .at(points.document);
   require_ascending(points, recording.time);
-  recording.command = points.in_unit("command", position);
+  recording.command = column(points, "command", position);
   recording.position = optional("feedback", position);
   recording.velocity = optional("velocity", rate_unit(position, "s", 1));
   recording.torque = torques(points, drive);
