@@ -17,6 +17,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "jounce/validate/detail/owned.hpp"
+
 namespace jounce::detail {
 namespace {
 
@@ -57,15 +59,6 @@ class Backward {
   [[nodiscard]] const Integration& outcome() const { return outcome_; }
 
  private:
-  struct Destroy {
-    void operator()(N_Vector v) const { N_VDestroy(v); }
-    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-    void operator()(void* cvode) const { CVodeFree(&cvode); }
-  };
-  template <class Handle>
-  using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
-
   Owned<N_Vector> vector(std::size_t n) {
     return Owned<N_Vector>(N_VNew_Serial(static_cast<sunindextype>(n), context_));
   }

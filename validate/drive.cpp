@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/detail/drive_run.hpp"
+#include "jounce/validate/detail/peak_finding.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
 namespace jounce {
@@ -47,22 +48,8 @@ void require_options(const DriveOptions& options) {
       throw InputError("sync.to", sync.to, "must be greater than from = " + number(sync.from));
 }
 
-Finding finding_of(const char* rule, const char* quantity, const Peak& peak, double limit,
-                   const char* advice) {
-  Finding finding;
-  finding.rule = rule;
-  finding.quantity = quantity;
-  finding.where = peak.where;
-  finding.value = peak.value;
-  finding.limit = std::copysign(limit, peak.value);
-  finding.margin = (limit - std::abs(peak.value)) / limit;
-  finding.broken = !(std::abs(peak.value) <= limit);
-  if (finding.broken) finding.advice = advice;
-  return finding;
-}
-
 Finding saturation_of(const DriveResult& result, double limit) {
-  Finding finding = finding_of("drive/saturation", "torque", result.torque, limit, "");
+  Finding finding = detail::peak_finding("drive/saturation", "torque", result.torque, limit, "");
   finding.broken = !result.saturation.empty();
   if (finding.broken) {
     finding.where = result.saturation.front().from;
@@ -85,8 +72,9 @@ Finding integration_of(const Integration& integration) {
 Finding settling_of(const DriveResult& result, const DriveOptions& options, double end) {
   const double limit = *options.limits.settling_time;
   const double time = result.settling_time.value_or(options.settle);
-  Finding finding = finding_of("drive/settling_time", "settling time", {time, end + time}, limit,
-                               "take a smoother law, or a shaper for the residual frequency");
+  Finding finding =
+      detail::peak_finding("drive/settling_time", "settling time", {time, end + time}, limit,
+                           "take a smoother law, or a shaper for the residual frequency");
   if (result.settling_time) return finding;
   finding.broken = true;
   finding.margin = std::min(finding.margin, 0.0);
@@ -100,7 +88,8 @@ Report report_of(const DriveResult& result, const Drive& drive, const DriveOptio
   Report report;
   const auto check = [&](const char* rule, const char* quantity, const Peak& peak,
                          const std::optional<double>& limit, const char* advice) {
-    if (limit) report.findings.push_back(finding_of(rule, quantity, peak, *limit, advice));
+    if (limit)
+      report.findings.push_back(detail::peak_finding(rule, quantity, peak, *limit, advice));
   };
   const auto given = [](double limit) { return limit > 0 ? std::optional(limit) : std::nullopt; };
   const char* gentler = "lower the acceleration or the inertia";

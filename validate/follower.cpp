@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/detail/follower_run.hpp"
+#include "jounce/validate/detail/peak_finding.hpp"
 
 namespace jounce {
 namespace {
@@ -24,16 +25,8 @@ void require_valid(const FollowerOptions& options) {
 
 Finding at_most(const char* rule, const char* quantity, const char* unit, const Peak& peak,
                 double limit, const char* advice) {
-  Finding finding;
-  finding.rule = rule;
-  finding.quantity = quantity;
+  Finding finding = detail::peak_finding(rule, quantity, peak, limit, advice);
   finding.unit = unit;
-  finding.where = peak.where;
-  finding.value = peak.value;
-  finding.limit = std::copysign(limit, peak.value);
-  finding.margin = (limit - std::abs(peak.value)) / limit;
-  finding.broken = !(std::abs(peak.value) <= limit);
-  if (finding.broken) finding.advice = advice;
   return finding;
 }
 

@@ -14,6 +14,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include "jounce/validate/detail/owned.hpp"
 #include "jounce/validate/integration.hpp"
 
 namespace jounce::detail {
@@ -105,15 +106,6 @@ class Solver {
   [[nodiscard]] const Integration& integration() const { return integration_; }
 
  private:
-  struct Destroy {
-    void operator()(N_Vector v) const { N_VDestroy(v); }
-    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-    void operator()(void* cvode) const { CVodeFree(&cvode); }
-  };
-  template <class Handle>
-  using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
-
   /// As many vectors as there are parameters, the way CVODES takes them.
   struct Vectors {
     std::vector<N_Vector> at;
