@@ -7,7 +7,7 @@
 #include <string>
 
 #include "jounce/cam/coupled.hpp"
-#include "jounce/executor/cause.hpp"
+#include "jounce/executor/movement.hpp"
 #include "jounce/profiles/extrema.hpp"
 #include "jounce/profiles/limits.hpp"
 #include "jounce/pvt/table.hpp"
@@ -26,13 +26,6 @@ struct AxisConfig {
 
 /// The same with the defaults filled in. Throws InputError for a value out of range.
 AxisConfig resolved(AxisConfig config);
-
-/// The commanded point at one instant.
-struct Setpoint {
-  double master = 0;           ///< m; 0 without a master
-  double master_velocity = 0;  ///< m/s
-  Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
-};
 
 /// What an axis plays, made and checked away from the cyclic thread: a table over time, or a cam
 /// table over a virtual master whose position is a table over time.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <limits>
+
+#include "jounce/profiles/jet.hpp"
+
+namespace jounce {
+
+/// What a drive says in one cycle. NaN: it does not tell.
+struct Feedback {
+  double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u
+  double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual, u/s
+  double torque = std::numeric_limits<double>::quiet_NaN();    ///< share of the rated one
+  bool ready = true;   ///< it follows setpoints (CiA 402: operation enabled)
+  bool fault = false;  ///< it has failed (CiA 402: fault)
+};
+
+/// What an axis sees in one cycle besides commands.
+struct Inputs {
+  Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
+  Feedback feedback = {};
+  bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
+};
+
+}  // namespace jounce
