@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "jounce/executor/job.hpp"
+
 namespace jounce {
 
 MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
@@ -15,7 +17,7 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
   now_.position = config_.position;
 }
 
-Tick MotionAxis::step(std::int64_t tick, const Command& command) {
+Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
   assert(tick > last_tick_);
   now_.skipped = tick - last_tick_ - 1;
   now_.tick = tick;
@@ -23,6 +25,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command) {
   now_.refused.reset();
   now_.handed_back = {};
   obey(command);
+  (void)inputs;
   if (start_at_ >= 0 && start_at_ <= tick) start_pending();
   if (moving()) play();
   operate_switches();
@@ -52,7 +55,7 @@ void MotionAxis::obey(const Command& command) {
       state_ = State::disabled;
       return;
     case Kind::arm:
-      return arm(command.job);
+      return arm(command.movement);
     case Kind::disarm:
       if (start_at_ < 0) disarm();
       return;
@@ -68,6 +71,8 @@ void MotionAxis::obey(const Command& command) {
       return;
     case Kind::set_position:
       return set_position(command.position);
+    default:
+      return refuse(Cause::no_movement);
   }
 }
 
@@ -78,19 +83,20 @@ bool MotionAxis::ready() {
   return !now_.refused;
 }
 
-void MotionAxis::arm(const Job* job) {
-  if (!job) return refuse(Cause::no_value);
+void MotionAxis::arm(Movement* movement) {
+  if (!movement) return refuse(Cause::no_value);
   if (ready()) {
     // What is armed in motion begins where the motion will end, if that is known.
-    if (state_ == State::stopping || (active_ && active_->repeats())) {
+    const auto from = active_ ? active_->end() : MotionState{now_.position, 0, 0};
+    if (state_ == State::stopping || !from || (active_ && std::isinf(active_->known()))) {
       refuse(Cause::in_motion);
     } else {
-      now_.refused = admit(*job, config_, active_ ? active_->last().slave[0] : now_.position);
+      now_.refused = movement->admit(config_, *from);
     }
   }
-  if (now_.refused) return hand_back(job);
+  if (now_.refused) return hand_back(movement);
   disarm();
-  pending_ = job;
+  pending_ = movement;
 }
 
 void MotionAxis::start(std::int64_t at) {
@@ -99,9 +105,8 @@ void MotionAxis::start(std::int64_t at) {
   if (!pending_) return refuse(Cause::not_armed);
   if (at >= 0 && at < now_.tick)
     return refuse(Cause::too_late, static_cast<double>(at), static_cast<double>(now_.tick));
-  const double first = pending_->first().slave[0];
-  if (std::abs(first - now_.position) > pending_->tolerance())
-    return refuse(Cause::not_at_start, first, now_.position);
+  const Cause no = pending_->begin({now_.position, 0, 0}, {});
+  if (no != Cause::none) return refuse(no, 0, now_.position);
   start_at_ = at >= 0 ? at : now_.tick;
 }
 
@@ -120,7 +125,7 @@ void MotionAxis::stop() {
   disarm();
   if (!moving() || state_ == State::stopping) return;
   stop_from_ = seconds(now_.tick - origin_);
-  stop_length_ = stop_duration(*active_, config_);
+  stop_length_ = stop_duration(active_->peaks(), config_);
   origin_ = now_.tick;
   state_ = State::stopping;
 }
@@ -141,8 +146,8 @@ void MotionAxis::play() {
     return fail(Cause::stalled);
   const double t = seconds(now_.tick - origin_);
   if (state_ == State::stopping) return slow_down(t);
-  move_to(active_->at(t));
-  if (moving() && !active_->repeats() && t >= active_->duration()) {
+  move_to(active_->at({t, 0, {}}));
+  if (moving() && active_->progress() == Progress::done) {
     ++now_.finished;
     rest();
   }
@@ -155,12 +160,12 @@ void MotionAxis::slow_down(double t) {
   const double s = stop_from_ + D * u * (1 - u * u * (1 - u / 2));  // (2)
   const double r = (1 - u) * (1 - u) * (1 + 2 * u);                 // (1)
   const double dr = u < 1 ? -6 * u * (1 - u) / D : 0;
-  Setpoint point = active_->at(s);
+  Setpoint point = active_->at({s, 0, {}});
   auto& [p, v, a, j] = point.slave;
   a = a * r * r + v * dr;  // (4)
   v *= r;                  // (3)
   point.master_velocity *= r;
-  const bool at_end = !active_->repeats() && s >= active_->duration();
+  const bool at_end = active_->progress() == Progress::done;
   move_to(point);
   if (moving() && (u >= 1 || at_end)) {
     ++now_.stopped;
@@ -171,7 +176,7 @@ void MotionAxis::slow_down(double t) {
 /// Gives the point out, unless it is one that an admitted job cannot ask for.
 void MotionAxis::move_to(const Setpoint& point) {
   const auto& [p, v, a, j] = point.slave;
-  const double near = active_->tolerance();
+  const double near = 1e-9;
   const double reach = *config_.limits.velocity * seconds(now_.skipped + 1) * (1 + 1e-9) + near;
   if (!(std::abs(p - now_.position) <= reach)) return fail(Cause::overspeed);
   if ((config_.limits.position_min && p < *config_.limits.position_min - near) ||
@@ -216,11 +221,11 @@ void MotionAxis::disarm() {
   start_at_ = -1;
 }
 
-void MotionAxis::hand_back(const Job* job) {
+void MotionAxis::hand_back(const Movement* movement) {
   // At most three in one step: the one played, the one armed, and the one just refused.
   auto free = std::find(now_.handed_back.begin(), now_.handed_back.end(), nullptr);
   assert(free != now_.handed_back.end());
-  *free = job;
+  *free = movement;
 }
 
 void MotionAxis::refuse(Cause cause, double value, double limit) {
@@ -236,21 +241,38 @@ double MotionAxis::seconds(std::int64_t ticks) const {
 }
 
 const char* name(State state) {
-  switch (state) {
-    case State::disabled:
-      return "disabled";
-    case State::standstill:
-      return "standstill";
-    case State::discrete_motion:
-      return "discrete_motion";
-    case State::synchronized_motion:
-      return "synchronized_motion";
-    case State::stopping:
-      return "stopping";
-    case State::error_stop:
-      break;
-  }
-  return "error_stop";
+  static constexpr std::array<const char*, states> names{
+      "disabled", "standstill", "discrete_motion",   "synchronized_motion",
+      "stopping", "error_stop", "continuous_motion", "homing"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+const char* name(Command::Kind kind) {
+  static constexpr std::array<const char*, command_kinds> names{"none",
+                                                                "enable",
+                                                                "disable",
+                                                                "arm",
+                                                                "disarm",
+                                                                "start",
+                                                                "stop",
+                                                                "abort",
+                                                                "reset",
+                                                                "set_position",
+                                                                "home",
+                                                                "hold",
+                                                                "resume",
+                                                                "override",
+                                                                "finish",
+                                                                "move_absolute",
+                                                                "move_relative",
+                                                                "move_additive",
+                                                                "move_superimposed",
+                                                                "move_velocity",
+                                                                "halt",
+                                                                "gear_in",
+                                                                "gear_out",
+                                                                "cam_out"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace jounce

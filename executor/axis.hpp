@@ -2,66 +2,61 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "jounce/cam/cam_switches.hpp"
-#include "jounce/executor/job.hpp"
+#include "jounce/executor/axis_config.hpp"
+#include "jounce/executor/command.hpp"
+#include "jounce/executor/inputs.hpp"
 
 namespace jounce {
 
-/// The PLCopen states that an axis which plays tables needs (PMC600 manual 4.1, nAxisState).
+/// The PLCopen states (PMC600 manual 4.1, nAxisState). The numbers are part of the wire format.
 enum class State : std::uint8_t {
-  disabled,
-  standstill,
-  discrete_motion,      ///< plays a table over time
-  synchronized_motion,  ///< follows a cam over a virtual master
-  stopping,             ///< slows down on the table's path
-  error_stop,           ///< the setpoint is frozen until a reset
+  disabled = 0,
+  standstill = 1,
+  discrete_motion = 2,      ///< a table over time, or a move to a target
+  synchronized_motion = 3,  ///< follows a master
+  stopping = 4,             ///< on its way to rest; nothing but a fault ends that
+  error_stop = 5,           ///< at rest, or on its way there, until a reset
+  continuous_motion = 6,    ///< at a velocity, until the next command
+  homing = 7,               ///< for the one step in which `home` sets the position
 };
+inline constexpr std::size_t states = 8;
 const char* name(State state);
-
-/// What an axis is told. At most one command a tick.
-struct Command {
-  enum class Kind : std::uint8_t {
-    none,
-    enable,
-    disable,
-    arm,           ///< `job` becomes the one to be started; it replaces one that waits
-    disarm,        ///< takes it back, unless its start was accepted
-    start,         ///< what is armed, at tick `at`; -1: in the step that gets the command
-    stop,          ///< on the path; disarms
-    abort,         ///< freezes the setpoint: a fault
-    reset,         ///< clears a fault
-    set_position,  ///< the axis stands at `position` from now on; nothing moves
-  };
-  Kind kind = Kind::none;
-  std::uint64_t id = 0;      ///< the sender's, handed back with the answer
-  const Job* job = nullptr;  ///< must live until it is handed back
-  std::int64_t at = -1;      ///< tick
-  double position = 0;       ///< u
-};
 
 /// All that an axis says in one tick.
 struct Tick {
   std::int64_t tick = 0;
   double time = 0;  ///< tick * period, s
   State state = State::disabled;
-  double master = 0;           ///< m
-  double master_velocity = 0;  ///< m/s
-  double position = 0;         ///< commanded, u
-  double velocity = 0;         ///< u/s
-  double acceleration = 0;     ///< u/s^2
-  std::uint64_t job = 0;       ///< the one that is played, 0: none
-  std::uint64_t armed = 0;     ///< the one that waits for its start, 0: none
-  bool waiting = false;        ///< a start was accepted for a later tick
-  Cause fault = Cause::none;   ///< latched
-  std::int64_t skipped = 0;    ///< ticks left out since the one before
-  std::uint64_t finished = 0;  ///< motions so far that reached their end
-  std::uint64_t stopped = 0;   ///< motions so far that a stop brought to rest
-  SwitchStep switches{};  ///< outputs of the cam switches, and their edges since the tick before
+  double master = 0;                   ///< m
+  double master_velocity = 0;          ///< m/s
+  double position = 0;                 ///< commanded, u
+  double velocity = 0;                 ///< u/s
+  double acceleration = 0;             ///< u/s^2
+  std::uint64_t job = 0;               ///< the one that is played, 0: none
+  std::uint64_t armed = 0;             ///< the one that waits for its start, 0: none
+  bool waiting = false;                ///< a start was accepted for later
+  Progress progress = Progress::done;  ///< of what is played
+  Cause fault = Cause::none;           ///< latched
+  std::int64_t skipped = 0;            ///< ticks left out since the one before
+  std::uint64_t finished = 0;          ///< motions so far that reached their end
+  std::uint64_t stopped = 0;           ///< motions so far that a stop brought to rest
+  Cause reason = Cause::none;  ///< why the last motion ended: its fault, stopped, halted, ...
+  double override_ = 1;        ///< factor that the axis was granted
+  double rate = 1;             ///< of path time now
+  bool power = false;          ///< the drive shall follow setpoints
+  double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
+  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known
+  double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
+  double torque = std::numeric_limits<double>::quiet_NaN();           ///< share of the rated one
+  bool in_position = false;  ///< at rest, and the drive within the window for its time
+  SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
 
-  std::optional<Refusal> refused{};         ///< why this tick's command was not obeyed
-  std::array<const Job*, 3> handed_back{};  ///< no longer needed by the axis
+  std::optional<Refusal> refused{};              ///< why this tick's command was not obeyed
+  std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
 };
 
 /// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither
@@ -69,7 +64,7 @@ struct Tick {
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
 ///     axis.step(0, {.kind = Command::Kind::enable});
-///     axis.step(1, {.kind = Command::Kind::arm, .job = &job});
+///     axis.step(1, {.kind = Command::Kind::arm, .movement = &job});
 ///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
@@ -92,7 +87,7 @@ class MotionAxis {
   explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {});
 
   /// The point of this tick, after its command. `tick` must be greater than in the step before.
-  Tick step(std::int64_t tick, const Command& command = {});
+  Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
   [[nodiscard]] const AxisConfig& config() const { return config_; }
   [[nodiscard]] State state() const { return state_; }
@@ -100,7 +95,7 @@ class MotionAxis {
  private:
   void obey(const Command& command);
   bool ready();
-  void arm(const Job* job);
+  void arm(Movement* movement);
   void disarm();
   void start(std::int64_t at);
   void start_pending();
@@ -114,7 +109,7 @@ class MotionAxis {
   void operate_switches();
   void fail(Cause cause);
 
-  void hand_back(const Job* job);
+  void hand_back(const Movement* movement);
   void refuse(Cause cause, double value = 0, double limit = 0);
   [[nodiscard]] bool moving() const;
   [[nodiscard]] double seconds(std::int64_t ticks) const;
@@ -122,8 +117,8 @@ class MotionAxis {
   AxisConfig config_;
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
-  const Job* active_ = nullptr;
-  const Job* pending_ = nullptr;
+  Movement* active_ = nullptr;
+  Movement* pending_ = nullptr;
   std::int64_t start_at_ = -1;  // of the pending job; -1: no start was accepted
   std::int64_t origin_ = 0;     // tick of local time 0, or of the stop
   double stop_from_ = 0;        // local time at the stop, s

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 namespace {
 
@@ -23,6 +25,24 @@ constexpr std::array entries{
           "The next setpoint was further away than the velocity limit allows."},
     Entry{Cause::out_of_range, "out_of_range",
           "The next setpoint was beyond a position limit of the axis."},
+    Entry{Cause::following_error, "following_error",
+          "The drive was further from its setpoint than is allowed, for too long."},
+    Entry{Cause::positive_soft_limit, "positive_soft_limit",
+          "The motion would have left the position range at its upper end."},
+    Entry{Cause::negative_soft_limit, "negative_soft_limit",
+          "The motion would have left the position range at its lower end."},
+    Entry{Cause::positive_switch, "positive_switch", "It ran onto the positive limit switch."},
+    Entry{Cause::negative_switch, "negative_switch", "It ran onto the negative limit switch."},
+    Entry{Cause::underrun, "underrun",
+          "What came of the path was about to end before the path did; it stopped on it."},
+    Entry{Cause::watchdog, "watchdog", "Whoever had to give a sign of life did not."},
+    Entry{Cause::drive_fault, "drive_fault", "The drive reports a fault."},
+    Entry{Cause::drive_not_ready, "drive_not_ready",
+          "The drive ceased to follow setpoints while it was enabled."},
+    Entry{Cause::master_lost, "master_lost", "The master that it followed is gone."},
+    Entry{Cause::jump, "jump", "The next setpoint was no finite number, or its velocity leapt."},
+    Entry{Cause::master_reversed, "master_reversed",
+          "The master turned round while the slave was being coupled to it."},
     Entry{Cause::not_enabled, "not_enabled", "The axis is disabled."},
     Entry{Cause::in_error, "in_error", "A fault is latched; reset the axis first."},
     Entry{Cause::in_motion, "in_motion", "The axis moves; this needs a standstill."},
@@ -32,6 +52,18 @@ constexpr std::array entries{
     Entry{Cause::too_late, "too_late", "The tick at which it should start is over."},
     Entry{Cause::no_value, "no_value", "The command lacks its table or its number."},
     Entry{Cause::leaving, "leaving", "The executor is about to end and arms nothing any more."},
+    Entry{Cause::synchronized, "synchronized", "The axis follows a master; leave it first."},
+    Entry{Cause::stopping, "stopping", "A stop is under way, and nothing ends it."},
+    Entry{Cause::not_on_path, "not_on_path",
+          "It follows a master that moves as it likes: there is no path to be slower on."},
+    Entry{Cause::no_movement, "no_movement", "Nothing moves that this could change."},
+    Entry{Cause::not_synchronized, "not_synchronized", "The axis follows no master."},
+    Entry{Cause::direction_blocked, "direction_blocked",
+          "The limit switch on that side is active: move the other way."},
+    Entry{Cause::rate_changing, "rate_changing",
+          "The speed on the path is being changed; ask again when that is over."},
+    Entry{Cause::no_such_move, "no_such_move",
+          "No move from the present state to that target keeps the limits."},
     Entry{Cause::bad_table, "bad_table",
           "The tables do not make a motion: one over time is needed, or a master and a cam."},
     Entry{Cause::start_position, "start_position",
@@ -61,6 +93,10 @@ constexpr std::array entries{
           "A ramp over a distance of the master begins while the cam moves without it."},
     Entry{Cause::no_ramp, "no_ramp", "No ramp within its limits brings the axis onto its cam."},
     Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis is on its cam."},
+    Entry{Cause::stopped, "stopped", "A stop was asked for."},
+    Entry{Cause::halted, "halted", "A halt was asked for."},
+    Entry{Cause::pass_ended, "pass_ended", "It was to end with its pass."},
+    Entry{Cause::replaced, "replaced", "Another motion took its place."},
 };
 
 const Entry& entry(Cause cause) {
@@ -77,6 +113,11 @@ const char* name(Cause cause) {
 
 const char* meaning(Cause cause) {
   return entry(cause).meaning;
+}
+
+std::string Refusal::text() const {
+  return std::string(name(cause)) + ": " + meaning(cause) + " (" + number(value) + " at " +
+         number(where) + " s, limit " + number(limit) + ")";
 }
 
 }  // namespace jounce

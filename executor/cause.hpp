@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace jounce {
 
@@ -15,6 +16,18 @@ enum class Cause : std::uint8_t {
   stalled = 3,
   overspeed = 4,
   out_of_range = 5,
+  following_error = 6,
+  positive_soft_limit = 7,
+  negative_soft_limit = 8,
+  positive_switch = 9,
+  negative_switch = 10,
+  underrun = 11,
+  watchdog = 12,
+  drive_fault = 13,
+  drive_not_ready = 14,
+  master_lost = 15,
+  jump = 16,
+  master_reversed = 17,
 
   // Commands that were not obeyed; the axis goes on as before.
   not_enabled = 20,
@@ -25,6 +38,14 @@ enum class Cause : std::uint8_t {
   too_late = 25,
   no_value = 26,
   leaving = 27,
+  synchronized = 28,
+  stopping = 29,
+  not_on_path = 30,
+  no_movement = 31,
+  not_synchronized = 32,
+  direction_blocked = 33,
+  rate_changing = 34,
+  no_such_move = 35,
 
   // Tables that were not admitted.
   bad_table = 40,
@@ -46,6 +67,12 @@ enum class Cause : std::uint8_t {
   master_stands = 56,
   no_ramp = 57,
   not_in_sync = 58,
+
+  // Why the last motion ended where no fault ended it; none: it reached its end.
+  stopped = 80,
+  halted = 81,
+  pass_ended = 82,
+  replaced = 83,
 };
 
 /// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.
@@ -56,7 +83,19 @@ const char* meaning(Cause cause);
 
 /// Whether it is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
-  return cause >= Cause::aborted && cause <= Cause::out_of_range;
+  return cause >= Cause::aborted && cause <= Cause::master_reversed;
 }
+
+/// Why a command is not obeyed or a movement not admitted, with the number, the bound it breaks,
+/// and the instant in s of local time.
+struct Refusal {
+  Cause cause = Cause::none;
+  double value = 0;
+  double limit = 0;
+  double where = 0;
+
+  /// "velocity_limit: The table is faster ... (678.45 at 0.61 s, limit 500)"
+  [[nodiscard]] std::string text() const;
+};
 
 }  // namespace jounce

@@ -35,7 +35,7 @@ class MonotonicPacer final : public Pacer {
 struct Answer {
   std::uint64_t id = 0;  ///< of the command; 0: there was none
   std::optional<Refusal> refused{};
-  std::array<const Job*, 3> handed_back{};
+  std::array<const Movement*, 3> handed_back{};
 };
 
 /// All that passes between the cyclic thread and the one that communicates. Ticks may be lost where

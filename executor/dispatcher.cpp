@@ -28,7 +28,7 @@ wire::AxisState on_wire(State state) {
       return wire::AxisState::synchronized_motion;
     case State::stopping:
       return wire::AxisState::stopping;
-    case State::error_stop:
+    default:
       break;
   }
   return wire::AxisState::error_stop;
@@ -117,7 +117,7 @@ void Dispatcher::handle(const ArmRequested& arm) {
   }
   if (options_.adopt_start && !moving())
     order({.kind = Kind::set_position, .position = job->first().slave[0]});
-  order({.kind = Kind::arm, .job = job.get()}, request);
+  order({.kind = Kind::arm, .movement = job.get()}, request);
   jobs_[id] = {std::move(job), arm.slave.hash};
 }
 
@@ -143,7 +143,7 @@ void Dispatcher::handle(const SessionEnded& ended) {
 /// A stop goes ahead of whatever has not reached the axis yet, and makes it void.
 void Dispatcher::clear_outbox() {
   for (const Command& command : outbox_) {
-    if (command.job != nullptr) jobs_.erase(command.job->id());
+    if (command.movement != nullptr) jobs_.erase(command.movement->id());
     unanswered_.erase(command.id);
   }
   outbox_.clear();
@@ -176,7 +176,7 @@ void Dispatcher::take_answers() {
       answer(it->second, from_axis.refused);
       unanswered_.erase(it);
     }
-    for (const Job* job : from_axis.handed_back)
+    for (const Movement* job : from_axis.handed_back)
       if (job != nullptr) jobs_.erase(job->id());
   }
 }

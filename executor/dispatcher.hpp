@@ -10,6 +10,7 @@
 #include <string>
 
 #include "jounce/executor/cycle.hpp"
+#include "jounce/executor/job.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/stream/driver.hpp"
 

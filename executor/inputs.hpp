@@ -8,7 +8,7 @@ namespace jounce {
 
 /// What a drive says in one cycle. NaN: it does not tell.
 struct Feedback {
-  double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u
+  double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
   double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual, u/s
   double torque = std::numeric_limits<double>::quiet_NaN();    ///< share of the rated one
   bool ready = true;   ///< it follows setpoints (CiA 402: operation enabled)
@@ -19,6 +19,8 @@ struct Feedback {
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
   Feedback feedback = {};
+  bool positive_switch = false;  ///< limit switches: the axis stands on it
+  bool negative_switch = false;
   bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
 };
 

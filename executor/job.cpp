@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,19 +18,6 @@ constexpr double same = 1e-9;  // relative: forgives rounded input, as check_con
 
 double seconds(std::int64_t ns) {
   return static_cast<double>(ns) / 1e9;
-}
-
-double required(const char* key, const std::optional<double>& limit) {
-  if (!limit) throw InputError(key, "missing", "an axis needs this limit");
-  return *limit;
-}
-
-double stop_limit(const char* key, double value, double limit) {
-  if (value == 0) return 2 * limit;
-  require_finite(key, value);
-  // A table may use its limit up; a stop that may do little more would take for ever.
-  if (value >= 1.1 * limit) return value;
-  throw InputError(key, value, "must be at least 1.1 times the limit, " + number(1.1 * limit));
 }
 
 void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
@@ -137,28 +125,13 @@ Cause cause_of(CouplingStatus status) {
 
 }  // namespace
 
-AxisConfig resolved(AxisConfig config) {
-  if (config.period <= 0)
-    throw InputError("period", std::to_string(config.period), "must be greater than 0 ns");
-  if (config.longest_gap < 1)
-    throw InputError("longest_gap", std::to_string(config.longest_gap), "must be at least 1 tick");
-  require_valid(config.limits);
-  require_finite("position", config.position);
-  if (config.position < config.limits.position_min.value_or(config.position) ||
-      config.position > config.limits.position_max.value_or(config.position))
-    throw InputError("position", config.position, "must lie within position_min and position_max");
-  required("limits.velocity", config.limits.velocity);
-  config.stop_acceleration =
-      stop_limit("stop_acceleration", config.stop_acceleration,
-                 required("limits.acceleration", config.limits.acceleration));
-  if (config.limits.jerk)
-    config.stop_jerk = stop_limit("stop_jerk", config.stop_jerk, *config.limits.jerk);
-  return config;
-}
-
 Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
          double tick, const CouplingSpec& coupling, double position)
-    : id_(id), time_(std::move(time)), cam_(std::move(cam)), in_sync_(time_->start()) {
+    : Movement(id, Course::path),
+      time_(std::move(time)),
+      cam_(std::move(cam)),
+      tick_(tick),
+      in_sync_(time_->start()) {
   if (time_->outside() == Outside::advance)
     throw InputError("outside", "advance", "is for cams: a table over time ends, or wraps");
   if (cam_) {
@@ -220,12 +193,39 @@ double Job::tolerance() const {
   return same * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
 }
 
-std::string Refusal::text() const {
-  return std::string(name(cause)) + ": " + meaning(cause) + " (" + number(value) + " at " +
-         number(where) + " s, limit " + number(limit) + ")";
+Cause Job::begin(const MotionState& axis, const Moment& now) noexcept {
+  progress_ = Progress::running;
+  (void)now;
+  const bool there = std::abs(first_.slave[0] - axis.position) <= tolerance();
+  return there ? Cause::none : Cause::not_at_start;
 }
 
-std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double position) {
+Setpoint Job::at(const Moment& now) noexcept {
+  progress_ = !repeats() && now.t >= duration() ? Progress::done : Progress::running;
+  return at(now.t);
+}
+
+double Job::known() const noexcept {
+  return repeats() ? std::numeric_limits<double>::infinity() : duration();
+}
+
+Peaks Job::peaks() const noexcept {
+  return {std::abs(ranges_[1].peak().value), std::abs(ranges_[2].peak().value),
+          std::abs(ranges_[3].peak().value), std::abs(steps_[1].step)};
+}
+
+std::optional<MotionState> Job::end() const noexcept {
+  const Jet& last = last_.slave;
+  if (repeats()) return MotionState{last[0], last[1], last[2]};
+  return MotionState{last[0], 0, 0};
+}
+
+std::optional<Refusal> Job::admit(const AxisConfig& config,
+                                  const MotionState& from) const noexcept {
+  return jounce::admit(*this, config, from);
+}
+
+std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const MotionState& from) {
   const AxisConfig config = resolved(given);
   const Limits& limits = config.limits;
   const auto& [p, v, a, j] = job.ranges();
@@ -234,6 +234,7 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
   const double v_most = *limits.acceleration * dt;
   const double near = job.tolerance();
   const double p0 = job.first().slave[0];
+  const double position = from.position;
   const double p1 = job.last().slave[0];
   const double end = job.start() + job.duration();
 
@@ -252,7 +253,7 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
   rule(job.gets_in_sync(), Cause::not_in_sync, p1, position, end);
   within(Cause::master_outside_cam, job.master_excess().value, 0, job.master_excess().where);
   rule(std::abs(p0 - position) <= near, Cause::start_position, p0, position, job.start());
-  within(Cause::start_velocity, job.first().slave[1], v_most, job.start());
+  within(Cause::start_velocity, job.first().slave[1] - from.velocity, v_most, job.start());
   if (job.repeats())
     rule(std::abs(p1 - p0) <= near && !job.ramps(), Cause::not_closed, p1, p0, end);
   if (!job.repeats()) within(Cause::end_velocity, job.last().slave[1], v_most, end);
@@ -269,7 +270,7 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
 
   const double a_most = *limits.jerk * dt;
   const double a1 = job.repeats() ? 0 : job.last().slave[2];
-  within(Cause::acceleration_step, job.first().slave[2], a_most, job.start());
+  within(Cause::acceleration_step, job.first().slave[2] - from.acceleration, a_most, job.start());
   within(Cause::acceleration_step, a_step.step, a_most, a_step.where);
   within(Cause::acceleration_step, a1, a_most, end);
   return refusal;
@@ -296,14 +297,13 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, double pos
 //                                                          / (2 (j - J))
 //
 // A step of the velocity within the table counts as the acceleration that makes it in one tick.
-double stop_duration(const Job& job, const AxisConfig& given) {
+double stop_duration(const Peaks& peaks, const AxisConfig& given) {
   const AxisConfig config = resolved(given);
-  const double V = std::abs(job.ranges()[1].peak().value);
-  const double A = std::max(std::abs(job.ranges()[2].peak().value),
-                            std::abs(job.steps()[1].step) / seconds(config.period));
+  const double V = peaks.velocity;
+  const double A = std::max(peaks.acceleration, peaks.velocity_step / seconds(config.period));
   const double by_acceleration = 1.5 * V / (config.stop_acceleration - A);  // (6)
   if (!config.limits.jerk) return by_acceleration;
-  const double room = config.stop_jerk - std::abs(job.ranges()[3].peak().value);
+  const double room = config.stop_jerk - peaks.jerk;
   const double by_jerk = (3 * A + std::sqrt(9 * A * A + 24 * V * room)) / (2 * room);  // (7)
   return std::max(by_acceleration, by_jerk);
 }

@@ -7,25 +7,12 @@
 #include <string>
 
 #include "jounce/cam/coupled.hpp"
+#include "jounce/executor/axis_config.hpp"
 #include "jounce/executor/movement.hpp"
 #include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
-
-/// What an axis is allowed to do, fixed when the executor starts.
-struct AxisConfig {
-  std::int64_t period = 1'000'000;  ///< of the tick, ns, > 0
-  Limits limits;                    ///< velocity and acceleration are required
-  double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
-  double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
-  double position = 0;              ///< u; where the axis stands at first
-  std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
-};
-
-/// The same with the defaults filled in. Throws InputError for a value out of range.
-AxisConfig resolved(AxisConfig config);
 
 /// What an axis plays, made and checked away from the cyclic thread: a table over time, or a cam
 /// table over a virtual master whose position is a table over time.
@@ -44,15 +31,24 @@ AxisConfig resolved(AxisConfig config);
 ///
 /// Throws InputError where the tables are not over time and over master position in this order, and
 /// for a bad coupling.
-class Job {
+class Job final : public Movement {
  public:
   /// `tick` is the length of a tick, s: steps closer together than that count as one.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
       std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
       const CouplingSpec& coupling = {}, double position = 0);
 
-  [[nodiscard]] std::uint64_t id() const { return id_; }
-  [[nodiscard]] bool synchronized() const { return cam_ != nullptr; }
+  Cause begin(const MotionState& axis, const Moment& now) noexcept override;
+  Setpoint at(const Moment& now) noexcept override;
+  [[nodiscard]] Progress progress() const noexcept override { return progress_; }
+  [[nodiscard]] bool synchronized() const noexcept override { return cam_ != nullptr; }
+  [[nodiscard]] double known() const noexcept override;
+  [[nodiscard]] double pass() const noexcept override { return duration(); }
+  [[nodiscard]] Peaks peaks() const noexcept override;
+  [[nodiscard]] std::optional<MotionState> end() const noexcept override;
+  [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
+                                             const MotionState& from) const noexcept override;
+
   [[nodiscard]] bool repeats() const { return time_->outside() == Outside::wrap; }
   [[nodiscard]] double start() const { return time_->start(); }  ///< of the time table, s
   [[nodiscard]] double duration() const {
@@ -96,9 +92,9 @@ class Job {
   [[nodiscard]] Jet master(double t, Side side = Side::right) const;
   [[nodiscard]] Setpoint follow(const Jet& x, double t) const;
 
-  std::uint64_t id_;
   std::shared_ptr<const Table> time_;
   std::shared_ptr<const Table> cam_;
+  double tick_;       // s
   double least_ = 0;  // s of duration, for a ramp
   Engaged engaged_;
   CouplingStatus coupled_ = CouplingStatus::ok;
@@ -108,31 +104,24 @@ class Job {
   Ranges ranges_{};
   std::array<Jump, 3> steps_{};
   Extremum master_excess_;
+  Progress progress_ = Progress::running;
 };
 
-/// Why a job is not admitted, with the number, the bound it breaks, and the instant in s of local
-/// time.
-struct Refusal {
-  Cause cause = Cause::none;
-  double value = 0;
-  double limit = 0;
-  double where = 0;
-
-  /// "velocity_limit: The table is faster ... (678.45 at 0.61 s, limit 500)"
-  [[nodiscard]] std::string text() const;
-};
-
-/// Checks a job against an axis that stands at `position`: where it begins, rest at both ends, the
-/// position range, velocity, acceleration and jerk, and jumps. Nothing if all is well, otherwise
+/// Checks a job against an axis in the state `from`: where it begins, rest at both ends (or, in a
+/// swap, the velocity and acceleration of what is played before), the position range, velocity, acceleration and jerk, and jumps. Nothing if all is well, otherwise
 /// the first rule broken. Never allocates: a Job carries what is needed.
 ///
 /// A jump of the velocity, at an end or between, counts as the acceleration that makes it within
 /// one tick: so a table of straight lines passes exactly if no tick exceeds the limit. A jump of
 /// the acceleration is judged alike where a jerk limit is set.
-std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position);
+std::optional<Refusal> admit(const Job& job, const AxisConfig& config, const MotionState& from);
+/// The same for an axis at rest.
+inline std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position) {
+  return admit(job, config, MotionState{position, 0, 0});
+}
 
 /// How long a stop on the path takes, s: from the job's peaks, so that it holds wherever the stop
 /// comes. For an admitted job only.
-double stop_duration(const Job& job, const AxisConfig& config);
+double stop_duration(const Peaks& peaks, const AxisConfig& config);
 
 }  // namespace jounce

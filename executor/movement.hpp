@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "jounce/executor/cause.hpp"
 #include "jounce/profiles/jet.hpp"
 #include "jounce/profiles/profile.hpp"
 
 namespace jounce {
+
+struct AxisConfig;
 
 /// The commanded point at one instant.
 struct Setpoint {
@@ -45,6 +48,7 @@ struct Peaks {
   double velocity = 0;
   double acceleration = 0;
   double jerk = 0;
+  double velocity_step = 0;  ///< u/s, the largest sum of its steps within one tick; 0: smooth
 };
 
 /// What an axis plays, made and checked away from the cyclic thread, which steps it:
@@ -70,9 +74,24 @@ class Movement {
   [[nodiscard]] virtual Progress progress() const noexcept = 0;
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
+  /// What the axis would refuse it for, if it began in the state `from`; asked when it is armed.
+  [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
+                                                     const MotionState& /*from*/) const noexcept {
+    return std::nullopt;
+  }
+  /// Whether the axis is a slave: synchronized_motion, not discrete_motion.
+  [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
+
   /// Of a path: how much of it is known, s of its own time (infinite: it repeats), and its peaks.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
+  /// Of a path: more of it is to come. The axis stops on it, with the fault `underrun`, before less
+  /// is known than the stop takes: the same as `starving`, but the axis works it out.
+  [[nodiscard]] virtual bool growing() const noexcept { return false; }
+  /// Of a path: the length of a pass, s of its own time, and the state at its end; where a swap is
+  /// made. 0 and nothing: it has none.
+  [[nodiscard]] virtual double pass() const noexcept { return 0; }
+  [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 
  private:
   std::uint64_t id_;

@@ -35,7 +35,7 @@ TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
   const auto cam = table(Axis::master, Rule::linear, Outside::hold, {{0, 100}, {0, 1000}, {}, {}});
   const auto master =
       table(Axis::time, Rule::quintic_hermite, Outside::hold, {{0, 2}, {-50, 150}, {0, 0}, {0, 0}});
-  const Job job(1, master, cam);
+  Job job(1, master, cam);
   EXPECT_GT(std::abs(job.steps()[1].step), 1000) << "of the velocity, where the master comes in";
   EXPECT_EQ(cause_of(admit(job, {.limits = limits(1e6, 20000)}, 0)), Cause::velocity_step);
 }
@@ -50,7 +50,7 @@ TEST(Admit, RefusesAMotionThatNobodyCouldMake) {
 
 TEST(Admit, EachLimitOfA345PolynomialIsMetAtItsExactPeakAndBrokenJustBelow) {
   const Poly345 p;
-  const Job job = p.job();
+  Job job = p.job();
   AxisConfig config{.limits = limits(p.velocity, p.acceleration, p.jerk)};
   // At rest at both ends, but the acceleration starts with a finite jerk: no step of it.
   EXPECT_FALSE(admit(job, config, 0));
@@ -77,7 +77,7 @@ TEST(Admit, EachLimitOfA345PolynomialIsMetAtItsExactPeakAndBrokenJustBelow) {
 
 TEST(Admit, PositionRangeAndStart) {
   const Poly345 p;
-  const Job job = p.job();
+  Job job = p.job();
   AxisConfig config = generous;
   config.limits.position_min = 0;
   config.limits.position_max = 50;
@@ -102,8 +102,8 @@ TEST(Admit, PositionRangeAndStart) {
 TEST(Admit, StraightLinesPassExactlyIfNoTickExceedsTheAcceleration) {
   // PMC600 manual Fig. 5.13: 4.5 s through 10000, 50000, 40000, 35000; velocities 10000, 20000,
   // -10000, -10000. The largest step is from 20000 to -10000.
-  const Job job(1, table(Axis::time, Rule::linear, Outside::hold,
-                         {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
+  Job job(1, table(Axis::time, Rule::linear, Outside::hold,
+                   {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
   AxisConfig config{.limits = limits(20000, 3e7)};
   EXPECT_FALSE(admit(job, config, 0));
   config.limits.acceleration = 2.9e7;
@@ -117,8 +117,7 @@ TEST(Admit, StraightLinesPassExactlyIfNoTickExceedsTheAcceleration) {
 }
 
 TEST(Admit, ATableThatDoesNotEndAtRest) {
-  const Job job(
-      1, table(Axis::time, Rule::cubic_hermite, Outside::hold, {{10, 11}, {0, 1}, {0, 2}, {}}));
+  Job job(1, table(Axis::time, Rule::cubic_hermite, Outside::hold, {{10, 11}, {0, 1}, {0, 2}, {}}));
   const auto refusal = admit(job, {.limits = limits(10, 100)}, 0);
   ASSERT_EQ(cause_of(refusal), Cause::end_velocity);
   EXPECT_EQ(refusal->value, 2);
@@ -128,7 +127,7 @@ TEST(Admit, ATableThatDoesNotEndAtRest) {
 }
 
 TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {
-  const Job job(1, trapezoid_table(10, 4, 8, 8));
+  Job job(1, trapezoid_table(10, 4, 8, 8));
   EXPECT_FALSE(admit(job, {.limits = limits(4, 8)}, 0));
   const auto refusal = admit(job, {.limits = limits(4, 8, 1000)}, 0);
   ASSERT_EQ(cause_of(refusal), Cause::acceleration_step);
@@ -156,7 +155,7 @@ TEST(Admit, AnAccelerationAtEitherEndIsAStepToo) {
 
 TEST(Admit, ARepeatingTableMustClose) {
   EXPECT_FALSE(admit(Job(1, there_and_back(3, 10, 1, Outside::wrap)), generous, 3));
-  const Job open(
+  Job open(
       1, table(Axis::time, Rule::quintic_hermite, Outside::wrap, {{0, 1}, {0, 5}, {0, 0}, {0, 0}}));
   const auto refusal = admit(open, generous, 0);
   ASSERT_EQ(cause_of(refusal), Cause::not_closed);
@@ -166,7 +165,7 @@ TEST(Admit, ARepeatingTableMustClose) {
 
 TEST(Admit, Fig614CamAtConstantMasterHasThePrintedPeaks) {
   // Printed per degree of master: 3.392270802 and 0.1619234501, in the segment from 200 to 280.
-  const Job job(1, constant_master(1080, 200), pmc600_cam());
+  Job job(1, constant_master(1080, 200), pmc600_cam());
   // One unit of the last printed digit, which is cut off rather than rounded.
   EXPECT_NEAR(std::abs(job.ranges()[1].peak().value), 3.392270802 * 200, 1e-9 * 200);
   EXPECT_NEAR(std::abs(job.ranges()[2].peak().value), 0.1619234501 * 40000, 1e-10 * 40000);
@@ -198,7 +197,7 @@ TEST(Admit, StepsWithinOneTickAddUp) {
   line(0.01, 500);
   for (int i = 49; i >= 1; --i) line(0.01, 10.0 * i);
   line(0.1, 0);
-  const Job job(1, std::make_shared<Table>(Axis::time, Rule::linear, Outside::hold, std::move(c)));
+  Job job(1, std::make_shared<Table>(Axis::time, Rule::linear, Outside::hold, std::move(c)));
   AxisConfig config;
   config.limits.velocity = 1000;
   config.limits.acceleration = 1e4;
@@ -223,12 +222,12 @@ TEST(Admit, Example44NeedsAnAxisThatCanTakeItsKink) {
       table(Axis::master, Rule::linear, Outside::hold, {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   // A master at constant velocity would throw the slave from rest to 10000 pulse/s and leave it at
   // 4000 pulse/s: refused unless one tick is enough for that.
-  const Job constant(1, constant_master(10000, 10000), cam);
+  Job constant(1, constant_master(10000, 10000), cam);
   EXPECT_EQ(cause_of(admit(constant, {.limits = limits(1e4, 1e5)}, 0)), Cause::start_velocity);
   EXPECT_FALSE(admit(constant, {.limits = limits(1e4, 1e7)}, 0));
 
   // A master that starts and ends at rest leaves the kink at 5000: 10000 to 4000 pulse/s.
-  const Job smooth(2, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
+  Job smooth(2, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
   const auto refusal = admit(smooth, {.limits = limits(1e4, 1e5)}, 0);
   ASSERT_EQ(cause_of(refusal), Cause::velocity_step);
   EXPECT_NEAR(refusal->value, -6000, 1e-6);

@@ -85,7 +85,7 @@ class RandomRun {
     check_start(command, now);
     check_fault(command, now);
     check_stop(now);
-    for (const Job* job : now.handed_back) {
+    for (const Movement* job : now.handed_back) {
       if (job == nullptr) continue;
       ASSERT_EQ(jobs_.count(job->id()), 1U) << "handed back twice";
       jobs_.erase(job->id());
@@ -127,8 +127,9 @@ class RandomRun {
     }
     if (command.kind == Kind::arm && !random_.chance(0.05)) {
       auto job = random_job(random_, ++ids_, last_.position);
-      stop_ticks_[ids_ % stop_ticks_.size()] = stop_duration(*job, axis_.config()) * 1000 + 2;
-      command.job = (jobs_[ids_] = std::move(job)).get();
+      stop_ticks_[ids_ % stop_ticks_.size()] =
+          stop_duration(job->peaks(), axis_.config()) * 1000 + 2;
+      command.movement = (jobs_[ids_] = std::move(job)).get();
     }
     if (command.kind == Kind::start && random_.chance(0.3))
       command.at = tick_ + random_.integer(-2, 20);

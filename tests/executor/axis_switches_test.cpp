@@ -26,7 +26,7 @@ CamSwitchSpec range(double first, double last, std::optional<double> period = {}
 }
 
 /// Plays the job and gives all edges, with times since its start.
-std::vector<SwitchEdge> played(Bench& bench, const Job& job) {
+std::vector<SwitchEdge> played(Bench& bench, Job& job) {
   bench.tell(Kind::enable);
   bench.arm(job);
   std::vector<SwitchEdge> edges;
@@ -49,7 +49,7 @@ void expect_same(const std::vector<SwitchEdge>& edges, const SwitchTimes& exact)
 
 TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
   const auto table = trapezoid_table(100, 500, 10000, 10000);
-  const Job job(1, table);
+  Job job(1, table);
   Bench bench({.limits = limits(600, 11000)}, {.table = range(30.3, 80.8)});
   const auto edges = played(bench, job);
   EXPECT_EQ(edges.size(), 2U);
@@ -59,14 +59,14 @@ TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
 TEST(AxisSwitches, OfTheMasterAreNotOnBeforeThereIsOne) {
   Bench bench({.limits = limits(600, 11000)}, {.of = SwitchesOf::master, .table = range(-10, 10)});
   EXPECT_EQ(bench.step().switches.outputs, 0U) << "0 is in the range, but it is no master's";
-  const Job move(1, trapezoid_table(100, 500, 10000, 10000));
+  Job move(1, trapezoid_table(100, 500, 10000, 10000));
   EXPECT_TRUE(played(bench, move).empty()) << "a table over time has no master";
   EXPECT_EQ(bench.step().switches.outputs, 0U);
 }
 
 TEST(AxisSwitches, OfTheMasterSwitchInEachPeriod) {
   const auto master = constant_master(1080, 200);
-  const Job job(1, master, pmc600_cam());
+  Job job(1, master, pmc600_cam());
   Bench bench({.limits = limits(700, 7000)},
               {.of = SwitchesOf::master, .table = range(350, 10, 360)});
   const auto edges = played(bench, job);

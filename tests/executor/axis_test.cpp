@@ -20,19 +20,19 @@ Cause refusal(const Tick& tick) {
   return tick.refused ? tick.refused->cause : Cause::none;
 }
 
-bool handed_back(const Tick& tick, const Job& job) {
+bool handed_back(const Tick& tick, Job& job) {
   return std::count(tick.handed_back.begin(), tick.handed_back.end(), &job) == 1;
 }
 
 /// Enabled, armed with the job, and started: the tick of local time 0.
-Tick started(Bench& bench, const Job& job) {
+Tick started(Bench& bench, Job& job) {
   bench.tell(Kind::enable);
   EXPECT_EQ(refusal(bench.arm(job)), Cause::none);
   return bench.tell(Kind::start);
 }
 
 TEST(MotionAxis, NothingMovesBeforeEnableArmAndStart) {
-  const Job job(7, trapezoid_table(100, 50, 100, 100));
+  Job job(7, trapezoid_table(100, 50, 100, 100));
   Bench bench(wide);
   EXPECT_EQ(bench.step().state, State::disabled);
   EXPECT_EQ(refusal(bench.arm(job)), Cause::not_enabled);
@@ -54,7 +54,7 @@ TEST(MotionAxis, NothingMovesBeforeEnableArmAndStart) {
 // Googol GTS manual example 7-1: 50000 pulses, 50 pulse/ms, 0.25 and 0.125 pulse/ms^2: 200 ms up,
 // 700 ms at speed, 400 ms down.
 TEST(MotionAxis, GoogolTrapezoidTakes1300Ticks) {
-  const Job job(1, trapezoid_table(50000, 50e3, 0.25e6, 0.125e6));
+  Job job(1, trapezoid_table(50000, 50e3, 0.25e6, 0.125e6));
   Bench bench({.limits = limits(50e3, 0.25e6)});
   started(bench, job);
   const auto at = [&](std::int64_t ms) { return bench.run(ms - (bench.tick - 2)); };
@@ -79,7 +79,7 @@ TEST(MotionAxis, GoogolTrapezoidTakes1300Ticks) {
 TEST(MotionAxis, EverySetpointIsTheTablesBitForBit) {
   const TablePtr move = table(Axis::time, Rule::quintic_hermite, Outside::hold,
                               {{0, 0.1, 0.37, 0.6}, {0, 3, 1, 2}, {0, 9, -4, 0}, {0, 7, 2, 0}});
-  const Job job(1, move);
+  Job job(1, move);
   Bench bench(wide);
   Tick tick = started(bench, job);
   for (std::int64_t k = 0; k < 600; ++k, tick = bench.step()) {
@@ -96,7 +96,7 @@ TEST(MotionAxis, EverySetpointIsTheTablesBitForBit) {
 TEST(MotionAxis, Example43RunsThreeEqualPeriods) {
   const TablePtr cam = pmc600_cam();
   const TablePtr master = constant_master(1080, 200);
-  const Job job(3, master, cam);
+  Job job(3, master, cam);
   Bench bench({.limits = limits(700, 7000)});
   std::vector<Tick> ticks{started(bench, job)};
   EXPECT_EQ(ticks[0].state, State::synchronized_motion);
@@ -129,7 +129,7 @@ TEST(MotionAxis, Example43RunsThreeEqualPeriods) {
 TEST(MotionAxis, Example44FollowsBothLinesAndLeavesTheMaster) {
   const TablePtr cam =
       table(Axis::master, Rule::linear, Outside::hold, {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
-  const Job job(4, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
+  Job job(4, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
   Bench bench({.limits = limits(1e4, 6e6)});
   Tick tick = started(bench, job);
   int at_10000 = 0;
@@ -149,8 +149,8 @@ TEST(MotionAxis, Example44FollowsBothLinesAndLeavesTheMaster) {
 
 // PMC600 manual Fig. 5.13, a PT table: stages of 10000, 40000, -10000 and -5000 pulses.
 TEST(MotionAxis, PmcPositionTableReachesItsKnots) {
-  const Job job(5, table(Axis::time, Rule::linear, Outside::hold,
-                         {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
+  Job job(5, table(Axis::time, Rule::linear, Outside::hold,
+                   {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
   Bench bench({.limits = limits(20000, 3e7)});
   started(bench, job);
   EXPECT_EQ(bench.run(500).position, 5000);
@@ -168,7 +168,7 @@ TEST(MotionAxis, StopFollowsTheClosedFormOfItsRamp) {
   // At 10 u/s on a line with v = 10 and A = 20, stop acceleration 40: D = 3 * 10 / (2 * (40 - 20))
   // = 0.75 s, the way 10 * D/2 = 3.75, the velocity halved at D/2, the deepest deceleration
   // 10 * 3 / (2D) = 20 there.
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, job);
   const double from = bench.run(1000).position;
@@ -194,7 +194,7 @@ TEST(MotionAxis, StopFollowsTheClosedFormOfItsRamp) {
 
 TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
   const TablePtr cam = pmc600_cam();
-  const Job job(1, trapezoid_table(1080, 200, 1000, 1000), cam);
+  Job job(1, trapezoid_table(1080, 200, 1000, 1000), cam);
   const double a = std::abs(job.ranges()[2].peak().value);  // the table uses the limit up
   const AxisConfig config{.limits = limits(700, a)};
   for (std::int64_t when = 0; when < 5600; when += 97) {
@@ -217,7 +217,7 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
 }
 
 TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
-  const Job job(1, there_and_back(0, 50, 2, Outside::hold));
+  Job job(1, there_and_back(0, 50, 2, Outside::hold));
   const double jerk = 60 * 50;  // 60 h / T^3, T = 1 s each way
   const AxisConfig config{.limits = limits(100, 400, jerk)};
   for (std::int64_t when = 100; when < 2000; when += 130) {
@@ -234,7 +234,7 @@ TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
 }
 
 TEST(MotionAxis, StopNearTheEndLetsTheTableEnd) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, job);
   bench.run(5490);  // of 5500
@@ -246,7 +246,7 @@ TEST(MotionAxis, StopNearTheEndLetsTheTableEnd) {
 }
 
 TEST(MotionAxis, ASecondStopChangesNothing) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench once({.limits = limits(10, 20)});
   Bench twice({.limits = limits(10, 20)});
   for (Bench* bench : {&once, &twice}) {
@@ -262,7 +262,7 @@ TEST(MotionAxis, ASecondStopChangesNothing) {
 
 TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
   const TablePtr cycle = there_and_back(0, 10, 0.5, Outside::wrap);
-  const Job job(1, cycle);
+  Job job(1, cycle);
   Bench bench(wide);
   started(bench, job);
   EXPECT_NEAR(bench.run(250).position, 10, 1e-12);
@@ -277,8 +277,8 @@ TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
 // ---- faults ------------------------------------------------------------------------------------
 
 TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
-  const Job next(2, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job next(2, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, job);
   const double before = bench.run(1000).position;
@@ -304,7 +304,7 @@ TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
 }
 
 TEST(MotionAxis, DisablingInMotionIsAFaultThatEnableComesBackTo) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, job);
   bench.run(1000);
@@ -325,7 +325,7 @@ TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
   config.limits.position_max = 60;
   const auto fault = [&](const TablePtr& other) {
     const auto table = std::make_shared<Table>(*trapezoid_table(50, 10, 20, 20));
-    const Job job(1, table);
+    Job job(1, table);
     Bench bench(config);
     started(bench, job);
     const double before = bench.run(1000).position;
@@ -346,7 +346,7 @@ TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
 }
 
 TEST(MotionAxis, TheFirstFaultStays) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, job);
   bench.run(100);
@@ -358,16 +358,16 @@ TEST(MotionAxis, TheFirstFaultStays) {
 
 TEST(MotionAxis, SkippedTicksAreLeftOutOfTheMotion) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
-  const Job job(1, move);
+  Job job(1, move);
   MotionAxis axis({.limits = limits(10, 20)});
   axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::arm, .job = &job});
+  axis.step(1, {.kind = Kind::arm, .movement = &job});
   axis.step(2, {.kind = Kind::start});
   axis.step(1000);  // 998 ticks late on the first: beyond the default gap
   EXPECT_EQ(axis.state(), State::error_stop);
 
   axis.step(1001, {.kind = Kind::reset});
-  EXPECT_EQ(refusal(axis.step(1002, {.kind = Kind::arm, .job = &job})), Cause::none);
+  EXPECT_EQ(refusal(axis.step(1002, {.kind = Kind::arm, .movement = &job})), Cause::none);
   axis.step(1003, {.kind = Kind::start});
   const Tick late = axis.step(1053);
   EXPECT_EQ(late.skipped, 49);
@@ -380,7 +380,7 @@ TEST(MotionAxis, SkippedTicksAreLeftOutOfTheMotion) {
 
 TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
-  const Job job(9, move);
+  Job job(9, move);
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(job);
@@ -404,7 +404,7 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
 }
 
 TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
-  const Job job(9, trapezoid_table(50, 10, 20, 20));
+  Job job(9, trapezoid_table(50, 10, 20, 20));
   for (const Kind kind : {Kind::stop, Kind::disable}) {
     Bench bench(wide);
     bench.tell(Kind::enable);
@@ -419,7 +419,7 @@ TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
 }
 
 TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
-  const Job job(9, trapezoid_table(50, 10, 20, 20));
+  Job job(9, trapezoid_table(50, 10, 20, 20));
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(job);
@@ -434,10 +434,10 @@ TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
 // ---- slots -------------------------------------------------------------------------------------
 
 TEST(MotionAxis, TablesAreSwappedAtStandstill) {
-  const Job out(1, trapezoid_table(50, 10, 20, 20));
-  const Job back(2, table(Axis::time, Rule::quintic_hermite, Outside::hold,
-                          {{0, 10}, {50, 0}, {0, 0}, {0, 0}}));
-  const Job wrong(3, trapezoid_table(50, 10, 20, 20));
+  Job out(1, trapezoid_table(50, 10, 20, 20));
+  Job back(2, table(Axis::time, Rule::quintic_hermite, Outside::hold,
+                    {{0, 10}, {50, 0}, {0, 0}, {0, 0}}));
+  Job wrong(3, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   started(bench, out);
   bench.run(100);
@@ -458,8 +458,8 @@ TEST(MotionAxis, TablesAreSwappedAtStandstill) {
 }
 
 TEST(MotionAxis, ArmingAgainHandsTheFirstJobBack) {
-  const Job first(1, trapezoid_table(50, 10, 20, 20));
-  const Job second(2, trapezoid_table(40, 10, 20, 20));
+  Job first(1, trapezoid_table(50, 10, 20, 20));
+  Job second(2, trapezoid_table(40, 10, 20, 20));
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(first);
@@ -469,7 +469,7 @@ TEST(MotionAxis, ArmingAgainHandsTheFirstJobBack) {
 }
 
 TEST(MotionAxis, OneArmIsOneStart) {
-  const Job job(1, there_and_back(0, 5, 0.1, Outside::hold));
+  Job job(1, there_and_back(0, 5, 0.1, Outside::hold));
   Bench bench(wide);
   started(bench, job);
   bench.run(200);
@@ -479,7 +479,7 @@ TEST(MotionAxis, OneArmIsOneStart) {
 }
 
 TEST(MotionAxis, SetPositionNeedsAStandstillAndANumber) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(job);

@@ -30,7 +30,7 @@ Job example_43(const CouplingSpec& coupling, double position) {
 }
 
 /// Runs the job to its end and compares every step with the axis's limits.
-Tick run(const Job& job, double position, double& largest_step) {
+Tick run(Job& job, double position, double& largest_step) {
   Bench bench(axis_at(position));
   bench.tell(Kind::enable);
   EXPECT_FALSE(bench.arm(job).refused);
@@ -50,7 +50,7 @@ TEST(CoupledJob, PlaysExample43FromWhereTheAxisStands) {
   const double p0 = -17;
   EXPECT_EQ(cause(example_43({}, p0), p0), Cause::start_position) << "absolute: it would jump";
   for (const StartMode mode : {StartMode::ramp_in, StartMode::ramp_in_pos}) {
-    const Job job = example_43(ramp(mode), p0);
+    Job job = example_43(ramp(mode), p0);
     ASSERT_EQ(cause(job, p0), Cause::none);
     EXPECT_EQ(job.duration(), 5.4);
     // In step from master 75 on: the slave at master + 25 and 200 pulse/s, in each period.
@@ -72,7 +72,7 @@ TEST(CoupledJob, PlaysExample44ByARelativeStart) {
                              {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   const TablePtr master = trapezoid_table(10000, 10000, 1e5, 1e5);
   const CouplingSpec relative{.start = StartMode::relative};
-  const Job job(1, master, cam, 1e-3, relative, 1234);
+  Job job(1, master, cam, 1e-3, relative, 1234);
   const AxisConfig config{.limits = limits(2e4, 6e6), .position = 1234};
   ASSERT_FALSE(admit(job, config, 1234));
   EXPECT_DOUBLE_EQ(job.at(0).slave[0], 1234);
@@ -89,7 +89,7 @@ TEST(CoupledJob, ScalesAndMovesLikeTheLibrary) {
   spec.slave_offset = 4;
   const TablePtr cam = pmc600_cam();
   const TablePtr master = trapezoid_table(1080, 200, 1000, 1000);
-  const Job job(1, master, cam, 1e-3, spec, 55);
+  Job job(1, master, cam, 1e-3, spec, 55);
   ASSERT_FALSE(admit(job, {.limits = limits(1e4, 1e6), .position = 55}, 55));
   const Coupling coupling(cam->curve<OverMaster>(), spec);
   const Engagement in = engage(coupling, {.position = 55}, master->jet(0), 0);
@@ -102,7 +102,7 @@ TEST(CoupledJob, ScalesAndMovesLikeTheLibrary) {
 TEST(CoupledJob, ARampOutlastsItsMaster) {
   CouplingSpec slow = ramp();
   slow.velocity_diff = 1;
-  const Job job(1, trapezoid_table(100, 200, 1000, 1000), pmc600_cam(), 1e-3, slow, 99);
+  Job job(1, trapezoid_table(100, 200, 1000, 1000), pmc600_cam(), 1e-3, slow, 99);
   EXPECT_GT(job.duration(), 98);
   ASSERT_EQ(cause(job, 99), Cause::none);
   double step = 0;
@@ -110,7 +110,7 @@ TEST(CoupledJob, ARampOutlastsItsMaster) {
 }
 
 TEST(CoupledJob, AStopInTheRampStaysOnItsPath) {
-  const Job job(1, trapezoid_table(1080, 200, 1000, 1000), pmc600_cam(), 1e-3, ramp(), -30);
+  Job job(1, trapezoid_table(1080, 200, 1000, 1000), pmc600_cam(), 1e-3, ramp(), -30);
   Bench bench(axis_at(-30));
   bench.tell(Kind::enable);
   bench.arm(job);
@@ -146,8 +146,7 @@ TEST(CoupledJob, RefusalsHaveTheirCauses) {
 
   const TablePtr refusing =
       table(Axis::master, Rule::linear, Outside::refuse, {{0, 100}, {0, 1}, {}, {}});
-  const Job doubled(1, trapezoid_table(51, 200, 1000, 1000), refusing, 1e-3, {.master_scaling = 2},
-                    0);
+  Job doubled(1, trapezoid_table(51, 200, 1000, 1000), refusing, 1e-3, {.master_scaling = 2}, 0);
   const auto refusal = admit(doubled, axis_at(0), 0);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->cause, Cause::master_outside_cam);
@@ -161,7 +160,7 @@ TEST(CoupledJob, ARampBreaksALimitOnlyTogetherWithItsCam) {
   CouplingSpec fast = ramp();
   fast.velocity_diff = 300;
   fast.acceleration = 8000;
-  const Job job = example_43(fast, 200);
+  Job job = example_43(fast, 200);
   const auto refusal = admit(job, {.limits = limits(700, 1e5), .position = 200}, 200);
   EXPECT_FALSE(admit(example_43({}, 0), {.limits = limits(700, 1e5)}, 0));
   EXPECT_EQ(refusal.has_value(), job.ranges()[1].peak().value > 700);

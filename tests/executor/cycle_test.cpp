@@ -93,10 +93,10 @@ struct Rig {
 };
 
 TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
-  const Job job(1, trapezoid_table(50, 10, 20, 20));
+  Job job(1, trapezoid_table(50, 10, 20, 20));
   Rig rig;
   rig.mail->commands.push({.kind = Kind::enable});
-  rig.mail->commands.push({.kind = Kind::arm, .id = 5, .job = &job});
+  rig.mail->commands.push({.kind = Kind::arm, .id = 5, .movement = &job});
   rig.mail->commands.push({.kind = Kind::arm, .id = 6});
   rig.mail->commands.push({.kind = Kind::start, .id = 7});
   EXPECT_EQ(rig.next().state, State::standstill);
@@ -122,10 +122,10 @@ TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
 
 TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
-  const Job job(1, move);
+  Job job(1, move);
   Rig rig;
   rig.tell({.kind = Kind::enable});
-  rig.tell({.kind = Kind::arm, .job = &job});
+  rig.tell({.kind = Kind::arm, .movement = &job});
   rig.tell({.kind = Kind::start});  // tick 2
   rig.pacer.delay = 999'999;        // a little less than a period: late for nothing
   EXPECT_EQ(rig.next().tick, 3);
@@ -151,20 +151,20 @@ TEST(Cycle, CountsTicksThatNobodyTakes) {
 }
 
 TEST(Cycle, NeverTouchesTheHeap) {
-  const Job move(1, there_and_back(0, 1, 2, Outside::wrap));
-  const Job cam(2, trapezoid_table(720, 180, 360, 360),
-                table(Axis::master, Rule::quintic_hermite, Outside::wrap,
-                      {{0, 180, 360}, {0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}));
-  const Job too_fast(3, there_and_back(0, 1000, 1, Outside::hold));
+  Job move(1, there_and_back(0, 1, 2, Outside::wrap));
+  Job cam(2, trapezoid_table(720, 180, 360, 360),
+          table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+                {{0, 180, 360}, {0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}));
+  Job too_fast(3, there_and_back(0, 1000, 1, Outside::hold));
   Rig rig;
   const std::vector<Command> script{
       {.kind = Kind::enable, .id = 1},
-      {.kind = Kind::arm, .id = 2, .job = &too_fast},
-      {.kind = Kind::arm, .id = 3, .job = &cam},
+      {.kind = Kind::arm, .id = 2, .movement = &too_fast},
+      {.kind = Kind::arm, .id = 3, .movement = &cam},
       {.kind = Kind::start, .id = 4, .at = 1600},
       {.kind = Kind::stop, .id = 5},
       {.kind = Kind::set_position, .id = 6, .position = 0},
-      {.kind = Kind::arm, .id = 7, .job = &move},
+      {.kind = Kind::arm, .id = 7, .movement = &move},
       {.kind = Kind::start, .id = 8},
       {.kind = Kind::abort, .id = 9},
       {.kind = Kind::reset, .id = 10},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/executor/axis.hpp"
+#include "jounce/executor/job.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce::test {
@@ -70,7 +71,7 @@ struct Bench {
 
   Tick step(const Command& command = {}) { return axis.step(++tick, command); }
   Tick tell(Command::Kind kind) { return step({.kind = kind}); }
-  Tick arm(const Job& job) { return step({.kind = Command::Kind::arm, .job = &job}); }
+  Tick arm(Job& job) { return step({.kind = Command::Kind::arm, .movement = &job}); }
   Tick run(std::int64_t ticks) {
     Tick last;
     for (std::int64_t i = 0; i < ticks; ++i) last = step();

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "jounce/profiles/limits.hpp"
+
+namespace jounce {
+
+/// What an axis is allowed to do, fixed when the executor starts. What is 0 is off, unless it says
+/// otherwise.
+struct AxisConfig {
+  std::int64_t period = 1'000'000;  ///< of the tick, ns, > 0
+  Limits limits = {};               ///< velocity and acceleration are required
+  double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
+  double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
+  double position = 0;              ///< u; where the axis stands at first
+  std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
+
+  double abort_acceleration = 0;  ///< u/s^2 of an abort; 0: the setpoint freezes at once
+  double limit_acceleration = 0;  ///< u/s^2 before a soft limit; 0: stop_acceleration
+  double modulo = 0;              ///< u of a turn; 0: a linear axis
+  double following_error = 0;     ///< u; more than this for following_time: a fault
+  double following_time = 0;      ///< s
+  double in_position = 0;         ///< u; within this for in_position_time: in position
+  double in_position_time = 0;    ///< s
+};
+
+/// The same with the defaults filled in. Throws InputError for a value out of range.
+AxisConfig resolved(AxisConfig config);
+
+}  // namespace jounce
