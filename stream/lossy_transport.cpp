@@ -15,11 +15,16 @@ void require_share(const char* key, double share) {
 }  // namespace
 
 LossyTransport::LossyTransport(Transport& link, const LossSpec& spec, Clock clock)
-    : link_(link), spec_(spec), clock_(std::move(clock)), state_(spec.seed) {
+    : link_(link), spec_(spec), clock_(std::move(clock)), state_(spec.seed), begin_(clock_()) {
   require_share("lost", spec.lost);
   require_share("doubled", spec.doubled);
   require_share("corrupted", spec.corrupted);
   require_share("delayed", spec.delayed);
+  for (const Partition& partition : spec.partitions) {
+    if (partition.to < partition.from)
+      throw InputError("partition.to", std::to_string(partition.to.count()),
+                       "ns must not be before its `from`");
+  }
 }
 
 /// Uniform in [0, 1): SplitMix64 (Steele, Lea, Flood 2014), the same on every machine.
@@ -32,7 +37,16 @@ double LossyTransport::draw() {
   return static_cast<double>(z >> 11U) * 0x1p-53;
 }
 
-void LossyTransport::mistreat(Packet packet, Queue& queue) {
+bool LossyTransport::cut(Partition::Way way) const {
+  const Nanos now = clock_() - begin_;
+  return std::any_of(spec_.partitions.begin(), spec_.partitions.end(), [&](const Partition& p) {
+    return p.from <= now && now < p.to && (p.way == Partition::Way::both || p.way == way);
+  });
+}
+
+void LossyTransport::mistreat(Packet packet, Partition::Way way) {
+  if (cut(way)) return;
+  Queue& queue = way == Partition::Way::out ? out_ : in_;
   if (draw() < spec_.lost) return;
   if (draw() < spec_.corrupted && !packet.bytes.empty()) {
     const auto bits = static_cast<double>(packet.bytes.size() * 8);
@@ -68,19 +82,19 @@ void LossyTransport::subscribe(const std::string& channel, int capacity) {
 }
 
 void LossyTransport::send(const std::string& channel, std::span<const std::byte> bytes) {
-  mistreat({channel, {bytes.begin(), bytes.end()}}, out_);
+  mistreat({channel, {bytes.begin(), bytes.end()}}, Partition::Way::out);
   pass_on_due();
 }
 
 std::optional<Packet> LossyTransport::receive(Nanos timeout) {
   pass_on_due();
-  while (auto arrived = link_.receive(Nanos{})) mistreat(*std::move(arrived), in_);
+  while (auto arrived = link_.receive(Nanos{})) mistreat(*std::move(arrived), Partition::Way::in);
   if (auto packet = take_due(in_, clock_())) return packet;
 
   Nanos wait = timeout;
   for (const Queue* queue : {&out_, &in_})
     if (!queue->empty()) wait = std::clamp(queue->front().until - clock_(), Nanos{}, wait);
-  if (auto arrived = link_.receive(wait)) mistreat(*std::move(arrived), in_);
+  if (auto arrived = link_.receive(wait)) mistreat(*std::move(arrived), Partition::Way::in);
   pass_on_due();
   return take_due(in_, clock_());
 }

@@ -2,10 +2,19 @@
 
 #include <cstdint>
 #include <list>
+#include <vector>
 
 #include "jounce/stream/transport.hpp"
 
 namespace jounce {
+
+/// A time during which a link is cut: [from, to) since it was made. What is sent then is lost.
+struct Partition {
+  enum class Way { both, out, in };
+  Nanos from{};
+  Nanos to{};
+  Way way = Way::both;  ///< `out`: what this side sends does not get through, but it hears
+};
 
 /// What happens to packets, each way. Shares are probabilities from 0 to 1.
 struct LossSpec {
@@ -15,13 +24,14 @@ struct LossSpec {
   double corrupted = 0;  ///< one bit of it turned over
   double delayed = 0;    ///< for up to `delay`: later ones overtake it
   Nanos delay = std::chrono::milliseconds(5);
+  std::vector<Partition> partitions = {};
 };
 
 /// A link made worse, both ways, in a way that the seed repeats anywhere. The link below and the
 /// clock must outlive it.
 class LossyTransport : public Transport {
  public:
-  /// Throws InputError for a share out of range.
+  /// Throws InputError for a share out of range, or a partition that ends before it begins.
   LossyTransport(Transport& link, const LossSpec& spec, Clock clock);
 
   void subscribe(const std::string& channel, int capacity) override;
@@ -36,7 +46,8 @@ class LossyTransport : public Transport {
   using Queue = std::list<Held>;  // in the order in which they go on
 
   double draw();
-  void mistreat(Packet packet, Queue& queue);
+  [[nodiscard]] bool cut(Partition::Way way) const;
+  void mistreat(Packet packet, Partition::Way way);
   static std::optional<Packet> take_due(Queue& queue, Nanos now);
   void pass_on_due();
 
@@ -44,6 +55,7 @@ class LossyTransport : public Transport {
   LossSpec spec_;
   Clock clock_;
   std::uint64_t state_;
+  Nanos begin_;
   Queue out_, in_;
 };
 

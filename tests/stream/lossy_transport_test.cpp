@@ -95,6 +95,29 @@ TEST(LossyTransport, RepeatsItselfBySeed) {
   EXPECT_NE(sent_through(spec), sent_through(other));
 }
 
+TEST(LossyTransport, LosesWhatIsSentWhileItIsCut) {
+  using Way = Partition::Way;
+  const auto through = [](Way way, bool receiving_side) {
+    return sent_through({.partitions = {{2s, 3s, way}, {9s, 20s, way}}}, receiving_side);
+  };
+  for (const bool receiving_side : {false, true}) {
+    const auto numbers = through(Way::both, receiving_side);
+    ASSERT_EQ(numbers.size(), 8'000U);
+    EXPECT_EQ(numbers[1999], 1999);
+    EXPECT_EQ(numbers[2000], 3000) << "from is lost, to is not";
+    EXPECT_EQ(numbers.back(), 8999);
+    EXPECT_EQ(through(Way::out, receiving_side).size(), receiving_side ? 10'000U : 8'000U);
+    EXPECT_EQ(through(Way::in, receiving_side).size(), receiving_side ? 8'000U : 10'000U);
+  }
+}
+
+TEST(LossyTransport, RefusesAPartitionThatEndsBeforeItBegins) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  EXPECT_THROW(LossyTransport(link, {.partitions = {{2s, 1s}}}, [] { return Nanos{}; }),
+               InputError);
+}
+
 TEST(LossyTransport, RefusesSharesOutOfRange) {
   MemoryNetwork network;
   MemoryTransport link(network);
