@@ -37,7 +37,7 @@ Refusal FollowFifos::prf_follow(int dir) {
   if (busy()) return Refusal::moving;
   if (std::abs(dir) > 1) return Refusal::bad_argument;
   follow_ = true;
-  dir_ = dir;
+  run_.dir = dir;
   reset();
   return Refusal::none;
 }
@@ -59,7 +59,7 @@ Refusal FollowFifos::set_follow_event(const FollowStart& start) {
   if (const Refusal refusal = when_at_rest(); refusal != Refusal::none) return refusal;
   if (!std::isfinite(start.position) || std::abs(start.direction) != 1)
     return Refusal::bad_argument;
-  event_ = start;
+  run_.event = start;
   return Refusal::none;
 }
 
@@ -86,20 +86,13 @@ std::size_t FollowFifos::follow_space(int fifo) const {
 Refusal FollowFifos::follow_data(const PtPoint& point, int fifo) {
   if (!follow_) return Refusal::wrong_mode;
   if (!is_fifo(fifo)) return Refusal::bad_argument;
-  if (fifos_.space(fifo) == 0) return Refusal::full;
-  if (!fifos_.follows_on(fifo, point)) return Refusal::bad_argument;
-  fifos_.push(fifo, point);
-  return Refusal::none;
+  return refusal_of(push(fifos_, fifo, point));
 }
 
 Refusal FollowFifos::follow_clear(int fifo) {
   if (!follow_) return Refusal::wrong_mode;
   if (!is_fifo(fifo)) return Refusal::bad_argument;
-  const bool awaited = waiting_ && fifo == first_;
-  const bool next = fifos_.switch_queued() && fifo != fifos_.active();
-  if (awaited || next || fifos_.in_use(fifo)) return Refusal::in_use;
-  fifos_.clear(fifo);
-  return Refusal::none;
+  return fifos_.clear(fifo) ? Refusal::none : Refusal::in_use;
 }
 
 Refusal FollowFifos::follow_start(int fifo, double master, double slave) {
@@ -108,10 +101,8 @@ Refusal FollowFifos::follow_start(int fifo, double master, double slave) {
   if (master_ == 0) return Refusal::no_master;
   if (fifos_.size(fifo) == 0) return Refusal::empty;
   if (!std::isfinite(master) || !std::isfinite(slave)) return Refusal::bad_argument;
-  first_ = fifo;
-  slave_ = slave;
-  waiting_ = event_.event == FollowEvent::pass;
-  if (!waiting_) begin(master);
+  fifos_.take(fifo);
+  begin(run_, fifos_, master, slave);
   return Refusal::none;
 }
 
@@ -125,31 +116,8 @@ Refusal FollowFifos::follow_switch(int fifo) {
   return Refusal::none;
 }
 
-void FollowFifos::begin(double master) {
-  waiting_ = false;
-  origin_ = master;
-  furthest_ = 0;
-  fifos_.start(first_, 0, slave_);
-}
-
-/// How far along its tables the slave is: where one direction alone counts, as far as it ever was.
-double FollowFifos::travel(double master) {
-  const double gone = master - origin_;
-  if (dir_ == 0 || !std::isfinite(gone)) return gone;
-  furthest_ = std::max(furthest_, dir_ * gone);
-  return furthest_;
-}
-
 Jet FollowFifos::step(const Sample& before, const Sample& now) {
-  if (waiting_)
-    if (const auto at = begin_of(event_, before, now)) begin(at->master[0]);
-  if (waiting_) return {slave_, 0, 0, 0};
-  const double behind = furthest_ - dir_ * (now.master[0] - origin_);
-  const bool back = behind > 0 || (behind == 0 && dir_ * now.master[1] < 0);
-  Jet f = fifos_.at(travel(now.master[0]));
-  if (dir_ != 0 && back) return {f[0], 0, 0, 0};
-  if (dir_ < 0) f = {f[0], -f[1], f[2], -f[3]};  // by the master, which runs backwards
-  return f;
+  return jounce::step(run_, fifos_, before, now);
 }
 
 }  // namespace jounce::googol

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jounce/gear/follow_start.hpp"
+#include "jounce/gear/follow_run.hpp"
 #include "jounce/pvt/googol_pt.hpp"
 
 /// The follow mode of a Googol iDEABOX Pro, in its own words: pulse.
@@ -44,7 +44,8 @@ class FollowFifos {
 
   /// GT_FollowSpace. 0 in another mode
   [[nodiscard]] std::size_t follow_space(int fifo) const;
-  /// GT_FollowData: x is the master's travel from the table's origin. wrong_mode, full; bad_argument
+  /// GT_FollowData: x is the master's travel from the table's origin. wrong_mode, full; bad_argument;
+  /// in_use: it will be emptied by the switch that is queued
   Refusal follow_data(const PtPoint& point, int fifo);
   /// GT_FollowClear. wrong_mode, in_use
   Refusal follow_clear(int fifo);
@@ -61,30 +62,22 @@ class FollowFifos {
   Jet step(const Sample& before, const Sample& now);
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
   /// Started, but the event has not come.
-  [[nodiscard]] bool waiting() const { return waiting_; }
+  [[nodiscard]] bool waiting() const { return run_.waiting; }
 
  private:
   enum Memory { small, large, dynamic };
 
-  [[nodiscard]] bool busy() const { return waiting_ || fifos_.moving(); }
+  [[nodiscard]] bool busy() const { return run_.waiting || fifos_.moving(); }
   [[nodiscard]] Refusal when_at_rest() const;
   void reset();
-  void begin(double master);
-  double travel(double master);
 
   SegmentFifos fifos_;
   std::size_t most_;
   std::size_t max_segments_ = 0;
   Memory memory_ = small;
   bool follow_ = false;
-  int dir_ = 0;
   int master_ = 0;
-  FollowStart event_;
-  bool waiting_ = false;
-  int first_ = 0;        // the FIFO that was started
-  double slave_ = 0;     // where it stands while it waits
-  double origin_ = 0;    // master where following began
-  double furthest_ = 0;  // travel reached in the one direction
+  FollowRun run_;
 };
 
 }  // namespace jounce::googol

@@ -43,6 +43,18 @@ bool is_fifo(int fifo) {
 
 }  // namespace
 
+RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point) {
+  const bool first = fifos.stream() ? fifos.size(0) + fifos.size(1) == 0 && !fifos.moving()
+                                    : fifos.size(fifo) == 0;
+  return fifos.push(fifo, row_of(point, first));
+}
+
+Refusal refusal_of(RowRule rule) {
+  if (rule == RowRule::none) return Refusal::none;
+  if (rule == RowRule::full) return Refusal::full;
+  return rule == RowRule::in_use ? Refusal::in_use : Refusal::bad_argument;
+}
+
 PtFifos::PtFifos() : fifos_(large) {
   reset();
 }
@@ -82,30 +94,30 @@ std::size_t PtFifos::pt_space(int fifo) const {
 Refusal PtFifos::pt_data(const PtPoint& point, int fifo) {
   if (!pt_) return Refusal::wrong_mode;
   if (!is_fifo(fifo) || point.type == PtType::continued) return Refusal::bad_argument;
-  if (fifos_.space(fifo) == 0) return Refusal::full;
-  if (!fifos_.follows_on(fifo, point)) return Refusal::bad_argument;
-  fifos_.push(fifo, point);
-  return Refusal::none;
+  return refusal_of(push(fifos_, fifo, point));
 }
 
 Refusal PtFifos::pt_clear(int fifo) {
   if (!pt_) return Refusal::wrong_mode;
   if (!is_fifo(fifo)) return Refusal::bad_argument;
-  if (fifos_.in_use(fifo)) return Refusal::in_use;
-  fifos_.clear(fifo);
-  return Refusal::none;
+  return fifos_.clear(fifo) ? Refusal::none : Refusal::in_use;
 }
 
 Refusal PtFifos::pt_start(int fifo, double time, double position) {
   if (!pt_) return Refusal::wrong_mode;
   if (!is_fifo(fifo)) return Refusal::bad_argument;
   if (fifos_.moving()) return Refusal::moving;
-  const std::size_t segments =
-      fifos_.stream() ? fifos_.size(0) + fifos_.size(1) : fifos_.size(fifo);
-  if (segments == 0) return Refusal::empty;
+  if (fifos_.size(fifos_.stream() ? 0 : fifo) == 0) return Refusal::empty;
   if (!std::isfinite(time) || !std::isfinite(position)) return Refusal::bad_argument;
   fifos_.start(fifo, time, position);
   return Refusal::none;
+}
+
+Jet PtFifos::at(double time) {
+  const bool moved = fifos_.moving();
+  const Jet now = fifos_.at(time);
+  if (moved && !fifos_.moving() && fifos_.stream()) fifos_.clear(0);  // the next one begins anew
+  return now;
 }
 
 }  // namespace jounce::googol

@@ -34,6 +34,11 @@ const char* explain(Refusal refusal);
 
 enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };  ///< PT_MODE_STATIC, PT_MODE_DYNAMIC
 
+/// Pushes a point as its type says: a NORMAL one is first, and begins at rest, in an empty table or
+/// stream. The second: why it was not taken, in the manual's words.
+RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
+Refusal refusal_of(RowRule rule);
+
 class PtFifos {
  public:
   PtFifos();
@@ -59,7 +64,7 @@ class PtFifos {
   Refusal pt_start(int fifo, double time, double position = 0);
 
   /// Position, pulse, and its derivatives at time, ms, which does not fall.
-  Jet at(double time) { return fifos_.at(time); }
+  Jet at(double time);
   /// cut_off: both ran empty at a velocity, or the table ended at one: the abnormal stop of 7.4.
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
 

@@ -3,8 +3,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
-#include "jounce/pvt/detail/pt_link.hpp"
+// Who may touch a FIFO. The producer appends: it writes a slot beyond the size, then the size
+// (release); the player reads below the size it has seen (acquire). The player empties a FIFO, by
+// storing 0, in two places, and the producer is not at that FIFO in either: end_stream_fifo() runs
+// when the other one has rows, and the producer moves there for good when the first is full; and
+// end_pass() with a switch queued, after which push() refuses. The producer empties in clear(),
+// which excludes a take() by both raising a flag before they look at the other's (sequentially
+// consistent: one of them sees the other, and gives way).
 
 namespace jounce {
 
@@ -13,14 +20,13 @@ SegmentFifos::SegmentFifos(std::size_t most) {
 }
 
 void SegmentFifos::reset(const Layout& layout) {
-  assert(!moving() && layout.each <= fifos_[0].slots.size());
+  assert(!in_use(0) && !in_use(1) && layout.each <= fifos_[0].slots.size());
   layout_ = layout;
   state_ = State::idle;
-  for (Fifo& fifo : fifos_) fifo.size = 0;
-  base_ = {};
-  filling_ = active_ = 0;
   queued_ = false;
   passes_ = 0;
+  for (auto& peak : peaks_) peak = 0;
+  for (const int fifo : {0, 1}) clear(fifo);
 }
 
 std::size_t SegmentFifos::space(int fifo) const {
@@ -32,176 +38,259 @@ std::size_t SegmentFifos::space(int fifo) const {
 }
 
 bool SegmentFifos::in_use(int fifo) const {
-  return moving() && (layout_.stream || fifo == active_);
+  const State now = state();
+  return (now == State::moving || now == State::taken) && (layout_.stream || fifo == active());
 }
 
-PtPoint SegmentFifos::last_pushed(int fifo) const {
-  const auto last = [&](int i) { return fifos_[index(i)].slots[fifos_[index(i)].size - 1].point; };
-  if (!layout_.stream) return size(fifo) > 0 ? last(fifo) : PtPoint{};
-  if (size(filling_) > 0) return last(filling_);
-  return size(1 - filling_) > 0 ? last(1 - filling_) : base_;
+RowPeaks SegmentFifos::peaks() const {
+  return {peaks_[0].load(), peaks_[1].load(), peaks_[2].load(), peaks_[3].load(), 0, 0};
 }
 
-bool SegmentFifos::follows_on(int fifo, const PtPoint& point) const {
-  return std::isfinite(point.x) && std::isfinite(point.position) && point.x > last_pushed(fifo).x;
+// ---- producer ------------------------------------------------------------------------------------
+
+/// A table that a switch has emptied begins anew.
+SegmentFifos::Tail SegmentFifos::tail(int fifo) const {
+  if (layout_.stream) return tails_[0];
+  return size(fifo) > 0 ? tails_[index(fifo)] : Tail{};
 }
 
-void SegmentFifos::push(int fifo, const PtPoint& point) {
-  assert(space(fifo) > 0 && follows_on(fifo, point));
+RowRule SegmentFifos::admits(int fifo, const SegmentRow& row) const {
+  if (layout_.stream ? complete_.load() : switch_queued() && fifo == active())
+    return layout_.stream ? RowRule::after_last : RowRule::in_use;
+  if (space(fifo) == 0) return RowRule::full;
+  const auto [from, rate] = tail(fifo);
+  if (const RowRule wrong = check(row, from); wrong != RowRule::none) return wrong;
+  if (std::isnan(rates(row, from, rate).start)) return RowRule::none;  // known when it is played
+  RowPeaks f = jounce::peaks(row, from, rate);
+  if (std::isnan(rate)) f.velocity_step = 0;
+  return check(f, layout_.limits);
+}
+
+RowRule SegmentFifos::push(int fifo, const SegmentRow& row) {
+  if (const RowRule wrong = admits(fifo, row); wrong != RowRule::none) return wrong;
+  const auto [from, rate] = tail(fifo);
+  const PtRate made = rates(row, from, rate);
+  if (!std::isnan(made.start)) note(jounce::peaks(row, from, rate));
   if (layout_.stream) {
     if (size(filling_) == layout_.each) filling_ = 1 - filling_;
     fifo = filling_;
-  } else if (in_use(fifo)) {  // its passes so far were shorter than those to come
-    table_ = origin_;
-    turns_ = 0;
-    known_rates_ = 0;
   }
   Fifo& to = fifos_[index(fifo)];
-  to.slots[to.size++] = {point, 0};
+  const std::size_t n = to.size.load();
+  to.slots[n] = {row, 0};
+  to.size.store(n + 1);
+  tails_[layout_.stream ? 0 : index(fifo)] = {end_of(row), made.end};
+  if (!layout_.stream) return RowRule::none;
+  stream_end_.store(row.x_end);
+  if (row.last && layout_.open) complete_.store(true);
+  return RowRule::none;
 }
 
-void SegmentFifos::clear(int fifo) {
-  assert(!in_use(fifo));
-  fifos_[index(fifo)].size = 0;
-  if (!layout_.stream) return;
-  fifos_[index(1 - fifo)].size = 0;
-  base_ = {};
-  filling_ = active_ = 0;
+void SegmentFifos::note(const RowPeaks& f) {
+  const std::array now{f.velocity, f.acceleration, f.jerk,
+                       std::isnan(f.velocity_step) ? 0 : f.velocity_step};
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k] > peaks_[k].load()) peaks_[k].store(now[k]);
 }
 
-void SegmentFifos::start(int fifo, double x, double position) {
-  assert(!moving());
-  if (!layout_.stream) active_ = fifo;
-  assert(playing().size > 0);
-  table_ = origin_ = {x, position};
+bool SegmentFifos::clear(int fifo) {
+  clearing_.store(true);
+  const bool may = !in_use(fifo) && !(switch_queued() && fifo != active());
+  if (may && layout_.stream) {
+    for (Fifo& each : fifos_) each.size.store(0);
+    filling_ = 0;
+    tails_[0] = {layout_.base, 0};
+    stream_end_.store(layout_.base.x);
+    complete_.store(false);
+    played_.store(0);
+    spent_.store(false);
+  } else if (may) {
+    fifos_[index(fifo)].size.store(0);
+  }
+  clearing_.store(false);
+  return may;
+}
+
+bool SegmentFifos::queue_switch() {
+  if (!moving() || layout_.stream || size(1 - active()) == 0) return false;
+  queued_.store(true);
+  return true;
+}
+
+// ---- player --------------------------------------------------------------------------------------
+
+bool SegmentFifos::take(int fifo) {
+  const State was = state();
+  if (was == State::taken || was == State::moving || spent_.load()) return false;
+  const int to = layout_.stream ? 0 : fifo;
+  const int active_before = active();
+  active_.store(to);
+  state_.store(State::taken);
+  if (!clearing_.load() && playing().size.load() > 0) {
+    before_ = was;
+    return true;
+  }
+  state_.store(was);
+  active_.store(active_before);
+  return false;
+}
+
+void SegmentFifos::give_back() {
+  if (state() == State::taken) state_.store(before_);
+}
+
+void SegmentFifos::start(double x, double position) {
+  assert(state() == State::taken);
+  base_ = layout_.stream ? layout_.base : RowStart{};
+  table_ = origin_ = {x - base_.x, position - base_.position};
   position_ = position;
   turns_ = 0;
   known_rates_ = 0;
   passes_ = 0;
   queued_ = false;
   rate_ = 0;
-  state_ = State::moving;
-  enter(0, true);
+  seen_ = playing().size.load();
+  state_.store(State::moving);
+  enter(0);
 }
 
-void SegmentFifos::queue_switch() {
-  assert(moving() && !layout_.stream && size(1 - active_) > 0);
-  queued_ = true;
+bool SegmentFifos::start(int fifo, double x, double position) {
+  if (!take(fifo)) return false;
+  start(x, position);
+  return true;
 }
 
-PtPoint SegmentFifos::before(std::size_t slot) const {
-  return slot > 0 ? playing().slots[slot - 1].point : base_;
+RowStart SegmentFifos::before(std::size_t slot) const {
+  return slot > 0 ? end_of(playing().slots[slot - 1].row) : base_;
 }
 
-/// Begins a segment with the rate that the one before ended with.
-void SegmentFifos::enter(std::size_t slot, bool first) {
+/// Begins a row with the rate that the one before ended with.
+void SegmentFifos::enter(std::size_t slot) {
   slot_ = slot;
-  Slot& at = playing().slots[slot];
-  at.start_rate = detail::pt_link(before(slot), at.point, first, rate_).rate.start;
+  playing().slots[slot].rate = rate_;
 }
 
-/// A segment once entered is `continued` from the rate it was entered with, whatever its type;
-/// `even` and `stop` have their own.
-double SegmentFifos::end_rate() const {
+PtRate SegmentFifos::rates_here() const {
   const Slot& at = playing().slots[slot_];
-  return detail::pt_link(before(slot_), at.point, false, at.start_rate).rate.end;
+  return rates(at.row, before(slot_), at.rate);
+}
+
+/// Whether rows have been pushed behind the last one that was known: looked for only when that is
+/// at its end. The passes of a table so far were shorter than those to come.
+bool SegmentFifos::grown() {
+  const std::size_t now = playing().size.load();
+  if (now == seen_) return false;
+  seen_ = now;
+  table_ = origin_;
+  turns_ = 0;
+  known_rates_ = 0;
+  return true;
 }
 
 void SegmentFifos::next() {
-  rate_ = end_rate();
-  if (slot_ + 1 < playing().size)
-    enter(slot_ + 1, false);
+  rate_ = rates_here().end;
+  if (layout_.stream) played_.fetch_add(1);
+  if (slot_ + 1 < seen_ || grown())
+    enter(slot_ + 1);
   else if (layout_.stream)
     end_stream_fifo();
   else
     end_pass();
 }
 
+/// Whether an open stream is at the end of all that was pushed, and more is to come.
+bool SegmentFifos::dry() const {
+  return growing() && slot_ + 1 == playing().size.load() && size(1 - active()) == 0;
+}
+
 void SegmentFifos::end_stream_fifo() {
-  const PtPoint last = playing().slots[slot_].point;
-  const bool more = size(1 - active_) > 0;
-  if (!more) return stop();
-  base_ = last;
-  playing().size = 0;
-  active_ = 1 - active_;
-  enter(0, false);
+  if (size(1 - active()) == 0) return stop();
+  base_ = end_of(last_row());
+  playing().size.store(0);
+  active_.store(1 - active());
+  seen_ = playing().size.load();
+  enter(0);
 }
 
 void SegmentFifos::take_turns(std::int64_t turns) {
-  const PtPoint last = playing().slots[playing().size - 1].point;
+  const SegmentRow& last = last_row();
   turns_ += turns;
   const auto all = static_cast<double>(turns_);
-  origin_ = {table_.x + all * last.x, table_.position + all * last.position};
+  origin_ = {table_.x + all * last.x_end, table_.position + all * last.p_end};
+}
+
+void SegmentFifos::new_table() {
+  playing().size.store(0);
+  active_.store(1 - active());
+  queued_.store(false);
+  passes_ = 0;
+  table_ = origin_;
+  turns_ = 0;
+  known_rates_ = 0;
 }
 
 void SegmentFifos::end_pass() {
-  ++passes_;
-  const bool again = loops_ < 1 || passes_ < loops_;
-  if (!queued_ && !again) return stop();
+  const std::int64_t done = passes_.load() + 1;
+  passes_.store(done);
+  const bool again = loops() < 1 || done < loops();
+  const bool switches = switch_queued();
+  if (!switches && !again) return stop();
   take_turns(1);
-  if (queued_) {
-    playing().size = 0;
-    active_ = 1 - active_;
-    queued_ = false;
-    passes_ = 0;
-    table_ = origin_;
-    turns_ = 0;
-    known_rates_ = 0;
+  if (switches) {
+    new_table();
   } else {
     pass_rates_ = {pass_rates_[1], pass_rates_[2], rate_};
     known_rates_ = std::min(known_rates_ + 1, 3);
   }
-  enter(0, true);
+  seen_ = playing().size.load();
+  enter(0);
 }
 
-/// The rate r with which a pass ends depends on the one before as s r + c: s is 0 where any segment
+/// The rate r with which a pass ends depends on the one before as s r + c: s is 0 where any row
 /// has a rate of its own, otherwise 1 or -1. So two passes change it by the same each time.
 void SegmentFifos::skip_passes(double x) {
-  if (layout_.stream || queued_ || slot_ != 0 || known_rates_ < 3) return;
+  if (layout_.stream || switch_queued() || slot_ != 0 || known_rates_ < 3) return;
   constexpr double countable = 9007199254740992;  // 2^53: beyond, the place in the pass is rounding
-  const double ahead = (x - origin_.x) / playing().slots[playing().size - 1].point.x;
+  const double ahead = (x - origin_.x) / last_row().x_end;
   if (!(ahead >= 4)) return;
   auto passes = static_cast<std::int64_t>(std::min(ahead, countable)) - 2;
-  if (loops_ < 1 && ahead >= countable) return lose();
-  if (loops_ >= 1) passes = std::min(passes, loops_ - 1 - passes_);
+  if (loops() < 1 && ahead >= countable) return lose();
+  if (loops() >= 1) passes = std::min(passes, loops() - 1 - passes_.load());
   if (passes < 2) return;
   const std::int64_t pairs = passes / 2;
   rate_ += static_cast<double>(pairs) * (rate_ - pass_rates_[0]);
   known_rates_ = 0;
-  passes_ += 2 * pairs;
+  passes_.fetch_add(2 * pairs);
   take_turns(2 * pairs);
-  enter(0, true);
+  enter(0);
 }
 
-/// Stands where the last segment ends. A stream is used up; a table is kept.
+/// Stands where the last row ends. A stream is used up; a table is kept.
 void SegmentFifos::stop() {
   constexpr double rounding = 1e-9;  // what a chain of quotients leaves where it comes to rest
-  const Slot& at = playing().slots[slot_];
-  const bool rests = std::abs(rate_) <= rounding * std::abs(at.start_rate - rate_);
-  state_ = rests ? State::ended : State::cut_off;
-  origin_.position += at.point.position;
-  if (layout_.stream) clear(0);
+  const bool rests = std::abs(rate_) <= rounding * std::abs(rates_here().start - rate_);
+  origin_.position += last_row().p_end;
+  spent_.store(layout_.stream);
+  state_.store(rests ? State::ended : State::cut_off);
 }
 
 void SegmentFifos::lose() {
-  state_ = State::lost;
   origin_.position = position_;
-  queued_ = false;
-  if (layout_.stream) clear(0);
+  queued_.store(false);
+  spent_.store(layout_.stream);
+  state_.store(State::lost);
 }
 
 Jet SegmentFifos::here(double u) const {
   const Slot& at = playing().slots[slot_];
-  const PtPoint from = before(slot_);
-  const Segment segment = detail::segment_of(detail::pt_link(from, at.point, false, at.start_rate));
-  Jet f = evaluate(segment, std::clamp((u - from.x) / segment.length, 0.0, 1.0));
+  Jet f = point(at.row, before(slot_), at.rate, u);
   f[0] += origin_.position;
   return f;
 }
 
 Jet SegmentFifos::at(double x) {
   if (moving() && !std::isfinite(x)) lose();
-  while (moving() && x - origin_.x >= playing().slots[slot_].point.x) {
+  while (moving() && x - origin_.x >= playing().slots[slot_].row.x_end && !dry()) {
     next();
     if (moving()) skip_passes(x);
   }
@@ -214,6 +303,16 @@ Jet SegmentFifos::in_pass(double u) {
   while (slot_ > 0 && u < before(slot_).x) --slot_;
   if (u < before(0).x) return {origin_.position + before(0).position, 0, 0, 0};
   return here(u);
+}
+
+double SegmentFifos::known() const {
+  if (layout_.stream) return origin_.x + stream_end_.load();
+  if (loops() < 1) return std::numeric_limits<double>::infinity();
+  const auto left = static_cast<double>(switch_queued() ? 1 : loops() - passes_.load());
+  const double end = origin_.x + left * last_row().x_end;
+  if (!switch_queued()) return end;
+  const Fifo& next = fifos_[index(1 - active())];
+  return end + static_cast<double>(loops()) * next.slots[next.size.load() - 1].row.x_end;
 }
 
 }  // namespace jounce

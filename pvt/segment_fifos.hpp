@@ -1,123 +1,165 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "jounce/pvt/pt.hpp"
+#include "jounce/pvt/segment_row.hpp"
 
 namespace jounce {
 
-/// Two FIFOs of PT segments and what plays them: the common core of Googol's PT and follow modes
-/// (pvt/googol_pt.hpp, gear/googol_follow.hpp), stepped by whoever owns an axis. A pure state
-/// machine: its memory is allocated when it is made, nothing throws, nothing waits.
+/// Two FIFOs of rows and what plays them: the common core of Googol's PT and follow modes
+/// (pvt/googol_pt.hpp, gear/googol_follow.hpp) and of rolling streams (executor/fifo_movement.hpp).
+/// A state machine without a clock: its memory is allocated when it is made, nothing throws or waits.
 ///
 ///     SegmentFifos fifos(1024);
 ///     fifos.reset({.each = 32, .total = 64, .stream = true});
-///     while (more && fifos.space(0) > 0) fifos.push(0, next());
-///     fifos.start(0, 0, 0);
+///     while (more && fifos.push(0, next()) == RowRule::none) ...   // the producer's thread
+///     fifos.start(0, 0, 0);                                         // the player's
 ///     const Jet now = fifos.at(t);   // every cycle; t does not fall
 ///
-/// **Vocabulary.** A *pass* plays one FIFO from its first segment to its last. Its *origin* is where
+/// **Two threads**: one *producer* fills, clears, queues switches; one *player* takes, starts, plays.
+/// Neither ever waits, and no row is read while it is written: the player reads what a FIFO's size
+/// covers, and empties a FIFO only when the producer has left it (a stream has moved on to the other
+/// one; a table whose switch is queued takes no more rows). Both may ask how things stand.
+///
+/// **Vocabulary.** A *pass* plays one FIFO from its first row to its last. Its *origin* is where
 /// x and position are when it begins: at the start, at the end of the pass before, at the switch. So
-/// the position is continuous whatever is pushed, and the points of every FIFO count from (0, 0).
+/// the position is continuous whatever is pushed, and the rows of every FIFO count from (0, 0), those
+/// of a stream from the layout's base.
 ///
 /// As *tables* (Googol: static) each FIFO is one: played as often as `loops` says, kept, and played
 /// again when started again. A queued switch waits for the end of the pass; then the other FIFO takes
 /// over and the old one is emptied.
-/// As a *stream* (dynamic) both are one table, whose points count from the stream's beginning: an
-/// exhausted FIFO is emptied and the other goes on, with the rate it was left with. So space comes
-/// back in blocks of a FIFO. Which FIFO is named does not matter. What is pushed after the end begins
-/// a new stream.
+/// As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied and the other goes on, with
+/// the rate it was left with. So space comes back in blocks of a FIFO. Which FIFO is named does not
+/// matter. A stream that has ended is cleared before the next one is pushed.
+/// An *open* stream ends with its `last` row alone: where it runs out of rows before, it stands at
+/// the end of what it knows, still moving, and goes on when more is pushed.
 ///
-/// **Rates** are as in pt(): a `normal` first segment of a pass begins at 0, a `continued` one at the
-/// end rate of the pass before (0 in the first one). Within a stream no segment but the first is
-/// first. Positions are those of pt() to the last bit where x and the origins add up exactly, else to rounding.
+/// **Rates** are as in SegmentRow: one left open goes on at the end rate of the row before, that of
+/// the pass before for the first of a pass (0 in the first one).
 ///
 /// **Backwards** x is followed to the beginning of the pass (of the FIFO, in a stream), and not
 /// further: there the axis stands until x comes back.
 class SegmentFifos {
  public:
-  /// Allocates for FIFOs of at most `most` segments.
+  /// Allocates for FIFOs of at most `most` rows.
   explicit SegmentFifos(std::size_t most);
 
   struct Layout {
-    std::size_t each = 0;   ///< segments a FIFO holds: at most `most`
+    std::size_t each = 0;   ///< rows a FIFO holds: at most `most`
     std::size_t total = 0;  ///< both together
     bool stream = false;
+    bool open = false;      ///< of a stream
+    RowStart base = {};     ///< of a stream: where its first row begins
+    RowLimits limits = {};  ///< what rows may ask for
   };
-  /// Empties both and takes another layout. Not while moving.
+  /// Empties both and takes another layout. Not while in use, and by one thread alone.
   void reset(const Layout& layout);
 
   enum class State : std::uint8_t {
     idle,     ///< not started since it was made or reset
+    taken,    ///< a FIFO is chosen and will be played: it waits for its start
     moving,   ///< it plays
-    ended,    ///< it has played its last segment, which came to rest
-    cut_off,  ///< the last segment ended at a rate: an underrun, or a table with an open end
+    ended,    ///< it has played its last row, which came to rest
+    cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
     lost,     ///< x was not finite, or 2^53 passes off: it stands where it was, until started again
   };
-  [[nodiscard]] State state() const { return state_; }
-  [[nodiscard]] bool moving() const { return state_ == State::moving; }
+  [[nodiscard]] State state() const { return state_.load(); }
+  [[nodiscard]] bool moving() const { return state() == State::moving; }
   [[nodiscard]] bool stream() const { return layout_.stream; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
 
-  [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size; }
-  /// Segments that can be pushed now: into this FIFO, or into a stream.
+  [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
+  /// Rows that can be pushed now: into this FIFO, or into a stream.
   [[nodiscard]] std::size_t space(int fifo) const;
-  /// Whether it is being played, or part of a stream that is.
+  /// Whether it is being played, waits to be, or is part of a stream that is.
   [[nodiscard]] bool in_use(int fifo) const;
   /// The FIFO that is played, or was last: 0 or 1.
-  [[nodiscard]] int active() const { return active_; }
-  [[nodiscard]] bool switch_queued() const { return queued_; }
-  [[nodiscard]] std::int64_t passes() const {
-    return passes_;
-  }  ///< completed since start or switch
+  [[nodiscard]] int active() const { return active_.load(); }
+  [[nodiscard]] bool switch_queued() const { return queued_.load(); }
+  /// Completed since start or switch.
+  [[nodiscard]] std::int64_t passes() const { return passes_.load(); }
+  /// Rows of the stream so far that have been played to their end.
+  [[nodiscard]] std::uint64_t rows_played() const { return played_.load(); }
+  /// The greatest rate, second and third derivative, and step of the rate, of all rows pushed since
+  /// the last reset, as far as they are known (what follows an open rate of a table is not).
+  [[nodiscard]] RowPeaks peaks() const;
 
-  /// Whether its numbers are finite and x goes on from the last point pushed.
-  [[nodiscard]] bool follows_on(int fifo, const PtPoint& point) const;
-  /// Takes a point that follows on, while there is space: both asserted.
-  void push(int fifo, const PtPoint& point);
-  /// Empties a FIFO, or the whole stream. Not in use.
-  void clear(int fifo);
+  // ---- producer ----------------------------------------------------------------------------------
 
+  /// Takes a row, or says what is wrong with it; limits are checked exactly, by (1) to (3) of
+  /// segment_row.cpp. A `last` row means nothing to a table.
+  RowRule push(int fifo, const SegmentRow& row);
+  /// What push() would say.
+  [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
+  /// Empties a FIFO, or the whole stream; false, and nothing, where it is in use.
+  bool clear(int fifo);
   /// Passes that a table is played; below 1: for ever. Counts at the end of a pass.
-  void set_loops(std::int64_t loops) { loops_ = loops; }
-  [[nodiscard]] std::int64_t loops() const { return loops_; }
+  void set_loops(std::int64_t loops) { loops_.store(loops); }
+  [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
+  /// At the end of the pass the other FIFO takes over. False unless tables move, and it has rows.
+  bool queue_switch();
 
-  /// Plays the FIFO (a stream: from its beginning) from x and position on. Not empty, not moving.
-  void start(int fifo, double x, double position);
-  /// At the end of the pass the other FIFO takes over. Moving tables alone; not empty.
-  void queue_switch();
+  // ---- player ------------------------------------------------------------------------------------
 
-  /// Position and derivatives by x. Plays on to x, which may lie many segments or passes further:
-  /// passes of a table are taken at once, so that the time a call takes depends on the segments alone.
+  /// Chooses what will be started: false where it is empty, in use, being cleared, or a stream that
+  /// has ended. give_back() takes the choice back.
+  bool take(int fifo);
+  void give_back();
+  /// Plays what was taken (a stream: from its base) from x and position on.
+  void start(double x, double position);
+  /// Both.
+  bool start(int fifo, double x, double position);
+
+  /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
+  /// passes of a table are taken at once, so that the time a call takes depends on the rows alone.
   /// Where it is not moving: the position where it ended, at rest.
   Jet at(double x);
 
+  /// x at which what is known now ends; infinite where tables are played for ever.
+  [[nodiscard]] double known() const;
+  /// Whether more rows are to come: an open stream without its last one.
+  [[nodiscard]] bool growing() const { return layout_.open && !complete_.load(); }
+
  private:
   struct Slot {
-    PtPoint point;
-    double start_rate = 0;  // as played last
+    SegmentRow row;
+    double rate = 0;  // at the end of the row before, as played last
   };
   struct Fifo {
     std::vector<Slot> slots;
-    std::size_t size = 0;
+    std::atomic<std::size_t> size{0};
   };
   struct Origin {
     double x = 0;
     double position = 0;
   };
+  /// Where the producer is: the end of the last row, and the rate there (NaN: not known yet).
+  struct Tail {
+    RowStart end;
+    double rate = SegmentRow::open;
+  };
 
   static std::size_t index(int fifo) { return fifo == 0 ? 0 : 1; }
-  [[nodiscard]] Fifo& playing() { return fifos_[index(active_)]; }
-  [[nodiscard]] const Fifo& playing() const { return fifos_[index(active_)]; }
-  [[nodiscard]] PtPoint last_pushed(int fifo) const;
-  [[nodiscard]] PtPoint before(std::size_t slot) const;
-  [[nodiscard]] double end_rate() const;
+  static RowStart end_of(const SegmentRow& row) { return {row.x_end, row.p_end}; }
+  [[nodiscard]] Tail tail(int fifo) const;
+  void note(const RowPeaks& peaks);
+  [[nodiscard]] Fifo& playing() { return fifos_[index(active())]; }
+  [[nodiscard]] const Fifo& playing() const { return fifos_[index(active())]; }
+  [[nodiscard]] const SegmentRow& last_row() const { return playing().slots[seen_ - 1].row; }
+  [[nodiscard]] RowStart before(std::size_t slot) const;
+  [[nodiscard]] PtRate rates_here() const;
   [[nodiscard]] Jet here(double u) const;
-  void enter(std::size_t slot, bool first);
+  [[nodiscard]] bool dry() const;
+  void enter(std::size_t slot);
+  bool grown();
   void next();
   void end_pass();
+  void new_table();
   void take_turns(std::int64_t turns);
   void end_stream_fifo();
   void skip_passes(double x);
@@ -125,20 +167,33 @@ class SegmentFifos {
   void lose();
   Jet in_pass(double u);
 
-  std::array<Fifo, 2> fifos_;
   Layout layout_;
-  State state_ = State::idle;
-  int active_ = 0;
-  int filling_ = 0;  // of a stream
-  bool queued_ = false;
-  std::int64_t loops_ = 1;
-  std::int64_t passes_ = 0;
-  Origin table_;  // of the first pass of its period
+  std::array<Fifo, 2> fifos_;
+  std::atomic<State> state_{State::idle};
+  std::atomic<int> active_{0};
+  std::atomic<bool> queued_{false};    // set by the producer, taken back by the player
+  std::atomic<bool> clearing_{false};  // the producer is at it
+  std::atomic<bool> spent_{false};     // a stream has ended and was not cleared
+  std::atomic<bool> complete_{false};  // the stream's last row is there
+  std::atomic<double> stream_end_{0};  // x of the last row pushed
+  std::atomic<std::int64_t> loops_{1};
+  std::atomic<std::int64_t> passes_{0};
+  std::atomic<std::uint64_t> played_{0};
+  std::array<std::atomic<double>, 4> peaks_{};
+
+  // The producer's.
+  int filling_ = 0;            // of a stream
+  std::array<Tail, 2> tails_;  // of each table; [0] of a stream
+
+  // The player's.
+  State before_ = State::idle;  // what a take() is given back to
+  Origin table_;                // of the first pass of its period
   std::int64_t turns_ = 0;
-  Origin origin_;  // of this pass: table_ + turns_ times the table
-  PtPoint base_;   // of a stream: the last point of what was emptied
-  std::size_t slot_ = 0;
-  double rate_ = 0;                     // at the end of the segment before
+  Origin origin_;                       // of this pass: table_ + turns_ times the table
+  RowStart base_;                       // of a stream: the end of what was emptied
+  std::size_t slot_ = 0;                // played
+  std::size_t seen_ = 0;                // rows of this pass
+  double rate_ = 0;                     // at the end of the row before
   double position_ = 0;                 // given last
   std::array<double, 3> pass_rates_{};  // at the ends of the last passes, and how many are known
   int known_rates_ = 0;
