@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +20,7 @@ namespace jounce::cli {
 namespace {
 
 struct Options {
-  std::string axis;
+  std::vector<std::string> axes;
   std::string log;
   LinkOptions link;
   RunOptions run;
@@ -43,6 +46,20 @@ AxisConfig axis_of(const Spec& spec) {
   return config;
 }
 
+/// A terminal that does not take text must not hold up the executor: then it is dropped.
+void say(const std::string& notice) {
+  pollfd out{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
+}
+
+/// run.csv for one axis; run.feeder.csv, run.knife.csv for several.
+std::string log_of(const Options& options, const std::string& name) {
+  if (options.axes.size() == 1) return options.log;
+  std::filesystem::path path(options.log);
+  const std::string extension = path.extension().string();
+  return path.replace_extension("." + name + extension).string();
+}
+
 ExecutorOptions executor_of(const Options& options, const Spec& spec) {
   ExecutorOptions executor;
   executor.axis = axis_of(spec);
@@ -50,34 +67,68 @@ ExecutorOptions executor_of(const Options& options, const Spec& spec) {
   executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;
-  if (!options.log.empty()) executor.log = options.log;
-  executor.notify = [](const std::string& notice) {
-    // A terminal that does not take text must not hold up the executor: then it is dropped.
-    pollfd out{STDERR_FILENO, POLLOUT, 0};
-    if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
-  };
+  executor.build_apart = 2000;  // knots: about a millisecond
+  if (!options.log.empty()) executor.log = log_of(options, spec.name);
+  const std::string whose = options.axes.size() == 1 ? "" : spec.name + ": ";
+  executor.notify = [whose](const std::string& notice) { say(whose + notice); };
+  (void)resolved(executor.axis);
   return executor;
 }
 
-int report(const ExecutorSummary& summary, bool json) {
-  if (json) {
-    const nlohmann::ordered_json document{
-        {"finished", summary.finished},     {"stopped", summary.stopped},
-        {"fault", name(summary.fault)},     {"position", summary.position},
-        {"ticks", summary.cycle.ticks},     {"late", summary.cycle.late},
-        {"skipped", summary.cycle.skipped}, {"latest_ns", summary.cycle.latest_ns},
-        {"log_lost", summary.cycle.lost}};
-    fmt::print("{}\n", document.dump(1));
-  } else {
-    fmt::print(
-        "{} motions finished, {} stopped; at {}; {} ticks, {} late, the latest by {:.3f} ms\n",
-        summary.finished, summary.stopped, number(summary.position), summary.cycle.ticks,
-        summary.cycle.late, static_cast<double>(summary.cycle.latest_ns) * 1e-6);
-    if (!summary.realtime.empty()) fmt::print("{}\n", summary.realtime);
-    if (summary.fault != Cause::none)
-      fmt::print("fault: {}: {}\n", name(summary.fault), meaning(summary.fault));
+ExecutorOptions read_axis(const Options& options, const std::string& path) {
+  const Spec spec = read_spec(path);
+  try {
+    return executor_of(options, spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
   }
-  return summary.fault == Cause::none ? fine : finding;
+}
+
+void print(const AxisSummary& axis, bool alone) {
+  fmt::print("{}{} motions finished, {} stopped; at {}\n", alone ? "" : axis.name + ": ",
+             axis.finished, axis.stopped, number(axis.position));
+  if (axis.fault != Cause::none)
+    fmt::print("{}fault: {}: {}\n", alone ? "" : axis.name + ": ", name(axis.fault),
+               meaning(axis.fault));
+}
+
+void print(const ExecutorSummary& summary) {
+  for (const AxisSummary& axis : summary.axes) print(axis, summary.axes.size() == 1);
+  const CycleCounts& cycle = summary.cycle;
+  fmt::print(
+      "{} ticks, {} late, the latest by {:.3f} ms; 99.9 % woken within {} us, computed in {} us\n",
+      cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
+      upper_bound(summary.lateness, 0.999), upper_bound(summary.computing, 0.999));
+  if (!summary.realtime.empty()) fmt::print("{}\n", summary.realtime);
+}
+
+nlohmann::ordered_json json_of(const ExecutorSummary& summary) {
+  nlohmann::ordered_json axes = nlohmann::ordered_json::array();
+  for (const AxisSummary& axis : summary.axes)
+    axes.push_back({{"name", axis.name},
+                    {"finished", axis.finished},
+                    {"stopped", axis.stopped},
+                    {"fault", name(axis.fault)},
+                    {"position", axis.position}});
+  return {{"axes", axes},
+          {"ticks", summary.cycle.ticks},
+          {"late", summary.cycle.late},
+          {"skipped", summary.cycle.skipped},
+          {"latest_ns", summary.cycle.latest_ns},
+          {"computed_ns", summary.cycle.computed_ns},
+          {"lateness_us", summary.lateness},
+          {"computing_us", summary.computing},
+          {"log_lost", summary.cycle.lost}};
+}
+
+int report(const ExecutorSummary& summary, bool json) {
+  if (json)
+    fmt::print("{}\n", json_of(summary).dump(1));
+  else
+    print(summary);
+  const bool faulty = std::any_of(summary.axes.begin(), summary.axes.end(),
+                                  [](const AxisSummary& a) { return a.fault != Cause::none; });
+  return faulty ? finding : fine;
 }
 
 /// Two executors of one name would both play what is sent to it.
@@ -87,24 +138,25 @@ void require_alone(Transport& link, const std::string& name) {
     throw InputError("name", name, "an executor of this name is running already on this --url");
 }
 
+bool has_played(const ExecutorSummary& summary) {
+  return std::any_of(summary.axes.begin(), summary.axes.end(),
+                     [](const AxisSummary& a) { return a.finished + a.stopped > 0; });
+}
+
 int run(const Options& options) {
-  const Spec spec = read_spec(options.axis);
-  ExecutorOptions executor;
-  try {
-    executor = executor_of(options, spec);
-    (void)resolved(executor.axis);
-  } catch (const InputError& error) {
-    throw spec.document.located(error);
-  }
-  require_alone(Link(options.link).transport(), spec.name);
+  std::vector<ExecutorOptions> axes;
+  for (const std::string& path : options.axes) axes.push_back(read_axis(options, path));
+  (void)Machine(machine_of(axes));
+  for (const auto& axis : axes)
+    require_alone(Link(options.link).transport(), axis.receiver.executor);
   Link link(options.link);
-  const ExecutorSummary summary = run_executor(link.transport(), executor, options.run);
+  const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
   const int status = report(summary, options.json);
   if (!options.log.empty() && summary.cycle.lost > 0) {
     fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
     return fault;
   }
-  const bool idle = options.run.once && summary.finished + summary.stopped == 0;
+  const bool idle = options.run.once && !has_played(summary);
   return status == fine && idle ? finding : status;
 }
 
@@ -115,14 +167,24 @@ void add_run(CLI::App& app, Work& work) {
   CLI::App* verb =
       add_verb(app, "run", "Run an executor: take tables from a stream and play them, tick by tick",
                "jounce run axis.toml --log run.csv --once");
-  verb->add_option("AXIS", options->axis, "Spec of kind \"axis\": limits, cycle, name")->required();
-  verb->add_option("--log", options->log, "CSV of what was commanded in each tick");
+  verb->add_option("AXIS", options->axes,
+                   "Specs of kind \"axis\": limits, cycle, name; several run in one cycle")
+      ->required();
+  verb->add_option("--log", options->log,
+                   "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
   verb->add_option("--seconds", options->run.seconds, "End after so many seconds")
       ->check(seconds_option());
   verb->add_flag("--once", options->run.once, "End after one motion");
-  verb->add_option("--realtime", options->run.realtime_priority,
+  verb->add_option("--realtime", options->run.realtime.priority,
                    "SCHED_FIFO priority of the cycle, 1 to 99, where permitted")
       ->check(CLI::Range(1, 99));
+  verb->add_option("--cpu", options->run.realtime.cpu,
+                   "The only CPU the cycle may run on, counted from 0")
+      ->check(CLI::Range(0, 1023));
+  verb->add_option("--watchdog", options->run.watchdog,
+                   "Stop all axes where the communication hangs for so many seconds; 0: never")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   verb->add_flag("--adopt-start", options->adopt_start,
                  "At standstill, a table's first position is where the axis stands");
   add_link_options(*verb, options->link);

@@ -4,41 +4,19 @@
 #include <cassert>
 #include <cerrno>
 #include <ctime>
-#include <system_error>
-
-#include <pthread.h>
-#include <sched.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 
 namespace jounce {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 
-std::string because(int error) {
-  return " (" + std::generic_category().message(error) + ")";
-}
-
-std::string ask_for_fifo(int priority) {
-  sched_param wanted{};
-  wanted.sched_priority = priority;
-  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
-  if (error == 0) return "SCHED_FIFO " + std::to_string(priority);
-  return "no SCHED_FIFO" + because(error) + ": grant CAP_SYS_NICE or an rtprio limit";
-}
-
-std::string lock_memory() {
-  // With a bound on locked memory, locking what is yet to come would make allocations fail.
-  rlimit bound{};
-  const bool unbounded = getrlimit(RLIMIT_MEMLOCK, &bound) == 0 && bound.rlim_cur == RLIM_INFINITY;
-  if (mlockall(unbounded ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) == 0) return "memory locked";
-  return "memory not locked" + because(errno) + ": grant CAP_IPC_LOCK or a memlock limit";
-}
-
-void touch_stack() {
-  volatile unsigned char pages[128 * 1024];
-  for (std::size_t i = 0; i < sizeof pages; i += 1024) pages[i] = 0;
+void post(const AxisImage& image, Mail& mail) {
+  if (!mail.ticks.push(image.tick))
+    mail.lost.store(mail.lost.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  if (image.command.id == 0 && !image.tick.handed_back.front()) return;
+  [[maybe_unused]] const bool posted =
+      mail.answers.push({image.command.id, image.tick.refused, image.tick.handed_back});
+  assert(posted);
 }
 
 }  // namespace
@@ -55,39 +33,64 @@ void MonotonicPacer::sleep_until(std::int64_t instant) {
   }
 }
 
-Cycle::Cycle(MotionAxis& axis, Pacer& pacer, Mail& mail)
-    : axis_(axis), pacer_(pacer), mail_(mail), start_(pacer.now()) {}
+Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, std::int64_t patience)
+    : machine_(machine),
+      pacer_(pacer),
+      post_(post),
+      images_(machine.size()),
+      patience_(patience),
+      start_(pacer.now()) {
+  assert(post.mail.size() == machine.size());
+}
 
 void Cycle::once() {
-  const std::int64_t period = axis_.config().period;
-  pacer_.sleep_until(start_ + next_ * period);
-  const std::int64_t delay = pacer_.now() - (start_ + next_ * period);
-  const std::int64_t missed = std::max<std::int64_t>(delay / period, 0);
+  const std::int64_t period = machine_.period();
+  const std::int64_t due = start_ + next_ * period;
+  pacer_.sleep_until(due);
+  const std::int64_t woken = pacer_.now();
+  const std::int64_t missed = std::max<std::int64_t>((woken - due) / period, 0);
+  const std::int64_t tick = next_ + missed;
+  read();
+  machine_.step(tick, images_);
+  write();
+  account(woken - due, missed, woken);
+  next_ = tick + 1;
+}
 
-  Command command;
-  mail_.commands.pop(command);
-  const Tick tick = axis_.step(next_ + missed, command);
-  post(command, tick);
+void Cycle::read() {
+  const bool watchdog = silent();
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    AxisImage& image = images_[i];
+    if (!post_.mail[i]->commands.pop(image.command)) image.command = {};
+    image.inputs.watchdog = watchdog;
+  }
+}
 
+void Cycle::write() {
+  for (std::size_t i = 0; i < images_.size(); ++i) post(images_[i], *post_.mail[i]);
+}
+
+bool Cycle::silent() {
+  if (patience_ == 0) return false;
+  const std::uint64_t alive = post_.vitals.alive.load(std::memory_order_relaxed);
+  since_alive_ = alive == alive_ ? since_alive_ + 1 : 0;
+  alive_ = alive;
+  return since_alive_ > patience_;
+}
+
+void Cycle::account(std::int64_t delay, std::int64_t missed, std::int64_t woken) {
+  const std::int64_t computed = pacer_.now() - woken;
   ++counts_.ticks;
   counts_.late += missed > 0;
   counts_.skipped += missed;
   counts_.latest_ns = std::max(counts_.latest_ns, delay);
-  next_ = tick.tick + 1;
-}
-
-void Cycle::post(const Command& command, const Tick& tick) {
-  if (!mail_.ticks.push(tick)) ++counts_.lost;
-  if (command.id == 0 && !tick.handed_back.front()) return;
-  [[maybe_unused]] const bool posted =
-      mail_.answers.push({command.id, tick.refused, tick.handed_back});
-  assert(posted);
-}
-
-std::string make_realtime(int priority) {
-  touch_stack();
-  const std::string fifo = ask_for_fifo(priority);
-  return fifo + "; " + lock_memory();
+  counts_.computed_ns = std::max(counts_.computed_ns, computed);
+  Vitals& vitals = post_.vitals;
+  vitals.late.store(counts_.late, std::memory_order_relaxed);
+  vitals.lateness.add(delay);
+  vitals.computing.add(computed);
+  counts_.lost = 0;
+  for (const auto& mail : post_.mail) counts_.lost += mail->lost.load(std::memory_order_relaxed);
 }
 
 }  // namespace jounce

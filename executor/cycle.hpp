@@ -3,10 +3,12 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <string>
+#include <vector>
 
-#include "jounce/executor/axis.hpp"
+#include "jounce/executor/histogram.hpp"
+#include "jounce/executor/machine.hpp"
 #include "jounce/executor/ring.hpp"
 
 namespace jounce {
@@ -24,7 +26,8 @@ class Pacer {
   Pacer& operator=(const Pacer&) = default;
 };
 
-/// CLOCK_MONOTONIC with absolute deadlines: a relative sleep would fall behind without end.
+/// CLOCK_MONOTONIC with absolute deadlines: a relative sleep would fall behind without end, and no
+/// other clock of the system goes on evenly when somebody sets the time.
 class MonotonicPacer final : public Pacer {
  public:
   [[nodiscard]] std::int64_t now() override;
@@ -35,55 +38,88 @@ class MonotonicPacer final : public Pacer {
 struct Answer {
   std::uint64_t id = 0;  ///< of the command; 0: there was none
   std::optional<Refusal> refused{};
-  std::array<const Movement*, 3> handed_back{};
+  decltype(Tick::handed_back) handed_back{};
 };
 
-/// All that passes between the cyclic thread and the one that communicates. Ticks may be lost where
-/// nobody takes them. Answers may not: at most `most_commands` with a number may be unanswered.
+/// All that passes between one axis in the cyclic thread and the one that communicates. Ticks may be
+/// lost where nobody takes them for two thousand cycles. Answers may not: at most `most_commands`
+/// with a number may be unanswered.
 struct Mail {
   static constexpr std::size_t most_commands = 8;
+  static constexpr std::size_t most_ticks = 2048;
   Ring<Command, most_commands> commands;
   Ring<Answer, 4 * most_commands> answers;
-  Ring<Tick, 8192> ticks;
+  Ring<Tick, most_ticks> ticks;
+  std::atomic<std::int64_t> lost{0};  ///< ticks that found the ring full
+};
+
+/// What the two threads let each other know of themselves.
+struct Vitals {
+  std::atomic<std::uint64_t> alive{0};  ///< counted up by who communicates, as a sign of life
+  std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
+  Histogram lateness;                   ///< of waking up: from the instant of the tick
+  Histogram computing;                  ///< from waking up until the setpoints are given out
+};
+
+/// The post of a whole machine: a Mail for each axis, and the vitals.
+struct Post {
+  explicit Post(std::size_t axes) : mail(axes) {
+    for (auto& one : mail) one = std::make_unique<Mail>();
+  }
+  std::vector<std::unique_ptr<Mail>> mail;
+  Vitals vitals;
 };
 
 /// How well the cycle kept time.
 struct CycleCounts {
-  std::int64_t ticks = 0;      ///< steps made
-  std::int64_t late = 0;       ///< that began a period or more after their instant
-  std::int64_t skipped = 0;    ///< tick numbers left out because of that
-  std::int64_t latest_ns = 0;  ///< the longest delay of a step
-  std::int64_t lost = 0;       ///< ticks that found the ring full
+  std::int64_t ticks = 0;        ///< steps made
+  std::int64_t late = 0;         ///< that began a period or more after their instant
+  std::int64_t skipped = 0;      ///< tick numbers left out because of that
+  std::int64_t latest_ns = 0;    ///< the longest delay of a step
+  std::int64_t computed_ns = 0;  ///< the longest computation of a step
+  std::int64_t lost = 0;         ///< ticks that found their ring full
 };
 
-/// The real-time loop: waits for the next instant, steps the axis once, and posts what it said.
+/// The real-time loop: waits for the next instant, reads what the axes are told and what they see,
+/// steps the machine once, and posts what it said.
 ///
-///     Cycle cycle(axis, pacer, mail);
+///     Post post(machine.size());
+///     Cycle cycle(machine, pacer, post);
 ///     while (!quit) cycle.once();
 ///
 /// Tick k belongs to the instant start + k * period. A cycle that wakes up late goes on with the
-/// tick that the time has come for, and the axis leaves out those before: never a burst of steps.
+/// tick that the time has come for, and the axes leave out those before: never a burst of steps.
+/// Each axis obeys one command a tick.
+///
+/// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, every axis is
+/// told so (Inputs::watchdog): nobody could stop it any more. Cycles are counted, not time: a machine
+/// that stood still as a whole has not fallen silent.
+///
 /// once() neither allocates, locks, logs nor waits for another thread.
 class Cycle {
  public:
-  Cycle(MotionAxis& axis, Pacer& pacer, Mail& mail);
+  /// `patience` 0: no watchdog. All must outlive it.
+  Cycle(Machine& machine, Pacer& pacer, Post& post, std::int64_t patience = 0);
 
   void once();
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
 
  private:
-  void post(const Command& command, const Tick& tick);
+  void read();
+  void write();
+  [[nodiscard]] bool silent();
+  void account(std::int64_t delay, std::int64_t missed, std::int64_t woken);
 
-  MotionAxis& axis_;
+  Machine& machine_;
   Pacer& pacer_;
-  Mail& mail_;
+  Post& post_;
+  std::vector<AxisImage> images_;
+  std::int64_t patience_;
+  std::uint64_t alive_ = 0;       // the last sign of life that was seen
+  std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;
   std::int64_t next_ = 0;  // tick
   CycleCounts counts_;
 };
-
-/// Asks for SCHED_FIFO at this priority for the calling thread, locks all memory and touches the
-/// stack, each as far as it is permitted. The answer says in words what was granted.
-std::string make_realtime(int priority);
 
 }  // namespace jounce

@@ -1,240 +1,76 @@
 #include "jounce/executor/dispatcher.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-#include <variant>
-
-#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-using Kind = Command::Kind;
-
-bool differ(const std::string& axis, const std::string& table) {
-  return !axis.empty() && axis != table;
-}
-
-wire::AxisState on_wire(State state) {
-  switch (state) {
-    case State::disabled:
-      return wire::AxisState::disabled;
-    case State::standstill:
-      return wire::AxisState::standstill;
-    case State::discrete_motion:
-      return wire::AxisState::discrete_motion;
-    case State::synchronized_motion:
-      return wire::AxisState::synchronized_motion;
-    case State::stopping:
-      return wire::AxisState::stopping;
-    default:
-      break;
-  }
-  return wire::AxisState::error_stop;
+std::vector<ReceiverOptions> receivers_of(const std::vector<ExecutorOptions>& axes) {
+  std::vector<ReceiverOptions> receivers;
+  for (const auto& axis : axes) receivers.push_back(axis.receiver);
+  return receivers;
 }
 
 }  // namespace
 
-Dispatcher::Dispatcher(Transport& link, const ExecutorOptions& options, Mail& mail, Clock clock)
-    : options_(options),
-      mail_(mail),
+std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
+  std::vector<MachineAxis> machine;
+  for (const auto& axis : axes)
+    machine.push_back({axis.receiver.executor, axis.axis, axis.switches, axis.follow});
+  return machine;
+}
+
+Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
+                       Clock clock)
+    : vitals_(post.vitals),
       clock_(clock),
-      pump_(link, options.receiver, random_id(), std::move(clock)),
-      published_(clock_() - options.status_period) {
-  if (options_.log) log_.emplace(*options_.log, options_.units);
-  order({.kind = Kind::enable});
-  flush();
+      pump_(link, receivers_of(axes), random_id(), std::move(clock)) {
+  const Nanos now = clock_();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    desks_.emplace_back(axes[i], pump_.receiver(i), post, i, worker_);
+    // Spread over the period: the statuses of 64 axes do not come in one burst.
+    const auto share = static_cast<std::int64_t>(i) * axes[i].status_period.count() /
+                       static_cast<std::int64_t>(axes.size());
+    published_.push_back(now - axes[i].status_period + Nanos(share));
+  }
 }
 
 void Dispatcher::turn(Nanos timeout) {
+  vitals_.alive.fetch_add(1, std::memory_order_relaxed);
   pump_.run(timeout);
-  while (const auto event = pump_.receiver().take_event())
-    std::visit([&](const auto& e) { handle(e); }, *event);
-  take_answers();
-  take_ticks();  // the later: the tick of every answer is there to be taken
-  flush();
-  if (clock_() - published_ >= options_.status_period) publish();
+  for (std::size_t i = 0; i < desks_.size(); ++i) {
+    desks_[i].turn();
+    if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
+  }
 }
 
 void Dispatcher::retire() {
-  retired_ = true;
-  clear_outbox();
-  order({.kind = Kind::stop});
-  flush();
+  for (Desk& desk : desks_) desk.retire();
 }
 
 void Dispatcher::close() {
-  take_answers();
-  take_ticks();
-  publish();
-  if (log_) log_->close();
-  log_.reset();
-}
-
-// ---- requests ----------------------------------------------------------------------------------
-
-void Dispatcher::handle(const TableReady& ready) {
-  notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
-         std::to_string(ready.table.table->size()) + " knots");
-}
-
-std::optional<Refusal> Dispatcher::unfit(const ArmRequested& arm) const {
-  if (retired_) return Refusal{.cause = Cause::leaving};
-  if (arm.mode == wire::ArmMode::follow_input) return Refusal{.cause = Cause::no_master_input};
-  if (differ(options_.units.position, arm.slave.units.position) ||
-      (arm.master && differ(options_.units.x, arm.slave.units.x)))
-    return Refusal{.cause = Cause::wrong_unit};
-  return std::nullopt;
-}
-
-/// Where the axis will stand when what it plays now is over.
-double Dispatcher::next_rest() const {
-  const auto playing = jobs_.find(last_.job);
-  return playing == jobs_.end() ? last_.position : playing->second.job->last().slave[0];
-}
-
-void Dispatcher::handle(const ArmRequested& arm) {
-  const Request request{arm.session, arm.command, Kind::arm};
-  if (const auto refusal = unfit(arm)) return answer(request, refusal);
-  const std::uint64_t id = numbers_ + 1;
-  std::unique_ptr<Job> job;
-  try {
-    const double tick = static_cast<double>(options_.axis.period) * 1e-9;
-    job = arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table, tick,
-                                             arm.coupling, next_rest())
-                     : std::make_unique<Job>(id, arm.slave.table, nullptr, tick);
-  } catch (const InputError&) {
-    return answer(request, Refusal{.cause = Cause::bad_table});
-  } catch (const std::bad_alloc&) {
-    return answer(request, Refusal{.cause = Cause::bad_table});
-  }
-  if (last_.fault != Cause::none && arm.session != fault_session_) {
-    // Only a job that will be armed may clear a fault.
-    const double at = options_.adopt_start ? job->first().slave[0] : last_.position;
-    if (const auto refusal = admit(*job, options_.axis, at)) return answer(request, refusal);
-    order({.kind = Kind::reset});
-  }
-  if (options_.adopt_start && !moving())
-    order({.kind = Kind::set_position, .position = job->first().slave[0]});
-  order({.kind = Kind::arm, .movement = job.get()}, request);
-  jobs_[id] = {std::move(job), arm.slave.hash};
-}
-
-void Dispatcher::handle(const StartRequested& start) {
-  motion_session_ = start.session;
-  order({.kind = Kind::start, .at = start.tick}, {start.session, start.command, Kind::start});
-}
-
-void Dispatcher::handle(const StopRequested& stop) {
-  clear_outbox();
-  const Kind kind = stop.mode == wire::StopMode::abort ? Kind::abort : Kind::stop;
-  order({.kind = kind}, {stop.session, stop.command, kind});
-}
-
-void Dispatcher::handle(const SessionEnded& ended) {
-  const bool silent = ended.why == SessionEnded::Why::silent;
-  if (silent) notify("the owner has fallen silent");
-  // The motion may be that of an owner before, who released it to run on.
-  const bool its_motion = ended.session == motion_session_;
-  order({.kind = silent && its_motion && options_.stop_when_silent ? Kind::stop : Kind::disarm});
-}
-
-/// A stop goes ahead of whatever has not reached the axis yet, and makes it void.
-void Dispatcher::clear_outbox() {
-  for (const Command& command : outbox_) {
-    if (command.movement != nullptr) jobs_.erase(command.movement->id());
-    unanswered_.erase(command.id);
-  }
-  outbox_.clear();
-}
-
-// ---- the axis ----------------------------------------------------------------------------------
-
-void Dispatcher::order(Command command) {
-  command.id = ++numbers_;
-  outbox_.push_back(command);
-}
-
-/// An order that somebody waits for.
-void Dispatcher::order(const Command& command, const Request& request) {
-  order(command);
-  unanswered_[numbers_] = request;
-}
-
-void Dispatcher::flush() {
-  for (; !outbox_.empty() && under_way_ < Mail::most_commands; outbox_.pop_front()) {
-    mail_.commands.push(outbox_.front());
-    ++under_way_;
+  for (std::size_t i = 0; i < desks_.size(); ++i) {
+    desks_[i].close();
+    publish(i);
   }
 }
 
-void Dispatcher::take_answers() {
-  for (Answer from_axis; mail_.answers.pop(from_axis);) {
-    if (from_axis.id != 0) --under_way_;
-    if (const auto it = unanswered_.find(from_axis.id); it != unanswered_.end()) {
-      answer(it->second, from_axis.refused);
-      unanswered_.erase(it);
-    }
-    for (const Movement* job : from_axis.handed_back)
-      if (job != nullptr) jobs_.erase(job->id());
-  }
+bool Dispatcher::moving() const {
+  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.moving(); });
 }
 
-void Dispatcher::answer(const Request& request, const std::optional<Refusal>& refused) {
-  // A stop that an axis in a fault does not obey is a stop all the same: it does not move.
-  if (!refused || request.kind == Kind::stop)
-    return pump_.receiver().accept(request.session, request.command);
-  pump_.receiver().refuse(request.session, request.command, refused->text(),
-                          static_cast<std::int32_t>(refused->cause));
-  notify("refused: " + refused->text());
+bool Dispatcher::settled() const {
+  return std::all_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.settled(); });
 }
 
-void Dispatcher::take_ticks() {
-  for (Tick tick; mail_.ticks.pop(tick);) {
-    if (log_) log_->add(tick);
-    compare(tick);
-    last_ = tick;
-  }
+bool Dispatcher::owned() const {
+  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.owned(); });
 }
 
-/// Tells what has become of the axis since the tick before.
-void Dispatcher::compare(const Tick& tick) {
-  late_ += tick.skipped > 0 ? 1 : 0;
-  const std::string at = " at tick " + std::to_string(tick.tick);
-  if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
-  if (tick.finished > last_.finished) notify("finished" + at);
-  if (tick.stopped > last_.stopped) notify("stopped" + at);
-  if (tick.fault == last_.fault) return;
-  if (tick.fault != Cause::none) {
-    fault_session_ = pump_.receiver().session();
-    notify(std::string("fault: ") + name(tick.fault) + ": " + meaning(tick.fault) + at);
-  }
-}
-
-void Dispatcher::publish() {
-  wire::Status status{.state = on_wire(last_.state),
-                      .tick = last_.tick,
-                      .cycle_ns = options_.axis.period,
-                      .master_position = NAN,
-                      .slave_position = last_.position,
-                      .slave_velocity = last_.velocity,
-                      .last_error = static_cast<std::int32_t>(last_.fault),
-                      .late_ticks = late_,
-                      .finished = static_cast<std::int64_t>(last_.finished),
-                      .stopped = static_cast<std::int64_t>(last_.stopped)};
-  if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
-  const auto kept = jobs_.find(last_.job != 0 ? last_.job : last_.armed);
-  if (kept != jobs_.end()) {
-    std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());
-    if (kept->second.job->synchronized()) status.master_position = last_.master;
-  }
-  pump_.publish(status);
-  published_ = clock_();
-}
-
-void Dispatcher::notify(const std::string& notice) const {
-  if (options_.notify) options_.notify(notice);
+void Dispatcher::publish(std::size_t axis) {
+  pump_.publish(desks_[axis].status(), axis);
+  published_[axis] = clock_();
 }
 
 }  // namespace jounce

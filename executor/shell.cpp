@@ -1,6 +1,7 @@
 #include "jounce/executor/shell.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <future>
 #include <memory>
@@ -50,9 +51,8 @@ class SignalWatch {
 /// The cyclic thread. Joined by its destructor at the latest.
 class CyclicThread {
  public:
-  CyclicThread(const ExecutorOptions& options, Mail& mail, int priority)
-      : axis_(options.axis, options.switches),
-        thread_([this, &mail, priority] { run(mail, priority); }) {}
+  CyclicThread(Machine& machine, Post& post, const RunOptions& run)
+      : machine_(machine), thread_([this, &post, run] { this->run(post, run); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
   CyclicThread& operator=(const CyclicThread&) = delete;
@@ -67,14 +67,15 @@ class CyclicThread {
   }
 
  private:
-  void run(Mail& mail, int priority) {
-    realtime_.set_value(priority > 0 ? make_realtime(priority) : "");
-    Cycle cycle(axis_, pacer_, mail);
+  void run(Post& post, const RunOptions& run) {
+    realtime_.set_value(make_realtime(run.realtime));
+    const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
+    Cycle cycle(machine_, pacer_, post, static_cast<std::int64_t>(cycles));
     while (running_) cycle.once();
     counts_ = cycle.counts();
   }
 
-  MotionAxis axis_;
+  Machine& machine_;
   MonotonicPacer pacer_;
   std::promise<std::string> realtime_;
   std::atomic<bool> running_{true};
@@ -87,15 +88,24 @@ class Deadline {
  public:
   explicit Deadline(const RunOptions& run) : run_(run), begin_(steady_now()) {
     if (run.seconds) require_positive("seconds", *run.seconds);
+    if (run.watchdog != 0) require_positive("watchdog", run.watchdog);
   }
 
-  [[nodiscard]] bool reached(const Tick& last) const {
+  [[nodiscard]] bool reached(const Dispatcher& dispatcher) const {
     const double elapsed = std::chrono::duration<double>(steady_now() - begin_).count();
-    const bool ended = last.finished + last.stopped > 0 || last.fault != Cause::none;
-    return signals_seen > 0 || (run_.seconds && elapsed >= *run_.seconds) || (run_.once && ended);
+    return signals_seen > 0 || (run_.seconds && elapsed >= *run_.seconds) ||
+           (run_.once && !dispatcher.moving() && has_played(dispatcher));
   }
 
  private:
+  static bool has_played(const Dispatcher& dispatcher) {
+    for (std::size_t i = 0; i < dispatcher.size(); ++i) {
+      const Tick& last = dispatcher.last(i);
+      if (last.finished + last.stopped > 0 || last.fault != Cause::none) return true;
+    }
+    return false;
+  }
+
   RunOptions run_;
   Nanos begin_;
 };
@@ -116,49 +126,61 @@ void leave(Dispatcher& dispatcher) {
   turn_while(dispatcher, 100ms, [] { return signals_seen == 0; });
 }
 
-/// Communication has failed: without it nobody can stop the axis any more, so it is stopped here.
-void stop_alone(Mail& mail) {
+/// Communication has failed: without it nobody can stop the axes any more, so they are stopped here.
+void stop_alone(Post& post) {
   using namespace std::chrono_literals;
   const Nanos begin = steady_now();
-  while (!mail.commands.push({.kind = Command::Kind::stop}) && steady_now() - begin < 1s)
-    std::this_thread::sleep_for(1ms);
-  Tick tick;
-  bool at_rest = false;
-  while (!at_rest && steady_now() - begin < 60s) {
-    std::this_thread::sleep_for(20ms);
-    while (mail.ticks.pop(tick))
-      at_rest = tick.job == 0 && !tick.waiting && steady_now() - begin > 100ms;
+  for (auto& mail : post.mail)
+    while (!mail->commands.push({.kind = Command::Kind::stop}) && steady_now() - begin < 1s)
+      std::this_thread::sleep_for(1ms);
+  for (auto& mail : post.mail) {
+    Tick tick;
+    bool at_rest = false;
+    while (!at_rest && steady_now() - begin < 60s) {
+      std::this_thread::sleep_for(20ms);
+      ++post.vitals.alive;
+      while (mail->ticks.pop(tick))
+        at_rest = tick.job == 0 && !tick.waiting && steady_now() - begin > 100ms;
+    }
   }
+}
+
+AxisSummary summary_of(const Desk& desk) {
+  const Tick& last = desk.last();
+  return {.name = desk.options().receiver.executor,
+          .finished = last.finished,
+          .stopped = last.stopped,
+          .fault = last.fault,
+          .position = last.position};
 }
 
 }  // namespace
 
-ExecutorSummary run_executor(Transport& link, const ExecutorOptions& options,
+ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
                              const RunOptions& run) {
   const Deadline deadline(run);
   const SignalWatch watch;
-  const auto mail = std::make_unique<Mail>();
-  Dispatcher dispatcher(link, options, *mail);
-  CyclicThread cyclic(options, *mail, run.realtime_priority);
+  Machine machine(machine_of(axes));
+  Post post(machine.size());
+  Dispatcher dispatcher(link, axes, post);
+  CyclicThread cyclic(machine, post, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
-  if (options.notify && !summary.realtime.empty()) options.notify(summary.realtime);
+  if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
 
   try {
-    while (!deadline.reached(dispatcher.last())) dispatcher.turn(turn_time);
+    while (!deadline.reached(dispatcher)) dispatcher.turn(turn_time);
     leave(dispatcher);
   } catch (...) {
-    stop_alone(*mail);
+    stop_alone(post);
     throw;
   }
   summary.cycle = cyclic.join();
   dispatcher.close();
-
-  const Tick& last = dispatcher.last();
-  summary.finished = last.finished;
-  summary.stopped = last.stopped;
-  summary.fault = last.fault;
-  summary.position = last.position;
+  summary.lateness = post.vitals.lateness.counts();
+  summary.computing = post.vitals.computing.counts();
+  for (std::size_t i = 0; i < dispatcher.size(); ++i)
+    summary.axes.push_back(summary_of(dispatcher.desk(i)));
   return summary;
 }
 

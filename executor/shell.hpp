@@ -3,34 +3,46 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/realtime.hpp"
 
 namespace jounce {
 
-/// How long run_executor() runs.
+/// How run_executor() runs.
 struct RunOptions {
   std::optional<double> seconds{};  ///< > 0; without it until a signal
-  bool once = false;                ///< until one motion has ended, in whatever way
-  int realtime_priority = 0;        ///< of SCHED_FIFO for the cyclic thread; 0: not asked for
+  bool once = false;       ///< until a motion has ended, in whatever way, and all axes rest
+  Realtime realtime = {};  ///< of the cyclic thread
+  /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.
+  double watchdog = 0.5;
 };
 
-/// What came of a run.
-struct ExecutorSummary {
+/// What came of one axis.
+struct AxisSummary {
+  std::string name;
   std::uint64_t finished = 0;  ///< motions that reached their end
   std::uint64_t stopped = 0;   ///< motions that a stop brought to rest
   Cause fault = Cause::none;   ///< latched at the end
   double position = 0;         ///< where the axis stands
-  CycleCounts cycle;
-  std::string realtime;  ///< what make_realtime() was granted; empty if it was not asked
 };
 
-/// The executor behind `jounce run`: the cyclic thread steps the axis, the calling one communicates
-/// over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM comes. A motion
-/// under way is stopped on its path first; a second signal does not wait for it.
+/// What came of a run.
+struct ExecutorSummary {
+  std::vector<AxisSummary> axes;
+  CycleCounts cycle;
+  Histogram::Counts lateness{};   ///< of waking up
+  Histogram::Counts computing{};  ///< of a cycle
+  std::string realtime;           ///< what make_realtime() was granted; empty if it was not asked
+};
+
+/// The executor behind `jounce run`: the cyclic thread steps all axes, the calling one communicates
+/// over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM comes. Motions under
+/// way are stopped on their paths first; a second signal does not wait for them.
 ///
-/// Throws InputError for bad options, TransportError, and std::system_error for the log.
-ExecutorSummary run_executor(Transport& link, const ExecutorOptions& options,
+/// Throws InputError for bad options, TransportError, and std::system_error for a log.
+ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
                              const RunOptions& run);
 
 }  // namespace jounce

@@ -1,5 +1,6 @@
 #include "jounce/stream/driver.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -111,21 +112,33 @@ std::optional<wire::Message> next_status(Transport& link, const std::string& exe
   return std::nullopt;
 }
 
-ReceiverPump::ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
-                           Clock clock)
-    : link_(link), receiver_(options, boot), clock_(std::move(clock)) {
-  link_.subscribe(wire::channel(options.executor, wire::Lane::table), queue_capacity);
-  link_.subscribe(wire::channel(options.executor, wire::Lane::command), queue_capacity);
+ReceiverPump::ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& options,
+                           std::int64_t boot, Clock clock)
+    : link_(link), clock_(std::move(clock)) {
+  for (const ReceiverOptions& one : options) {
+    by_name_.emplace_back(one.executor, &receivers_.emplace_back(one, boot));
+    link_.subscribe(wire::channel(one.executor, wire::Lane::table), queue_capacity);
+    link_.subscribe(wire::channel(one.executor, wire::Lane::command), queue_capacity);
+  }
+  std::sort(by_name_.begin(), by_name_.end());
 }
 
 void ReceiverPump::run(Nanos timeout) {
-  drain(link_, timeout, rejects_,
-        [&](const wire::Message& message) { receiver_.receive(message, clock_()); });
-  for (const auto& message : receiver_.poll(clock_())) send_message(link_, message);
+  drain(link_, timeout, rejects_, [&](const wire::Message& message) { take(message); });
+  for (Receiver& receiver : receivers_)
+    for (const auto& message : receiver.poll(clock_())) send_message(link_, message);
 }
 
-void ReceiverPump::publish(const wire::Status& status) {
-  send_message(link_, receiver_.status(status));
+void ReceiverPump::take(const wire::Message& message) {
+  const auto found = std::lower_bound(
+      by_name_.begin(), by_name_.end(), message.executor,
+      [](const auto& entry, const std::string& name) { return entry.first < name; });
+  if (found != by_name_.end() && found->first == message.executor)
+    found->second->receive(message, clock_());
+}
+
+void ReceiverPump::publish(const wire::Status& status, std::size_t axis) {
+  send_message(link_, receivers_[axis].status(status));
 }
 
 }  // namespace jounce

@@ -2,8 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "jounce/stream/receiver.hpp"
 #include "jounce/stream/sender.hpp"
@@ -56,7 +60,7 @@ bool operator_stop(Transport& link, const std::string& executor, wire::StopMode 
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
                                          Nanos timeout, const Clock& clock = steady_now);
 
-/// What an executor's communication thread runs around its Receiver.
+/// What an executor's communication thread runs around its Receivers: one an axis, all on one link.
 ///
 ///     ReceiverPump pump(link, {.executor = "feeder"}, random_id());
 ///     for (;;) {
@@ -67,21 +71,27 @@ std::optional<wire::Message> next_status(Transport& link, const std::string& exe
 class ReceiverPump {
  public:
   /// Subscribes. The link must outlive the pump.
-  ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
+  ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& options, std::int64_t boot,
                Clock clock = steady_now);
+  ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
+               Clock clock = steady_now)
+      : ReceiverPump(link, std::vector{options}, boot, std::move(clock)) {}
 
   /// Takes in what waits, waiting for the first at most `timeout`, and sends the answers. Takes as
   /// long as hashing does when a table is complete: a second for some hundred megabytes.
   void run(Nanos timeout);
-  void publish(const wire::Status& status);
+  void publish(const wire::Status& status, std::size_t axis = 0);
 
-  [[nodiscard]] Receiver& receiver() { return receiver_; }
-  [[nodiscard]] const Receiver& receiver() const { return receiver_; }
+  [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
+  [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
   [[nodiscard]] const Rejects& rejects() const { return rejects_; }
 
  private:
+  void take(const wire::Message& message);
+
   Transport& link_;
-  Receiver receiver_;
+  std::deque<Receiver> receivers_;                          // in the order of the options
+  std::vector<std::pair<std::string, Receiver*>> by_name_;  // sorted
   Clock clock_;
   Rejects rejects_;
 };

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/executor/realtime.hpp"
+
 #include "executor/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 
@@ -75,10 +77,11 @@ const CamSwitchSpec switches{.switches = {{.first_on_position = 0.1, .last_on_po
 const AxisConfig config{.limits = limits(10, 20)};
 
 struct Rig {
-  MotionAxis axis{config, {.table = switches}};
+  Machine machine{{{.name = "feeder", .config = config, .switches = {.table = switches}}}};
   VirtualPacer pacer;
-  std::unique_ptr<Mail> mail = std::make_unique<Mail>();
-  Cycle cycle{axis, pacer, *mail};
+  Post post{1};
+  Mail* mail = post.mail.front().get();
+  Cycle cycle{machine, pacer, post};
 
   Tick next() {
     cycle.once();
@@ -146,7 +149,7 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
 
 TEST(Cycle, CountsTicksThatNobodyTakes) {
   Rig rig;
-  for (int i = 0; i < 8192 + 10; ++i) rig.cycle.once();
+  for (std::size_t i = 0; i < Mail::most_ticks + 10; ++i) rig.cycle.once();
   EXPECT_EQ(rig.cycle.counts().lost, 10);
 }
 
@@ -197,14 +200,14 @@ TEST(Cycle, NeverTouchesTheHeap) {
 }
 
 TEST(Cycle, RunsOnTheMachinesClock) {
-  MotionAxis axis(config);
+  Machine machine({{.name = "feeder", .config = config}});
   MonotonicPacer pacer;
-  const auto mail = std::make_unique<Mail>();
-  Cycle cycle(axis, pacer, *mail);
+  Post post(1);
+  Cycle cycle(machine, pacer, post);
   const std::int64_t begin = pacer.now();
   std::string note;
   std::thread thread([&] {
-    note = make_realtime(1);
+    note = make_realtime({.priority = 1});
     for (int i = 0; i < 20; ++i) cycle.once();
   });
   thread.join();

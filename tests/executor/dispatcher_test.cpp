@@ -31,7 +31,7 @@ const Units of_master{.x = "s", .position = "deg"};
 /// An executor and a streamer on one memory network and one virtual clock: whenever the streamer
 /// waits, the executor's threads have their turns.
 struct Site {
-  explicit Site(ExecutorOptions given = {}) : options(std::move(given)), axis(options.axis) {
+  explicit Site(ExecutorOptions given = {}) : options(std::move(given)) {
     network.on_wait = [this](Nanos time) { advance(time); };
   }
 
@@ -62,12 +62,12 @@ struct Site {
   MemoryNetwork network;
   MemoryTransport own_link{network};
   MemoryTransport link{network};
-  MotionAxis axis;
+  Machine machine{machine_of({options})};
   VirtualPacer pacer;
   Clock clock = [this] { return Nanos(pacer.now()); };
-  std::unique_ptr<Mail> mail = std::make_unique<Mail>();
-  Dispatcher dispatcher{own_link, options, *mail, clock};
-  Cycle cycle{axis, pacer, *mail};
+  Post post{1};
+  Dispatcher dispatcher{own_link, {options}, post, clock};
+  Cycle cycle{machine, pacer, post};
 };
 
 TEST(Dispatcher, StreamsArmsStartsAndPlaysATable) {

@@ -61,11 +61,11 @@ TEST(Shell, PlaysOneJobAndLeaves) {
   MemoryNetwork network;
   MemoryTransport link(network);
   Streamer streamer(network, *there_and_back(0, 5, 0.1, Outside::hold));
-  const ExecutorSummary summary = run_executor(link, options(), {.seconds = 60, .once = true});
-  EXPECT_EQ(summary.finished, 1U);
-  EXPECT_EQ(summary.stopped, 0U);
-  EXPECT_EQ(summary.fault, Cause::none);
-  EXPECT_EQ(summary.position, 0);
+  const ExecutorSummary summary = run_executor(link, {options()}, {.seconds = 60, .once = true});
+  EXPECT_EQ(summary.axes.at(0).finished, 1U);
+  EXPECT_EQ(summary.axes.at(0).stopped, 0U);
+  EXPECT_EQ(summary.axes.at(0).fault, Cause::none);
+  EXPECT_EQ(summary.axes.at(0).position, 0);
   EXPECT_GE(summary.cycle.ticks + summary.cycle.skipped, 100);
   EXPECT_EQ(summary.cycle.lost, 0);
   EXPECT_TRUE(streamer.sender.outcome().started);
@@ -78,10 +78,10 @@ TEST(Shell, ASignalStopsTheMotionFirst) {
     MemoryTransport link(network);
     Streamer streamer(network, *there_and_back(0, 5, 0.5, Outside::wrap));
     streamer.at_goal = [signal] { std::raise(signal); };
-    const ExecutorSummary summary = run_executor(link, options(), {.seconds = 60});
-    EXPECT_EQ(summary.finished, 0U);
-    EXPECT_EQ(summary.stopped, 1U);
-    EXPECT_EQ(summary.fault, Cause::none);
+    const ExecutorSummary summary = run_executor(link, {options()}, {.seconds = 60});
+    EXPECT_EQ(summary.axes.at(0).finished, 0U);
+    EXPECT_EQ(summary.axes.at(0).stopped, 1U);
+    EXPECT_EQ(summary.axes.at(0).fault, Cause::none);
   }
 }
 
@@ -93,8 +93,8 @@ TEST(Shell, EndsWithItsTimeAndSaysWhatItWasGranted) {
   std::vector<std::string> notices;
   given.notify = [&](const std::string& notice) { notices.push_back(notice); };
   const ExecutorSummary summary =
-      run_executor(link, given, {.seconds = 0.02, .realtime_priority = 1});
-  EXPECT_EQ(summary.finished, 0U);
+      run_executor(link, {given}, {.seconds = 0.02, .realtime = {.priority = 1}});
+  EXPECT_EQ(summary.axes.at(0).finished, 0U);
   EXPECT_THAT(summary.realtime, ::testing::HasSubstr("SCHED_FIFO"));
   EXPECT_THAT(notices, ::testing::ElementsAre(summary.realtime));
 }
@@ -102,13 +102,13 @@ TEST(Shell, EndsWithItsTimeAndSaysWhatItWasGranted) {
 TEST(Shell, BadOptionsAreBadInput) {
   MemoryNetwork network;
   MemoryTransport link(network);
-  EXPECT_THROW(run_executor(link, options(), {.seconds = 0.0}), InputError);
+  EXPECT_THROW(run_executor(link, {options()}, {.seconds = 0.0}), InputError);
   ExecutorOptions bad = options();
   bad.receiver.executor = "no blanks";
-  EXPECT_THROW(run_executor(link, bad, {.seconds = 0.01}), InputError);
+  EXPECT_THROW(run_executor(link, {bad}, {.seconds = 0.01}), InputError);
   bad = options();
   bad.axis.limits.velocity.reset();
-  EXPECT_THROW(run_executor(link, bad, {.seconds = 0.01}), InputError);
+  EXPECT_THROW(run_executor(link, {bad}, {.seconds = 0.01}), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/job.hpp"
+#include "jounce/executor/log.hpp"
+#include "jounce/executor/worker.hpp"
+#include "jounce/stream/receiver.hpp"
+
+namespace jounce {
+
+/// What one axis of an executor is started with.
+struct ExecutorOptions {
+  AxisConfig axis;
+  AxisSwitches switches = {};
+  Follow follow = {};            ///< its live master
+  Units units{};                 ///< of the axis: a table in another one is refused; empty: any
+  ReceiverOptions receiver{};    ///< with the axis's name
+  bool enable = true;            ///< at the start; otherwise it waits for an order
+  bool adopt_start = false;      ///< a table that is armed at standstill says where the axis stands
+  bool stop_when_silent = true;  ///< a motion whose owner falls silent is stopped
+  /// Tables of more knots become jobs in a thread of their own: a stop does not wait for them.
+  std::size_t build_apart = std::size_t{1} << 62U;
+  Nanos status_period = std::chrono::milliseconds(50);
+  std::optional<std::filesystem::path> log{};               ///< CSV of all ticks
+  std::function<void(const std::string& notice)> notify{};  ///< what happens, in words
+};
+
+/// Where the requests to one axis come in from the stream and its answers go back: it keeps the jobs
+/// that the axis plays, writes its log, and says what it does now.
+///
+/// A latched fault is reset by the arm of another session than the one in which it came: whoever
+/// owned the axis then cannot go on as if nothing had happened.
+class Desk {
+ public:
+  /// All but the options must outlive it. Throws InputError, std::system_error for the log.
+  Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t axis, Worker& worker);
+
+  /// One turn: what the receiver has for the axis, what the axis has answered, what it did.
+  void turn();
+
+  /// Stops the axis, as an operator would, and refuses to arm anything from now on.
+  void retire();
+
+  /// Takes what is left, and closes the log.
+  void close();
+
+  [[nodiscard]] const Tick& last() const { return last_; }
+  [[nodiscard]] bool moving() const { return last_.job != 0 || last_.waiting; }
+  /// At rest, and no command is on its way that could change that.
+  [[nodiscard]] bool settled() const { return !moving() && outbox_.empty() && under_way_ == 0; }
+  [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
+  [[nodiscard]] const ExecutorOptions& options() const { return options_; }
+  [[nodiscard]] wire::Status status() const;
+
+ private:
+  struct Request {
+    std::int64_t session = 0;
+    std::int32_t command = 0;
+    Command::Kind kind = Command::Kind::none;
+  };
+  struct Kept {
+    std::unique_ptr<Job> job;
+    Sha256 hash{};
+  };
+  struct Building {
+    ArmRequested arm;
+    std::future<std::unique_ptr<Job>> job;
+    bool void_ = false;  // a stop came, or the session's end: nobody wants it any more
+  };
+
+  void handle(const TableReady& ready);
+  void handle(const ArmRequested& arm);
+  void handle(const StartRequested& start);
+  void handle(const StopRequested& stop);
+  void handle(const SessionEnded& ended);
+  [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
+  [[nodiscard]] double next_rest() const;
+  void build(const ArmRequested& arm);
+  void take_built();
+  void arm(const ArmRequested& arm, std::unique_ptr<Job> job);
+  void drop_builds();
+
+  void order(Command command);
+  void order(const Command& command, const Request& request);
+  void clear_outbox();
+  void flush();
+  void take_answers();
+  void answer(const Request& request, const std::optional<Refusal>& refused);
+  void take_ticks();
+  void compare(const Tick& tick);
+  void notify(const std::string& notice) const;
+
+  ExecutorOptions options_;
+  Receiver& receiver_;
+  Mail& mail_;
+  const Vitals& vitals_;
+  Worker& worker_;
+  std::optional<TickLog> log_;
+  std::deque<Command> outbox_;
+  std::map<std::uint64_t, Request> unanswered_;  // by the command's number
+  std::map<std::uint64_t, Kept> jobs_;           // by the job's
+  std::optional<Building> building_;             // one at a time
+  std::optional<ArmRequested> next_arm_;         // came while another was built; the newest
+  std::uint64_t numbers_ = 0;
+  std::size_t under_way_ = 0;
+  bool retired_ = false;
+  std::int64_t fault_session_ = 0;
+  std::int64_t motion_session_ = 0;  // the one that asked for the last start
+  Tick last_;
+};
+
+}  // namespace jounce
