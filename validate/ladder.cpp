@@ -33,11 +33,13 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/validate/detail/exponential.hpp"
+
 namespace jounce::detail {
 namespace {
 
-constexpr double reach = 0.5;  // norm of M h below
-constexpr int terms = 16;      // reach^16 / 16! = 7e-19
+constexpr double reach = exponential_reach;  // norm of M h below
+constexpr int terms = exponential_terms;
 
 /// (2) and (3), the polynomial's part first.
 struct Chain {
@@ -141,15 +143,7 @@ void Ladder::place(const Segment& f, double u, Eigen::VectorXd& z) const {
 }
 
 const Eigen::MatrixXd& Ladder::rung(std::size_t j) {
-  if (rungs_.empty()) {
-    const Eigen::MatrixXd mh = m_ * h_;
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(m_.rows(), m_.rows());
-    for (int k = terms - 1; k > 0; --k) {  // Horner: I + Mh/1 (I + Mh/2 (I + ...))
-      sum = (mh * sum / k).eval();
-      sum.diagonal().array() += 1;
-    }
-    rungs_.push_back(std::move(sum));
-  }
+  if (rungs_.empty()) rungs_.push_back(exponential_series(m_ * h_));
   while (rungs_.size() <= j) rungs_.push_back(rungs_.back() * rungs_.back());  // (6)
   return rungs_[j];
 }
