@@ -29,7 +29,6 @@ using End = ShapeSolution::End;
 
 constexpr int max_refinements = 12;
 constexpr std::size_t most_new_knots = 24;
-constexpr double rounding = 1e-12;       ///< of a figure, in its natural size
 constexpr double shortest_piece = 1e-7;  ///< of the shape
 
 /// Where (1) wants knots; the largest steps first.
@@ -61,6 +60,13 @@ std::vector<double> switches(const ShapeModel& model, const Coordinates& z) {
   return x;
 }
 
+/// Of a response and of its rms, which is not above it: planes hold what is next to nothing, a
+/// multiplier does not.
+ShapeFigure peak_of(const ShapeFigure& figure) {
+  if (const auto* rms = std::get_if<RmsResponseOf>(&figure)) return ResponseOf{rms->name, rms->of};
+  return figure;
+}
+
 class ShapeSearch {
  public:
   ShapeSearch(const ShapeProblem& problem, const ShapeKeepGoing& keep_going)
@@ -73,7 +79,7 @@ class ShapeSearch {
     std::vector<double> knots = optimizer::first_knots(problem_);
     std::vector<Segment> from = given_;
     for (int k = 0;; ++k) {
-      const ShapeModel model(problem_, knots, given_);
+      const ShapeModel model(problem_, knots, given_, true);
       ShapeSolution found = improve(model, from);
       const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
@@ -85,10 +91,49 @@ class ShapeSearch {
       std::sort(knots.begin(), knots.end());
       from = out_.segments;
     }
+    if (nothing_left()) take_smoothest();
     return std::move(out_);
   }
 
  private:
+  /// Whether responses alone are minimised and only rounding is left of them, which may have stopped
+  /// the solver.
+  [[nodiscard]] bool nothing_left() const {
+    using Status = Outcome::Status;
+    const bool answers = std::all_of(problem_.minimize.begin(), problem_.minimize.end(),
+                                     [](const WeightedFigure& m) {
+                                       return std::holds_alternative<ResponseOf>(m.figure) ||
+                                              std::holds_alternative<RmsResponseOf>(m.figure);
+                                     });
+    if (!answers || out_of_time_ || out_.status == Status::cancelled) return false;
+    return out_.value <= nothing_ || out_.status == Status::stalled;
+  }
+
+  /// Many shapes leave nothing, most of them wild: of all, the one with the least rms jerk.
+  void take_smoothest() {
+    ShapeProblem calm = problem_;
+    calm.minimize = {{RmsOf{derivative_of_shape(std::min(3, problem_.degree))}}};
+    for (std::size_t k = 0; k < problem_.minimize.size(); ++k)
+      calm.ceilings.push_back({peak_of(problem_.minimize[k].figure), nothing_of_[k]});
+    if (problem_.seconds) calm.seconds = std::max(*problem_.seconds - elapsed(), 1e-3);
+    const ShapeOutcome found = ShapeSearch(calm, keep_going_).run();
+    out_.rounds += found.rounds;
+    out_.evaluations += found.evaluations;
+    if (found.status == Outcome::Status::cancelled)
+      return answer(found.status, "stopped by the caller");
+    if (!found.usable()) return;
+    const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
+    out_.segments = found.segments;
+    out_.value = optimizer::weighted_sum(model, out_.segments);
+    out_.limits = optimizer::checked(problem_, model, out_.segments);
+    out_.spline_bound = 0;
+    fill_figures(model);
+    out_.active = optimizer::active(problem_, model, out_.segments);
+    answer(Outcome::Status::optimal,
+           "what is minimised is at the floor of rounding; of all shapes there, the one with the "
+           "least rms geo_jerk");
+  }
+
   ShapeSolution improve(const ShapeModel& model, const std::vector<Segment>& from) {
     const auto go_on = [&](int round, double value) {
       out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
@@ -133,8 +178,11 @@ class ShapeSearch {
     out_.spline_bound = found.bound;
     if (found.bound) out_.spline_bound = std::max(*found.bound, 0.0);  // no figure is below 0
     nothing_ = 0;
-    for (const auto& term : model.terms)
-      nothing_ += rounding * term.weight * term.rows.natural / term.unit;
+    nothing_of_.clear();
+    for (const auto& term : model.terms) {
+      nothing_of_.push_back(term.rows.nothing * term.rows.natural);
+      nothing_ += term.weight * nothing_of_.back() / term.unit;
+    }
     if (out_.value <= nothing_ && out_.spline_bound) out_.spline_bound = 0;
     fill_figures(model);
     out_.active = optimizer::active(problem_, model, out_.segments);
@@ -184,7 +232,8 @@ class ShapeSearch {
   std::vector<Segment> given_;
   ShapeOutcome out_;
   bool out_of_time_ = false;
-  double nothing_ = 0;  ///< a sum that is only rounding
+  double nothing_ = 0;              ///< a sum that is only rounding
+  std::vector<double> nothing_of_;  ///< the same of each figure
 };
 
 }  // namespace

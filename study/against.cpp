@@ -164,6 +164,14 @@ class Search {
     return excess;
   }
 
+  [[nodiscard]] bool breaks_ceiling(const DriveResult& run) const {
+    return std::any_of(
+        problem_.ceilings.begin(), problem_.ceilings.end(), [&](const Ceiling& ceiling) {
+          const auto drive = drive_figure(ceiling.figure);
+          return drive && detail::value_of(*drive, run) > ceiling.at_most * (1 + rounding);
+        });
+  }
+
   /// What keeps the ceilings comes before what does not; then the first weighted sum counts.
   bool take(CamShapeOutcome found, DriveResult run, bool excess) {
     const double score = weighted(found, run);
@@ -205,8 +213,9 @@ class Search {
   AgainstOutcome told() {
     if (!have_) return out_;
     add_figures();
-    // Where the best there is within the limits is no better than the given cam, it need not be.
-    const bool improved = score_ < 1 || (promised_ >= 1 && out_.shapes.status == Status::optimal);
+    // Where the given cam breaks a ceiling, or the best within the limits is no better, it need not be.
+    const bool improved = score_ < 1 || breaks_ceiling(out_.given) ||
+                          (promised_ >= 1 && out_.shapes.status == Status::optimal);
     out_.real = !excess_ && improved;
     if (!exact_) without_bounds();
     if (excess_)

@@ -6,8 +6,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <Eigen/SparseCholesky>
-
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/detail/quadrature.hpp"
 #include "jounce/profiles/error.hpp"
@@ -17,19 +15,6 @@
 // q on a piece exceed the level.
 //
 // Rms: a sum of squares (SplineSpace::squares).
-//
-// Response: y is known by what it gives for shapes. It is affine in the shape, so with z_k the shapes of
-// a basis and c_k their coordinates
-//
-//   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0))
-//
-// One coordinate at a time is no spline, but pieces apart: what that costs, jumps of the position, cancels
-// in any spline. Rows a of y are therefore taken as they are within the joints E z = 0:
-//
-//   (2)  a <- a - E' (E E')^-1 E a
-//
-// (A basis of splines instead, what a jump of the top derivative becomes to the end, loses all digits.)
-// A response that is wanted small in the mean has a square for each of the m numbers, y_i^2 / m.
 
 namespace jounce::optimizer {
 namespace {
@@ -110,28 +95,6 @@ double rms_of(const LinearQuantity& q, const std::vector<Segment>& shape) {
   return std::sqrt(std::max(sum, 0.0) / length);
 }
 
-double largest(const std::vector<double>& y) {
-  double peak = 0;
-  for (const double v : y) {
-    if (std::isnan(v)) return v;  // std::max would lose it
-    peak = std::max(peak, std::abs(v));
-  }
-  return peak;
-}
-
-/// (1).
-struct Affine {
-  std::vector<double> at_zero;
-  std::vector<std::pair<std::size_t, std::vector<double>>> by;  ///< coordinate, change of y
-
-  [[nodiscard]] Form plane(std::size_t i, double sign) const {
-    Form form{sign * at_zero[i], {}};
-    for (const auto& [k, change] : by)
-      if (change[i] != 0) form.terms.push_back({k, sign * change[i]});
-    return form;
-  }
-};
-
 }  // namespace
 
 std::vector<double> places_around(const Segment& g, double s, double excess) {
@@ -192,106 +155,13 @@ FigureRows rows_of(const RmsOf& figure, const SplineSpace& space) {
 
 namespace {
 
-using Respond = std::function<std::vector<double>(const std::vector<Segment>&)>;
-
-Respond responding(const std::function<std::vector<double>(const Trajectory&)>& of, double begin) {
-  return [of, begin](const std::vector<Segment>& shape) { return of(Trajectory(shape, begin)); };
-}
-
-/// (2).
-Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space) {
-  const std::vector<Form> joints = space.joints();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    for (const Form::Term& t : joints[i].terms)
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(t.index), t.factor);
-  Eigen::SparseMatrix<double> e(static_cast<Eigen::Index>(joints.size()), rows.rows());
-  e.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseMatrix<double> square = e * e.transpose();
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(square);
-  Eigen::MatrixXd left = rows;
-  for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(e * left);
-  return left;
-}
-
-Affine affine(const Respond& respond, const SplineSpace& space) {
-  Affine y{respond(space.segments(Coordinates(space.size(), 0))), {}};
-  const auto size = static_cast<Eigen::Index>(y.at_zero.size());
-  const std::size_t at_the_end = space.index(space.pieces(), 0);  // in no segment
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(space.size()), size);
-  for (std::size_t k = 0; k < at_the_end; ++k) {
-    Coordinates z(space.size(), 0);
-    z[k] = 1;
-    const std::vector<double> now = respond(space.segments(z));
-    for (Eigen::Index i = 0; i < size; ++i)
-      rows(static_cast<Eigen::Index>(k), i) =
-          now[static_cast<std::size_t>(i)] - y.at_zero[static_cast<std::size_t>(i)];
-  }
-  rows = without_joints(rows, space);
-  for (std::size_t k = 0; k < space.size(); ++k) {
-    const auto row = rows.row(static_cast<Eigen::Index>(k));
-    y.by.emplace_back(k, std::vector<double>(row.begin(), row.end()));
-  }
-  return y;
-}
-
-/// The largest of all y(z_k), or 1 where all are 0.
-double natural(const Affine& y) {
-  double size = largest(y.at_zero);
-  for (const auto& [k, change] : y.by) size = std::max(size, largest(change));
-  return size > 0 ? size : 1;
-}
-
-double rms(const std::vector<double>& y) {
-  double sum = 0;
-  for (const double v : y) sum += v * v;
-  return y.empty() ? 0 : std::sqrt(sum / static_cast<double>(y.size()));
-}
-
-}  // namespace
-
-FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space) {
-  const Respond respond = responding(figure.of, space.knots().front());
-  const Affine y = affine(respond, space);
-  FigureRows rows{.name = figure.name,
-                  .value = [respond](const auto& shape) { return rms(respond(shape)); }};
-  for (std::size_t i = 0; i < y.at_zero.size(); ++i)
-    rows.squares.push_back(
-        scaled(y.plane(i, 1), 1 / std::sqrt(static_cast<double>(y.at_zero.size()))));
-  rows.natural = natural(y);
-  return rows;
-}
-
-FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space) {
-  const Respond respond = responding(figure.of, space.knots().front());
-  const Affine y = affine(respond, space);
-  FigureRows rows{.name = figure.name,
-                  .value = [respond](const auto& shape) { return largest(respond(shape)); }};
-  const std::size_t every = std::max<std::size_t>(y.at_zero.size() / 32, 1);
-  for (std::size_t i = 0; i < y.at_zero.size(); i += every)
-    for (const double sign : signs) rows.start.push_back(y.plane(i, sign));
-  rows.cuts = [respond, y](const std::vector<Segment>& shape, double level) {
-    const std::vector<double> now = respond(shape);
-    std::vector<Form> planes;
-    const auto magnitude = [&](std::size_t i) { return std::abs(now[i]); };
-    for (std::size_t i = 0; i < now.size(); ++i) {  // local peaks alone: planes are dense
-      if (!(magnitude(i) > level)) continue;
-      if (i > 0 && magnitude(i - 1) > magnitude(i)) continue;
-      if (i + 1 < now.size() && magnitude(i + 1) >= magnitude(i)) continue;
-      planes.push_back(y.plane(i, now[i] > 0 ? 1 : -1));
-    }
-    return planes;
-  };
-  rows.natural = natural(y);
-  return rows;
-}
-
-namespace {
+template <class Figure>
+constexpr bool response =
+    std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, RmsResponseOf>;
 
 template <class Figure>
 constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
-                        std::is_same_v<Figure, ResponseOf> ||
-                        std::is_same_v<Figure, RmsResponseOf> || std::is_same_v<Figure, ResidualOf>;
+                        std::is_same_v<Figure, ResidualOf> || response<Figure>;
 
 /// The size of a figure that is not convex in a perfect spline, its parts added up.
 double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
@@ -332,10 +202,12 @@ bool has_rows(const ShapeFigure& figure) {
   return std::visit([]<class Figure>(const Figure&) { return convex<Figure>; }, figure);
 }
 
-FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space) {
+FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space, const Lift* lift) {
   return std::visit(
       [&]<class Figure>(const Figure& f) -> FigureRows {
-        if constexpr (convex<Figure>)
+        if constexpr (response<Figure>)
+          return rows_of(f, space, lift);
+        else if constexpr (convex<Figure>)
           return rows_of(f, space);
         else
           return value_alone(figure, space);

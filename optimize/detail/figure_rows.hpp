@@ -28,20 +28,35 @@ struct FigureRows {
   std::function<std::vector<Extremum>(const std::vector<Segment>& shape, double level)> places = {};
   /// A value that is neither large nor small.
   double natural = 1;
+  double nothing = 1e-12;  ///< share of it that is no more than rounding
+  double accuracy = 0;  ///< share of it to which the forms are true, where that is not all digits
+  /// Unknowns of its own that its forms are in (Lift): each == 0 says what one is by the coordinates.
+  std::vector<Form> own = {};
 
   [[nodiscard]] bool by_squares() const { return !squares.empty(); }
 };
 
+/// Gives a response unknowns of its own, numbered from `first`: as many as it has independent parts.
+struct Lift {
+  std::size_t first = 0;
+  const std::vector<Segment>& given;
+  std::optional<double> at_most =
+      {};  ///< what they are counted in; left out: the figure of `given`
+};
+
 FigureRows rows_of(const PeakOf& figure, const SplineSpace& space);
 FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
-FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space);
-FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space);
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
+FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
+                   const Lift* lift = nullptr);
 FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space);
 
 /// Whether there is a rows_of() for it.
 bool has_rows(const ShapeFigure& figure);
 /// That of whichever figure it is. `space` must outlive what is returned.
-FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space);
+/// Lifted, if asked to and a response.
+FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
+                       const Lift* lift = nullptr);
 
 /// Where to put planes for an extremum of g, in [0, 1], that exceeds a level: there and, if g bends,
 /// halfway to where g crosses the level. Optima touch between two planes as a rule; so the next round

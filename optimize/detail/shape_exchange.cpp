@@ -34,7 +34,8 @@ constexpr double fine = 1e-11;
 /// g(z) <= t of its term, or w(z) <= 0.
 struct Row {
   Form form;
-  std::optional<std::size_t> term;
+  std::optional<std::size_t> term = {};
+  double off = 0;  ///< by which a wall is kept off
 };
 
 /// What stands instead of t and mu in one kind of program.
@@ -60,7 +61,7 @@ class ShapeExchange {
         rows_.push_back({scaled(f, 1 / model.terms[p].unit), p});
     for (const Wall& wall : model.walls)
       for (const Form& f : wall.start)
-        if (auto row = wall_row(f, wall.scale)) rows_.push_back(std::move(*row));
+        if (auto row = wall_row(f, wall)) rows_.push_back(std::move(*row));
   }
 
   ShapeSolution run(double licence) {
@@ -95,11 +96,11 @@ class ShapeExchange {
   }
 
   /// Nothing where nothing free changes it.
-  [[nodiscard]] std::optional<Row> wall_row(const Form& form, double scale) const {
+  [[nodiscard]] std::optional<Row> wall_row(const Form& form, const Wall& wall) const {
     const double free = model_.freedom(form);
     if (free <= no_freedom) return {};
-    Row row{scaled(form, 1 / scale), {}};
-    row.form.constant += margin * std::min(1.0, free);
+    Row row{scaled(form, 1 / wall.scale), {}, wall.off * std::min(1.0, free)};
+    row.form.constant += row.off;
     return row;
   }
 
@@ -114,7 +115,7 @@ class ShapeExchange {
     }
     for (const Wall& wall : model_.walls)
       for (const Form& f : wall.beyond(shape, slack))
-        if (auto row = wall_row(f, wall.scale)) added += add(std::move(*row));
+        if (auto row = wall_row(f, wall)) added += add(std::move(*row));
     return added;
   }
 
@@ -128,7 +129,7 @@ class ShapeExchange {
 
   [[nodiscard]] Program program(const Task& task) const {
     Program p;
-    std::size_t unknowns = model_.space.size();
+    std::size_t unknowns = model_.unknowns();
     for (std::size_t k = 0; k < model_.terms.size(); ++k)
       p.column.push_back(task.level[k] || !task.terms || model_.terms[k].rows.by_squares()
                              ? std::nullopt
@@ -139,6 +140,7 @@ class ShapeExchange {
       if (p.column[k]) p.convex.slope[*p.column[k]] = model_.terms[k].weight;
     p.convex.squares = task.squares;
     p.convex.equalities = model_.equalities;
+    p.convex.equalities.insert(p.convex.equalities.end(), model_.own.begin(), model_.own.end());
     for (const Row& row : rows_) {
       if (row.term && !task.terms) continue;
       Form form = row.form;
@@ -155,13 +157,22 @@ class ShapeExchange {
   }
 
   /// Of the task as it stands: with (1), what is left of it; elastic, of v without hint().
-  [[nodiscard]] double lower(Program p, const ConvexSolution& s, bool elastic) const {
-    if (elastic) p.convex.squares.clear();
-    return weak_bound(p.convex, s, range_of(p, s, last_sum_));
+  [[nodiscard]] double lower(Program p, const ConvexSolution& s, const Task& task) const {
+    if (task.elastic) p.convex.squares.clear();
+    return weak_bound(p.convex, s, range_of(p, s, last_sum_)) - held_off(s, task);
+  }
+
+  /// What a bound owes to walls that really stand a little farther out.
+  [[nodiscard]] double held_off(const ConvexSolution& s, const Task& task) const {
+    double sum = 0;
+    std::size_t k = 0;  // rows as program() takes them
+    for (const Row& row : rows_)
+      if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
+    return sum;
   }
 
   ConvexSolution solve_once(const Program& p, const std::vector<double>& level, const Task& task) {
-    std::vector<double> start = found_.z;
+    std::vector<double> start = model_.with_own(found_.z);
     start.resize(p.convex.slope.size(), 1);
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) start[*p.column[k]] = level[k];
@@ -183,6 +194,8 @@ class ShapeExchange {
     std::vector<double> all(s.x.size());
     for (std::size_t j = 0; j < model_.space.size(); ++j)
       all[j] = range * largest[j % largest.size()];
+    for (std::size_t k = 0; k < model_.own.size(); ++k)
+      all[model_.space.size() + k] = model_.range_of_own(k, all);
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) all[*p.column[k]] = sum / model_.terms[k].weight;
     if (p.slack) all[*p.slack] = 1 + std::abs(s.x[*p.slack]);
@@ -192,10 +205,8 @@ class ShapeExchange {
   [[nodiscard]] double bound_of(const Program& p, const ConvexSolution& s,
                                 const std::vector<Segment>& shape) const {
     const double sum = weighted_sum(model_, shape);
-    double bound = weak_bound(p.convex, s, range_of(p, s, sum)) + norms_.to_bound(shape, sum);
-    for (std::size_t k = 0; k < rows_.size(); ++k)  // walls really stand a margin farther out
-      if (!rows_[k].term) bound -= margin * s.multipliers[k];
-    return bound;
+    return weak_bound(p.convex, s, range_of(p, s, sum)) + norms_.to_bound(shape, sum) -
+           held_off(s, plain());
   }
 
   [[nodiscard]] bool stopped() {
@@ -224,7 +235,7 @@ class ShapeExchange {
       const auto shape = model_.space.segments(found_.z);
       last_sum_ = weighted_sum(model_, shape);
       if (keep_bound) keep(bound_of(p, s, shape));
-      alone_bound_ = keep_bound ? 0 : lower(p, s, task.elastic);
+      alone_bound_ = keep_bound ? 0 : lower(p, s, task);
       if (!task.terms) level.assign(level.size(), HUGE_VAL);
       const int added = exchange(shape, level, std::max(slack_, 0.0));
       if (added == 0 && precision_ == fine) return true;

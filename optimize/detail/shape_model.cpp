@@ -87,7 +87,7 @@ bool is_silence(const Ceiling& c, double natural) {
 }  // namespace
 
 ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-                       const std::vector<Segment>& given)
+                       const std::vector<Segment>& given, bool lift)
     : space([&] {
         const Size size = size_of(problem, given);
         return SplineSpace(std::move(knots), problem.degree, order_in(problem), size.unit,
@@ -104,8 +104,14 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
       walls.push_back(wall_of(space, c, offset));
   }
   fixed = fixed_by(space, equalities);
+  const auto rows_of = [&](const ShapeFigure& figure, std::optional<double> at_most) {
+    const Lift from{unknowns(), given, at_most};
+    FigureRows rows = figure_rows(figure, space, lift ? &from : nullptr);
+    own.insert(own.end(), rows.own.begin(), rows.own.end());
+    return rows;
+  };
   for (const jounce::Ceiling& c : problem.ceilings) {
-    FigureRows rows = figure_rows(c.figure, space);
+    FigureRows rows = rows_of(c.figure, c.at_most);
     if (is_silence(c, rows.natural)) {  // real and imaginary part
       equalities.push_back(rows.start[0]);
       equalities.push_back(rows.start[2]);
@@ -115,11 +121,29 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
       walls.push_back(wall_of(std::move(rows), c.at_most));
   }
   for (const WeightedFigure& m : problem.minimize) {
-    FigureRows rows = figure_rows(m.figure, space);
+    FigureRows rows = rows_of(m.figure, {});
     const double value = rows.value(given);
     const double unit = std::abs(value) > 1e-9 * rows.natural ? std::abs(value) : rows.natural;
     terms.push_back({std::move(rows), m.weight, unit, order_in(m.figure)});
   }
+}
+
+std::vector<double> ShapeModel::with_own(const Coordinates& z) const {
+  std::vector<double> x = z;
+  for (const Form& f : own) {  // the first term is the unknown itself
+    double rest = f.constant;
+    for (std::size_t j = 1; j < f.terms.size(); ++j)
+      rest += f.terms[j].factor * z[f.terms[j].index];
+    x.push_back(-rest / f.terms.front().factor);
+  }
+  return x;
+}
+
+double ShapeModel::range_of_own(std::size_t k, const std::vector<double>& range) const {
+  double sum = 0;
+  const auto& by = own[k].terms;
+  for (std::size_t j = 1; j < by.size(); ++j) sum += std::abs(by[j].factor) * range[by[j].index];
+  return sum / std::abs(by.front().factor);
 }
 
 double ShapeModel::freedom(const Form& form) const {

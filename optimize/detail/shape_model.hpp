@@ -21,13 +21,11 @@ struct RoundCeiling {
   double at_most = 0;
 };
 
-/// What walls are kept off, in their scale, where something free can do so.
-constexpr double margin = 1e-9;
-
 struct ShapeModel {
-  /// `given`: a shape over the whole interval. Every figure must have rows.
+  /// `given`: a shape over the whole interval. Every figure must have rows. `lift`: responses have
+  /// unknowns of their own.
   ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-             const std::vector<Segment>& given);
+             const std::vector<Segment>& given, bool lift = false);
   ShapeModel(const ShapeModel&) = delete;
   ShapeModel& operator=(const ShapeModel&) = delete;
 
@@ -37,6 +35,14 @@ struct ShapeModel {
   std::vector<Term> terms;
   std::vector<Wall> walls;
   std::vector<RoundCeiling> round;
+  std::vector<Form> own;  ///< == 0: what each unknown of a response's own is by the coordinates
+
+  /// Coordinates and unknowns of responses.
+  [[nodiscard]] std::size_t unknowns() const { return space.size() + own.size(); }
+  /// Coordinates followed by the unknowns of responses that belong to them.
+  [[nodiscard]] std::vector<double> with_own(const Coordinates& z) const;
+  /// How far an unknown of a response differs at most, where coordinates differ by `range`.
+  [[nodiscard]] double range_of_own(std::size_t k, const std::vector<double>& range) const;
 
   /// The share of a form's slope that is not fixed: 0 where nothing changes it.
   [[nodiscard]] double freedom(const Form& form) const;

@@ -8,10 +8,14 @@
 
 namespace jounce::optimizer {
 
+/// What walls are kept off, in their scale, where something free can do so: what rounding leaves.
+constexpr double margin = 1e-9;
+
 /// What must be kept everywhere in a window: a corridor, or a figure's ceiling.
 struct Wall {
-  std::string rule;  ///< "limit/geo_velocity"
-  double scale = 1;  ///< what violations are measured in, > 0
+  std::string rule;     ///< "limit/geo_velocity"
+  double scale = 1;     ///< what violations are measured in, > 0
+  double off = margin;  ///< in its scale, what it is kept off where something free can do so
   /// Each <= 0 where the wall is kept; to begin with.
   std::vector<Form> start = {};
   /// Those that a shape breaks by more than slack * scale: where it does so most, on each piece.

@@ -69,14 +69,53 @@ TEST(Against, WhatIsReachedIsWhatIsIntegrated) {
   }
 }
 
-TEST(Against, WhatIsNoBetterByIntegrationIsNotUsable) {
-  for (const DriveFigure figure : {DriveFigure::residual, DriveFigure::following_error}) {
+TEST(Against, WhatCanBeNothingIsNothingAndTheCamStaysGentle) {
+  for (const DriveFigure figure : {DriveFigure::residual, DriveFigure::end_following_error}) {
     SCOPED_TRACE(name(figure));
     const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
-    ASSERT_EQ(outcome.figures.size(), 1U);
-    const DriveFigureResult& f = outcome.figures.front();
-    EXPECT_EQ(outcome.usable(), f.reached < f.given) << f.reached << " of " << f.given;
+    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+    EXPECT_EQ(outcome.shapes.status, Outcome::Status::optimal) << outcome.shapes.reason;
+    EXPECT_LE(outcome.figures[0].reached, 1e-9 * 120) << "of the stroke, by integration";
+    EXPECT_LE(outcome.best.rms_torque, 5 * outcome.given.rms_torque)
+        << "one of many shapes, and not a wild one";
   }
+}
+
+TEST(Against, LeastFollowingErrorIsProven) {
+  const AgainstOutcome outcome =
+      optimize_against(index_problem(DriveFigure::following_error), axis());
+  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  EXPECT_NE(outcome.shapes.status, Outcome::Status::stalled) << outcome.shapes.reason;
+  const ShapeOutcome& shape = outcome.shapes.runs.front().shape;
+  ASSERT_TRUE(shape.spline_bound);
+  EXPECT_GE(*shape.spline_bound, shape.value * (1 - 1e-4));
+  EXPECT_LT(outcome.figures[0].reached, 0.7 * outcome.figures[0].given);
+}
+
+TEST(Against, NarrowCeilingsBesideAnRmsAreKeptByIntegration) {
+  CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  const double given = std::abs(optimize_against(problem, axis()).given.residual.value);
+  double before = 0;
+  for (const double share : {1e-2, 1e-5}) {
+    SCOPED_TRACE(share);
+    problem.ceilings = {{asked(DriveFigure::residual), share * given}};
+    const AgainstOutcome outcome = optimize_against(problem, axis());
+    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+    EXPECT_NE(outcome.shapes.status, Outcome::Status::stalled) << outcome.shapes.reason;
+    EXPECT_LE(std::abs(outcome.best.residual.value), share * given * (1 + 1e-6));
+    EXPECT_GE(outcome.best.rms_torque, before) << "less allowed, no less needed";
+    before = outcome.best.rms_torque;
+  }
+}
+
+TEST(Against, WhatComesSecondIsMinimisedBesideWhatIsNothing) {
+  CamShapeProblem problem = index_problem(DriveFigure::residual);
+  const AgainstOutcome alone = optimize_against(problem, axis());
+  problem.minimize.push_back({{asked(DriveFigure::rms_torque)}});
+  const AgainstOutcome both = optimize_against(problem, axis());
+  ASSERT_TRUE(both.usable()) << both.shapes.reason;
+  EXPECT_LE(both.figures[0].reached, 1e-9 * 120);
+  EXPECT_LT(both.best.rms_torque, alone.best.rms_torque);
 }
 
 TEST(Against, CeilingsOfTheDriveHoldByIntegration) {
