@@ -1,4 +1,5 @@
-# jounce_room(NAME SOURCES a.cpp ... [USES room ...] [LINKS target ...] [PRIVATE_LINKS target ...])
+# jounce_room(NAME SOURCES a.cpp ... [USES room ...] [LINKS target ...] [PRIVATE_LINKS target ...]
+#   [PRECOMPILE header ...])
 #
 # One static library a room, target jounce::NAME. A room's headers are seen as <jounce/NAME/x.hpp>
 # through an include folder of its own, which holds a link to that one room: so a room sees only the
@@ -12,16 +13,30 @@ function(jounce_options target)
   target_compile_options(${target} PRIVATE ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
 endfunction()
 
+# What all rooms are compiled with, so that they can share what is parsed once.
+function(jounce_room_options target)
+  jounce_options(${target})
+  target_compile_options(${target} PRIVATE -fno-math-errno)  # nobody asks errno what a root did
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+jounce_parsed(rooms)
+jounce_room_options(jounce_parsed_rooms)
+
 function(jounce_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LINKS;PRIVATE_LINKS;PRECOMPILE" ${ARGN})
+  if(NOT ROOM_PRECOMPILE)
+    set(ROOM_PRECOMPILE REUSE jounce_parsed_rooms)
+  endif()
   set(view ${PROJECT_BINARY_DIR}/rooms/${name})
   file(MAKE_DIRECTORY ${view}/jounce)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${view}/jounce/${name} SYMBOLIC)
 
   add_library(jounce_${name} STATIC ${ROOM_SOURCES})
   add_library(jounce::${name} ALIAS jounce_${name})
-  set_target_properties(jounce_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  jounce_options(jounce_${name})
+  set_target_properties(jounce_${name} PROPERTIES EXPORT_NAME ${name})
+  jounce_room_options(jounce_${name})
+  jounce_precompile(jounce_${name} ${ROOM_PRECOMPILE})
   target_compile_features(jounce_${name} PUBLIC cxx_std_20)
   target_include_directories(jounce_${name} PUBLIC
     $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -1,0 +1,38 @@
+# jounce_precompile(TARGET header ...): parses them, and what is common of the standard library, once
+# for all files of TARGET. jounce_precompile(TARGET REUSE other): as parsed for `other`, where both
+# have the same flags. jounce_parsed(NAME header ...): a target jounce_parsed_NAME to reuse.
+#
+# A precompiled header comes before a file's own first line, so it hides what that file forgot to
+# include. It is therefore left out where a launcher (ccache, which gains nothing from it) or clang-tidy
+# looks at every file: there each stands on its own includes.
+set(default ON)
+if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY)
+  set(default OFF)
+endif()
+option(JOUNCE_PCH "Precompile the headers that many files include" ${default})
+unset(default)
+
+function(jounce_precompile target)
+  if(NOT JOUNCE_PCH)
+    return()
+  endif()
+  cmake_parse_arguments(PCH "" "REUSE" "" ${ARGN})
+  if(PCH_REUSE)
+    target_precompile_headers(${target} REUSE_FROM ${PCH_REUSE})
+  else()
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <limits> <map>
+      <memory> <numbers> <optional> <span> <string> <utility> <variant> <vector> ${ARGN})
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # More false alarms on std::string (GCC bug 105651) where its header is precompiled.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow
+      -Wno-stringop-overread)
+  endif()
+endfunction()
+
+function(jounce_parsed name)
+  set(nothing ${CMAKE_CURRENT_BINARY_DIR}/parsed_${name}.cpp)
+  file(CONFIGURE OUTPUT ${nothing} CONTENT "")
+  add_library(jounce_parsed_${name} OBJECT EXCLUDE_FROM_ALL ${nothing})
+  jounce_precompile(jounce_parsed_${name} ${ARGN})
+endfunction()
