@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
-#include "jounce/executor/job.hpp"
+// What an axis is told. What it does about it, tick by tick, is in axis_motion.cpp.
 
 namespace jounce {
 
+using Kind = Command::Kind;
+
 MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
     : config_(resolved(config)),
+      clock_(config_.period),
       has_switches_(!switches.table.switches.empty()),
       switches_of_(switches.of),
       switches_(switches.table) {
@@ -24,255 +26,402 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.time = seconds(tick);
   now_.refused.reset();
   now_.handed_back = {};
+  joint_ = false;
+  if (state_ == State::homing) state_ = State::standstill;
+  take(inputs);
   obey(command);
-  (void)inputs;
-  if (start_at_ >= 0 && start_at_ <= tick) start_pending();
+  watch();
+  begin_due();
   if (moving()) play();
   operate_switches();
   last_tick_ = tick;
+  last_master_ = inputs.master[0];
+  now_.in_position =
+      windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
-  now_.waiting = start_at_ >= 0;
+  now_.waiting = waiting_;
+  now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
+  now_.override_ = on_path() ? std::min(factor_, highest_rate(peaks_, config_)) : factor_;
+  now_.rate = on_path() ? clock_.at(tick).rate : 1;
   return now_;
 }
 
-// ---- commands ----------------------------------------------------------------------------------
-
 void MotionAxis::obey(const Command& command) {
-  using Kind = Command::Kind;
+  if (command.kind == Kind::none) return;
+  if (const Cause no = permitted(state_, command.kind); no != Cause::none) {
+    if (command.movement) hand_back(command.movement);
+    return refuse(no);
+  }
   switch (command.kind) {
     case Kind::none:
       return;
     case Kind::enable:
-      // An axis that was disabled by a fault comes back into it (PMC600 manual 5.1).
-      if (state_ == State::disabled)
-        state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
-      return;
+      return power(true);
     case Kind::disable:
-      if (moving()) fail(Cause::disabled_in_motion);
-      disarm();
-      state_ = State::disabled;
-      return;
+      return power(false);
     case Kind::arm:
       return arm(command.movement);
     case Kind::disarm:
-      if (start_at_ < 0) disarm();
+      if (!waiting_) disarm();
       return;
     case Kind::start:
-      return start(command.at);
+      return start(command);
     case Kind::stop:
-      return stop();
+      return end_motion(Ending::stop, command);
+    case Kind::halt:
+      return end_motion(Ending::halt, command);
     case Kind::abort:
       return fail(Cause::aborted);
     case Kind::reset:
-      now_.fault = Cause::none;
-      if (state_ == State::error_stop) state_ = State::standstill;
-      return;
+      return reset();
     case Kind::set_position:
-      return set_position(command.position);
-    default:
-      return refuse(Cause::no_movement);
+      return set_position(command.position + (command.relative ? now_.position : 0));
+    case Kind::home:
+      set_position(command.position);
+      if (!now_.refused) state_ = State::homing;
+      return;
+    case Kind::hold:
+    case Kind::resume:
+      return hold(command.kind == Kind::hold);
+    case Kind::override_:
+      return set_override(command.factor);
+    case Kind::finish:
+      return finish();
+    case Kind::move_absolute:
+    case Kind::move_relative:
+    case Kind::move_additive:
+    case Kind::move_superimposed:
+    case Kind::move_velocity:
+      return move(command);
+    case Kind::gear_in:
+      return gear_in(command.movement);
+    case Kind::gear_out:
+    case Kind::cam_out:
+      return decouple();
   }
 }
 
-/// Nothing is obeyed by an axis that is disabled or has a fault.
-bool MotionAxis::ready() {
-  if (state_ == State::disabled) refuse(Cause::not_enabled);
-  if (state_ == State::error_stop) refuse(Cause::in_error);
-  return !now_.refused;
+// ---- power and faults --------------------------------------------------------------------------
+
+void MotionAxis::power(bool on) {
+  if (on && inputs_.feedback.fault) return refuse(Cause::drive_fault);
+  if (!on && moving() && state_ != State::error_stop) return fail(Cause::disabled_in_motion);
+  now_.power = on;
+  if (on) return;
+  disarm();
+  freeze();
+  state_ = State::disabled;
+}
+
+/// A path that an underrun stopped is still there, and at rest: it waits for a resume.
+void MotionAxis::reset() {
+  if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
+    return refuse(Cause::in_motion);
+  now_.fault = Cause::none;
+  if (state_ != State::error_stop) return;
+  ending_ = Ending::none;
+  held_ = moving();
+  state_ = !moving()                 ? State::standstill
+           : active_->synchronized() ? State::synchronized_motion
+                                     : State::discrete_motion;
+}
+
+// ---- movements ---------------------------------------------------------------------------------
+
+/// Where what is under way will come to rest, or where a pass of it ends; nothing: nobody knows.
+std::optional<MotionState> MotionAxis::expected_end() const {
+  if (!moving()) return MotionState{now_.position, 0, 0};
+  const double above = shift_ + (lifting_ ? lift_.end().position : 0);
+  if (base_ == Base::move) {
+    if (goal_.kind == Goal::Kind::velocity) return std::nullopt;
+    const bool there = goal_.kind == Goal::Kind::position;
+    return MotionState{(there ? goal_.value : plan_.end().position) + above, 0, 0};
+  }
+  auto end = active_->end();
+  if (end) end->position += above;
+  return end;
 }
 
 void MotionAxis::arm(Movement* movement) {
   if (!movement) return refuse(Cause::no_value);
-  if (ready()) {
-    // What is armed in motion begins where the motion will end, if that is known.
-    const auto from = active_ ? active_->end() : MotionState{now_.position, 0, 0};
-    if (state_ == State::stopping || !from || (active_ && std::isinf(active_->known()))) {
-      refuse(Cause::in_motion);
-    } else {
-      now_.refused = movement->admit(config_, *from);
-    }
-  }
+  const auto from = expected_end();
+  if (from)
+    now_.refused = movement->admit(config_, *from);
+  else if (movement->course() == Course::path)
+    refuse(Cause::in_motion);
   if (now_.refused) return hand_back(movement);
   disarm();
   pending_ = movement;
 }
 
-void MotionAxis::start(std::int64_t at) {
-  if (!ready()) return;
-  if (moving()) return refuse(Cause::in_motion);
-  if (!pending_) return refuse(Cause::not_armed);
-  if (at >= 0 && at < now_.tick)
-    return refuse(Cause::too_late, static_cast<double>(at), static_cast<double>(now_.tick));
-  const Cause no = pending_->begin({now_.position, 0, 0}, {});
-  if (no != Cause::none) return refuse(no, 0, now_.position);
-  start_at_ = at >= 0 ? at : now_.tick;
+void MotionAxis::disarm() {
+  if (pending_) hand_back(pending_);
+  pending_ = nullptr;
+  waiting_ = false;
+  if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
 }
 
-void MotionAxis::start_pending() {
-  active_ = pending_;
+void MotionAxis::start(const Command& command) {
+  if (!pending_) return refuse(Cause::not_armed);
+  if (command.start_at == StartAt::end_of_table && moving()) return start_at_end();
+  if (command.start_at == StartAt::tick && command.at >= 0 && command.at < now_.tick)
+    return refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
+    return refuse(Cause::no_value, command.position);
+  const bool swaps = command.start_at == StartAt::master_position && on_path();
+  if (pending_->course() == Course::path && moving() && !swaps) return refuse(Cause::in_motion);
+  if (swaps && !ready_to_swap()) return;
+  if (!moving()) {
+    now_.refused = pending_->admit(config_, last());
+    const Cause no = pending_->begin(last(), moment(0));
+    if (no != Cause::none) now_.refused = now_.refused.value_or(Refusal{});
+    if (no != Cause::none) now_.refused->cause = no;
+    if (now_.refused) return;
+  }
+  waiting_ = true;
+  start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
+  start_tick_ = std::max(command.at, now_.tick);
+  start_position_ = command.position;
+}
+
+/// Until the swap the rate may only be what both paths take.
+bool MotionAxis::ready_to_swap() {
+  if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
+  if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
+  if (now_.refused) return false;
+  const Peaks next = pending_->peaks();
+  peaks_ = {std::max(peaks_.velocity, next.velocity),
+            std::max(peaks_.acceleration, next.acceleration), std::max(peaks_.jerk, next.jerk),
+            std::max(peaks_.velocity_step, next.velocity_step)};
+  change_rate(wanted_rate());
+  return true;
+}
+
+/// A swap where the path, or its present pass, ends.
+void MotionAxis::start_at_end() {
+  const auto end = expected_end();
+  if (!on_path() || active_->pass() <= 0 || !end) return refuse(Cause::not_on_path);
+  if (now_.refused = pending_->admit(config_, *end); now_.refused) return;
+  if (!ready_to_swap()) return;
+  const double s = clock_.at(now_.tick).s;
+  const bool repeats = std::isinf(active_->known());
+  boundary_ = Boundary::swap;
+  boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
+  waiting_ = true;
+  start_at_ = StartAt::end_of_table;
+}
+
+/// Begins what waits, if this is its tick, or the master passes its position.
+void MotionAxis::begin_due() {
+  if (!waiting_ || start_at_ == StartAt::end_of_table) return;
+  const bool on_cam = on_path() && pending_->course() == Course::path;
+  if (start_at_ == StartAt::master_position && on_cam) return;  // swap_at_master()
+  double ahead = 0;
+  if (start_at_ == StartAt::tick) {
+    if (start_tick_ > now_.tick) return;
+    ahead = seconds(now_.tick - start_tick_);
+  } else {
+    const double before = last_master_ - start_position_;
+    const double after = inputs_.master[0] - start_position_;
+    if (!(before * after <= 0 && before != after)) return;
+    ahead = dt() * after / (after - before);
+  }
+  if (pending_->course() == Course::path && moving()) {
+    refuse(Cause::in_motion);
+    return disarm();
+  }
+  begin_pending(last(), ahead);
+}
+
+void MotionAxis::begin_pending(const MotionState& from, double ahead) {
+  const bool live = pending_->course() == Course::live;
+  MotionState state = from;
+  if (live && moving()) {  // where it would be by now
+    Setpoint next;
+    if (advance(next) != Cause::none) return disarm();
+    lift(next);
+    state = {next.slave[0], next.slave[1], next.slave[2]};
+  }
+  if (const Cause no = pending_->begin(state, moment(0)); no != Cause::none) {
+    refuse(no, state.position);
+    return disarm();
+  }
+  Movement* const next = pending_;
   pending_ = nullptr;
-  origin_ = start_at_;
-  start_at_ = -1;
+  waiting_ = false;
+  const bool was_moving = moving();
+  drop_movement();
+  active_ = next;
+  base_ = Base::movement;
+  ending_ = Ending::none;
+  held_ = lifting_ = false;
+  shift_ = 0;
+  joint_ = true;
+  peaks_ = active_->peaks();
+  origin_ = now_.tick;
+  if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  if (!live) {
+    const double rate = wanted_rate();
+    // At full speed path time is bit for bit ticks * period since the tick of the start.
+    if (start_at_ == StartAt::tick)
+      clock_.start(start_tick_, 0, rate);
+    else
+      clock_.start(now_.tick, ahead * rate, rate);
+  }
+  now_.reason = Cause::none;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
   has_master_ = active_->synchronized();
   if (switches_of_ == SwitchesOf::master) switches_.place();
 }
 
-void MotionAxis::stop() {
-  if (state_ == State::error_stop) return refuse(Cause::in_error);
+void MotionAxis::gear_in(Movement* movement) {
+  if (!movement) return refuse(Cause::no_value);
+  if (movement->course() != Course::live) {
+    refuse(Cause::bad_table);
+    return hand_back(movement);
+  }
+  if (now_.refused = movement->admit(config_, last()); now_.refused) return hand_back(movement);
   disarm();
-  if (!moving() || state_ == State::stopping) return;
-  stop_from_ = seconds(now_.tick - origin_);
-  stop_length_ = stop_duration(active_->peaks(), config_);
-  origin_ = now_.tick;
-  state_ = State::stopping;
+  pending_ = movement;
+  waiting_ = true;
+  start_at_ = StartAt::tick;
+  start_tick_ = now_.tick;
 }
 
+/// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
+void MotionAxis::decouple() {
+  if (!active_) return refuse(Cause::not_synchronized);
+  leave();
+  if (base_ != Base::move) refuse(Cause::no_such_move);
+}
+
+// ---- holds, stops and rates --------------------------------------------------------------------
+
+void MotionAxis::end_motion(Ending ending, const Command& command) {
+  MoveDynamics dynamics = command.dynamics;
+  now_.refused = ending == Ending::stop ? fill_stop(dynamics, config_) : fill(dynamics, config_);
+  if (now_.refused) return;
+  disarm();
+  if (!moving() || state_ == State::stopping) return;
+  boundary_ = Boundary::none;
+  ending_ = ending;
+  if (ending == Ending::stop) state_ = State::stopping;
+  if (on_path() && !lifting_ && change_rate(0)) return;
+  if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
+  now_.reason = Cause::none;
+}
+
+void MotionAxis::hold(bool on) {
+  if (base_ == Base::movement && !on_path()) return refuse(Cause::not_on_path);
+  if (ending_ != Ending::none) return;
+  held_ = on;
+  replan();
+}
+
+void MotionAxis::set_override(double factor) {
+  if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
+  factor_ = factor;
+  if (moving() && ending_ == Ending::none && (base_ == Base::move || on_path())) replan();
+}
+
+/// Agito StopRep: the stroke is finished, the next one does not begin.
+void MotionAxis::finish() {
+  if (!on_path()) return refuse(Cause::not_on_path);
+  if (ending_ != Ending::none || !std::isinf(active_->known()) || active_->pass() <= 0) return;
+  const auto end = active_->end();
+  const double most = *config_.limits.acceleration * seconds(1);
+  if (!end) return refuse(Cause::no_movement);
+  if (std::abs(end->velocity) > most) return refuse(Cause::end_velocity, end->velocity, most);
+  disarm();
+  boundary_ = Boundary::finish;
+  boundary_at_ = active_->pass() * (std::floor(clock_.at(now_.tick).s / active_->pass()) + 1);
+}
+
+// ---- moves -------------------------------------------------------------------------------------
+
 void MotionAxis::set_position(double position) {
-  if (state_ == State::error_stop) return refuse(Cause::in_error);
-  if (moving() || start_at_ >= 0) return refuse(Cause::in_motion);
+  if (waiting_) return refuse(Cause::in_motion);
   if (!std::isfinite(position)) return refuse(Cause::no_value, position);
+  now_.offset += position - now_.position;
   now_.position = position;
   if (switches_of_ == SwitchesOf::position) switches_.place();
 }
 
-// ---- motion ------------------------------------------------------------------------------------
-
-void MotionAxis::play() {
-  // What was left out before the motion began does not count.
-  if (std::min(now_.skipped, now_.tick - origin_) >= config_.longest_gap)
-    return fail(Cause::stalled);
-  const double t = seconds(now_.tick - origin_);
-  if (state_ == State::stopping) return slow_down(t);
-  move_to(active_->at({t, 0, {}}));
-  if (moving() && active_->progress() == Progress::done) {
-    ++now_.finished;
-    rest();
+void MotionAxis::move(const Command& command) {
+  MoveDynamics dynamics = command.dynamics;
+  const double value = command.position;
+  if (!std::isfinite(value)) return refuse(Cause::no_value, value);
+  const bool alone = !moving() || goal_.kind == Goal::Kind::velocity || base_ != Base::move;
+  if (command.kind == Kind::move_superimposed && moving() && state_ != State::continuous_motion)
+    return superimpose(value, dynamics);
+  if (now_.refused = fill(dynamics, config_); now_.refused) return;
+  switch (command.kind) {
+    case Kind::move_absolute: {
+      const auto target = target_of(value, command.direction, last(), dynamics, config_);
+      return target ? move_to(*target, dynamics) : refuse(Cause::no_such_move, value);
+    }
+    case Kind::move_additive:
+      return move_to((alone ? now_.position : goal_.value + shift_) + value, dynamics);
+    case Kind::move_velocity: {
+      const double velocity = std::copysign(dynamics.velocity, value);
+      if (value == 0) return refuse(Cause::no_value, value);
+      if (velocity > 0 ? inputs_.positive_switch : inputs_.negative_switch)
+        return refuse(Cause::direction_blocked, velocity);
+      return go({Goal::Kind::velocity, velocity, dynamics}, State::continuous_motion);
+    }
+    default:
+      return move_to(now_.position + value, dynamics);
   }
 }
 
-/// t seconds after the stop; the equations are those of stop_duration().
-void MotionAxis::slow_down(double t) {
-  const double D = stop_length_;
-  const double u = t < D ? t / D : 1;
-  const double s = stop_from_ + D * u * (1 - u * u * (1 - u / 2));  // (2)
-  const double r = (1 - u) * (1 - u) * (1 + 2 * u);                 // (1)
-  const double dr = u < 1 ? -6 * u * (1 - u) / D : 0;
-  Setpoint point = active_->at({s, 0, {}});
-  auto& [p, v, a, j] = point.slave;
-  a = a * r * r + v * dr;  // (4)
-  v *= r;                  // (3)
-  point.master_velocity *= r;
-  const bool at_end = active_->progress() == Progress::done;
-  move_to(point);
-  if (moving() && (u >= 1 || at_end)) {
-    ++now_.stopped;
-    rest();
+void MotionAxis::move_to(double position, const MoveDynamics& dynamics) {
+  const auto& [low, high, v, a, j] = config_.limits;
+  if (low && position < *low) return refuse(Cause::position_limit, position, *low);
+  if (high && position > *high) return refuse(Cause::position_limit, position, *high);
+  if ((inputs_.positive_switch && position > now_.position) ||
+      (inputs_.negative_switch && position < now_.position))
+    return refuse(Cause::direction_blocked, position, now_.position);
+  go({Goal::Kind::position, position, dynamics}, State::discrete_motion);
+}
+
+/// A move on top of another one takes what that leaves of the velocity limit, and half of what it
+/// leaves of the stop limits: the other half is for a change of the rate below it.
+void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
+  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
+  if (boundary_ == Boundary::swap) return refuse(Cause::in_motion);
+  Peaks below{std::abs(bare_.velocity), 0, 0};
+  if (on_path()) {
+    const double r = std::max(1.0, clock_.target());
+    const double kinks = peaks_.velocity_step / seconds(1);
+    below = {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
+             peaks_.jerk * r * r * r};
+  } else if (base_ == Base::move) {
+    const MoveDynamics& d = goal_.dynamics;
+    below = {std::max(below.velocity, d.velocity * std::max(1.0, factor_)),
+             std::max(d.acceleration, d.deceleration), d.jerk};
   }
-}
-
-/// Gives the point out, unless it is one that an admitted job cannot ask for.
-void MotionAxis::move_to(const Setpoint& point) {
-  const auto& [p, v, a, j] = point.slave;
-  const double near = 1e-9;
-  const double reach = *config_.limits.velocity * seconds(now_.skipped + 1) * (1 + 1e-9) + near;
-  if (!(std::abs(p - now_.position) <= reach)) return fail(Cause::overspeed);
-  if ((config_.limits.position_min && p < *config_.limits.position_min - near) ||
-      (config_.limits.position_max && p > *config_.limits.position_max + near))
-    return fail(Cause::out_of_range);
-  now_.master = point.master;
-  now_.master_velocity = point.master_velocity;
-  now_.position = p;
-  now_.velocity = v;
-  now_.acceleration = a;
-}
-
-void MotionAxis::rest() {
-  hand_back(active_);
-  active_ = nullptr;
-  state_ = State::standstill;
-  now_.master_velocity = now_.velocity = now_.acceleration = 0;
-}
-
-void MotionAxis::operate_switches() {
-  if (!has_switches_) return;
-  const double dt = seconds(now_.skipped + 1);
-  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();  // changes nothing
-  if (switches_of_ == SwitchesOf::position)
-    now_.switches = switches_.step(now_.position, now_.velocity, dt);
-  else
-    now_.switches = switches_.step(has_master_ ? now_.master : nowhere, now_.master_velocity, dt);
-}
-
-/// The first fault is the one that stays: what follows is its consequence.
-void MotionAxis::fail(Cause cause) {
-  if (now_.fault == Cause::none) now_.fault = cause;
-  const bool enabled = state_ != State::disabled;
-  disarm();
-  if (active_) rest();
-  if (enabled) state_ = State::error_stop;
-}
-
-void MotionAxis::disarm() {
-  if (pending_) hand_back(pending_);
-  pending_ = nullptr;
-  start_at_ = -1;
-}
-
-void MotionAxis::hand_back(const Movement* movement) {
-  // At most three in one step: the one played, the one armed, and the one just refused.
-  auto free = std::find(now_.handed_back.begin(), now_.handed_back.end(), nullptr);
-  assert(free != now_.handed_back.end());
-  *free = movement;
-}
-
-void MotionAxis::refuse(Cause cause, double value, double limit) {
-  now_.refused = Refusal{cause, value, limit, 0};
-}
-
-bool MotionAxis::moving() const {
-  return active_ != nullptr;
-}
-
-double MotionAxis::seconds(std::int64_t ticks) const {
-  return static_cast<double>(ticks * config_.period) / 1e9;
-}
-
-const char* name(State state) {
-  static constexpr std::array<const char*, states> names{
-      "disabled", "standstill", "discrete_motion",   "synchronized_motion",
-      "stopping", "error_stop", "continuous_motion", "homing"};
-  return names[static_cast<std::size_t>(state)];
-}
-
-const char* name(Command::Kind kind) {
-  static constexpr std::array<const char*, command_kinds> names{"none",
-                                                                "enable",
-                                                                "disable",
-                                                                "arm",
-                                                                "disarm",
-                                                                "start",
-                                                                "stop",
-                                                                "abort",
-                                                                "reset",
-                                                                "set_position",
-                                                                "home",
-                                                                "hold",
-                                                                "resume",
-                                                                "override",
-                                                                "finish",
-                                                                "move_absolute",
-                                                                "move_relative",
-                                                                "move_additive",
-                                                                "move_superimposed",
-                                                                "move_velocity",
-                                                                "halt",
-                                                                "gear_in",
-                                                                "gear_out",
-                                                                "cam_out"};
-  return names[static_cast<std::size_t>(kind)];
+  AxisConfig left = config_;
+  *left.limits.velocity -= below.velocity;
+  *left.limits.acceleration =
+      std::min(*left.limits.acceleration, (config_.stop_acceleration - below.acceleration) / 2);
+  if (left.limits.jerk)
+    left.limits.jerk = std::min(*left.limits.jerk, (config_.stop_jerk - below.jerk) / 2);
+  if (!(*left.limits.velocity > 1e-9 * *config_.limits.velocity))
+    return refuse(Cause::velocity_limit, below.velocity, *config_.limits.velocity);
+  if (!(*left.limits.acceleration > 0) || (left.limits.jerk && !(*left.limits.jerk > 0)))
+    return refuse(Cause::acceleration_limit, below.acceleration, config_.stop_acceleration);
+  if (now_.refused = fill(dynamics, left); now_.refused) return;
+  const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
+  left.limits.position_min = left.limits.position_max = std::nullopt;
+  const auto profile = plan({up.position, up.velocity, up.acceleration},
+                            {Goal::Kind::position, up.position + distance, dynamics}, 1, left);
+  if (!profile) return refuse(Cause::no_such_move, distance);
+  lifting_ = true;
+  lift_ = *profile;
+  lift_dynamics_ = dynamics;
+  lift_origin_ = now_.tick;
 }
 
 }  // namespace jounce

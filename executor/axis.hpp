@@ -9,22 +9,12 @@
 #include "jounce/executor/axis_config.hpp"
 #include "jounce/executor/command.hpp"
 #include "jounce/executor/inputs.hpp"
+#include "jounce/executor/move_plan.hpp"
+#include "jounce/executor/path_clock.hpp"
+#include "jounce/executor/supervision.hpp"
+#include "jounce/executor/transitions.hpp"
 
 namespace jounce {
-
-/// The PLCopen states (PMC600 manual 4.1, nAxisState). The numbers are part of the wire format.
-enum class State : std::uint8_t {
-  disabled = 0,
-  standstill = 1,
-  discrete_motion = 2,      ///< a table over time, or a move to a target
-  synchronized_motion = 3,  ///< follows a master
-  stopping = 4,             ///< on its way to rest; nothing but a fault ends that
-  error_stop = 5,           ///< at rest, or on its way there, until a reset
-  continuous_motion = 6,    ///< at a velocity, until the next command
-  homing = 7,               ///< for the one step in which `home` sets the position
-};
-inline constexpr std::size_t states = 8;
-const char* name(State state);
 
 /// All that an axis says in one tick.
 struct Tick {
@@ -71,16 +61,24 @@ struct Tick {
 /// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend; one that is
 /// left out is left out of the motion too, which follows time.
 ///
-/// **Slots.** One job is played, one is armed. An axis owns neither: each is handed back once, in
-/// the tick after which the axis no longer looks at it.
+/// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
+/// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
+/// either a superimposed move. Who ends whom: transitions.hpp and docs/executor.md.
+///
+/// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
+/// in the tick after which the axis no longer looks at it.
 ///
 /// **Cam switches** are stepped with what each tick says. A new position, or a new master when a
 /// job starts, is a new place: outputs may change there, but nothing was passed. They work in every
 /// state, also disabled and in a fault.
 ///
-/// **Safety.** Arming admits the job against the limits, whatever its sender did. In motion, every
-/// setpoint is compared with the velocity and position limits before it is given out. A fault
-/// freezes the setpoint at its last value and stays until a reset: see Cause and docs/executor.md.
+/// **Drives.** Feedback is of the drive's own position; a set_position moves the axis's count by
+/// `offset`, not the drive. While the axis is disabled its position is the drive's, where that is
+/// known, so that enabling moves nothing.
+///
+/// **Safety.** Arming admits a movement against the limits, whatever its sender did. In motion,
+/// every setpoint is compared with the one before and the limits before it is given out. A fault
+/// stays until a reset; what the axis does about it says reaction_to().
 class MotionAxis {
  public:
   /// Throws InputError for a bad configuration, or bad switches.
@@ -93,36 +91,105 @@ class MotionAxis {
   [[nodiscard]] State state() const { return state_; }
 
  private:
+  enum class Base : std::uint8_t { rest, movement, move };
+  enum class Ending : std::uint8_t { none, stop, halt, fault };
+  enum class Boundary : std::uint8_t { none, swap, finish };
+
+  // axis.cpp: what it is told
   void obey(const Command& command);
-  bool ready();
+  void power(bool on);
+  void reset();
   void arm(Movement* movement);
   void disarm();
-  void start(std::int64_t at);
-  void start_pending();
-  void stop();
+  void start(const Command& command);
+  void start_at_end();
+  bool ready_to_swap();
+  void begin_due();
+  void begin_pending(const MotionState& from, double ahead);
+  void gear_in(Movement* movement);
+  void end_motion(Ending ending, const Command& command);
   void set_position(double position);
+  void hold(bool on);
+  void set_override(double factor);
+  void finish();
+  void move(const Command& command);
+  void move_to(double position, const MoveDynamics& dynamics);
+  void superimpose(double distance, MoveDynamics dynamics);
+  void decouple();
 
+  // axis_motion.cpp: what it does
+  void take(const Inputs& inputs);
+  void watch();
   void play();
-  void slow_down(double t);
-  void move_to(const Setpoint& point);
+  Cause advance(Setpoint& next);
+  Cause advance_path(Setpoint& next);
+  [[nodiscard]] bool starves(const PathTime& time) const;
+  void swap(double boundary, MotionState end);
+  [[nodiscard]] bool swaps_at(double master) const;
+  void swap_at_master(double until);
+  void lift(Setpoint& next);
+  [[nodiscard]] Cause judge(const Setpoint& next) const;
+  void give_out(const Setpoint& next);
+  void conclude();
   void rest();
-  void operate_switches();
+  void freeze();
   void fail(Cause cause);
+  void brake(double deceleration);
+  void leave();
+  void go(const Goal& goal, State state);
+  bool adopt(const Goal& goal, double factor);
+  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
+  void replan();
+  bool change_rate(double rate);
+  void drop_movement();
+  void operate_switches();
 
   void hand_back(const Movement* movement);
   void refuse(Cause cause, double value = 0, double limit = 0);
-  [[nodiscard]] bool moving() const;
+  [[nodiscard]] bool moving() const { return base_ != Base::rest; }
+  [[nodiscard]] bool on_path() const;
+  [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] MotionState last() const;
+  [[nodiscard]] std::optional<MotionState> expected_end() const;
+  [[nodiscard]] Moment moment(double t) const;
   [[nodiscard]] double seconds(std::int64_t ticks) const;
+  [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
 
   AxisConfig config_;
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
+  Inputs inputs_;
+  double last_master_ = std::numeric_limits<double>::quiet_NaN();  // of the live one
+  Supervision windows_;
+
   Movement* active_ = nullptr;
   Movement* pending_ = nullptr;
-  std::int64_t start_at_ = -1;  // of the pending job; -1: no start was accepted
-  std::int64_t origin_ = 0;     // tick of local time 0, or of the stop
-  double stop_from_ = 0;        // local time at the stop, s
-  double stop_length_ = 0;      // s
+  bool waiting_ = false;  // a start of the pending one was accepted
+  StartAt start_at_ = StartAt::tick;
+  std::int64_t start_tick_ = 0;
+  double start_position_ = 0;  // of the master
+
+  Base base_ = Base::rest;
+  Ending ending_ = Ending::none;
+  std::int64_t begun_ = 0;   // tick at which the motion began
+  std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
+  bool joint_ = false;       // this tick joins one motion to another
+  PathClock clock_;          // of a path
+  Peaks peaks_;              // of it, and of what it will be swapped for
+  Boundary boundary_ = Boundary::none;
+  double boundary_at_ = 0;  // path time, s
+  Goal goal_;               // of the move
+  Profile plan_;
+  MotionState bare_;   // the last setpoint without what is superimposed
+  double factor_ = 1;  // override
+  bool held_ = false;
+
+  bool lifting_ = false;  // a superimposed move runs
+  Profile lift_;
+  MoveDynamics lift_dynamics_;
+  std::int64_t lift_origin_ = 0;
+  double shift_ = 0;  // u, of those that are over
+
   bool has_switches_;
   bool has_master_ = false;  // since a cam was started; until the next table without one
   SwitchesOf switches_of_;

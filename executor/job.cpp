@@ -276,36 +276,4 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   return refusal;
 }
 
-// A stop on the path. The table goes on being played, but its local time s slows down: over the
-// duration D, with u = (time since the stop) / D,
-//
-//     (1)  ds/dt = r = 1 - 3u^2 + 2u^3
-//     (2)  s = s0 + D (u - u^3 + u^4 / 2)
-//
-// so the position never leaves the table's path, and it comes to rest D/2 of local time further on.
-// By the chain rule, with p the table and r' = dr/dt = -6u(1 - u) / D, r'' = -6(1 - 2u) / D^2,
-//
-//     (3)  velocity      p' r
-//     (4)  acceleration  p'' r^2 + p' r'
-//     (5)  jerk          p''' r^3 + 3 p'' r r' + p' r''
-//
-// With V, A, J the peaks of the table, and |r| <= 1, |r'| <= 3/(2D), |r r'| <= 1/D, |r''| <= 6/D^2,
-// the stop keeps the limits a and j that are set for it if
-//
-//     (6)  A + 3V / (2D) <= a             that is  D >= 3V / (2 (a - A))
-//     (7)  J + 3A / D + 6V / D^2 <= j     that is  D >= (3A + sqrt(9A^2 + 24V (j - J)))
-//                                                          / (2 (j - J))
-//
-// A step of the velocity within the table counts as the acceleration that makes it in one tick.
-double stop_duration(const Peaks& peaks, const AxisConfig& given) {
-  const AxisConfig config = resolved(given);
-  const double V = peaks.velocity;
-  const double A = std::max(peaks.acceleration, peaks.velocity_step / seconds(config.period));
-  const double by_acceleration = 1.5 * V / (config.stop_acceleration - A);  // (6)
-  if (!config.limits.jerk) return by_acceleration;
-  const double room = config.stop_jerk - peaks.jerk;
-  const double by_jerk = (3 * A + std::sqrt(9 * A * A + 24 * V * room)) / (2 * room);  // (7)
-  return std::max(by_acceleration, by_jerk);
-}
-
 }  // namespace jounce

@@ -120,8 +120,4 @@ inline std::optional<Refusal> admit(const Job& job, const AxisConfig& config, do
   return admit(job, config, MotionState{position, 0, 0});
 }
 
-/// How long a stop on the path takes, s: from the job's peaks, so that it holds wherever the stop
-/// comes. For an admitted job only.
-double stop_duration(const Peaks& peaks, const AxisConfig& config);
-
 }  // namespace jounce

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/executor/axis.hpp"
+#include "jounce/executor/job.hpp"
 
 #include "executor/tables.hpp"
 
