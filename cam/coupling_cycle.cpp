@@ -41,13 +41,16 @@ int as_int(double count) {
 }
 
 /// Where a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1 at its
-/// start, 0 nowhere. It leaves where it arrives at an end, but for rounding; it may begin there.
-int left_at(const Cam& cam, double X0, double X1) {
+/// start, 0 nowhere. It leaves where it arrives at an end; but for rounding, if it comes to rest there
+/// (one that still moves will be beyond it, or at rest, in the next cycle). It may begin there.
+int left_at(const Cam& cam, double X0, double X1, bool rests) {
   const double eps = near * cam.length();
   if (X0 < cam.start() - eps || X0 > cam.end() + eps) return 0;
-  if (X1 > cam.end() + eps || (X1 >= cam.end() - eps && X0 < cam.end() - eps)) return 1;
-  if (X1 < cam.start() - eps || (X1 <= cam.start() + eps && X0 > cam.start() + eps)) return -1;
-  return 0;
+  const auto leaves = [&](double before, double now) {  // distances to the end, inside > 0
+    return now < -eps || (now < before && before > 0 && (now <= 0 || (rests && now <= eps)));
+  };
+  if (leaves(cam.end() - X0, cam.end() - X1)) return 1;
+  return leaves(X0 - cam.start(), X1 - cam.start()) ? -1 : 0;
 }
 
 /// The master where it would be if it had not jumped.
@@ -160,7 +163,8 @@ Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now
     count_periods(coupling, before, now, out);
   } else {
     const Placement& p = engaged.placement;
-    const int end = left_at(coupling.cam(), p.at(before.master[0]), p.at(now.master[0]));
+    const int end =
+        left_at(coupling.cam(), p.at(before.master[0]), p.at(now.master[0]), now.master[1] == 0);
     if (end != 0) leave(coupling, engaged, before, now, end, out);
   }
   if (out.jumped && !out.released && ramps(coupling.spec().start))
