@@ -20,7 +20,7 @@ SegmentFifos::SegmentFifos(std::size_t most) {
 }
 
 void SegmentFifos::reset(const Layout& layout) {
-  assert(!in_use(0) && !in_use(1) && layout.each <= fifos_[0].slots.size());
+  assert(layout.each <= fifos_[0].slots.size());
   layout_ = layout;
   state_ = State::idle;
   queued_ = false;
@@ -274,11 +274,20 @@ void SegmentFifos::stop() {
   state_.store(rests ? State::ended : State::cut_off);
 }
 
-void SegmentFifos::lose() {
+void SegmentFifos::stand(State why) {
   origin_.position = position_;
   queued_.store(false);
   spent_.store(layout_.stream);
-  state_.store(State::lost);
+  state_.store(why);
+}
+
+void SegmentFifos::lose() {
+  stand(State::lost);
+}
+
+void SegmentFifos::leave() {
+  if (moving()) stand(State::cut_off);
+  give_back();
 }
 
 Jet SegmentFifos::here(double u) const {

@@ -57,7 +57,7 @@ class SegmentFifos {
     RowStart base = {};     ///< of a stream: where its first row begins
     RowLimits limits = {};  ///< what rows may ask for
   };
-  /// Empties both and takes another layout. Not while in use, and by one thread alone.
+  /// Empties both and takes another layout. While nobody plays, by one thread alone.
   void reset(const Layout& layout);
 
   enum class State : std::uint8_t {
@@ -115,6 +115,9 @@ class SegmentFifos {
   /// Both.
   bool start(int fifo, double x, double position);
 
+  /// Whoever played has gone: it is cut off where it is. Tables are kept, a stream is to be cleared.
+  void leave();
+
   /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
   /// passes of a table are taken at once, so that the time a call takes depends on the rows alone.
   /// Where it is not moving: the position where it ended, at rest.
@@ -164,6 +167,7 @@ class SegmentFifos {
   void end_stream_fifo();
   void skip_passes(double x);
   void stop();
+  void stand(State why);
   void lose();
   Jet in_pass(double u);
 
