@@ -11,28 +11,27 @@ namespace jounce {
 struct DriveSetpoint {
   std::int64_t tick = 0;
   double time = 0;          ///< of the tick, s
-  double position = 0;      ///< commanded, u
+  double position = 0;      ///< commanded, u, as the drive counts
   double velocity = 0;      ///< u/s: for a feed-forward
   double acceleration = 0;  ///< u/s^2: for a feed-forward
-  bool enable = false;      ///< it is to follow; otherwise to let go (CiA 402: disable voltage)
-  bool quick_stop = false;  ///< the axis is in ErrorStop: stop by the drive's own means
+  bool enable = false;      ///< it is to follow; otherwise to stop by its own means and let go
   bool reset = false;       ///< its fault is to be cleared; one tick long
-  double renamed = 0;       ///< u: `position` grew by this without a motion (set position, home)
 };
 
-/// What a tick asks of the drive. `command` is the one that the tick obeyed, `before` the tick
-/// before it.
-DriveSetpoint drive_setpoint(const Tick& tick, const Command& command, const Tick& before);
+/// What a tick asks of the drive, `command` being the one that it obeyed. A new name of the axis's
+/// position (set position, home) is none of the drive's business: Tick::offset is taken off.
+DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
 /// What stands behind an axis: a servo drive on a bus, a simulated one, or none. In each cycle the
 /// machine asks it first, then steps the axis, then tells it:
 ///
 ///     inputs.feedback = drive.feedback();
 ///     const Tick tick = axis.step(k, command, inputs);
-///     drive.command(drive_setpoint(tick, command, before));
+///     drive.command(drive_setpoint(tick, command));
 ///
 /// So what feedback() says in cycle k + 1 is the answer to the setpoint of cycle k: a drive without
-/// any error has its actual position there. Units are those of the axis.
+/// any error has its actual position there. Units are those of the axis, positions those of the drive:
+/// Tick::offset less than the axis's.
 ///
 /// Both are called by the cyclic thread: they neither allocate nor free, lock, log, throw nor wait.
 /// What talks to a bus does so in memory here and on the wire elsewhere. docs/executor/drives.md.
@@ -51,7 +50,7 @@ class AxisDrive {
 /// does not tell a torque.
 class NullDrive final : public AxisDrive {
  public:
-  /// The axis stands at `position`, u.
+  /// It stands at `position`, u.
   explicit NullDrive(double position = 0) : position_(position) {}
 
   void command(const DriveSetpoint& setpoint) noexcept override;

@@ -7,13 +7,8 @@
 #include "jounce/executor/recording_drive.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "tables.hpp"
-
 namespace jounce {
 namespace {
-
-using test::Bench;
-using test::Kind;
 
 TEST(NullDrive, IsInTheNextCycleWhereItWasToldToBe) {
   NullDrive drive(7);
@@ -27,27 +22,27 @@ TEST(NullDrive, IsInTheNextCycleWhereItWasToldToBe) {
   EXPECT_FALSE(said.fault);
 }
 
-TEST(DriveSetpoint, SaysWhatTheTickDoes) {
-  Bench bench({.limits = test::limits(1000, 1e4), .position = 5});
-  const Tick off = bench.step();
-  EXPECT_FALSE(drive_setpoint(off, {}, off).enable);
-  const Tick on = bench.tell(Kind::enable);
-  EXPECT_TRUE(drive_setpoint(on, {.kind = Kind::enable}, off).enable);
-  EXPECT_EQ(drive_setpoint(on, {.kind = Kind::enable}, off).position, 5);
-
-  const Command rename{.kind = Kind::set_position, .position = 40};
-  const Tick named = bench.step(rename);
-  EXPECT_EQ(drive_setpoint(named, rename, on).renamed, 35);
-  const Tick after = bench.step();
-  EXPECT_EQ(drive_setpoint(after, {}, named).renamed, 0);
-
-  const Tick failed = bench.tell(Kind::abort);
-  EXPECT_TRUE(drive_setpoint(failed, {.kind = Kind::abort}, after).quick_stop);
-  const Tick refused = bench.step(rename);
-  EXPECT_EQ(drive_setpoint(refused, rename, failed).renamed, 0) << "it was refused";
-  const Tick well = bench.tell(Kind::reset);
-  EXPECT_TRUE(drive_setpoint(well, {.kind = Kind::reset}, refused).reset);
-  EXPECT_FALSE(drive_setpoint(well, {.kind = Kind::reset}, refused).quick_stop);
+TEST(DriveSetpoint, SaysWhatTheTickAsks) {
+  Tick tick;
+  EXPECT_FALSE(drive_setpoint(tick, {}).enable);
+  tick.tick = 12;
+  tick.time = 0.012;
+  tick.position = 40;
+  tick.offset = 35;
+  tick.velocity = 3;
+  tick.acceleration = -7;
+  tick.power = true;
+  const DriveSetpoint asked = drive_setpoint(tick, {.kind = Command::Kind::set_position});
+  EXPECT_EQ(asked.tick, 12);
+  EXPECT_EQ(asked.time, 0.012);
+  EXPECT_EQ(asked.position, 5) << "where it was before it was called 40";
+  EXPECT_EQ(asked.velocity, 3);
+  EXPECT_EQ(asked.acceleration, -7);
+  EXPECT_TRUE(asked.enable);
+  EXPECT_FALSE(asked.reset);
+  EXPECT_TRUE(drive_setpoint(tick, {.kind = Command::Kind::reset}).reset);
+  tick.refused = Refusal{.cause = Cause::not_enabled};
+  EXPECT_FALSE(drive_setpoint(tick, {.kind = Command::Kind::reset}).reset);
 }
 
 TEST(RecordingDrive, KeepsTheLastAndPassesOn) {
