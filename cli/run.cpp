@@ -156,6 +156,12 @@ int run(const Options& options) {
     fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
     return fault;
   }
+  for (const AxisSummary& axis : summary.axes)
+    if (axis.log_truncated) {
+      fmt::print(stderr, "jounce: the log of {} is cut off: see {}.truncated\n", axis.name,
+                 log_of(options, axis.name));
+      return fault;
+    }
   const bool idle = options.run.once && !has_played(summary);
   return status == fine && idle ? finding : status;
 }

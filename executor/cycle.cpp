@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cerrno>
 #include <ctime>
+#include <utility>
 
 namespace jounce {
 namespace {
@@ -33,14 +34,18 @@ void MonotonicPacer::sleep_until(std::int64_t instant) {
   }
 }
 
-Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, std::int64_t patience)
+Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options)
     : machine_(machine),
       pacer_(pacer),
       post_(post),
+      options_(std::move(options)),
       images_(machine.size()),
-      patience_(patience),
+      before_(machine.size()),
       start_(pacer.now()) {
   assert(post.mail.size() == machine.size());
+  options_.drives.resize(machine.size());
+  for (std::size_t i = 0; i < machine.size(); ++i)
+    before_[i].position = machine.axis(i).config.position;
 }
 
 void Cycle::once() {
@@ -63,19 +68,27 @@ void Cycle::read() {
     AxisImage& image = images_[i];
     if (!post_.mail[i]->commands.pop(image.command)) image.command = {};
     image.inputs.watchdog = watchdog;
+    if (AxisDrive* const drive = options_.drives[i]) image.inputs.feedback = drive->feedback();
   }
 }
 
 void Cycle::write() {
-  for (std::size_t i = 0; i < images_.size(); ++i) post(images_[i], *post_.mail[i]);
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const AxisImage& image = images_[i];
+    if (AxisDrive* const drive = options_.drives[i]) {
+      drive->command(drive_setpoint(image.tick, image.command, before_[i]));
+      before_[i] = image.tick;
+    }
+    post(image, *post_.mail[i]);
+  }
 }
 
 bool Cycle::silent() {
-  if (patience_ == 0) return false;
+  if (options_.patience == 0) return false;
   const std::uint64_t alive = post_.vitals.alive.load(std::memory_order_relaxed);
   since_alive_ = alive == alive_ ? since_alive_ + 1 : 0;
   alive_ = alive;
-  return since_alive_ > patience_;
+  return since_alive_ > options_.patience;
 }
 
 void Cycle::account(std::int64_t delay, std::int64_t missed, std::int64_t woken) {

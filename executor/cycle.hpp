@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "jounce/executor/drive.hpp"
 #include "jounce/executor/histogram.hpp"
 #include "jounce/executor/machine.hpp"
 #include "jounce/executor/ring.hpp"
@@ -80,8 +81,14 @@ struct CycleCounts {
   std::int64_t lost = 0;         ///< ticks that found their ring full
 };
 
-/// The real-time loop: waits for the next instant, reads what the axes are told and what they see,
-/// steps the machine once, and posts what it said.
+/// What a cycle runs with besides the machine; all of it must outlive the cycle.
+struct CycleOptions {
+  std::vector<AxisDrive*> drives = {};  ///< one an axis, or null; empty: no axis has one
+  std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
+};
+
+/// The real-time loop: waits for the next instant, reads what the axes are told and what their
+/// drives say, steps the machine once, gives the setpoints to the drives, and posts what was said.
 ///
 ///     Post post(machine.size());
 ///     Cycle cycle(machine, pacer, post);
@@ -91,15 +98,15 @@ struct CycleCounts {
 /// tick that the time has come for, and the axes leave out those before: never a burst of steps.
 /// Each axis obeys one command a tick.
 ///
-/// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, every axis is
+/// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, each axis is
 /// told so (Inputs::watchdog): nobody could stop it any more. Cycles are counted, not time: a machine
 /// that stood still as a whole has not fallen silent.
 ///
 /// once() neither allocates, locks, logs nor waits for another thread.
 class Cycle {
  public:
-  /// `patience` 0: no watchdog. All must outlive it.
-  Cycle(Machine& machine, Pacer& pacer, Post& post, std::int64_t patience = 0);
+  /// All must outlive it.
+  Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options = {});
 
   void once();
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
@@ -113,8 +120,9 @@ class Cycle {
   Machine& machine_;
   Pacer& pacer_;
   Post& post_;
+  CycleOptions options_;
   std::vector<AxisImage> images_;
-  std::int64_t patience_;
+  std::vector<Tick> before_;      // of each axis, the tick before
   std::uint64_t alive_ = 0;       // the last sign of life that was seen
   std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;

@@ -84,6 +84,7 @@ void Desk::close() {
   take_answers();
   take_ticks();
   if (log_) log_->close();
+  if (log_) log_truncated_ = !log_->truncated().empty();
   log_.reset();
 }
 
@@ -233,10 +234,18 @@ void Desk::answer(const Request& request, const std::optional<Refusal>& refused)
 
 void Desk::take_ticks() {
   for (Tick tick; mail_.ticks.pop(tick);) {
-    if (log_) log_->add(tick);
+    if (log_) write(tick);
     compare(tick);
     last_ = tick;
   }
+}
+
+void Desk::write(const Tick& tick) {
+  log_->add(tick);
+  if (log_truncated_ || log_->truncated().empty()) return;
+  log_truncated_ = true;
+  notify("the log ends at tick " + std::to_string(tick.tick) + " (" + log_->truncated() +
+         "); the axis goes on");
 }
 
 /// Tells what has become of the axis since the tick before.

@@ -22,7 +22,8 @@ namespace jounce {
 struct ExecutorOptions {
   AxisConfig axis;
   AxisSwitches switches = {};
-  Follow follow = {};            ///< its live master
+  Follow follow = {};                     ///< its live master
+  std::shared_ptr<AxisDrive> drive = {};  ///< behind its setpoints; none: they are the end of it
   Units units{};                 ///< of the axis: a table in another one is refused; empty: any
   ReceiverOptions receiver{};    ///< with the axis's name
   bool enable = true;            ///< at the start; otherwise it waits for an order
@@ -36,7 +37,7 @@ struct ExecutorOptions {
 };
 
 /// Where the requests to one axis come in from the stream and its answers go back: it keeps the jobs
-/// that the axis plays, writes its log, and says what it does now.
+/// that the axis plays, writes its log, and says what it does now. A log that cannot go on ends, and the motion does not.
 ///
 /// A latched fault is reset by the arm of another session than the one in which it came: whoever
 /// owned the axis then cannot go on as if nothing had happened.
@@ -59,6 +60,8 @@ class Desk {
   /// At rest, and no command is on its way that could change that.
   [[nodiscard]] bool settled() const { return !moving() && outbox_.empty() && under_way_ == 0; }
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
+  /// The log ended before the run did.
+  [[nodiscard]] bool log_truncated() const { return log_truncated_; }
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   [[nodiscard]] wire::Status status() const;
 
@@ -97,6 +100,7 @@ class Desk {
   void take_answers();
   void answer(const Request& request, const std::optional<Refusal>& refused);
   void take_ticks();
+  void write(const Tick& tick);
   void compare(const Tick& tick);
   void notify(const std::string& notice) const;
 
@@ -114,6 +118,7 @@ class Desk {
   std::uint64_t numbers_ = 0;
   std::size_t under_way_ = 0;
   bool retired_ = false;
+  bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;
   std::int64_t motion_session_ = 0;  // the one that asked for the last start
   Tick last_;

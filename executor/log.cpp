@@ -1,5 +1,6 @@
 #include "jounce/executor/log.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -65,7 +66,8 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
         << "],velocity" << u << "/s],acceleration" << u << "/s^2],job,fault,outputs,edges [s]\n";
-  require_good();
+  if (!file_)
+    throw std::system_error(errno, std::generic_category(), "cannot write " + temporary_.string());
 }
 
 TickLog::~TickLog() {
@@ -76,21 +78,37 @@ TickLog::~TickLog() {
 }
 
 void TickLog::add(const Tick& tick) {
+  if (!truncated_.empty()) return;
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
        tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches);
   file_ << line_;
+  look();
 }
 
 void TickLog::close() {
   file_.flush();
-  require_good();
+  look();
   file_.close();
-  std::filesystem::rename(temporary_, path_);
+  if (!truncated_.empty()) keep_whole_lines();
+  const char* const suffix = truncated_.empty() ? "" : ".truncated";
+  std::filesystem::rename(temporary_, path_.string() + suffix);
 }
 
-void TickLog::require_good() {
-  if (!file_)
-    throw std::system_error(errno, std::generic_category(), "cannot write " + temporary_.string());
+void TickLog::look() {
+  if (!file_ && truncated_.empty())
+    truncated_ = errno != 0 ? std::generic_category().message(errno) : "it cannot be written";
+}
+
+/// What was buffered when the disk was full may have come through in part.
+void TickLog::keep_whole_lines() {
+  constexpr std::uintmax_t most = 8192;  // bytes, more than a line has
+  const std::uintmax_t size = std::filesystem::file_size(temporary_);
+  const std::uintmax_t from = size - std::min(size, most);
+  std::string tail(size - from, '\0');
+  std::ifstream in(temporary_, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(from));
+  in.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  std::filesystem::resize_file(temporary_, from + tail.rfind('\n') + 1);
 }
 
 }  // namespace jounce

@@ -19,7 +19,8 @@ namespace jounce {
 ///
 /// It is written under another name beside it and renamed by close(), so that a file of the right
 /// name is whole. A log that was never closed is removed. Throws std::system_error where the file
-/// cannot be written.
+/// cannot be begun. Where it cannot go on (a full disk), what is there up to the last whole line
+/// is kept as run.csv.truncated: motion does not depend on a disk.
 class TickLog {
  public:
   TickLog(std::filesystem::path path, const Units& units);
@@ -30,13 +31,18 @@ class TickLog {
   void add(const Tick& tick);
   void close();
 
+  /// Why the log ended before the run did; empty if it did not.
+  [[nodiscard]] const std::string& truncated() const { return truncated_; }
+
  private:
-  void require_good();
+  void look();
+  void keep_whole_lines();
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream file_;
   std::string line_;
+  std::string truncated_;
 };
 
 }  // namespace jounce

@@ -51,8 +51,10 @@ class SignalWatch {
 /// The cyclic thread. Joined by its destructor at the latest.
 class CyclicThread {
  public:
-  CyclicThread(Machine& machine, Post& post, const RunOptions& run)
-      : machine_(machine), thread_([this, &post, run] { this->run(post, run); }) {}
+  CyclicThread(Machine& machine, std::vector<AxisDrive*> drives, Post& post, const RunOptions& run)
+      : machine_(machine),
+        drives_(std::move(drives)),
+        thread_([this, &post, run] { this->run(post, run); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
   CyclicThread& operator=(const CyclicThread&) = delete;
@@ -70,12 +72,14 @@ class CyclicThread {
   void run(Post& post, const RunOptions& run) {
     realtime_.set_value(make_realtime(run.realtime));
     const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
-    Cycle cycle(machine_, pacer_, post, static_cast<std::int64_t>(cycles));
+    Cycle cycle(machine_, pacer_, post,
+                {.drives = drives_, .patience = static_cast<std::int64_t>(cycles)});
     while (running_) cycle.once();
     counts_ = cycle.counts();
   }
 
   Machine& machine_;
+  std::vector<AxisDrive*> drives_;
   MonotonicPacer pacer_;
   std::promise<std::string> realtime_;
   std::atomic<bool> running_{true};
@@ -145,13 +149,20 @@ void stop_alone(Post& post) {
   }
 }
 
+std::vector<AxisDrive*> drives_of(const std::vector<ExecutorOptions>& axes) {
+  std::vector<AxisDrive*> drives;
+  for (const auto& axis : axes) drives.push_back(axis.drive.get());
+  return drives;
+}
+
 AxisSummary summary_of(const Desk& desk) {
   const Tick& last = desk.last();
   return {.name = desk.options().receiver.executor,
           .finished = last.finished,
           .stopped = last.stopped,
           .fault = last.fault,
-          .position = last.position};
+          .position = last.position,
+          .log_truncated = desk.log_truncated()};
 }
 
 }  // namespace
@@ -163,7 +174,7 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   Machine machine(machine_of(axes));
   Post post(machine.size());
   Dispatcher dispatcher(link, axes, post);
-  CyclicThread cyclic(machine, post, run);
+  CyclicThread cyclic(machine, drives_of(axes), post, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);

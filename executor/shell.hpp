@@ -26,6 +26,7 @@ struct AxisSummary {
   std::uint64_t stopped = 0;   ///< motions that a stop brought to rest
   Cause fault = Cause::none;   ///< latched at the end
   double position = 0;         ///< where the axis stands
+  bool log_truncated = false;  ///< the log ended before the run did
 };
 
 /// What came of a run.

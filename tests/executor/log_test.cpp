@@ -1,5 +1,6 @@
 #include "jounce/executor/log.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include <system_error>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace jounce {
@@ -76,6 +78,52 @@ TEST_F(TickLogTest, SaysWhereItCannotWrite) {
   } catch (const std::system_error& error) {
     EXPECT_NE(std::string(error.what()).find("absent"), std::string::npos) << error.what();
     EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);
+  }
+}
+
+/// As on a full disk: no file of this process grows beyond `bytes`.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit full{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(TickLogTest, OnAFullDiskKeepsTheWholeLinesAndSaysSo) {
+  for (const rlim_t bytes : {rlim_t{100}, rlim_t{5'000}, rlim_t{20'000}, rlim_t{20'001}}) {
+    const fs::path path = folder / ("run" + std::to_string(bytes) + ".csv");
+    {
+      const FullDisk disk(bytes);
+      TickLog log(path, {.x = "deg", .position = "mm"});
+      for (int i = 0; i < 2000; ++i) log.add({.tick = i, .time = i * 0.001});
+      log.close();
+      EXPECT_FALSE(log.truncated().empty());
+    }
+    EXPECT_FALSE(fs::exists(path));
+    std::ifstream file(path.string() + ".truncated");
+    std::int64_t lines = -1;  // of ticks: the first one is the head
+    std::string last;
+    for (std::string line; std::getline(file, line); ++lines) last = line;
+    if (bytes == 100) {
+      EXPECT_EQ(lines, -1);  // not even the head
+      continue;
+    }
+    EXPECT_GT(lines, 30);
+    const std::string tick = std::to_string(lines - 1);
+    EXPECT_EQ(last.substr(0, tick.size() + 1), tick + ",");
+    EXPECT_EQ(std::count(last.begin(), last.end(), ','), 11);
   }
 }
 

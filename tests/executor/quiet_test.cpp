@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "jounce/executor/cycle.hpp"
+
+#include "executor/hooks.hpp"
+#include "executor/tables.hpp"
+#include "executor/virtual_pacer.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+/// Cam switches of every kind, on the position.
+const CamSwitchSpec switches{.switches = {{.first_on_position = 0.1, .last_on_position = 0.3},
+                                          {.track = 2,
+                                           .first_on_position = 0.8,
+                                           .last_on_position = 0.2,
+                                           .axis_direction = AxisDirection::negative},
+                                          {.track = 3,
+                                           .first_on_position = 0.25,
+                                           .mode = CamSwitchMode::time,
+                                           .duration = 0.1}},
+                             .tracks = {{.on_compensation = -0.01, .off_compensation = 0.005},
+                                        {.track = 2, .hysteresis = 0.01},
+                                        {.track = 3, .on_compensation = 0.002, .inverted = true}},
+                             .period = 1};
+
+const AxisConfig config{.limits = limits(10, 20)};
+
+/// Three axes: one with switches and a drive, one that follows it, one alone.
+struct Rig {
+  Machine machine{{{.name = "feeder", .config = config, .switches = {.table = switches}},
+                   {.name = "knife",
+                    .config = config,
+                    .switches = {.of = SwitchesOf::master, .table = switches},
+                    .follow = {.what = Follow::What::setpoint, .index = 0}},
+                   {.name = "tape", .config = config}}};
+  VirtualPacer pacer;
+  Post post{3};
+  NullDrive drive;
+  Cycle cycle{machine, pacer, post, {.drives = {&drive, nullptr, nullptr}, .patience = 5000}};
+};
+
+/// What the cyclic thread does beside stepping, in so many cycles of which one is late.
+Noise noise_of(Rig& rig, int cycles) {
+  rig.pacer.delay = 2'500'000;
+  const Noise before = noise();
+  for (int i = 0; i < cycles; ++i) rig.cycle.once();
+  return noise() - before;
+}
+
+TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
+  Job move(1, there_and_back(0, 1, 2, Outside::wrap));
+  Job cam(2, trapezoid_table(720, 180, 360, 360),
+          table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+                {{0, 180, 360}, {0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}));
+  Job too_fast(3, there_and_back(0, 1000, 1, Outside::hold));
+  Rig rig;
+  const std::vector<Command> script{
+      {.kind = Kind::enable, .id = 1},
+      {.kind = Kind::arm, .id = 2, .movement = &too_fast},
+      {.kind = Kind::arm, .id = 3, .movement = &cam},
+      {.kind = Kind::start, .id = 4, .at = 1600},
+      {.kind = Kind::stop, .id = 5},
+      {.kind = Kind::set_position, .id = 6, .position = 0},
+      {.kind = Kind::arm, .id = 7, .movement = &move},
+      {.kind = Kind::start, .id = 8},
+      {.kind = Kind::abort, .id = 9},
+      {.kind = Kind::reset, .id = 10},
+      {.kind = Kind::disable, .id = 11},
+  };
+  std::vector<State> states;
+  std::size_t edges = 0;
+  for (const Command& command : script) {
+    ASSERT_TRUE(rig.post.mail[0]->commands.push(command));
+    EXPECT_EQ(noise_of(rig, 500), Noise{}) << "command " << command.id;
+    for (Tick tick; rig.post.mail[0]->ticks.pop(tick);) {
+      states.push_back(tick.state);
+      edges += tick.switches.count;
+    }
+  }
+  EXPECT_GT(edges, 3U);
+  for (const State state : {State::disabled, State::standstill, State::discrete_motion,
+                            State::synchronized_motion, State::stopping, State::error_stop})
+    EXPECT_NE(std::count(states.begin(), states.end(), state), 0) << name(state);
+}
+
+TEST(Quiet, FullRingsAndAWatchdogAreNoReasonToMakeNoise) {
+  Rig rig;
+  EXPECT_EQ(noise_of(rig, 6000), Noise{});
+  EXPECT_GT(rig.cycle.counts().lost, 3000);
+}
+
+// What was found silent was listened to.
+TEST(Quiet, TheHooksHear) {
+  Noise before = noise();
+  int* volatile memory = new int(1);  // volatile: or the compiler spares itself the way
+  delete memory;
+  EXPECT_EQ((noise() - before).heap, 2);
+#ifndef __SANITIZE_THREAD__
+  std::mutex mutex;
+  before = noise();
+  { const std::lock_guard lock(mutex); }
+  const long locks = (noise() - before).locks;
+  EXPECT_EQ(locks, 1);
+  before = noise();
+  EXPECT_EQ(write(STDERR_FILENO, "", 0), 0);
+  EXPECT_EQ((noise() - before).writes, 1);
+#endif
+}
+
+}  // namespace
+}  // namespace jounce
