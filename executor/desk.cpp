@@ -176,6 +176,22 @@ void Desk::handle(const SessionEnded& ended) {
   order({.kind = silent && its_motion && options_.stop_when_silent ? Kind::stop : Kind::disarm});
 }
 
+// Orders and queues are understood, and refused: this axis plays tables.
+void Desk::handle(const OrderRequested& order) {
+  receiver_.refuse(order.session, order.command, "this axis plays tables only",
+                   static_cast<std::int32_t>(Cause::no_value));
+}
+
+void Desk::handle(const QueueArmRequested& arm) {
+  receiver_.refuse(arm.session, arm.command, "this axis plays tables only",
+                   static_cast<std::int32_t>(Cause::no_value));
+}
+
+void Desk::handle(const QueueOpened& opened) {
+  receiver_.refuse_queue(opened.queue.queue, wire::Refusal::bad_queue,
+                         "this axis plays tables only");
+}
+
 /// A stop goes ahead of whatever has not reached the axis yet, and makes it void.
 void Desk::clear_outbox() {
   drop_builds();

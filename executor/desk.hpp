@@ -86,6 +86,10 @@ class Desk {
   void handle(const StartRequested& start);
   void handle(const StopRequested& stop);
   void handle(const SessionEnded& ended);
+  void handle(const OrderRequested& order);
+  void handle(const QueueArmRequested& arm);
+  void handle(const QueueOpened& opened);
+  void handle(const RowsArrived& /*of a queue that was refused*/) {}
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
   void build(const ArmRequested& arm);

@@ -15,10 +15,11 @@ constexpr int most_at_once = 256;  // packets between two turns of the protocol
 
 /// Hands every message that waits on the link to `take`, waiting for the first at most `timeout`.
 template <class Take>
-void drain(Transport& link, Nanos timeout, Rejects& rejects, Take take) {
+void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, Rejects& rejects,
+           Take take) {
   for (int i = 0; i < most_at_once; ++i) {
     const std::size_t rejected = rejects.total();
-    const auto message = next_message(link, i == 0 ? timeout : Nanos{}, rejects);
+    const auto message = next_message(link, i == 0 ? timeout : Nanos{}, rejects, key);
     if (message) {
       take(*message);
     } else if (rejects.total() == rejected) {
@@ -33,10 +34,11 @@ std::size_t Rejects::total() const {
   return std::accumulate(by_reason.begin(), by_reason.end(), std::size_t{0});
 }
 
-std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects) {
+std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
+                                          const std::optional<wire::Key>& key) {
   const auto packet = link.receive(timeout);
   if (!packet) return std::nullopt;
-  auto decoded = wire::decode(packet->bytes);
+  auto decoded = wire::decode(packet->bytes, key);
   if (const auto* reject = std::get_if<wire::Reject>(&decoded)) {
     ++rejects.by_reason[static_cast<std::size_t>(*reject)];
     return std::nullopt;
@@ -44,8 +46,9 @@ std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Reject
   return std::get<wire::Message>(std::move(decoded));
 }
 
-void send_message(Transport& link, const wire::Message& message) {
-  link.send(wire::channel(message.executor, wire::lane(message.body)), wire::encode(message));
+void send_message(Transport& link, const wire::Message& message,
+                  const std::optional<wire::Key>& key) {
+  link.send(wire::channel(message.executor, wire::lane(message.body)), wire::encode(message, key));
 }
 
 std::int64_t random_id() {
@@ -65,11 +68,11 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   for (const Nanos begin = clock();;) {
     if (clock() - begin > options.total)
       sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
-    for (const auto& message : sender.poll(clock())) send_message(link, message);
+    for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
     if (options.progress) options.progress(sender.outcome().progress);
     if (sender.ended()) return sender.outcome();
 
-    drain(link, options.period, rejects,
+    drain(link, options.period, options.key, rejects,
           [&](const wire::Message& message) { sender.receive(message, clock()); });
     if (!cancelled && options.cancelled && options.cancelled()) {
       cancelled = true;
@@ -79,32 +82,54 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   }
 }
 
-bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
-                   Nanos patience, const Clock& clock) {
+wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
+                             const std::optional<wire::Key>& key, Nanos patience,
+                             const Clock& clock) {
   constexpr Nanos repeat = std::chrono::milliseconds(20);
   link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
+  wire::Message message{executor, 0, std::move(body)};
   const auto number = static_cast<std::int32_t>(random_id() & 0x7FFFFFFF);
-  const wire::Message stop{executor, 0, wire::Stop{.command = number, .mode = mode}};
+  std::visit(
+      [&](auto& each) {
+        if constexpr (requires { each.command; }) each.command = number;
+      },
+      message.body);
   Rejects rejects;
-  bool confirmed = false;
-  for (const Nanos begin = clock(); !confirmed && clock() - begin <= patience;) {
-    send_message(link, stop);
-    drain(link, repeat, rejects, [&](const wire::Message& message) {
-      const auto* const reply = std::get_if<wire::Reply>(&message.body);
-      confirmed |= reply != nullptr && message.executor == executor && message.session == 0 &&
-                   reply->command == number && reply->outcome == wire::Outcome::accepted;
+  wire::Reply last;
+  for (const Nanos begin = clock(); clock() - begin <= patience;) {
+    bool told = false;
+    send_message(link, message, key);
+    drain(link, repeat, key, rejects, [&](const wire::Message& answer) {
+      const auto* const reply = std::get_if<wire::Reply>(&answer.body);
+      if (reply == nullptr || answer.executor != executor || answer.session != 0 ||
+          reply->command != number || last.outcome == wire::Outcome::accepted)
+        return;
+      told |= reply->refusal == wire::Refusal::stale_challenge;
+      if (reply->refusal == wire::Refusal::stale_challenge)
+        message.challenge = answer.challenge;
+      else
+        last = *reply;
     });
+    if (!told && last.outcome != wire::Outcome::pending) break;
   }
-  return confirmed;
+  return last;
+}
+
+bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
+                   Nanos patience, const Clock& clock, const std::optional<wire::Key>& key) {
+  const wire::Reply reply =
+      operator_command(link, executor, wire::Stop{.mode = mode}, key, patience, clock);
+  return reply.outcome == wire::Outcome::accepted;
 }
 
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
-                                         Nanos timeout, const Clock& clock) {
+                                         Nanos timeout, const Clock& clock,
+                                         const std::optional<wire::Key>& key) {
   Rejects rejects;
-  drain(link, Nanos{}, rejects, [](const wire::Message& /*old*/) {});
+  drain(link, Nanos{}, key, rejects, [](const wire::Message& /*old*/) {});
   const Nanos end = clock() + timeout;
   for (Nanos left = timeout; left > Nanos{}; left = end - clock()) {
-    auto message = next_message(link, left, rejects);
+    auto message = next_message(link, left, rejects, key);
     if (message && message->executor == executor &&
         std::holds_alternative<wire::Status>(message->body))
       return message;
@@ -120,13 +145,14 @@ ReceiverPump::ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& 
     link_.subscribe(wire::channel(one.executor, wire::Lane::table), queue_capacity);
     link_.subscribe(wire::channel(one.executor, wire::Lane::command), queue_capacity);
   }
+  if (!options.empty()) key_ = options.front().key;
   std::sort(by_name_.begin(), by_name_.end());
 }
 
 void ReceiverPump::run(Nanos timeout) {
-  drain(link_, timeout, rejects_, [&](const wire::Message& message) { take(message); });
+  drain(link_, timeout, key_, rejects_, [&](const wire::Message& message) { take(message); });
   for (Receiver& receiver : receivers_)
-    for (const auto& message : receiver.poll(clock_())) send_message(link_, message);
+    for (const auto& message : receiver.poll(clock_())) send_message(link_, message, key_);
 }
 
 void ReceiverPump::take(const wire::Message& message) {
@@ -137,8 +163,17 @@ void ReceiverPump::take(const wire::Message& message) {
     found->second->receive(message, clock_());
 }
 
-void ReceiverPump::publish(const wire::Status& status, std::size_t axis) {
-  send_message(link_, receivers_[axis].status(status));
+void ReceiverPump::publish(wire::Status status, std::size_t axis) {
+  const Receiver& receiver = receivers_[axis];
+  status.boot = receiver.boot();
+  status.rejected = static_cast<std::int64_t>(rejects_.total());
+  status.not_authentic = static_cast<std::int64_t>(rejects_[wire::Reject::not_authentic]);
+  send_message(link_, receiver.status(status), key_);
+}
+
+void ReceiverPump::announce(wire::Event event, std::size_t axis) {
+  event.boot = receivers_[axis].boot();
+  send_message(link_, {receivers_[axis].executor(), 0, event}, key_);
 }
 
 }  // namespace jounce

@@ -28,10 +28,12 @@ struct Rejects {
 
 /// The next message on this link, waiting at most `timeout` for a packet. A packet that is none is
 /// counted and dropped, and ends the wait.
-std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects);
+std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
+                                          const std::optional<wire::Key>& key = {});
 
-/// Encodes a message and sends it on its channel.
-void send_message(Transport& link, const wire::Message& message);
+/// Encodes a message, signs it with the key, and sends it on its channel.
+void send_message(Transport& link, const wire::Message& message,
+                  const std::optional<wire::Key>& key = {});
 
 /// A random number > 0, for sessions, boots and an operator's commands.
 std::int64_t random_id();
@@ -42,6 +44,7 @@ struct StreamOptions {
   Nanos period = std::chrono::milliseconds(1);          ///< longest wait on the link
   std::function<void(const StreamProgress&)> progress;  ///< called in every turn; may be empty
   std::function<bool()> cancelled;  ///< true: stops what was armed and leaves; may be empty
+  std::optional<wire::Key> key{};   ///< the executor's; none: it has none
 };
 
 /// Runs a Sender to its goal, then releases the session; a motion goes on. Returns within
@@ -50,15 +53,24 @@ struct StreamOptions {
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
 
+/// An operator's Stop, or Order to hold, resume or override, which need no session; its number is
+/// drawn here. Repeated until the executor decides, at most `patience`: then its outcome is pending.
+wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
+                             const std::optional<wire::Key>& key,
+                             Nanos patience = std::chrono::seconds(2),
+                             const Clock& clock = steady_now);
+
 /// An operator's stop: it needs no session and ends whatever session lives. Repeated until the
 /// executor answers, at most `patience`. Whether it was confirmed.
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
-                   Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now);
+                   Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now,
+                   const std::optional<wire::Key>& key = {});
 
 /// What an axis does now: drops the status messages that have waited, then waits for the next one,
 /// at most `timeout`. The link has subscribed to the axis's status channel, with capacity 1.
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
-                                         Nanos timeout, const Clock& clock = steady_now);
+                                         Nanos timeout, const Clock& clock = steady_now,
+                                         const std::optional<wire::Key>& key = {});
 
 /// What an executor's communication thread runs around its Receivers: one an axis, all on one link.
 ///
@@ -80,7 +92,10 @@ class ReceiverPump {
   /// Takes in what waits, waiting for the first at most `timeout`, and sends the answers. Takes as
   /// long as hashing does when a table is complete: a second for some hundred megabytes.
   void run(Nanos timeout);
-  void publish(const wire::Status& status, std::size_t axis = 0);
+  /// Fills in boot and what was rejected.
+  void publish(wire::Status status, std::size_t axis = 0);
+  /// Fills in boot.
+  void announce(wire::Event event, std::size_t axis = 0);
 
   [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
   [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
@@ -90,6 +105,7 @@ class ReceiverPump {
   void take(const wire::Message& message);
 
   Transport& link_;
+  std::optional<wire::Key> key_;                            // of all axes
   std::deque<Receiver> receivers_;                          // in the order of the options
   std::vector<std::pair<std::string, Receiver*>> by_name_;  // sorted
   Clock clock_;

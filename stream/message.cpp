@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 namespace jounce::wire {
 namespace {
@@ -20,28 +21,61 @@ const char* name(ArmMode mode) {
     case ArmMode::follow_input:
       return "follow_input";
     case ArmMode::follow_table:
+      return "follow_table";
+    case ArmMode::queue:
       break;
   }
-  return "follow_table";
+  return "queue";
 }
 
 const char* name(Refusal refusal) {
-  constexpr const char* names[] = {
-      "none",          "busy",          "unknown_session", "session_ended", "bad_header",
-      "too_large",     "out_of_memory", "bad_chunk",       "hash_mismatch", "bad_table",
-      "table_missing", "wrong_axis",    "wrong_unit",      "not_armed",     "axis"};
+  constexpr const char* names[] = {"none",
+                                   "busy",
+                                   "unknown_session",
+                                   "session_ended",
+                                   "bad_header",
+                                   "too_large",
+                                   "out_of_memory",
+                                   "bad_chunk",
+                                   "hash_mismatch",
+                                   "bad_table",
+                                   "table_missing",
+                                   "wrong_axis",
+                                   "wrong_unit",
+                                   "not_armed",
+                                   "axis",
+                                   "stale_challenge",
+                                   "bad_queue",
+                                   "bad_rows",
+                                   "bad_row",
+                                   "queue_missing",
+                                   "prefill_missing",
+                                   "bad_order"};
+  static_assert(std::size(names) == refusals);
   return names[static_cast<std::size_t>(refusal)];
 }
 
 const char* name(AxisState state) {
   constexpr const char* names[] = {
-      "disabled", "standstill", "discrete_motion", "synchronized_motion", "stopping", "error_stop"};
+      "disabled", "standstill", "discrete_motion",   "synchronized_motion",
+      "stopping", "error_stop", "continuous_motion", "homing"};
   return names[static_cast<std::size_t>(state)];
 }
 
 const char* name(Next next) {
   constexpr const char* names[] = {"nothing", "armed", "waiting"};
   return names[static_cast<std::size_t>(next)];
+}
+
+const char* name(Progress progress) {
+  constexpr const char* names[] = {"none",     "waiting", "engaging", "running",
+                                   "starving", "done",    "broken"};
+  return names[static_cast<std::size_t>(progress)];
+}
+
+const char* name(EventKind kind) {
+  constexpr const char* names[] = {"compare", "track", "tappet"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 Cut cut(Rule rule, std::uint32_t knots) {

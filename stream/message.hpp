@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,12 +12,14 @@
 #include "jounce/cam/coupling.hpp"
 #include "jounce/io/hash.hpp"
 #include "jounce/pvt/table.hpp"
+#include "jounce/stream/order.hpp"
+#include "jounce/stream/queue.hpp"
 
-/// The messages of stream protocol version 1, as values. docs/stream-protocol.md tells who sends
+/// The messages of stream protocol version 2, as values. docs/stream-protocol.md tells who sends
 /// which when; stream/lcm/*.lcm is their layout on the wire; wire.hpp turns one into the other.
 namespace jounce::wire {
 
-inline constexpr std::int32_t protocol_version = 1;
+inline constexpr std::int32_t protocol_version = 2;
 inline constexpr std::size_t chunk_values = 1600;  ///< doubles a chunk can carry: 12.8 KB
 inline constexpr std::size_t executor_bytes = 24;  ///< of an executor's name, final zero included
 inline constexpr std::size_t unit_bytes = 16;      ///< of a unit, final zero included
@@ -28,6 +31,15 @@ enum class ArmMode : std::int8_t {
   play = 0,          ///< the slave table is over time and plays by itself
   follow_input = 1,  ///< the slave table is over master and follows the executor's master input
   follow_table = 2,  ///< the slave table is over master and follows a master table over time
+  queue = 3,         ///< no table: a queue, which more rows go on arriving for
+};
+
+/// When a start takes place. The last two swap in motion: they are admitted only where position,
+/// velocity and acceleration meet within the axis's limits.
+enum class StartAt : std::int8_t {
+  tick = 0,             ///< at a tick
+  end_of_table = 1,     ///< where what plays now ends, or begins anew
+  master_position = 2,  ///< where the master reaches a position
 };
 
 enum class StopMode : std::int8_t {
@@ -52,7 +64,15 @@ enum class Refusal : std::int8_t {
   wrong_unit,       ///< a table over time not in s, or a master that counts in another unit
   not_armed,        ///< start without arm
   axis,             ///< the axis said no: see the reason
+  stale_challenge,  ///< it does not carry the executor's newest challenge, which the answer does
+  bad_queue,        ///< the queue contradicts itself, or an earlier one of the same index
+  bad_rows,         ///< rows contradict their queue, or those before them
+  bad_row,          ///< a row would break a limit, or the path: see row and reason
+  queue_missing,    ///< the queue that is meant is not open
+  prefill_missing,  ///< the queue has not as many rows as it wants to begin with
+  bad_order,        ///< an order's value is out of its range
 };
+inline constexpr int refusals = 22;
 
 /// How far a command has come.
 enum class Outcome : std::int8_t { pending = 0, accepted = 1, refused = 2 };
@@ -65,6 +85,19 @@ enum class AxisState : std::int8_t {
   synchronized_motion = 3,  ///< follows a master
   stopping = 4,             ///< on its way to rest
   error_stop = 5,           ///< latched; see last_error
+  continuous_motion = 6,    ///< moves at a velocity, without an end
+  homing = 7,
+};
+
+/// How far the motion has come.
+enum class Progress : std::int8_t {
+  none = 0,      ///< there is none
+  waiting = 1,   ///< for its master, or an event
+  engaging = 2,  ///< on its way to where it belongs: ramp, clutch
+  running = 3,
+  starving = 4,  ///< what is known of it is about to end, more was to come
+  done = 5,
+  broken = 6,  ///< it could not go on
 };
 
 /// What it will do next.
@@ -107,11 +140,15 @@ struct Arm {
   Sha256 slave{};           ///< hash of the slave table
   Sha256 master{};          ///< hash of the master table; zero unless mode is follow_table
   CouplingSpec coupling{};  ///< of a slave table over master; without master_jump
+  std::uint32_t queue = 0;  ///< with mode queue: 64...127
+  std::uint8_t bank = 0;    ///< of a static queue: the bank that begins
 };
 
 struct Start {
   std::int32_t command = 0;
   std::int64_t tick = -1;  ///< the executor's tick at which it begins; -1: the next one
+  StartAt when = StartAt::tick;
+  double position = 0;  ///< m, with master_position
 };
 
 /// In session 0: an operator's stop, which ends whatever session lives.
@@ -150,6 +187,23 @@ struct Reply {
   std::string reason{};
 };
 
+/// How far a queue has come. Two numbers: one for each bank.
+struct QueueAck {
+  std::int64_t boot = 0;
+  std::uint32_t queue = first_queue;
+  std::array<std::uint32_t, 2> next{};   ///< every message of rows below has been taken
+  std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
+  std::array<std::uint32_t, 2> space{};  ///< rows behind those of `next` that there is room for
+  std::int64_t played = 0;               ///< rows whose end was reached since it was opened
+  Progress progress = Progress::none;
+  Refusal refusal = Refusal::none;  ///< final for this queue
+  std::int64_t row = -1;            ///< that was refused, from 0 in its bank; -1: none
+  std::string reason{};
+};
+
+/// Cycles by a duration: class i < 15 those below 2^i us and no class before, class 15 all others.
+using Histogram = std::array<std::int32_t, 16>;
+
 /// What the axis does now; published every few milliseconds, only the newest counts.
 struct Status {
   AxisState state = AxisState::disabled;
@@ -164,20 +218,67 @@ struct Status {
   std::int64_t late_ticks = 0;          ///< cycles that began too late, since the executor started
   std::int64_t finished = 0;            ///< motions that reached their end, since then
   std::int64_t stopped = 0;             ///< motions that a stop brought to rest, since then
+  double actual_position = unknown;     ///< of the drive
+  double following_error = unknown;     ///< commanded less actual
+  double torque = unknown;              ///< share of the rated one
+  double override_ = 1;                 ///< velocity factor that is set
+  Progress progress = Progress::none;   ///< of the motion
+  std::int32_t reason = 0;              ///< why the last motion ended early, as last_error; 0: no
+  std::uint32_t queue_rows = 0;         ///< waiting in the queue that is armed or played
+  std::uint32_t queue_capacity = 0;     ///< of that queue
+  std::uint32_t outputs = 0;            ///< switches: track 1 is bit 0
+  std::int64_t boot = 0;                ///< as in Ack
+  std::int64_t rejected = 0;            ///< packets that were no message, since it started
+  std::int64_t not_authentic = 0;       ///< of those, the ones whose mac was wrong
+  Histogram lateness{};                 ///< of cycles: how late they woke up
+  Histogram computing{};                ///< of cycles: how long they computed
+
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };
 
-using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status>;
+enum class EventKind : std::int8_t { compare = 0, track = 1, tappet = 2 };
+
+/// An output has switched. May come several times, with one count.
+struct Event {
+  std::int64_t boot = 0;
+  std::int64_t count = 0;  ///< events of this axis since the executor started, from 1
+  EventKind kind = EventKind::compare;
+  std::uint32_t number = 1;  ///< of the output, from 1
+  bool on = false;
+  std::int64_t tick = 0;  ///< the cycle at whose end it was seen
+  double offset_s = 0;    ///< s before that cycle's instant, >= 0
+  double position = 0;    ///< of what the output depends on, there
+};
+
+// ---- from a master -----------------------------------------------------------------------------
+
+/// Where a master is; Message::executor is the master's name.
+struct Master {
+  std::int64_t seq = 0;               ///< rising
+  std::int64_t stamp_ns = 0;          ///< when it was there, on the sender's clock; rising
+  std::int32_t clock = 0;             ///< another number: another clock, or another epoch
+  bool valid = false;                 ///< otherwise it is lost, or its position unknown
+  double position = 0;                ///< the unit that its followers count in
+  double velocity = Status::unknown;  ///< that unit per second; NaN: not known
+};
+
+using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Order,
+                          Queue, Rows, QueueAck, Master, Event>;
 
 struct Message {
   std::string executor;      ///< 1 to 23 of A-Z a-z 0-9 _ -
-  std::int64_t session = 0;  ///< > 0; 0: none (Status of an idle axis, an operator's Stop)
+  std::int64_t session = 0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event)
   Body body;
+  /// From an executor: what commands must carry from now on. To it: what it said last, 0 at first.
+  std::int64_t challenge = 0;
 };
 
 const char* name(ArmMode mode);
 const char* name(Refusal refusal);
 const char* name(AxisState state);
 const char* name(Next next);
+const char* name(Progress progress);
+const char* name(EventKind kind);
 
 /// How a table is cut into chunks.
 struct Cut {

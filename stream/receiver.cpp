@@ -3,15 +3,43 @@
 #include <algorithm>
 #include <cassert>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/wire.hpp"
 
 namespace jounce {
 namespace {
 
 constexpr std::size_t remembered_sessions = 16;
 constexpr std::size_t most_answers = 64;  // between two polls, for messages of strangers
+
+/// The number of a command; 0: it is none.
+std::int32_t number_of(const wire::Body& body) {
+  return std::visit(
+      [](const auto& each) -> std::int32_t {
+        using Each = std::decay_t<decltype(each)>;
+        if constexpr (requires { each.command; } && !std::is_same_v<Each, wire::Reply>)
+          return each.command;
+        else
+          return 0;
+      },
+      body);
+}
+
+/// Whether it is for an executor; what executors and masters send is not.
+bool is_command(const wire::Body& body) {
+  const wire::Lane lane = wire::lane(body);
+  return lane == wire::Lane::table || lane == wire::Lane::command;
+}
+
+/// Whether a session may begin with it.
+bool opens(const wire::Body& body) {
+  const auto* const heartbeat = std::get_if<wire::Heartbeat>(&body);
+  return (heartbeat != nullptr && !heartbeat->release) ||
+         std::holds_alternative<wire::Header>(body) || std::holds_alternative<wire::Queue>(body);
+}
 
 ReceiverOptions checked(ReceiverOptions options) {
   if (!wire::is_executor_name(options.executor))
@@ -24,22 +52,114 @@ ReceiverOptions checked(ReceiverOptions options) {
 }  // namespace
 
 Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
-    : options_(checked(std::move(options))), boot_(boot), store_(options_.memory) {
+    : options_(checked(std::move(options))),
+      boot_(boot),
+      store_(options_.memory),
+      challenge_(draw_challenge()),
+      operators_challenge_(draw_challenge()) {
   assert(boot > 0);
 }
 
+/// Another one each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It need not
+/// be a secret: with a key nobody else can sign for it, and without one anybody may.
+std::int64_t Receiver::draw_challenge() {
+  std::int64_t drawn = 0;
+  while (drawn <= 0) {
+    auto z = static_cast<std::uint64_t>(boot_) +
+             static_cast<std::uint64_t>(++challenges_) * 0x9E3779B97F4A7C15U;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    drawn = static_cast<std::int64_t>(z ^ (z >> 31U));
+  }
+  return drawn;
+}
+
 void Receiver::receive(const wire::Message& message, Nanos now) {
-  if (message.executor != options_.executor) return;
-  if (message.session == 0 && !std::holds_alternative<wire::Stop>(message.body)) return;
+  if (message.executor != options_.executor || !is_command(message.body)) return;
+  if (message.session == 0) return receive_operators(message);
   if (message.session != session_) expire(now);
-  std::visit([&](const auto& body) { take(body, message.session); }, message.body);
+  if (repeats(message, command_)) {
+    command_.due = true;
+    return;
+  }
+  if (Refused refused = barred(message)) return answer_barred(message, std::move(refused));
+  if (session_ == 0 && opens(message.body)) open(message.session);
+  std::visit([&](const auto& body) { take(body); }, message.body);
   if (message.session == session_) heard_ = now;
+}
+
+/// A command whose outcome is recorded, of the last session: it is answered once more.
+bool Receiver::repeats(const wire::Message& message, const Record& record) const {
+  return session_ == 0 && number_of(message.body) == record.reply.command &&
+         number_of(message.body) != 0 && message.session == record.session &&
+         message.challenge == record.challenge;
+}
+
+/// Why this message may not do anything.
+Refused Receiver::barred(const wire::Message& message) const {
+  const std::int64_t session = message.session;
+  if (session == session_ && message.challenge == challenge_) return {};
+  // The last owner may stop its motion even after its session, until there is another one.
+  if (session_ == 0 && session == command_.session && message.challenge == command_.challenge &&
+      std::holds_alternative<wire::Stop>(message.body))
+    return {};
+  if (session_ != 0 && session != session_)
+    return {wire::Refusal::busy, "the axis belongs to another session"};
+  if (std::find(ended_.begin(), ended_.end(), session) != ended_.end())
+    return {wire::Refusal::session_ended, {}};
+  if (message.challenge != challenge_) return {wire::Refusal::stale_challenge, {}};
+  if (!opens(message.body)) return {wire::Refusal::unknown_session, {}};
+  return {};
+}
+
+void Receiver::answer_barred(const wire::Message& message, Refused refused) {
+  const auto answer = [&](const auto& body) {
+    using Body = std::decay_t<decltype(body)>;
+    if constexpr (requires { body.table; } && !std::is_same_v<Body, wire::Status>)
+      refuse_table(message.session, body.table, std::move(refused));
+    else if constexpr (std::is_same_v<Body, wire::Queue> || std::is_same_v<Body, wire::Rows>)
+      refuse_queue_of(message.session, body.queue, std::move(refused));
+    else
+      refuse_command(message.session, number_of(message.body), std::move(refused));
+  };
+  std::visit(answer, message.body);
+}
+
+/// Each of an operator's commands uses up the challenge that it carries. Without a key, a stop that
+/// does not know it is obeyed all the same: it is on the safe side, and sooner.
+void Receiver::receive_operators(const wire::Message& message) {
+  const std::int32_t number = number_of(message.body);
+  const auto* const stop = std::get_if<wire::Stop>(&message.body);
+  const auto* const order = std::get_if<wire::Order>(&message.body);
+  if (stop == nullptr && (order == nullptr || !wire::is_operators(order->kind))) return;
+  if (number == operator_.reply.command && message.challenge == operator_.challenge) {
+    operator_.due = true;
+    return;
+  }
+  const bool sudden = stop != nullptr && !options_.key && message.challenge == 0;
+  if (message.challenge != operators_challenge_ && !sudden)
+    return refuse_command(0, number, {wire::Refusal::stale_challenge, {}});
+  operators_challenge_ = draw_challenge();
+  operator_ = {.challenge = message.challenge,
+               .kind = stop != nullptr ? Record::Kind::stop : Record::Kind::order,
+               .reply = {.boot = boot_, .command = number},
+               .due = true};
+  if (order != nullptr) {
+    if (Refused refused = misses(*order)) return settle(operator_, std::move(refused));
+    events_.emplace_back(OrderRequested{0, number, order->kind, order->at, order->value});
+    return;
+  }
+  armed_ = false;
+  events_.emplace_back(StopRequested{0, number, stop->mode});
+  if (session_ != 0) end(SessionEnded::Why::operator_stop);
 }
 
 std::vector<wire::Message> Receiver::poll(Nanos now) {
   expire(now);
   for (auto& [table, slot] : slots_)
     if (std::exchange(slot.ack_due, false)) send(session_, ack(table, slot));
+  for (auto& [index, queue] : queues_)
+    if (std::exchange(queue.ack_due, false)) send(session_, queue.intake.ack(boot_));
   for (Record* record : {&command_, &operator_})
     if (std::exchange(record->due, false)) send(record->session, record->reply);
   return std::exchange(outgoing_, {});
@@ -53,11 +173,12 @@ std::optional<StreamEvent> Receiver::take_event() {
 }
 
 wire::Message Receiver::status(const wire::Status& status) const {
-  return {options_.executor, session_, status};
+  return {options_.executor, session_, status, challenge_};
 }
 
 void Receiver::send(std::int64_t session, wire::Body body) {
-  outgoing_.push_back({options_.executor, session, std::move(body)});
+  const std::int64_t challenge = session == 0 ? operators_challenge_ : challenge_;
+  outgoing_.push_back({options_.executor, session, std::move(body), challenge});
 }
 
 // ---- sessions -----------------------------------------------------------------------------------
@@ -65,16 +186,20 @@ void Receiver::send(std::int64_t session, wire::Body body) {
 void Receiver::open(std::int64_t session) {
   session_ = session;
   armed_ = false;
-  command_ = {.session = session};
+  command_ = {.session = session, .challenge = challenge_};
 }
 
 void Receiver::end(SessionEnded::Why why) {
   for (const auto& [table, slot] : slots_)
     if (slot.assembly) store_.release(bytes_of(slot.header));
   slots_.clear();
+  queues_.clear();
+  armed_queue_.reset();
+  challenge_ = draw_challenge();
   // A stop is still owed its answer; nothing else may take effect any longer.
-  const bool undecided = command_.reply.outcome == wire::Outcome::pending;
-  if (undecided && (command_.kind == Record::Kind::arm || command_.kind == Record::Kind::start))
+  const bool undecided =
+      command_.reply.command != 0 && command_.reply.outcome == wire::Outcome::pending;
+  if (undecided && command_.kind != Record::Kind::stop)
     settle(command_, {wire::Refusal::session_ended, {}});
   ended_.push_back(session_);
   if (ended_.size() > remembered_sessions) ended_.pop_front();
@@ -87,14 +212,6 @@ void Receiver::expire(Nanos now) {
   if (session_ != 0 && now - heard_ > options_.session_timeout) end(SessionEnded::Why::silent);
 }
 
-/// Why a session that is not the live one may not do anything.
-Refused Receiver::stranger(std::int64_t session) const {
-  if (session_ != 0) return {wire::Refusal::busy, "the axis belongs to another session"};
-  if (std::find(ended_.begin(), ended_.end(), session) != ended_.end())
-    return {wire::Refusal::session_ended, {}};
-  return {wire::Refusal::unknown_session, {}};
-}
-
 // ---- tables -------------------------------------------------------------------------------------
 
 void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
@@ -105,20 +222,14 @@ void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused r
                           .reason = std::move(refused.reason)});
 }
 
-void Receiver::take(const wire::Header& header, std::int64_t session) {
-  if (session != session_) {
-    Refused refused = stranger(session);
-    if (refused.refusal != wire::Refusal::unknown_session)
-      return refuse_table(session, header.table, std::move(refused));
-    open(session);
-  }
+void Receiver::take(const wire::Header& header) {
   const auto slot = slots_.find(header.table);
   if (slot == slots_.end()) {
     slots_.emplace(header.table, announced(header));
   } else if (slot->second.header.hash == header.hash) {
     slot->second.ack_due = true;
   } else {
-    refuse_table(session, header.table,
+    refuse_table(session_, header.table,
                  {wire::Refusal::bad_header, "this index has another table already"});
   }
 }
@@ -149,15 +260,14 @@ Receiver::Slot Receiver::announced(const wire::Header& header) {
   return slot;
 }
 
-void Receiver::take(const wire::Chunk& chunk, std::int64_t session) {
-  if (session != session_) return refuse_table(session, chunk.table, stranger(session));
+void Receiver::take(const wire::Chunk& chunk) {
   const auto it = slots_.find(chunk.table);
   if (it == slots_.end()) return;  // it has overtaken its header
   Slot& slot = it->second;
   slot.ack_due = true;
   if (!slot.assembly) return;
   if (!slot.assembly->add(chunk)) {
-    refuse_table(session, chunk.table,
+    refuse_table(session_, chunk.table,
                  {wire::Refusal::bad_chunk,
                   "chunk " + std::to_string(chunk.seq) + " contradicts its header"});
   } else if (slot.assembly->complete()) {
@@ -197,110 +307,6 @@ wire::Ack Receiver::ack(std::uint32_t table, const Slot& slot) const {
     ack.next = slot.header.chunks;
   }
   return ack;
-}
-
-// ---- commands -----------------------------------------------------------------------------------
-
-void Receiver::refuse_command(std::int64_t session, std::int32_t command, Refused refused) {
-  if (outgoing_.size() >= most_answers) return;
-  send(session, wire::Reply{.boot = boot_,
-                            .command = command,
-                            .outcome = wire::Outcome::refused,
-                            .refusal = refused.refusal,
-                            .reason = std::move(refused.reason)});
-}
-
-/// Whether this command is newer than the recorded one, which it then replaces, pending. A repeated
-/// one is answered again, an older one is not.
-bool Receiver::is_new(Record& record, Record::Kind kind, std::int32_t command) const {
-  if (command < record.reply.command) return false;
-  record.due = true;
-  if (command == record.reply.command) return false;
-  record.kind = kind;
-  record.reply = {.boot = boot_, .command = command};
-  return true;
-}
-
-bool Receiver::is_new_of_live(Record::Kind kind, std::int64_t session, std::int32_t command) {
-  const bool repeated_after_end =
-      session_ == 0 && session == command_.session && command == command_.reply.command;
-  if (session == session_ || repeated_after_end) return is_new(command_, kind, command);
-  refuse_command(session, command, stranger(session));
-  return false;
-}
-
-void Receiver::settle(Record& record, Refused refused) {
-  record.reply.outcome = refused ? wire::Outcome::refused : wire::Outcome::accepted;
-  record.reply.refusal = refused.refusal;
-  record.reply.reason = std::move(refused.reason);
-  record.due = true;
-}
-
-void Receiver::take(const wire::Arm& arm, std::int64_t session) {
-  if (!is_new_of_live(Record::Kind::arm, session, arm.command)) return;
-  armed_ = false;
-  const auto slave = store_.find(arm.slave);
-  const bool with_master = arm.mode == wire::ArmMode::follow_table;
-  const auto master = with_master ? store_.find(arm.master) : std::nullopt;
-  if (!slave || (with_master && !master)) {
-    return settle(command_, {wire::Refusal::table_missing,
-                             std::string(slave ? "the master" : "the slave") + " table " +
-                                 hex(slave ? arm.master : arm.slave) + " is not complete here"});
-  }
-  std::optional<TableInUnits> driver;
-  if (master) driver.emplace(TableInUnits{*master->table, master->units});
-  if (Refused refused =
-          misfit(arm.mode, {*slave->table, slave->units}, driver ? &*driver : nullptr))
-    return settle(command_, std::move(refused));
-  events_.emplace_back(ArmRequested{session, arm.command, arm.mode, *slave, master, arm.coupling});
-}
-
-void Receiver::take(const wire::Start& start, std::int64_t session) {
-  if (!is_new_of_live(Record::Kind::start, session, start.command)) return;
-  if (!armed_) return settle(command_, {wire::Refusal::not_armed, {}});
-  events_.emplace_back(StartRequested{session, start.command, start.tick});
-}
-
-void Receiver::take(const wire::Stop& stop, std::int64_t session) {
-  // The last owner may stop its motion even after its session; an operator may always.
-  if (session != 0 && session != command_.session)
-    return refuse_command(session, stop.command, stranger(session));
-  Record& record = session == 0 ? operator_ : command_;
-  // An operator's numbers are random: another one is new even if it is lower.
-  if (session == 0 && stop.command != record.reply.command) record = {};
-  if (!is_new(record, Record::Kind::stop, stop.command)) return;
-  armed_ = false;
-  events_.emplace_back(StopRequested{session, stop.command, stop.mode});
-  if (session == 0 && session_ != 0) end(SessionEnded::Why::operator_stop);
-}
-
-void Receiver::take(const wire::Heartbeat& heartbeat, std::int64_t session) {
-  if (!is_new_of_live(Record::Kind::heartbeat, session, heartbeat.command)) return;
-  settle(command_, {});
-  if (heartbeat.release) end(SessionEnded::Why::released);
-}
-
-Receiver::Record* Receiver::pending(std::int64_t session, std::int32_t command) {
-  Record& record = session == 0 ? operator_ : command_;
-  const bool owed = record.session == session && record.reply.command == command &&
-                    record.reply.outcome == wire::Outcome::pending;
-  return owed ? &record : nullptr;
-}
-
-void Receiver::accept(std::int64_t session, std::int32_t command) {
-  Record* const record = pending(session, command);
-  if (record == nullptr) return;
-  settle(*record, {});
-  if (record->kind == Record::Kind::arm) armed_ = true;
-  if (record->kind == Record::Kind::start) armed_ = false;
-}
-
-void Receiver::refuse(std::int64_t session, std::int32_t command, std::string reason,
-                      std::int32_t cause) {
-  Record* const record = pending(session, command);
-  if (record == nullptr) return;
-  settle(*record, {wire::Refusal::axis, std::move(reason)});
-  record->reply.cause = cause;
 }
 
 }  // namespace jounce

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -9,8 +10,10 @@
 #include <vector>
 
 #include "jounce/stream/assembly.hpp"
+#include "jounce/stream/key.hpp"
 #include "jounce/stream/message.hpp"
 #include "jounce/stream/refusal.hpp"
+#include "jounce/stream/row_intake.hpp"
 #include "jounce/stream/table_store.hpp"
 #include "jounce/stream/transport.hpp"
 
@@ -22,6 +25,9 @@ struct ReceiverOptions {
   std::size_t memory = std::size_t{1} << 28U;       ///< bytes of all tables, complete or under way
   Nanos session_timeout = std::chrono::seconds(1);  ///< of silence, then the axis is free again
   std::uint32_t credit = 8;  ///< chunks under way, 1...64; 8 fit a socket's default buffer
+  std::uint32_t most_rows = 1U << 20U;  ///< of one bank of a queue
+  std::size_t most_queues = 4;          ///< of one session
+  std::optional<wire::Key> key{};       ///< what commands must be signed with; none: anybody may
 };
 
 /// A table is complete and has proved itself. It stays in the store.
@@ -40,11 +46,44 @@ struct ArmRequested {
   CouplingSpec coupling{};            ///< of a slave over master
 };
 
-/// Follows an accepted arm of the same session. Owes an answer.
+/// The queue is open. Owes an answer.
+struct QueueArmRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  std::uint32_t queue = 0;
+  std::uint8_t bank = 0;  ///< of a static queue: the one that begins
+};
+
+/// Follows an accepted arm of the same session; a queue has its prefill. Owes an answer.
 struct StartRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
   std::int64_t tick = -1;  ///< of the executor; -1: the next one
+  wire::StartAt when = wire::StartAt::tick;
+  double position = 0;  ///< of the master, m, with master_position
+};
+
+/// Something else that the axis is to do; its values are within their ranges, and a queue that they
+/// name is open. Owes an answer.
+struct OrderRequested {
+  std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
+  std::int32_t command = 0;
+  wire::OrderKind kind = wire::OrderKind::enable;
+  std::int64_t at = -1;  ///< tick; -1: the next one
+  std::array<double, 8> value{};
+};
+
+/// Rows will come for this queue. It may be refused by Receiver::refuse_queue().
+struct QueueOpened {
+  std::int64_t session = 0;
+  wire::Queue queue;
+};
+
+/// Rows in order and without gaps, for which there is room. One that would break a limit is refused
+/// by Receiver::refuse_row().
+struct RowsArrived {
+  std::int64_t session = 0;
+  wire::Rows rows;
 };
 
 /// A stop, or an abort: always to be obeyed. Owes an answer.
@@ -63,7 +102,8 @@ struct SessionEnded {
 };
 
 using StreamEvent =
-    std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded>;
+    std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded,
+                 QueueArmRequested, OrderRequested, QueueOpened, RowsArrived>;
 
 /// The executor's half of the protocol: a pure state machine without thread, clock or link.
 ///
@@ -76,6 +116,11 @@ using StreamEvent =
 /// Any message may be lost, doubled, delayed or reordered. None is trusted: counts are bounded
 /// before memory is taken, the hash is computed from what arrived, and the table is constructed
 /// anew. Messages for another executor are ignored, and so are those that executors send.
+///
+/// **Challenge.** A number that every command must carry. Each session ends with a new one, and so
+/// does each start of the executor, so that nothing of before has any effect. Who does not know it
+/// is told by the refusal `stale_challenge`. Operators, who have no session, have one of their own,
+/// which each of their commands uses up.
 class Receiver {
  public:
   /// `boot` > 0: a random number, another one at every start. Throws InputError for a bad name.
@@ -96,9 +141,20 @@ class Receiver {
   void refuse(std::int64_t session, std::int32_t command, std::string reason,
               std::int32_t cause = 0);
 
+  /// How far the executor has come with this queue of the live session: makes room for more rows.
+  void level(std::uint32_t queue, const QueueLevel& level);
+  /// The executor cannot play this queue, or not this row of it (from 0 in its bank).
+  void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
+  void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
+
   [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
   [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be handed to the axis
   [[nodiscard]] const TableStore& store() const { return store_; }
+  [[nodiscard]] const std::string& executor() const { return options_.executor; }
+  [[nodiscard]] std::int64_t boot() const { return boot_; }
+  /// What a message of a session must carry, and one of an operator.
+  [[nodiscard]] std::int64_t challenge() const { return challenge_; }
+  [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
 
   /// The status message of this axis, ready to be sent.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
@@ -115,35 +171,55 @@ class Receiver {
 
   /// The newest command of a session and what became of it.
   struct Record {
-    enum class Kind { heartbeat, arm, start, stop };
+    enum class Kind { heartbeat, arm, start, stop, order };
     std::int64_t session = 0;
+    std::int64_t challenge = 0;
     Kind kind = Kind::heartbeat;
     wire::Reply reply{};
     bool due = false;
+    std::optional<wire::Order> order{};
   };
 
-  void take(const wire::Header& header, std::int64_t session);
-  void take(const wire::Chunk& chunk, std::int64_t session);
-  void take(const wire::Arm& arm, std::int64_t session);
-  void take(const wire::Start& start, std::int64_t session);
-  void take(const wire::Stop& stop, std::int64_t session);
-  void take(const wire::Heartbeat& heartbeat, std::int64_t session);
+  /// A queue of the live session.
+  struct OpenQueue {
+    RowIntake intake;
+    bool ack_due = true;
+  };
+
+  void take(const wire::Header& header);
+  void take(const wire::Chunk& chunk);
+  void take(const wire::Queue& queue);
+  void take(const wire::Rows& rows);
+  void take(const wire::Arm& arm);
+  void take(const wire::Start& start);
+  void take(const wire::Stop& stop);
+  void take(const wire::Heartbeat& heartbeat);
+  void take(const wire::Order& order);
   template <class Other>
-  void take(const Other& /*from an executor*/, std::int64_t /*session*/) {}
+  void take(const Other& /*from an executor*/) {}
+
+  [[nodiscard]] Refused barred(const wire::Message& message) const;
+  [[nodiscard]] bool repeats(const wire::Message& message, const Record& record) const;
+  void answer_barred(const wire::Message& message, Refused refused);
+  void receive_operators(const wire::Message& message);
+  [[nodiscard]] std::int64_t draw_challenge();
 
   void open(std::int64_t session);
   void end(SessionEnded::Why why);
   void expire(Nanos now);
-  [[nodiscard]] Refused stranger(std::int64_t session) const;
 
   [[nodiscard]] Slot announced(const wire::Header& header);
   void finish(Slot& slot);
   [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
   void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
+  [[nodiscard]] OpenQueue* open_queue(std::uint32_t queue);
+  [[nodiscard]] Refused misses(const wire::Order& order);
+  void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
 
   bool is_new(Record& record, Record::Kind kind, std::int32_t command) const;
-  bool is_new_of_live(Record::Kind kind, std::int64_t session, std::int32_t command);
   void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
+  void arm_queue(const wire::Arm& arm);
+  void done(const Record& record);
   void settle(Record& record, Refused refused);
   [[nodiscard]] Record* pending(std::int64_t session, std::int32_t command);
   void send(std::int64_t session, wire::Body body);
@@ -155,7 +231,12 @@ class Receiver {
   std::int64_t session_ = 0;
   Nanos heard_{};
   bool armed_ = false;
+  std::int64_t challenges_ = 0;  // drawn so far
+  std::int64_t challenge_;
+  std::int64_t operators_challenge_;
   std::map<std::uint32_t, Slot> slots_;
+  std::map<std::uint32_t, OpenQueue> queues_;
+  std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // and bank; of the last arm
   Record command_;   // of the live session, or else of the last one
   Record operator_;  // of session 0
   std::deque<std::int64_t> ended_;

@@ -47,7 +47,7 @@ std::vector<wire::Message> Sender::poll(Nanos now) {
 }
 
 void Sender::send(wire::Body body, Nanos now) {
-  outgoing_.push_back({plan_.executor, session_, std::move(body)});
+  outgoing_.push_back({plan_.executor, session_, std::move(body), challenge_});
   sent_ = now;
 }
 
@@ -117,7 +117,8 @@ void Sender::check_patience(Nanos now) {
 
 void Sender::receive(const wire::Message& message, Nanos now) {
   if (ended() || message.executor != plan_.executor || message.session != session_) return;
-  std::visit([&](const auto& body) { take(body, now); }, message.body);
+  const std::int64_t told = message.challenge;
+  std::visit([&](const auto& body) { take(body, told, now); }, message.body);
 }
 
 /// Notes a sign of life; whether it comes from the executor as it is now. A new boot means that it
@@ -142,10 +143,11 @@ bool Sender::hear(std::int64_t boot, Nanos now) {
   return false;
 }
 
-void Sender::take(const wire::Ack& ack, Nanos now) {
+void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   if (!hear(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
   // A chunk has overtaken its header, or the session is forgotten: the header opens it anew.
   if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
+  if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
   if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
   if (ack.complete) return next_table(now);
   if (!window_) {
@@ -153,6 +155,15 @@ void Sender::take(const wire::Ack& ack, Nanos now) {
     progressed_ = now;
   }
   if (window_->acknowledge(ack, now)) progressed_ = now;
+  count();
+}
+
+/// Nothing counts that was sent before the executor told its challenge.
+void Sender::begin_anew(std::int64_t challenge) {
+  if (challenge == challenge_) return;  // told already
+  challenge_ = challenge;
+  window_.reset();
+  header_sent_.reset();
   count();
 }
 
@@ -174,7 +185,7 @@ void Sender::count() {
   outcome_.progress.resent = resent_before_ + (window_ ? window_->resent() : 0);
 }
 
-void Sender::take(const wire::Reply& reply, Nanos now) {
+void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos now) {
   if (!hear(reply.boot, now) || !command_ || reply.command != command_->number) return;
   if (reply.outcome == wire::Outcome::refused) {
     refused(reply.refusal, reply.reason, reply.cause);

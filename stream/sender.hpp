@@ -103,6 +103,7 @@ class Sender {
   }
   [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
   [[nodiscard]] std::int64_t session() const { return session_; }
+  [[nodiscard]] std::int64_t challenge() const { return challenge_; }
 
  private:
   struct Command {
@@ -123,10 +124,11 @@ class Sender {
   template <class Body>
   void issue(Body body);
 
-  void take(const wire::Ack& ack, Nanos now);
-  void take(const wire::Reply& reply, Nanos now);
+  void take(const wire::Ack& ack, std::int64_t challenge, Nanos now);
+  void take(const wire::Reply& reply, std::int64_t challenge, Nanos now);
   template <class Other>
-  void take(const Other& /*not for a streamer*/, Nanos /*now*/) {}
+  void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
+  void begin_anew(std::int64_t challenge);
   [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
@@ -137,6 +139,7 @@ class Sender {
   StreamPlan plan_;
   std::int64_t session_;
   SenderOptions options_;
+  std::int64_t challenge_ = 0;  // what the executor told last
   StreamOutcome outcome_;
   std::vector<wire::Header> headers_;
   bool given_up_ = false;  // the goal, after a stop

@@ -8,13 +8,15 @@
 #include <zlib.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/fields.hpp"
 #include "jounce/stream/detail/lcm_body.hpp"
+#include "jounce/stream/detail/mac.hpp"
 
 namespace jounce::wire {
 namespace {
 
-// A message on the wire: type hash (8 bytes), magic (4), version (4), executor, session, fields,
-// checksum (4), all big-endian.
+// A message on the wire: type hash (8 bytes), magic (4), version (4), executor, session, challenge,
+// fields, mac (16), checksum (4), all big-endian.
 constexpr std::int32_t magic = 0x4A4E4345;
 constexpr std::size_t magic_at = 8;
 constexpr std::size_t version_at = 12;
@@ -40,51 +42,63 @@ std::size_t size_of() {
 }
 
 template <class Body>
-Bytes encode_as(const Message& message, const Body& body) {
+Bytes encode_as(const Message& message, const Body& body, const std::optional<Key>& key) {
   using Lcm = typename LcmOf<Body>::type;
   Lcm lcm{};
   lcm.envelope.magic = magic;
   lcm.envelope.version = protocol_version;
   put_text(message.executor, lcm.envelope.executor, executor_bytes);
   lcm.envelope.session = message.session;
+  lcm.envelope.challenge = message.challenge;
   put(body, lcm);
 
   Bytes bytes(size_of<Lcm>());
   [[maybe_unused]] const int written = lcm.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
   assert(written == static_cast<int>(bytes.size()));
   const std::size_t end = bytes.size() - checksum_bytes;
+  const std::size_t signed_end = end - mac_bytes;
+  write_mac(std::span(bytes).first(signed_end), key, bytes.data() + signed_end);
   const std::uint32_t sum = checksum(std::span(bytes).first(end));
   for (std::size_t i = 0; i < checksum_bytes; ++i)
     bytes[end + i] = static_cast<std::byte>(sum >> (24U - 8U * i) & 0xFFU);
   return bytes;
 }
 
-/// Session 0 belongs to a free axis's status and to an operator.
+template <class Body, class... Others>
+constexpr bool is_one_of = (std::is_same_v<Body, Others> || ...);
+
+/// Session 0 belongs to a free axis's status, to an operator, and to what no session is about.
 template <class Body>
-bool is_session_of(std::int64_t session) {
-  constexpr bool may_have_none =
-      std::is_same_v<Body, Status> || std::is_same_v<Body, Stop> || std::is_same_v<Body, Reply>;
-  return session > 0 || (may_have_none && session == 0);
+bool is_session_of(const jounce_lcm::envelope_t& envelope) {
+  if (envelope.challenge < 0) return false;
+  if (is_one_of<Body, Master>) return envelope.session == 0 && envelope.challenge == 0;
+  if (is_one_of<Body, Event>) return envelope.session == 0;
+  constexpr bool may_have_none = is_one_of<Body, Status, Stop, Reply, Order>;
+  return envelope.session > 0 || (may_have_none && envelope.session == 0);
 }
 
-/// Length, checksum, then the fields, of bytes whose type is known. The generated decoder sees
-/// nothing that is not whole.
+/// Length, checksum, mac, then the fields, of bytes whose type is known. The generated decoder sees
+/// nothing that is not whole and authentic.
 template <class Body>
-std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes) {
+std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes,
+                                        const std::optional<Key>& key) {
   using Lcm = typename LcmOf<Body>::type;
   if (bytes.size() != size_of<Lcm>()) return Reject::wrong_length;
   const std::size_t end = bytes.size() - checksum_bytes;
   if (checksum(bytes.first(end)) != big_endian(bytes, end)) return Reject::wrong_checksum;
+  const std::size_t signed_end = end - mac_bytes;
+  if (!is_mac(bytes.first(signed_end), key, bytes.data() + signed_end))
+    return Reject::not_authentic;
 
   Lcm lcm{};
   if (lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0) return Reject::wrong_length;
   Message message;
   Body body;
   if (!get_text(lcm.envelope.executor, executor_bytes, message.executor) ||
-      !is_executor_name(message.executor) || !is_session_of<Body>(lcm.envelope.session) ||
-      !get(lcm, body))
+      !is_executor_name(message.executor) || !is_session_of<Body>(lcm.envelope) || !get(lcm, body))
     return Reject::bad_field;
   message.session = lcm.envelope.session;
+  message.challenge = lcm.envelope.challenge;
   message.body = std::move(body);
   return message;
 }
@@ -92,36 +106,39 @@ std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes) {
 using Decoded = std::optional<std::variant<Message, Reject>>;
 
 template <class Body>
-void decode_if(std::int64_t type, std::span<const std::byte> bytes, Decoded& result) {
-  if (!result && type == LcmOf<Body>::type::getHash()) result = decode_as<Body>(bytes);
+void decode_if(std::int64_t type, std::span<const std::byte> bytes, const std::optional<Key>& key,
+               Decoded& result) {
+  if (!result && type == LcmOf<Body>::type::getHash()) result = decode_as<Body>(bytes, key);
 }
 
 template <class... Bodies>
 Decoded decode_any(std::int64_t type, std::span<const std::byte> bytes,
+                   const std::optional<Key>& key,
                    std::type_identity<std::variant<Bodies...>> /*of*/) {
   Decoded result;
-  (decode_if<Bodies>(type, bytes, result), ...);
+  (decode_if<Bodies>(type, bytes, key, result), ...);
   return result;
 }
 
 }  // namespace
 
-Bytes encode(const Message& message) {
+Bytes encode(const Message& message, const std::optional<Key>& key) {
   if (!is_executor_name(message.executor)) {
     throw InputError("executor", message.executor,
                      "must be 1 to " + std::to_string(executor_bytes - 1) + " of A-Z a-z 0-9 _ -");
   }
-  return std::visit([&](const auto& body) { return encode_as(message, body); }, message.body);
+  return std::visit([&](const auto& body) { return encode_as(message, body, key); }, message.body);
 }
 
-std::variant<Message, Reject> decode(std::span<const std::byte> bytes) {
+std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
+                                     const std::optional<Key>& key) {
   if (bytes.size() < shortest) return Reject::too_short;
   if (big_endian(bytes, magic_at) != static_cast<std::uint32_t>(magic)) return Reject::wrong_magic;
   if (big_endian(bytes, version_at) != static_cast<std::uint32_t>(protocol_version))
     return Reject::wrong_version;
   const auto type =
       static_cast<std::int64_t>(std::uint64_t{big_endian(bytes, 0)} << 32U | big_endian(bytes, 4));
-  Decoded result = decode_any(type, bytes, std::type_identity<Body>{});
+  Decoded result = decode_any(type, bytes, key, std::type_identity<Body>{});
   if (!result) return Reject::unknown_type;
   return *std::move(result);
 }
@@ -129,20 +146,30 @@ std::variant<Message, Reject> decode(std::span<const std::byte> bytes) {
 const char* name(Reject reject) {
   constexpr const char* names[] = {"too_short",    "wrong_magic",  "wrong_version",
                                    "unknown_type", "wrong_length", "wrong_checksum",
-                                   "bad_field"};
+                                   "bad_field",    "not_authentic"};
   return names[static_cast<std::size_t>(reject)];
 }
 
+namespace {
+
+template <class... Bodies>
+bool is_any(const Body& body) {
+  return (std::holds_alternative<Bodies>(body) || ...);
+}
+
+}  // namespace
+
 Lane lane(const Body& body) {
-  if (std::holds_alternative<Header>(body) || std::holds_alternative<Chunk>(body))
-    return Lane::table;
-  if (std::holds_alternative<Ack>(body) || std::holds_alternative<Reply>(body)) return Lane::reply;
-  return std::holds_alternative<Status>(body) ? Lane::status : Lane::command;
+  if (is_any<Header, Chunk, Queue, Rows>(body)) return Lane::table;
+  if (is_any<Ack, Reply, QueueAck>(body)) return Lane::reply;
+  if (is_any<Status>(body)) return Lane::status;
+  if (is_any<Master>(body)) return Lane::master;
+  return is_any<Event>(body) ? Lane::event : Lane::command;
 }
 
 std::string channel(const std::string& executor, Lane lane) {
-  constexpr const char* ends[] = {".table", ".command", ".reply", ".status"};
-  return "JOUNCE1." + executor + ends[static_cast<std::size_t>(lane)];
+  constexpr const char* ends[] = {".table", ".command", ".reply", ".status", ".master", ".event"};
+  return "JOUNCE2." + executor + ends[static_cast<std::size_t>(lane)];
 }
 
 }  // namespace jounce::wire

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "jounce/stream/key.hpp"
 #include "jounce/stream/message.hpp"
 
 /// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool can
@@ -23,26 +25,32 @@ enum class Reject {
   wrong_length,    ///< not the one length of its type
   wrong_checksum,  ///< damaged on the way
   bad_field,       ///< an enumeration, a count or a name out of its range
+  not_authentic,   ///< its mac is not that of the key; or it has one, and no key is set
 };
-inline constexpr std::size_t reject_count = 7;
+inline constexpr std::size_t reject_count = 8;
 const char* name(Reject reject);
 
-/// Throws InputError for a name, unit or count that does not fit the wire. A reason is shortened.
-Bytes encode(const Message& message);
+/// With a key, the message is signed by it. Throws InputError for a name, unit or count that does
+/// not fit the wire. A reason is shortened.
+Bytes encode(const Message& message, const std::optional<Key>& key = {});
 
-/// Never throws and never reads past the bytes, whatever they are.
-std::variant<Message, Reject> decode(std::span<const std::byte> bytes);
+/// With a key, what is not signed by it is refused before any of its fields is looked at. Never
+/// throws and never reads past the bytes, whatever they are.
+std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
+                                     const std::optional<Key>& key = {});
 
-/// The four channels of an executor: each message has its own.
+/// The channels of an executor: each message has its own.
 enum class Lane {
-  table,    ///< Header, Chunk: to the executor
-  command,  ///< Arm, Start, Stop, Heartbeat: to the executor
-  reply,    ///< Ack, Reply: from the executor
+  table,    ///< Header, Chunk, Queue, Rows: to the executor
+  command,  ///< Arm, Start, Stop, Heartbeat, Order: to the executor
+  reply,    ///< Ack, Reply, QueueAck: from the executor
   status,   ///< Status: from the executor; only the newest counts
+  master,   ///< Master: to all executors that follow it, under the master's name
+  event,    ///< Event: from the executor
 };
 Lane lane(const Body& body);
 
-/// "JOUNCE1.<executor>.table", ...
+/// "JOUNCE2.<executor>.table", ...
 std::string channel(const std::string& executor, Lane lane);
 
 }  // namespace jounce::wire

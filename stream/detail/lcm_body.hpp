@@ -8,9 +8,15 @@
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
 #include "jounce_lcm/coupling_t.hpp"
+#include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/master_t.hpp"
+#include "jounce_lcm/order_t.hpp"
+#include "jounce_lcm/queue_ack_t.hpp"
+#include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"
+#include "jounce_lcm/rows_t.hpp"
 #include "jounce_lcm/start_t.hpp"
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
@@ -18,13 +24,6 @@
 /// Each message's own fields, to and from the generated type; the envelope and the checksum are
 /// wire.cpp's.
 namespace jounce::wire {
-
-/// Text that fits `size` bytes with a final zero, as zero-padded bytes.
-void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size);
-
-/// The reverse; false unless zeros and nothing else follow a first zero, or for a control
-/// character.
-bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text);
 
 // Throws InputError for a value that does not fit the wire.
 void put(const Header& from, jounce_lcm::header_t& to);
@@ -36,6 +35,12 @@ void put(const Heartbeat& from, jounce_lcm::heartbeat_t& to);
 void put(const Ack& from, jounce_lcm::ack_t& to);
 void put(const Reply& from, jounce_lcm::reply_t& to);
 void put(const Status& from, jounce_lcm::status_t& to);
+void put(const Order& from, jounce_lcm::order_t& to);
+void put(const Queue& from, jounce_lcm::queue_t& to);
+void put(const Rows& from, jounce_lcm::rows_t& to);
+void put(const QueueAck& from, jounce_lcm::queue_ack_t& to);
+void put(const Master& from, jounce_lcm::master_t& to);
+void put(const Event& from, jounce_lcm::event_t& to);
 
 // False where a field is out of its range.
 bool get(const jounce_lcm::header_t& from, Header& to);
@@ -47,6 +52,12 @@ bool get(const jounce_lcm::heartbeat_t& from, Heartbeat& to);
 bool get(const jounce_lcm::ack_t& from, Ack& to);
 bool get(const jounce_lcm::reply_t& from, Reply& to);
 bool get(const jounce_lcm::status_t& from, Status& to);
+bool get(const jounce_lcm::order_t& from, Order& to);
+bool get(const jounce_lcm::queue_t& from, Queue& to);
+bool get(const jounce_lcm::rows_t& from, Rows& to);
+bool get(const jounce_lcm::queue_ack_t& from, QueueAck& to);
+bool get(const jounce_lcm::master_t& from, Master& to);
+bool get(const jounce_lcm::event_t& from, Event& to);
 
 template <class Body>
 struct LcmOf;
@@ -68,5 +79,17 @@ template <>
 struct LcmOf<Reply> : std::type_identity<jounce_lcm::reply_t> {};
 template <>
 struct LcmOf<Status> : std::type_identity<jounce_lcm::status_t> {};
+template <>
+struct LcmOf<Order> : std::type_identity<jounce_lcm::order_t> {};
+template <>
+struct LcmOf<Queue> : std::type_identity<jounce_lcm::queue_t> {};
+template <>
+struct LcmOf<Rows> : std::type_identity<jounce_lcm::rows_t> {};
+template <>
+struct LcmOf<QueueAck> : std::type_identity<jounce_lcm::queue_ack_t> {};
+template <>
+struct LcmOf<Master> : std::type_identity<jounce_lcm::master_t> {};
+template <>
+struct LcmOf<Event> : std::type_identity<jounce_lcm::event_t> {};
 
 }  // namespace jounce::wire

@@ -263,7 +263,7 @@ TEST(Dispatcher, AFaultIsNotResetByTheSessionItCameIn) {
   const wire::Arm again{.command = 1000,
                         .slave = content_hash(*trapezoid_table(500, 100, 1000, 1000), over_time)};
   ASSERT_TRUE(site.dispatcher.owned());
-  send_message(site.link, {"feeder", 1, again});
+  send_message(site.link, {"feeder", 1, again, sender.challenge()});
   site.advance(20ms);
   EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
   EXPECT_EQ(site.dispatcher.last().state, State::error_stop);

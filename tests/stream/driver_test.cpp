@@ -33,9 +33,11 @@ TEST(Driver, CountsAndDropsWhatIsNoMessage) {
 TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
   World world;
   const std::vector<std::byte> noise(100);
-  for (int i = 0; i < 20; ++i) world.link.send("JOUNCE1.feeder.table", noise);
-  for (const auto& message : test::messages_of(test::sine_table(5), 1))
+  for (int i = 0; i < 20; ++i) world.link.send("JOUNCE2.feeder.table", noise);
+  for (auto message : test::messages_of(test::sine_table(5), 1)) {
+    message.challenge = world.executor->pump.receiver().challenge();
     send_message(world.link, message);
+  }
   world.executor->turn();
   EXPECT_THAT(world.executor->log, ElementsAre("ready 1"));
   EXPECT_EQ(world.executor->pump.rejects()[wire::Reject::wrong_magic], 20U);
@@ -43,7 +45,7 @@ TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
 
 TEST(Driver, PublishesTheStatus) {
   World world;
-  world.link.subscribe("JOUNCE1.feeder.status", 1);
+  world.link.subscribe("JOUNCE2.feeder.status", 1);
   world.executor->pump.publish({.state = wire::AxisState::standstill, .tick = 7});
   Rejects rejects;
   const auto message = next_message(world.link, Nanos{}, rejects);
@@ -54,7 +56,7 @@ TEST(Driver, PublishesTheStatus) {
 
 TEST(Driver, ReadsTheNewestStatus) {
   World world;
-  world.link.subscribe("JOUNCE1.feeder.status", 1);
+  world.link.subscribe("JOUNCE2.feeder.status", 1);
   EXPECT_FALSE(next_status(world.link, "feeder", 50ms, world.clock).has_value());
   EXPECT_EQ(world.now, 50ms);
   std::int64_t tick = 0;
@@ -69,8 +71,15 @@ TEST(Driver, ReadsTheNewestStatus) {
 TEST(Driver, AnOperatorStopsWhoeverStreams) {
   World world;
   Sender streamer(test::plan_of(test::sine_table(50'000)), 1);
-  for (const auto& message : streamer.poll(world.now)) send_message(world.link, message);
-  world.pass(1ms);
+  world.link.subscribe("JOUNCE2.feeder.reply", 10);
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& message : streamer.poll(world.now)) send_message(world.link, message);
+    world.pass(1ms);
+    Rejects rejects;
+    while (const auto answer = next_message(world.link, Nanos{}, rejects))
+      streamer.receive(*answer, world.now);
+  }
+  ASSERT_EQ(world.executor->pump.receiver().session(), 1);
   EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, world.clock));
   EXPECT_THAT(world.executor->log, ElementsAre("abort 0", "operator 1"));
 }

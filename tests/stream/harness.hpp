@@ -80,7 +80,7 @@ inline std::vector<wire::Message> messages_of(const Table& table, std::int64_t s
 }
 
 /// An event in one word, with its session: "ready 1", "arm 1", "start 1", "stop 1", "abort 1",
-/// "released 1", "silent 1", "operator 1".
+/// "released 1", "silent 1", "operator 1", "arm queue 1", "queue 1", "rows 1", "hold 1", ...
 inline std::string word(const StreamEvent& event) {
   const auto session = std::to_string(std::visit([](const auto& e) { return e.session; }, event));
   if (std::holds_alternative<TableReady>(event)) return "ready " + session;
@@ -88,6 +88,11 @@ inline std::string word(const StreamEvent& event) {
   if (std::holds_alternative<StartRequested>(event)) return "start " + session;
   if (const auto* stop = std::get_if<StopRequested>(&event))
     return (stop->mode == wire::StopMode::abort ? "abort " : "stop ") + session;
+  if (std::holds_alternative<QueueArmRequested>(event)) return "arm queue " + session;
+  if (std::holds_alternative<QueueOpened>(event)) return "queue " + session;
+  if (std::holds_alternative<RowsArrived>(event)) return "rows " + session;
+  if (const auto* order = std::get_if<OrderRequested>(&event))
+    return std::string(name(order->kind)) + " " + session;
   switch (std::get<SessionEnded>(event).why) {
     case SessionEnded::Why::released:
       return "released " + session;
@@ -136,6 +141,14 @@ class Executor {
   void answer(const StopRequested& e) {
     if (answers) pump.receiver().accept(e.session, e.command);
   }
+  void answer(const QueueArmRequested& e) {
+    if (answers) pump.receiver().accept(e.session, e.command);
+  }
+  void answer(const OrderRequested& e) {
+    if (answers) pump.receiver().accept(e.session, e.command);
+  }
+  void answer(const QueueOpened& /*e*/) {}
+  void answer(const RowsArrived& /*e*/) {}
   void answer(const TableReady& /*e*/) {}
   void answer(const SessionEnded& /*e*/) {}
 };

@@ -18,6 +18,8 @@ TEST(LcmTransport, CarriesEveryMessage) {
   for (const auto lane :
        {wire::Lane::table, wire::Lane::command, wire::Lane::reply, wire::Lane::status})
     link.subscribe(wire::channel("feeder_2-B", lane), 10);
+  link.subscribe(wire::channel("feeder_2-B", wire::Lane::event), 10);
+  link.subscribe(wire::channel("line", wire::Lane::master), 10);
   for (const wire::Message& message : test::samples()) {
     send_message(link, message);
     Rejects rejects;
@@ -32,14 +34,14 @@ TEST(LcmTransport, CarriesEveryMessage) {
 
 TEST(LcmTransport, TakesAChannelForItsNameNotForAPattern) {
   LcmTransport link("memq://");
-  link.subscribe("JOUNCE1.a_-b.table", 10);
+  link.subscribe("JOUNCE2.a_-b.table", 10);
   const std::byte byte{1};
-  link.send("JOUNCE1xa_-bxtable", {&byte, 1});
-  link.send("JOUNCE1.a_-b.tables", {&byte, 1});
-  link.send("JOUNCE1.a_-b.table", {&byte, 1});
+  link.send("JOUNCE2xa_-bxtable", {&byte, 1});
+  link.send("JOUNCE2.a_-b.tables", {&byte, 1});
+  link.send("JOUNCE2.a_-b.table", {&byte, 1});
   const auto packet = link.receive(1s);
   ASSERT_TRUE(packet.has_value());
-  EXPECT_EQ(packet->channel, "JOUNCE1.a_-b.table");
+  EXPECT_EQ(packet->channel, "JOUNCE2.a_-b.table");
   EXPECT_FALSE(link.receive(Nanos{}).has_value());
 }
 

@@ -57,7 +57,12 @@ class Conversation {
   void say(wire::Body body) {
     const auto session = static_cast<std::int64_t>(1 + random_.below(3)) + 3 * (tick_++ / 200);
     const bool is_stop = std::holds_alternative<wire::Stop>(body);
-    receiver_.receive({"feeder", is_stop && random_.below(8) == 0 ? 0 : session, std::move(body)},
+    const bool operators = is_stop && random_.below(8) == 0;
+    // Mostly what a streamer was told, now and then what it was told long ago, or nothing.
+    if (random_.below(20) == 0) told_ = random_.below(4) == 0 ? 0 : receiver_.challenge();
+    const std::int64_t challenge = random_.below(10) == 0 ? told_ : receiver_.challenge();
+    receiver_.receive({"feeder", operators ? 0 : session, std::move(body),
+                       operators && random_.below(2) == 0 ? 0 : challenge},
                       now_);
   }
 
@@ -110,6 +115,8 @@ class Conversation {
     armed_ = {};
     asked_.emplace_back(e.session, e.command);
   }
+  template <class Other>
+  void check(const Other& /*of queues and orders*/) {}
   void check(const SessionEnded& /*e*/) {
     ++ends;
     armed_ = {};
@@ -120,7 +127,7 @@ class Conversation {
   std::vector<wire::Body> parts_;
   Receiver receiver_{{.executor = "feeder", .memory = memory}, 1};
   std::int32_t number_ = 1;
-  std::int64_t tick_ = 0;
+  std::int64_t tick_ = 0, told_ = 0;
   std::pair<std::int64_t, std::int32_t> armed_;
   std::vector<std::pair<std::int64_t, std::int32_t>> asked_, accepted_;
 };

@@ -19,7 +19,16 @@ using wire::Refusal;
 class ReceiverTest : public testing::Test {
  protected:
   void put(std::int64_t session, wire::Body body) { put({"feeder", session, std::move(body)}); }
-  void put(const wire::Message& message) { receiver.receive(message, now); }
+  /// As a streamer would that was told the challenge when its session began.
+  void put(wire::Message message) {
+    const auto told = challenges.find(message.session);
+    message.challenge = message.session == 0       ? 0
+                        : told != challenges.end() ? told->second
+                                                   : receiver.challenge();
+    receiver.receive(message, now);
+    if (message.session == receiver.session() && message.session != 0)
+      challenges[message.session] = receiver.challenge();
+  }
   void put(const std::vector<wire::Message>& messages) {
     for (const auto& message : messages) put(message);
   }
@@ -55,6 +64,7 @@ class ReceiverTest : public testing::Test {
   Sha256 hash = content_hash(table, test::move_units);
   std::vector<wire::Message> download = test::messages_of(table, 1);
   Receiver receiver{{.executor = "feeder"}, 77};
+  std::map<std::int64_t, std::int64_t> challenges;  // by session
 };
 
 TEST_F(ReceiverTest, TakesATableAndSaysSo) {
@@ -133,6 +143,7 @@ TEST_F(ReceiverTest, IgnoresOtherExecutorsAndOtherWaysRound) {
 
 TEST_F(ReceiverTest, BoundsKnotsBeforeTakingMemory) {
   Receiver small({.executor = "feeder", .most_knots = 2999}, 77);
+  download[0].challenge = small.challenge();
   small.receive(download[0], now);
   const auto answers = small.poll(now);
   EXPECT_EQ(std::get<wire::Ack>(answers.at(0).body).refusal, Refusal::too_large);
@@ -362,6 +373,8 @@ TEST_F(ReceiverTest, TakesWaitingForSilenceOnlyAfterHavingListened) {
 TEST_F(ReceiverTest, ATimedOutSessionGivesWayToTheNextHeader) {
   put(download[0]);
   now += 2s;
+  put(2, std::get<wire::Header>(download[0].body));
+  EXPECT_EQ(answer<wire::Ack>().refusal, Refusal::stale_challenge) << "of the session that ended";
   put(2, std::get<wire::Header>(download[0].body));
   EXPECT_EQ(receiver.session(), 2);
 }

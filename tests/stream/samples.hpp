@@ -19,6 +19,15 @@ inline std::vector<wire::Message> samples() {
   for (int i = 0; i < 1599; ++i) values.push_back(0.1 * i - 30);
   const CouplingSpec coupling{2.5, -3.5, 0.5, 7,   false, true, StartMode::ramp_in_neg,
                               100, 200,  300, 400, 500,   360};
+  std::vector<wire::Row> rows;
+  for (int i = 1; i <= 199; ++i)
+    rows.push_back({0.1 * i, 0.2 * i, 3.0 * i, 4.0 * i, -5.0 * i, -6.0 * i, wire::RowOrder::quintic,
+                    i == 199});
+  wire::Histogram lateness{}, computing{};
+  for (int i = 0; i < 16; ++i) {
+    lateness[static_cast<std::size_t>(i)] = 1000 + i;
+    computing[static_cast<std::size_t>(i)] = 2000 + i;
+  }
   const std::string name = "feeder_2-B";
   return {
       {name, 11,
@@ -26,7 +35,9 @@ inline std::vector<wire::Message> samples() {
            3, one, Axis::master, Rule::quintic_hermite, Outside::wrap, {"deg", "µm"}, 1000, 4, 5}},
       {name, 12, wire::Chunk{4, 1, 533, 533, 3, values}},
       {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two, coupling}},
-      {name, 14, wire::Start{3, 1'234'567'890'123}},
+      {name, 13, wire::Arm{.command = 3, .mode = wire::ArmMode::queue, .queue = 65, .bank = 1}},
+      {name, 14, wire::Start{3, 1'234'567'890'123}, 141},
+      {name, 14, wire::Start{4, -1, wire::StartAt::master_position, 90.5}, 142},
       {name, 15, wire::Stop{4, wire::StopMode::abort}},
       {name, 16, wire::Heartbeat{5, true}},
       {name, 17,
@@ -45,7 +56,50 @@ inline std::vector<wire::Message> samples() {
                     3,
                     17,
                     5,
-                    9}},
+                    9,
+                    -2.25,
+                    -0.25,
+                    0.375,
+                    0.5,
+                    wire::Progress::starving,
+                    31,
+                    77,
+                    2048,
+                    0x80000001,
+                    985,
+                    12,
+                    11,
+                    lateness,
+                    computing}},
+      {name, 20,
+       wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
+      {name, 21,
+       wire::Queue{66,
+                   Axis::master,
+                   {"deg", "mm"},
+                   wire::QueueMode::static_,
+                   512,
+                   -3,
+                   wire::QueueEvent::pass,
+                   12.5,
+                   -1,
+                   100},
+       201},
+      {name, 22, wire::Rows{67, 1, 5, 1000, rows}, 202},
+      {name, 23,
+       wire::QueueAck{984,
+                      68,
+                      {3, 4},
+                      {0x8000'0000'0000'0001, 2},
+                      {100, 200},
+                      321,
+                      wire::Progress::running,
+                      wire::Refusal::bad_row,
+                      322,
+                      "row 323"},
+       203},
+      {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25}},
+      {name, 0, wire::Event{983, 44, wire::EventKind::track, 31, true, 5000, 0.000412, 88.5}, 204},
   };
 }
 
@@ -68,14 +122,16 @@ struct Text {
   }
   void operator()(const wire::Arm& m) {
     const CouplingSpec& c = m.coupling;
-    fields("arm", m.command, name(m.mode), hex(m.slave), hex(m.master), name(c.start),
-           c.master_absolute, c.slave_absolute, c.master_scaling, c.master_offset, c.slave_scaling,
-           c.slave_offset);
+    fields("arm", m.command, name(m.mode), m.queue, static_cast<int>(m.bank), hex(m.slave),
+           hex(m.master), name(c.start), c.master_absolute, c.slave_absolute, c.master_scaling,
+           c.master_offset, c.slave_scaling, c.slave_offset);
     for (const auto& magnitude :
          {c.velocity_diff, c.acceleration, c.deceleration, c.jerk, c.distance, c.slave_period})
       fields(magnitude.value_or(-1));
   }
-  void operator()(const wire::Start& m) { fields("start", m.command, m.tick); }
+  void operator()(const wire::Start& m) {
+    fields("start", m.command, m.tick, static_cast<int>(m.when), m.position);
+  }
   void operator()(const wire::Stop& m) { fields("stop", m.command, static_cast<int>(m.mode)); }
   void operator()(const wire::Heartbeat& m) { fields("heartbeat", m.command, m.release); }
   void operator()(const wire::Ack& m) {
@@ -87,13 +143,43 @@ struct Text {
   }
   void operator()(const wire::Status& m) {
     fields("status", name(m.state), name(m.next), m.tick, m.cycle_ns, m.master_position,
-           m.slave_position, m.slave_velocity, m.last_error, m.late_ticks, m.finished, m.stopped);
+           m.slave_position, m.slave_velocity, m.last_error, m.late_ticks, m.finished, m.stopped,
+           m.actual_position, m.following_error, m.torque, m.override_, name(m.progress), m.reason,
+           m.queue_rows, m.queue_capacity, m.outputs, m.boot, m.rejected, m.not_authentic);
     for (const unsigned byte : m.table) fields(byte);
+    for (const int count : m.lateness) fields(count);
+    for (const int count : m.computing) fields(count);
+  }
+  void operator()(const wire::Order& m) {
+    fields("order", m.command, name(m.kind), m.at);
+    for (const double value : m.value) fields(value);
+  }
+  void operator()(const wire::Queue& m) {
+    fields("queue", m.queue, name(m.axis), m.units.x, m.units.position, static_cast<int>(m.mode),
+           m.capacity, m.loops, static_cast<int>(m.event), m.event_position,
+           static_cast<int>(m.event_direction), m.prefill);
+  }
+  void operator()(const wire::Rows& m) {
+    fields("rows", m.queue, static_cast<int>(m.bank), m.seq, m.first_row);
+    for (const wire::Row& row : m.rows)
+      fields(row.x_end, row.p_end, row.v_start, row.v_end, row.a_start, row.a_end,
+             static_cast<int>(row.order), row.last);
+  }
+  void operator()(const wire::QueueAck& m) {
+    fields("queue_ack", m.boot, m.queue, m.next[0], m.next[1], m.mask[0], m.mask[1], m.space[0],
+           m.space[1], m.played, name(m.progress), name(m.refusal), m.row, m.reason);
+  }
+  void operator()(const wire::Master& m) {
+    fields("master", m.seq, m.stamp_ns, m.clock, m.valid, m.position, m.velocity);
+  }
+  void operator()(const wire::Event& m) {
+    fields("event", m.boot, m.count, name(m.kind), m.number, m.on, m.tick, m.offset_s, m.position);
   }
 };
 
 inline std::string text(const wire::Message& message) {
   Text text;
+  text.fields(message.challenge);
   std::visit(text, message.body);
   return text.out.str();
 }

@@ -19,9 +19,15 @@
 #include "jounce_lcm/ack_t.hpp"
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/master_t.hpp"
+#include "jounce_lcm/order_t.hpp"
+#include "jounce_lcm/queue_ack_t.hpp"
+#include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"
+#include "jounce_lcm/rows_t.hpp"
 #include "jounce_lcm/start_t.hpp"
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
@@ -69,16 +75,22 @@ void expect_type(std::uint64_t hash, int length) {
   EXPECT_EQ(Lcm{}.getEncodedSize(), length) << Lcm::getTypeName();
 }
 
-TEST(Wire, TypesAreThoseOfVersionOne) {
-  expect_type<jounce_lcm::header_t>(0x9f422dfa36afebcc, 135);
-  expect_type<jounce_lcm::chunk_t>(0x8b0974683d9a3061, 12872);
-  expect_type<jounce_lcm::arm_t>(0x3d44a370433db707, 204);
-  expect_type<jounce_lcm::start_t>(0xa5857b0f3a74f7b6, 64);
-  expect_type<jounce_lcm::stop_t>(0x3c64ff05ba0f4862, 57);
-  expect_type<jounce_lcm::heartbeat_t>(0x718cee7cced11d18, 57);
-  expect_type<jounce_lcm::ack_t>(0x2495756d7c79a814, 242);
-  expect_type<jounce_lcm::reply_t>(0xf694f1a4add04eff, 230);
-  expect_type<jounce_lcm::status_t>(0xaca2a3e9714b79cc, 130);
+TEST(Wire, TypesAreThoseOfVersionTwo) {
+  expect_type<jounce_lcm::ack_t>(0xa889f6c49213c772, 266);
+  expect_type<jounce_lcm::arm_t>(0xd6f67fae0eb39669, 233);
+  expect_type<jounce_lcm::chunk_t>(0x14eebb0b60956fec, 12896);
+  expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
+  expect_type<jounce_lcm::header_t>(0x9fc49f7d772b88e7, 159);
+  expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
+  expect_type<jounce_lcm::master_t>(0xfe62429950f7a0ba, 113);
+  expect_type<jounce_lcm::order_t>(0x14c25ba1d776c25f, 153);
+  expect_type<jounce_lcm::queue_ack_t>(0x2f7fa95bf3bd3320, 298);
+  expect_type<jounce_lcm::queue_t>(0xabdb97cce44174e8, 136);
+  expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);
+  expect_type<jounce_lcm::rows_t>(0xede242062e4e07bc, 12897);
+  expect_type<jounce_lcm::start_t>(0x18a119ebc70b2884, 97);
+  expect_type<jounce_lcm::status_t>(0x7ad785e83a33eb17, 355);
+  expect_type<jounce_lcm::stop_t>(0xb6b153946f26a3c8, 81);
 }
 
 /// Whether the page that others implement the protocol from says so too.
@@ -94,16 +106,22 @@ bool is_documented(const std::string& page) {
 TEST(Wire, IsDocumented) {
   std::ifstream file(JOUNCE_SOURCE_DIR "/docs/stream-protocol.md");
   const std::string page(std::istreambuf_iterator<char>(file), {});
-  EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::chunk_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::arm_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::start_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::stop_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::ack_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::arm_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::chunk_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::event_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::master_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::order_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::queue_ack_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::queue_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::reply_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::rows_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::start_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::status_t>(page));
-  for (int i = 1; i <= static_cast<int>(wire::Refusal::axis); ++i) {
+  EXPECT_TRUE(is_documented<jounce_lcm::stop_t>(page));
+  for (int i = 1; i < wire::refusals; ++i) {
     const std::string row = "| " + std::to_string(i) + " | `" + name(static_cast<wire::Refusal>(i));
     EXPECT_NE(page.find(row + "` |"), std::string::npos) << row;
   }
@@ -112,16 +130,18 @@ TEST(Wire, IsDocumented) {
 TEST(Wire, BytesAreBigEndianWithTheChecksumLast) {
   // Packed field by field, checksum included, by Python's struct and zlib.
   const Message message{"feeder", 0x0102030405060708,
-                        wire::Heartbeat{.command = 7, .release = true}};
+                        wire::Heartbeat{.command = 7, .release = true}, 0x1112131415161718};
   EXPECT_EQ(hex(wire::encode(message)),
-            "718cee7cced11d18"                                  // type
+            "1249b7b537d13d0d"                                  // type
             "4a4e4345"                                          // magic
-            "00000001"                                          // version
+            "00000002"                                          // version
             "666565646572000000000000000000000000000000000000"  // executor
             "0102030405060708"                                  // session
+            "1112131415161718"                                  // challenge
             "00000007"                                          // command
             "01"                                                // release
-            "ed0a9ef8");                                        // checksum
+            "00000000000000000000000000000000"                  // mac
+            "0fc834f3");                                        // checksum
 }
 
 TEST(Wire, EveryMessageComesBackAsItWas) {
@@ -158,7 +178,7 @@ TEST(Wire, NamesEachWayInWhichBytesAreNoMessage) {
   bytes[8] ^= std::byte{1};
   EXPECT_EQ(reject(bytes), Reject::wrong_magic);
   bytes = good;
-  bytes[15] = std::byte{0};  // the one before
+  bytes[15] = std::byte{1};  // the one before
   seal(bytes);
   EXPECT_EQ(reject(bytes), Reject::wrong_version) << "even where the rest is sound";
   bytes = good;
@@ -181,7 +201,7 @@ Bytes forged(const wire::Body& body, std::size_t at, unsigned value) {
 }
 
 TEST(Wire, RefusesFieldsOutOfRange) {
-  constexpr std::size_t fields = 48;  // behind type and envelope
+  constexpr std::size_t fields = 56;  // behind type and envelope
   const wire::Header header{.units = {"s", "mm"}, .knots = 5, .columns = 2, .chunks = 1};
   const wire::Chunk chunk{.knots = 2, .columns = 2, .values = {1, 2, 3, 4}};
   EXPECT_EQ(reject(forged(header, 16, 0)), Reject::bad_field) << "no executor";
@@ -202,7 +222,8 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(chunk, fields + 20 + 5 * 8, 1)), Reject::bad_field) << "unused values";
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 3, 0)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 11, 0xFE)), Reject::bad_field);
-  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field) << "queue 0";
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 4)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 6)), Reject::bad_field) << "start";
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 2)), Reject::bad_field)
       << "ramp_in without its limits";
@@ -302,22 +323,21 @@ TEST(Wire, SurvivesNoise) {
 }
 
 TEST(Wire, EachMessageHasItsChannel) {
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Chunk{})), "JOUNCE1.feeder.table");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Header{})), "JOUNCE1.feeder.table");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Chunk{})), "JOUNCE2.feeder.table");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Header{})), "JOUNCE2.feeder.table");
   for (const wire::Body& body : {wire::Body{wire::Arm{}}, wire::Body{wire::Start{}},
                                  wire::Body{wire::Stop{}}, wire::Body{wire::Heartbeat{}}})
-    EXPECT_EQ(wire::channel("feeder", wire::lane(body)), "JOUNCE1.feeder.command");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Ack{})), "JOUNCE1.feeder.reply");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Reply{})), "JOUNCE1.feeder.reply");
-  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Status{})), "JOUNCE1.feeder.status");
+    EXPECT_EQ(wire::channel("feeder", wire::lane(body)), "JOUNCE2.feeder.command");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Ack{})), "JOUNCE2.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Reply{})), "JOUNCE2.feeder.reply");
+  EXPECT_EQ(wire::channel("feeder", wire::lane(wire::Status{})), "JOUNCE2.feeder.status");
   EXPECT_LE(wire::channel(std::string(23, 'a'), wire::Lane::command).size(), 63U) << "LCM's limit";
 }
 
 TEST(Wire, EveryEnumeratorHasItsOwnName) {
   std::set<std::string> names;
-  for (int i = 0; i <= static_cast<int>(wire::Refusal::axis); ++i)
-    names.insert(name(static_cast<wire::Refusal>(i)));
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(wire::Refusal::axis) + 1);
+  for (int i = 0; i < wire::refusals; ++i) names.insert(name(static_cast<wire::Refusal>(i)));
+  EXPECT_EQ(names.size(), std::size_t{wire::refusals});
   EXPECT_STREQ(name(wire::Refusal::axis), "axis");
   EXPECT_STREQ(name(wire::Refusal::hash_mismatch), "hash_mismatch");
   EXPECT_STREQ(name(Reject::bad_field), "bad_field");

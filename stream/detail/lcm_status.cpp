@@ -1,0 +1,129 @@
+// What executors and masters say of themselves: Status, Event, Master; and Order.
+#include <cmath>
+
+#include "jounce/stream/detail/fields.hpp"
+#include "jounce/stream/detail/lcm_body.hpp"
+
+namespace jounce::wire {
+namespace {
+
+bool get_histogram(const std::int32_t (&from)[16], Histogram& to) {
+  std::copy(from, from + 16, to.begin());
+  return std::all_of(to.begin(), to.end(), [](std::int32_t count) { return count >= 0; });
+}
+
+}  // namespace
+
+void put(const Status& from, jounce_lcm::status_t& to) {
+  to.state = number_of(from.state);
+  to.next = number_of(from.next);
+  to.tick = from.tick;
+  to.cycle_ns = from.cycle_ns;
+  to.master_position = from.master_position;
+  to.slave_position = from.slave_position;
+  to.slave_velocity = from.slave_velocity;
+  put_bytes(from.table, to.table_prefix);
+  to.last_error = from.last_error;
+  to.late_ticks = from.late_ticks;
+  to.finished = from.finished;
+  to.stopped = from.stopped;
+  to.actual_position = from.actual_position;
+  to.following_error = from.following_error;
+  to.torque = from.torque;
+  to.override = from.override_;
+  to.progress = number_of(from.progress);
+  to.reason = from.reason;
+  to.queue_rows = put_count("queue_rows", from.queue_rows);
+  to.queue_capacity = put_count("queue_capacity", from.queue_capacity);
+  to.outputs = std::bit_cast<std::int32_t>(from.outputs);
+  to.boot = from.boot;
+  to.rejected = from.rejected;
+  to.not_authentic = from.not_authentic;
+  std::copy(from.lateness.begin(), from.lateness.end(), to.lateness);
+  std::copy(from.computing.begin(), from.computing.end(), to.computing);
+}
+
+bool get(const jounce_lcm::status_t& from, Status& to) {
+  to.tick = from.tick;
+  to.cycle_ns = from.cycle_ns;
+  to.master_position = from.master_position;
+  to.slave_position = from.slave_position;
+  to.slave_velocity = from.slave_velocity;
+  to.last_error = from.last_error;
+  to.late_ticks = from.late_ticks;
+  to.finished = from.finished;
+  to.stopped = from.stopped;
+  to.actual_position = from.actual_position;
+  to.following_error = from.following_error;
+  to.torque = from.torque;
+  to.override_ = from.override;
+  to.reason = from.reason;
+  to.outputs = std::bit_cast<std::uint32_t>(from.outputs);
+  to.boot = from.boot;
+  to.rejected = from.rejected;
+  to.not_authentic = from.not_authentic;
+  return get_enum(from.state, to.state) && get_enum(from.next, to.next) && to.tick >= 0 &&
+         to.cycle_ns > 0 && to.late_ticks >= 0 && to.finished >= 0 && to.stopped >= 0 &&
+         get_bytes(from.table_prefix, to.table) && to.override_ >= 0 && to.override_ <= 2 &&
+         get_enum(from.progress, to.progress) && get_count(from.queue_rows, to.queue_rows) &&
+         get_count(from.queue_capacity, to.queue_capacity) && to.boot >= 0 && to.rejected >= 0 &&
+         to.not_authentic >= 0 && get_histogram(from.lateness, to.lateness) &&
+         get_histogram(from.computing, to.computing);
+}
+
+void put(const Event& from, jounce_lcm::event_t& to) {
+  to.boot = from.boot;
+  to.count = from.count;
+  to.kind = number_of(from.kind);
+  to.number = put_count("number", from.number);
+  to.on = from.on ? 1 : 0;
+  to.tick = from.tick;
+  to.offset_s = from.offset_s;
+  to.position = from.position;
+}
+
+bool get(const jounce_lcm::event_t& from, Event& to) {
+  to.boot = from.boot;
+  to.count = from.count;
+  to.tick = from.tick;
+  to.offset_s = from.offset_s;
+  to.position = from.position;
+  return to.boot >= 1 && to.count >= 1 && get_enum(from.kind, to.kind) &&
+         get_count(from.number, to.number) && to.number >= 1 && get_flag(from.on, to.on) &&
+         to.tick >= 0 && to.offset_s >= 0 && std::isfinite(to.offset_s);
+}
+
+void put(const Master& from, jounce_lcm::master_t& to) {
+  to.seq = from.seq;
+  to.stamp_ns = from.stamp_ns;
+  to.clock = from.clock;
+  to.valid = from.valid ? 1 : 0;
+  to.position = from.position;
+  to.velocity = from.velocity;
+}
+
+bool get(const jounce_lcm::master_t& from, Master& to) {
+  to.seq = from.seq;
+  to.stamp_ns = from.stamp_ns;
+  to.clock = from.clock;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  return to.seq >= 0 && to.clock >= 0 && get_flag(from.valid, to.valid) &&
+         std::isfinite(to.position) && !std::isinf(to.velocity);
+}
+
+void put(const Order& from, jounce_lcm::order_t& to) {
+  to.command = from.command;
+  to.kind = number_of(from.kind);
+  to.at = from.at;
+  std::copy(from.value.begin(), from.value.end(), to.value);
+}
+
+// Values out of range are the receiver's to refuse: with words, as the sender can do something.
+bool get(const jounce_lcm::order_t& from, Order& to) {
+  to.at = from.at;
+  std::copy(from.value, from.value + to.value.size(), to.value.begin());
+  return get_command(from.command, to.command) && get_enum(from.kind, to.kind) && to.at >= -1;
+}
+
+}  // namespace jounce::wire

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+/// What an axis can be told besides playing tables: PLCopen's function blocks as one message.
+///
+///     Order{.kind = OrderKind::move_absolute, .value = {120, 200}};   // to 120 mm at 200 mm/s
+///
+/// The meaning of `value` follows from the kind; what has no meaning is 0. u: the unit of the
+/// axis's position, m: that of its master. A velocity, acceleration, deceleration or jerk of 0 is
+/// the axis's configured limit.
+namespace jounce::wire {
+
+/// In brackets the values, in their order.
+enum class OrderKind : std::int8_t {
+  enable = 0,              ///< []
+  disable = 1,             ///< []
+  reset = 2,               ///< [] clears a fault
+  set_position = 3,        ///< [position u, 1: relative] nothing moves
+  home = 4,                ///< [position u] what the axis stands at is called so
+  hold = 5,                ///< [] to rest on the path
+  resume = 6,              ///< [] goes on from there
+  override_ = 7,           ///< [velocity factor 0...2]
+  move_absolute = 8,       ///< [position u, velocity, acceleration, deceleration, jerk, direction]
+  move_relative = 9,       ///< [distance u, velocity, acceleration, deceleration, jerk]
+  move_additive = 10,      ///< [distance u, velocity, acceleration, deceleration, jerk]
+  move_superimposed = 11,  ///< [distance u, velocity difference, acceleration, deceleration, jerk]
+  move_velocity = 12,      ///< [velocity u/s, signed; acceleration, deceleration, jerk]
+  halt = 13,               ///< [deceleration, jerk]
+  gear_in = 14,            ///< [numerator, denominator, acceleration, deceleration, jerk]
+  gear_in_pos = 15,        ///< [numerator, denominator, master sync position m, slave sync position
+                           ///< u, master start distance m, 1: avoid reversal]
+  gear_out = 16,           ///< []
+  cam_out = 17,            ///< []
+  queue_switch = 18,       ///< [queue, bank] the other bank goes on where this one ends
+  queue_clear = 19,        ///< [queue, bank, seq from which its messages count again]
+  queue_end = 20,          ///< [queue] what is there is all: its last row ends the stream
+};
+inline constexpr int order_kinds = 21;
+
+struct Order {
+  std::int32_t command = 0;  ///< as in Arm
+  OrderKind kind = OrderKind::enable;
+  std::int64_t at = -1;  ///< tick; -1: the next one
+  std::array<double, 8> value{};
+};
+
+/// "enable", "move_absolute", "override", ...
+const char* name(OrderKind kind);
+
+/// How many values have a meaning.
+std::size_t arity(OrderKind kind);
+
+/// What an order says wrongly, as a sentence that names the value; empty: nothing. Every value is
+/// finite, magnitudes are >= 0, a flag is 0 or 1, a direction -1, 0 or 1, an override 0 to 2, a
+/// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
+std::string contradiction(const Order& order);
+
+/// Whether an operator may give it without owning the axis: it changes when, not what is played.
+constexpr bool is_operators(OrderKind kind) {
+  return kind == OrderKind::hold || kind == OrderKind::resume || kind == OrderKind::override_;
+}
+
+}  // namespace jounce::wire

@@ -1,0 +1,37 @@
+#include "jounce/stream/queue.hpp"
+
+#include <cmath>
+#include <tuple>
+
+namespace jounce::wire {
+
+bool operator==(const Queue& a, const Queue& b) {
+  const auto fields = [](const Queue& q) {
+    return std::tie(q.queue, q.axis, q.units.x, q.units.position, q.mode, q.capacity, q.loops,
+                    q.event, q.event_position, q.event_direction, q.prefill);
+  };
+  return fields(a) == fields(b);
+}
+
+std::uint32_t room(const Queue& queue) {
+  return queue.mode == QueueMode::dynamic ? 2 * queue.capacity : queue.capacity;
+}
+
+std::string contradiction(const Queue& queue) {
+  if (queue.queue < first_queue || queue.queue > last_queue) return "a queue's index is 64 to 127";
+  if (queue.capacity < 2 || queue.capacity > 1U << 30U) return "a bank holds 2 to 2^30 rows";
+  if (queue.prefill < 1 || queue.prefill > room(queue))
+    return "the prefill must be 1 to the " + std::to_string(room(queue)) + " rows that it holds";
+  if (queue.mode == QueueMode::dynamic && queue.loops != 1)
+    return "a dynamic queue is played once: loops must be 1";
+  const bool pass = queue.event == QueueEvent::pass;
+  if (pass && queue.axis == Axis::time) return "a queue over time has no master that passes";
+  if (pass && !std::isfinite(queue.event_position)) return "the event's position must be finite";
+  if (pass && queue.event_direction != 1 && queue.event_direction != -1)
+    return "the event's direction must be 1 or -1";
+  if (!pass && (queue.event_position != 0 || queue.event_direction != 0))
+    return "an event position and direction are for pass only";
+  return "";
+}
+
+}  // namespace jounce::wire

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "jounce/io/hash.hpp"
+#include "jounce/pvt/table.hpp"
+
+/// Queues of rows: what is played while more of it arrives. A rolling stream is a dynamic queue, for
+/// motions longer than memory or computed on the fly; Googol's FIFOs are its banks.
+///
+///     Queue{.queue = 64, .units = {"s", "mm"}, .capacity = 1024, .prefill = 200};
+///     Rows{.queue = 64, .rows = {{.x_end = 0.1, .p_end = 2, .v_end = 40, .order = RowOrder::cubic}}};
+///
+/// u: the unit of p, m: that of x (s over time).
+namespace jounce::wire {
+
+inline constexpr std::size_t rows_each = 200;     ///< rows of one message: 12.8 KB
+inline constexpr std::uint32_t first_queue = 64;  ///< of a queue's index
+inline constexpr std::uint32_t last_queue = 127;  ///< below are tables
+
+/// Which curve a row is, between its ends.
+enum class RowOrder : std::int8_t {
+  linear = 1,   ///< from p alone
+  cubic = 2,    ///< from p and v at both ends; quadratic where these fit one
+  quintic = 5,  ///< from p, v and a
+};
+
+/// One piece of the curve. x and p count from the origin of its bank, 0 there, and so the ends of a
+/// row are the beginnings of the next one.
+struct Row {
+  double x_end = 0;    ///< m, greater than that of the row before
+  double p_end = 0;    ///< u
+  double v_start = 0;  ///< u/m
+  double v_end = 0;    ///< u/m
+  double a_start = 0;  ///< u/m^2
+  double a_end = 0;    ///< u/m^2
+  RowOrder order = RowOrder::cubic;
+  bool last = false;  ///< the stream ends here, at rest
+
+  bool operator==(const Row&) const = default;
+};
+
+enum class QueueMode : std::int8_t {
+  static_ = 0,  ///< two banks; each is filled, played as a whole, and stays until it is cleared
+  dynamic = 1,  ///< both banks are one stream, sent as bank 0; what is played makes room
+};
+
+/// What a queue over master waits for, with Googol's codes.
+enum class QueueEvent : std::int8_t { start = 1, pass = 2 };
+
+/// Opens a queue, and like a Header the session where it is the first.
+struct Queue {
+  std::uint32_t queue = first_queue;  ///< index within the session, 64...127
+  Axis axis = Axis::time;
+  Units units{};
+  QueueMode mode = QueueMode::dynamic;
+  std::uint32_t capacity = 1024;  ///< rows of each of the two banks, >= 2
+  std::int32_t loops = 1;         ///< of a static bank; below 1: for ever
+  QueueEvent event = QueueEvent::start;
+  double event_position = 0;        ///< m, with pass
+  std::int8_t event_direction = 0;  ///< 1 or -1 with pass
+  std::uint32_t prefill = 1;        ///< rows without which it does not start
+};
+bool operator==(const Queue& a, const Queue& b);
+
+/// Some rows for a bank.
+struct Rows {
+  std::uint32_t queue = first_queue;
+  std::uint8_t bank = 0;        ///< 0 or 1; 0 in a dynamic queue
+  std::uint32_t seq = 0;        ///< from 0, within queue and bank; goes on after a clear
+  std::uint64_t first_row = 0;  ///< rows of this bank in all messages before
+  std::vector<Row> rows{};      ///< 1...200
+};
+
+/// What a queue says wrongly, as a sentence; empty: nothing.
+std::string contradiction(const Queue& queue);
+
+/// Rows that a queue holds in a bank, as its mode counts them.
+std::uint32_t room(const Queue& queue);
+
+}  // namespace jounce::wire
