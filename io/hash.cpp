@@ -1,18 +1,43 @@
 #include "jounce/io/hash.hpp"
 
 #include <bit>
+#include <memory>
+#include <new>
 
-#include <sodium.h>
+#include <openssl/evp.h>
 
 namespace jounce {
 static_assert(std::endian::native == std::endian::little,
               "columns are hashed as they lie in memory");
+namespace {
+
+/// OpenSSL's SHA-256, which uses the processor's own instructions where it has them: a table of
+/// millions of knots is hashed at both ends of every transfer.
+class Hasher {
+ public:
+  Hasher() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
+      throw std::bad_alloc();
+  }
+  void add(const void* bytes, std::size_t size) {
+    if (EVP_DigestUpdate(context_.get(), bytes, size) != 1) throw std::bad_alloc();
+  }
+  Sha256 result() {
+    Sha256 hash{};
+    if (EVP_DigestFinal_ex(context_.get(), hash.data(), nullptr) != 1) throw std::bad_alloc();
+    return hash;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
+};
+
+}  // namespace
 
 Sha256 sha256(std::string_view bytes) {
-  Sha256 hash{};
-  crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                     bytes.size());
-  return hash;
+  Hasher hasher;
+  hasher.add(bytes.data(), bytes.size());
+  return hasher.result();
 }
 
 std::string hex(const Sha256& hash) {
@@ -25,23 +50,45 @@ std::string hex(const Sha256& hash) {
   return text;
 }
 
-Sha256 content_hash(const Table& table, const Units& units) {
-  std::string head = "jounce table 1\n";
+struct ContentHasher::State {
+  std::array<Hasher, 4> columns;
+  std::array<bool, 4> has{};
+};
+
+ContentHasher::ContentHasher() : state_(std::make_unique<State>()) {}
+ContentHasher::~ContentHasher() = default;
+ContentHasher::ContentHasher(ContentHasher&&) noexcept = default;
+ContentHasher& ContentHasher::operator=(ContentHasher&&) noexcept = default;
+
+void ContentHasher::add(const std::array<std::span<const double>, 4>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    state_->has[i] |= !columns[i].empty();
+    state_->columns[i].add(columns[i].data(), columns[i].size_bytes());
+  }
+}
+
+Sha256 ContentHasher::result(Axis axis, Rule rule, Outside outside, const Units& units,
+                             std::size_t knots) {
+  std::string head = "jounce table, by columns\n";
   for (const std::string& line :
-       {std::string(name(table.axis())), std::string(name(table.rule())),
-        std::string(name(table.outside())), units.x, units.position, std::to_string(table.size())})
+       {std::string(name(axis)), std::string(name(rule)), std::string(name(outside)), units.x,
+        units.position, std::to_string(knots)})
     head += line + '\n';
-  crypto_hash_sha256_state state;
-  crypto_hash_sha256_init(&state);
-  const auto add = [&](const void* bytes, std::size_t size) {
-    crypto_hash_sha256_update(&state, static_cast<const unsigned char*>(bytes), size);
-  };
-  add(head.data(), head.size());
+  Hasher all;
+  all.add(head.data(), head.size());
+  for (std::size_t i = 0; i < state_->columns.size(); ++i) {
+    if (!state_->has[i]) continue;
+    const Sha256 column = state_->columns[i].result();
+    all.add(column.data(), column.size());
+  }
+  return all.result();
+}
+
+Sha256 content_hash(const Table& table, const Units& units) {
   const auto& [x, p, v, a] = table.columns();
-  for (const auto* column : {&x, &p, &v, &a}) add(column->data(), column->size() * sizeof(double));
-  Sha256 hash{};
-  crypto_hash_sha256_final(&state, hash.data());
-  return hash;
+  ContentHasher hasher;
+  hasher.add({x, p, v, a});
+  return hasher.result(table.axis(), table.rule(), table.outside(), units, table.size());
 }
 
 }  // namespace jounce

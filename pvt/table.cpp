@@ -26,6 +26,17 @@ std::string entry(Axis axis, std::size_t column, std::size_t knot) {
   return "knot[" + std::to_string(knot + 1) + "]." + column_name(axis, column);
 }
 
+/// The first i < n that is not good; n if all are. Counted without a branch first, several at once.
+template <class Good>
+std::size_t first_bad(std::size_t n, Good good) {
+  std::size_t bad = 0;
+  for (std::size_t i = 0; i < n; ++i) bad += good(i) ? 0 : 1;
+  if (bad == 0) return n;
+  std::size_t i = 0;
+  while (good(i)) ++i;
+  return i;
+}
+
 void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<double>& values,
                     std::size_t knots) {
   const bool needed =
@@ -36,9 +47,10 @@ void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<
                      std::to_string(values.size()) + " values",
                      std::string("a ") + name(rule) + " table of " + std::to_string(knots) +
                          " knots needs " + std::to_string(expected));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      throw InputError(entry(axis, column, i), values[i], "must be a finite number");
+  const std::size_t i =
+      first_bad(values.size(), [v = values.data()](std::size_t k) { return std::isfinite(v[k]); });
+  if (i < values.size())
+    throw InputError(entry(axis, column, i), values[i], "must be a finite number");
 }
 
 }  // namespace
@@ -50,10 +62,11 @@ Table::Table(Axis axis, Rule rule, Outside outside, Columns columns)
   const std::array all{&columns_.x, &columns_.p, &columns_.v, &columns_.a};
   for (std::size_t column = 0; column < all.size(); ++column)
     require_column(axis, rule, column, *all[column], knots);
-  for (std::size_t i = 1; i < knots; ++i)
-    if (!(columns_.x[i] > columns_.x[i - 1]))
-      throw InputError(entry(axis, 0, i), columns_.x[i],
-                       "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");
+  const std::size_t i =
+      1 + first_bad(knots - 1, [x = columns_.x.data()](std::size_t k) { return x[k + 1] > x[k]; });
+  if (i < knots)
+    throw InputError(entry(axis, 0, i), columns_.x[i],
+                     "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");
   index_ = BreakIndex(columns_.x);
 }
 

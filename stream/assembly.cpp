@@ -5,6 +5,7 @@
 #include <cassert>
 #include <memory>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -26,7 +27,7 @@ std::size_t bytes_of(const wire::Header& header) {
 Assembly::Assembly(const wire::Header& header)
     : header_(header), cut_(wire::cut(header.rule, header.knots)), arrived_(cut_.chunks) {
   assert(!contradiction(header));
-  for (std::size_t i = 0; i < cut_.columns; ++i) in_order(columns_)[i]->resize(header.knots);
+  for (std::size_t i = 0; i < cut_.columns; ++i) in_order(columns_)[i]->reserve(header.knots);
 }
 
 bool Assembly::add(const wire::Chunk& chunk) {
@@ -38,13 +39,28 @@ bool Assembly::add(const wire::Chunk& chunk) {
   if (arrived_[chunk.seq]) return true;
 
   const auto columns = in_order(columns_);
+  const std::size_t end = std::size_t{chunk.first_knot} + chunk.knots;
   for (std::uint32_t i = 0; i < cut_.columns; ++i) {
+    // The memory is there, but its pages are not: they are touched when they are needed.
+    if (columns[i]->size() < end) columns[i]->resize(end);
     std::copy_n(chunk.values.begin() + std::ptrdiff_t{i} * chunk.knots, chunk.knots,
                 columns[i]->begin() + chunk.first_knot);
   }
   arrived_[chunk.seq] = true;
-  while (next_ < cut_.chunks && arrived_[next_]) ++next_;
+  if (chunk.seq == next_) advance();
   return true;
+}
+
+/// Hashes what has become whole: from its place in the table, so that nothing else can be stored.
+void Assembly::advance() {
+  const std::size_t from = std::size_t{next_} * cut_.per_chunk;
+  while (next_ < cut_.chunks && arrived_[next_]) ++next_;
+  const std::size_t to = std::min<std::size_t>(std::size_t{next_} * cut_.per_chunk, header_.knots);
+  std::array<std::span<const double>, 4> whole;
+  const auto columns = in_order(columns_);
+  for (std::uint32_t i = 0; i < cut_.columns; ++i)
+    whole[i] = std::span<const double>(*columns[i]).subspan(from, to - from);
+  hasher_.add(whole);
 }
 
 std::uint64_t Assembly::mask() const {
@@ -59,7 +75,8 @@ std::variant<StoredTable, Refused> Assembly::finish() {
   try {
     auto table = std::make_shared<const Table>(header_.axis, header_.rule, header_.outside,
                                                std::move(columns_));
-    const Sha256 hash = content_hash(*table, header_.units);
+    const Sha256 hash =
+        hasher_.result(header_.axis, header_.rule, header_.outside, header_.units, header_.knots);
     if (hash != header_.hash) {
       return Refused{wire::Refusal::hash_mismatch,
                      "announced " + hex(header_.hash) + ", arrived " + hex(hash)};

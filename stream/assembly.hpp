@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/io/hash.hpp"
 #include "jounce/stream/message.hpp"
 #include "jounce/stream/refusal.hpp"
 #include "jounce/stream/table_store.hpp"
@@ -14,7 +15,8 @@ namespace jounce {
 /// Bytes of the knots that a header without contradiction announces.
 std::size_t bytes_of(const wire::Header& header);
 
-/// A table under way: its columns, filled chunk by chunk in any order.
+/// A table under way: its columns, filled chunk by chunk in any order, and hashed as far as they
+/// are whole.
 class Assembly {
  public:
   /// Takes the memory for all knots: bound them first. The header must not contradict itself.
@@ -33,9 +35,12 @@ class Assembly {
   [[nodiscard]] std::variant<StoredTable, Refused> finish();
 
  private:
+  void advance();
+
   wire::Header header_;
   wire::Cut cut_;
   Columns columns_;
+  ContentHasher hasher_;
   std::vector<bool> arrived_;
   std::uint32_t next_ = 0;
 };

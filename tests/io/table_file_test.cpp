@@ -72,6 +72,16 @@ TEST(TableFile, HashesTheSameInBothFormatsAndForNothingElse) {
   EXPECT_NE(hash, content_hash(ragged(Rule::cubic_hermite).table, file.units));
 }
 
+TEST(TableFile, TheHashIsTheOneOfTheProtocolPage) {
+  // Python's hashlib: h = lambda *c: sha256(pack('<%dd' % len(c), *c)).digest();
+  // sha256(b'jounce table, by columns\ntime\ncubic_hermite\nhold\ns\nmm\n3\n' +
+  //        h(0, 1, 3) + h(0, .5, 2) + h(0, 1, 0)).hexdigest()
+  const Table table(Axis::time, Rule::cubic_hermite, Outside::hold,
+                    {{0, 1, 3}, {0, 0.5, 2}, {0, 1, 0}, {}});
+  EXPECT_EQ(hex(content_hash(table, {"s", "mm"})),
+            "1c504ad0bae4a3480ad43b1b894a67857a2dfbad0585394198cedba823dc850e");
+}
+
 TEST(TableFile, TheHashIsSha256) {
   EXPECT_EQ(hex(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
       << "FIPS 180-4";
