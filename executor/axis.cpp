@@ -413,6 +413,12 @@ void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
   if (!(*left.limits.acceleration > 0) || (left.limits.jerk && !(*left.limits.jerk > 0)))
     return refuse(Cause::acceleration_limit, below.acceleration, config_.stop_acceleration);
   if (now_.refused = fill(dynamics, left); now_.refused) return;
+  if (const auto end = expected_end(); end && !lifting_) {
+    const double target = end->position + distance;
+    const auto& [low, high, v, a, j] = config_.limits;
+    if (low && target < *low) return refuse(Cause::position_limit, target, *low);
+    if (high && target > *high) return refuse(Cause::position_limit, target, *high);
+  }
   const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
   left.limits.position_min = left.limits.position_max = std::nullopt;
   const auto profile = plan({up.position, up.velocity, up.acceleration},

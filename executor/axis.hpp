@@ -158,6 +158,7 @@ class MotionAxis {
   AxisConfig config_;
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
+  std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
   Inputs inputs_;
   double last_master_ = std::numeric_limits<double>::quiet_NaN();  // of the live one
   Supervision windows_;

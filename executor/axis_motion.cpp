@@ -185,13 +185,17 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   if (const Cause no = check_setpoint(last(), state, step, config_); no != Cause::none) return no;
   if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
   if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
-  // What was admitted ends within the range; what goes where a master or a velocity leads may not.
-  const bool free = lifting_ || !on_path();
-  return free && ending_ == Ending::none ? check_stopping(state, config_) : Cause::none;
+  // What was admitted ends within the range; what goes where a master, a velocity or a slower stop
+  // leads may not.
+  const bool to_target = base_ == Base::move && goal_.kind == Goal::Kind::position;
+  const bool admitted = (on_path() || (to_target && ending_ == Ending::none)) && shift_ == 0;
+  if ((admitted && !lifting_) || ending_ == Ending::fault) return Cause::none;
+  return check_stopping(state, config_);
 }
 
 void MotionAxis::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
+  emitted_ = now_.tick;
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -240,14 +244,12 @@ void MotionAxis::rest() {
   freeze();
   if (!goes_on) return;
   // What was superimposed runs on alone.
+  base_ = Base::move;
   now_.velocity = from.velocity;
   now_.acceleration = from.acceleration;
-  if (plan_from(from, now_.tick, {Goal::Kind::position, target, lift_dynamics_}, 1)) {
-    base_ = Base::move;
-    state_ = State::discrete_motion;
-  } else {
-    fail(Cause::jump);
-  }
+  state_ = State::discrete_motion;
+  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, lift_dynamics_}, 1))
+    fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
 }
 
 /// The setpoint stays where it is; the state is the caller's affair.
@@ -323,7 +325,7 @@ void MotionAxis::go(const Goal& goal, State state) {
 }
 
 bool MotionAxis::adopt(const Goal& goal, double factor) {
-  if (!plan_from(last(), moving() ? last_tick_ : now_.tick, goal, factor)) return false;
+  if (!plan_from(last(), moving() ? emitted_ : now_.tick, goal, factor)) return false;
   if (boundary_ == Boundary::swap) disarm();
   boundary_ = Boundary::none;
   drop_movement();
@@ -346,7 +348,7 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
 /// The rate has changed: the path runs at another one, a move is planned anew.
 void MotionAxis::replan() {
   const bool done =
-      on_path() ? change_rate(wanted_rate()) : plan_from(bare_, last_tick_, goal_, wanted_rate());
+      on_path() ? change_rate(wanted_rate()) : plan_from(bare_, emitted_, goal_, wanted_rate());
   if (!done) refuse(Cause::no_such_move);
 }
 
