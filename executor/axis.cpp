@@ -354,7 +354,8 @@ void MotionAxis::move(const Command& command) {
   const double value = command.position;
   if (!std::isfinite(value)) return refuse(Cause::no_value, value);
   const bool alone = !moving() || goal_.kind == Goal::Kind::velocity || base_ != Base::move;
-  if (command.kind == Kind::move_superimposed && moving() && state_ != State::continuous_motion)
+  const bool under_way = moving() && ending_ == Ending::none;
+  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion)
     return superimpose(value, dynamics);
   if (now_.refused = fill(dynamics, config_); now_.refused) return;
   switch (command.kind) {

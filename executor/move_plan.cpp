@@ -42,6 +42,16 @@ Bounds towards(const MotionState& from, double target, const MoveDynamics& d, do
   return bounds;
 }
 
+/// An axis that speeds up needs a^2 / (2j) of velocity until it does no more: a jerk that is too low
+/// to end that within the limit is raised, at most to that of a stop. The axis's limits go first.
+double jerk_for(const MotionState& from, double jerk, const AxisConfig& config) {
+  const auto& [p, v, a] = from;
+  if (v * a <= 0) return jerk;
+  const double room = std::max(*config.limits.velocity - std::abs(v), 0.0);
+  const double most = config.limits.jerk ? config.stop_jerk : Bounds::none;
+  return std::max(jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
+}
+
 /// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
 /// the lesser of both where it turns round.
 double change_of_velocity(double from, double to, const MoveDynamics& d) {
@@ -64,7 +74,8 @@ std::optional<Refusal> fill_stop(MoveDynamics& d, const AxisConfig& config) noex
 
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept {
-  const MoveDynamics& d = goal.dynamics;
+  MoveDynamics d = goal.dynamics;
+  d.jerk = jerk_for(from, d.jerk, config);
   const double most = *config.limits.velocity;
   if (goal.kind == Goal::Kind::position && factor > 0) {
     Bounds bounds = towards(from, goal.value, d, std::min(d.velocity * factor, most));
