@@ -354,7 +354,7 @@ void MotionAxis::replan() {
 
 bool MotionAxis::change_rate(double rate) {
   if (rate == clock_.target()) return true;
-  const double highest = std::max({1.0, clock_.at(now_.tick).rate, clock_.target(), rate});
+  const double highest = std::max({1.0, clock_.highest(now_.tick), rate});
   Peaks above;
   if (lifting_)
     above = {lift_dynamics_.velocity,

@@ -42,14 +42,17 @@ Bounds towards(const MotionState& from, double target, const MoveDynamics& d, do
   return bounds;
 }
 
-/// An axis that speeds up needs a^2 / (2j) of velocity until it does no more: a jerk that is too low
-/// to end that within the limit is raised, at most to that of a stop. The axis's limits go first.
-double jerk_for(const MotionState& from, double jerk, const AxisConfig& config) {
+/// Until an axis accelerates no more its velocity changes by a^2 / (2j). A jerk that is too low for
+/// that to stay within the limit, or for a stop not to turn round, is raised, at most to that of a
+/// stop: the axis's limits go first.
+double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& config) {
   const auto& [p, v, a] = from;
-  if (v * a <= 0) return jerk;
-  const double room = std::max(*config.limits.velocity - std::abs(v), 0.0);
+  const double along = std::copysign(v, v * a);  // > 0: it speeds up
+  const bool braking = goal.kind == Goal::Kind::rest && along < 0;
+  const double room = braking ? -along : std::max(*config.limits.velocity - along, 0.0);
   const double most = config.limits.jerk ? config.stop_jerk : Bounds::none;
-  return std::max(jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
+  if (a == 0) return goal.dynamics.jerk;
+  return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
 }
 
 /// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
@@ -75,7 +78,7 @@ std::optional<Refusal> fill_stop(MoveDynamics& d, const AxisConfig& config) noex
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept {
   MoveDynamics d = goal.dynamics;
-  d.jerk = jerk_for(from, d.jerk, config);
+  d.jerk = jerk_for(from, goal, config);
   const double most = *config.limits.velocity;
   if (goal.kind == Goal::Kind::position && factor > 0) {
     Bounds bounds = towards(from, goal.value, d, std::min(d.velocity * factor, most));

@@ -58,6 +58,7 @@ void PathClock::start(std::int64_t tick, double s, double rate) noexcept {
   base_ = s;
   change_ = Profile({0, rate, 0}, 3);
   length_ = 0;
+  top_ = rate;
 }
 
 double PathClock::since(std::int64_t tick) const noexcept {
@@ -69,6 +70,7 @@ bool PathClock::change(std::int64_t tick, double rate, double slope) noexcept {
   const PathTime now = at(tick);
   const Move move = move_velocity({0, now.rate, now.rate_slope}, rate, rate_bounds(slope));
   if (!move) return false;
+  top_ = std::max(highest(tick), rate);
   origin_ = tick;
   base_ = now.s;
   change_ = move.profile;
@@ -88,6 +90,10 @@ PathTime PathClock::at(std::int64_t tick) const noexcept {
 
 bool PathClock::steady(std::int64_t tick) const noexcept {
   return since(tick) >= length_;
+}
+
+double PathClock::highest(std::int64_t tick) const noexcept {
+  return steady(tick) ? target() : top_;
 }
 
 double PathClock::way_to_rest(std::int64_t tick, double slope) const noexcept {

@@ -43,6 +43,8 @@ class PathClock {
 
   [[nodiscard]] PathTime at(std::int64_t tick) const noexcept;
   [[nodiscard]] double target() const noexcept { return change_.end().velocity; }
+  /// No rate above this one comes before the clock is steady.
+  [[nodiscard]] double highest(std::int64_t tick) const noexcept;
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
   /// The path time that the change under way, or one begun now, still runs through until rest.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
@@ -54,6 +56,7 @@ class PathClock {
   std::int64_t origin_ = 0;
   double base_ = 0;    // path time at origin_, s
   Profile change_;     // of path time from there: position s, velocity r
+  double top_ = 1;     // the highest rate asked for since it was steady
   double length_ = 0;  // of the change, s
 };
 

@@ -162,7 +162,7 @@ Inputs AxisModel::random_inputs(testing::Random& random) {
   const double dt = static_cast<double>(tick_ - last_.tick) * 1e-3;
   const double acceleration = random.uniform(-2000, 2000);
   const double before = master_velocity_;
-  master_velocity_ = std::clamp(before + acceleration * dt, -150.0, 150.0);
+  master_velocity_ = 0.99 * before + acceleration * dt;
   master_ += (before + master_velocity_) / 2 * dt;
   if (chance(3e-4)) master_ += random.uniform(-50, 50);
   if (chance(3e-4)) master_velocity_ = random.uniform(-150, 150);

@@ -41,7 +41,7 @@ class Feed final : public Movement {
   double known_ = 0;
 };
 
-/// A slave in a gear: p - p0 = ratio (m - m0). Refuses to begin at another velocity.
+/// A slave in a gear: p - p0 = ratio (m - m0). Refuses to begin at a velocity that is far from it.
 class Gear final : public Movement {
  public:
   Gear(std::uint64_t id, double ratio) : Movement(id, Course::live), ratio_(ratio) {}
@@ -49,7 +49,7 @@ class Gear final : public Movement {
   Cause begin(const MotionState& axis, const Moment& now) noexcept override {
     if (!std::isfinite(now.master[0])) return Cause::master_lost;
     offset_ = axis.position - ratio_ * now.master[0];
-    const bool in_step = std::abs(axis.velocity - ratio_ * now.master[1]) < 1;
+    const bool in_step = std::abs(axis.velocity - ratio_ * now.master[1]) < 15;  // u/s: in a tick
     return in_step ? Cause::none : Cause::start_velocity;
   }
   Setpoint at(const Moment& now) noexcept override {

@@ -69,7 +69,9 @@ struct Bench {
   explicit Bench(const AxisConfig& config, const AxisSwitches& switches = {})
       : axis(config, switches) {}
 
-  Tick step(const Command& command = {}) { return axis.step(++tick, command); }
+  Tick step(const Command& command = {}, const Inputs& inputs = {}) {
+    return axis.step(++tick, command, inputs);
+  }
   Tick tell(Command::Kind kind) { return step({.kind = kind}); }
   Tick arm(Job& job) { return step({.kind = Command::Kind::arm, .movement = &job}); }
   Tick run(std::int64_t ticks) {
