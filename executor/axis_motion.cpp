@@ -216,7 +216,10 @@ void MotionAxis::conclude() {
     if (active_->progress() != Progress::done) return;
     // A coupling that ends at speed leaves the slave at its velocity, as CamOut does.
     const double still = *config_.limits.acceleration * seconds(1);
-    return std::abs(now_.velocity) > still ? leave() : rest();
+    if (!(std::abs(now_.velocity) > still)) return rest();
+    leave();
+    origin_ = now_.tick;  // of what was given out just now, not in the tick before
+    return;
   }
   const bool passed = boundary_ == Boundary::finish && clock_.at(now_.tick).s >= boundary_at_;
   if (active_->progress() == Progress::done || passed) return rest();

@@ -90,6 +90,33 @@ TEST(LiveCam, Example44EndsAtItsVelocityAndKeepsIt) {
   EXPECT_NEAR(slave.run(100).slave[0], 7400, 1e-9) << "for the axis to take over at that velocity";
 }
 
+// The same through the axis, onto its last line by a quintic: it keeps its velocity in
+// continuous_motion, as after CamOut.
+TEST(LiveCam, ThatEndsAtSpeedLeavesTheAxisInContinuousMotion) {
+  const TablePtr table = test::table(Axis::master, Rule::quintic_hermite, Outside::refuse,
+                                     {{0, 5000, 10000}, {0, 1000, 3000}, {0, 0.4, 0.4}, {0, 0, 0}});
+  LiveCam cam(1, table, {.start = StartMode::relative});
+  Bench bench({.limits = limits(2e4, 1e5)});
+  const auto step = [&](const Command& command = {}) {
+    Inputs inputs;
+    inputs.master = steady(10000)(static_cast<double>(++bench.tick) * 1e-3);
+    return bench.axis.step(bench.tick, command, inputs);
+  };
+  step({.kind = Kind::enable});
+  EXPECT_FALSE(step({.kind = Kind::arm, .movement = &cam}).refused);
+  Tick now = step({.kind = Kind::start});
+  for (int k = 0; k < 990; ++k) {
+    now = step();
+    ASSERT_EQ(now.state, State::synchronized_motion) << k << " " << name(now.fault);
+  }
+  const double at = now.position;
+  for (int k = 0; k < 100; ++k) now = step();
+  EXPECT_EQ(now.state, State::continuous_motion);
+  EXPECT_EQ(now.fault, Cause::none);
+  EXPECT_NEAR(now.velocity, 4000, 1e-9);
+  EXPECT_NEAR(now.position, at + 400, 1e-6);
+}
+
 // PMC600 manual 6.3, example 6.7: LS_LineFollowAbs to (4000, 2000) at 2000, 4000, 4000.
 TEST(LiveCam, PlaysExample67OfLineFollow) {
   const auto both = pmc600::line_follow({.end_master = 4000,
