@@ -97,7 +97,9 @@ std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
 
 Cause FifoPath::begin(const MotionState& axis, const Moment& now) noexcept {
   if (misplaced(axis)) return Cause::start_position;
-  if (!fifos_.take(first_.load())) return Cause::no_movement;
+  if (fresh_) fifos_.give_back();
+  fresh_ = fifos_.take(first_.load());
+  if (!fresh_) return Cause::no_movement;
   fifos_.start(now.t, from_ ? from_->position : axis.position);
   progress_ = Progress::running;
   cause_ = Cause::none;
@@ -107,6 +109,7 @@ Cause FifoPath::begin(const MotionState& axis, const Moment& now) noexcept {
 
 Setpoint FifoPath::at(const Moment& now) noexcept {
   if (progress_ >= Progress::done) return last_;
+  fresh_ = false;
   const bool dry = fifos_.growing() && now.t > fifos_.known();
   if (!dry) {
     const Jet f = fifos_.at(now.t);
@@ -123,9 +126,15 @@ double FifoPath::known() const noexcept {
   return std::numeric_limits<double>::infinity();
 }
 
+/// The axis asks once, when it begins: of what is still to come, the limits are all that is known.
 Peaks FifoPath::peaks() const noexcept {
   const RowPeaks f = fifos_.peaks();
-  return {f.velocity, f.acceleration, f.jerk, f.velocity_step};
+  const RowLimits& most = fifos_.layout().limits;
+  const auto of = [&](double so_far, double limit) {
+    return fifos_.growing() && std::isfinite(limit) ? limit : so_far;
+  };
+  return {of(f.velocity, most.velocity), of(f.acceleration, most.acceleration),
+          of(f.jerk, most.jerk), of(f.velocity_step, most.velocity_step)};
 }
 
 // ---- over a live master --------------------------------------------------------------------------
@@ -140,7 +149,9 @@ FifoFollow::FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& 
 
 Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
   if (!detail::finite(now.master)) return Cause::no_master_input;
-  if (!fifos_.take(first_.load())) return Cause::no_movement;
+  if (fresh_) fifos_.give_back();
+  fresh_ = fifos_.take(first_.load());
+  if (!fresh_) return Cause::no_movement;
   jounce::begin(run_, fifos_, now.master[0], axis.position);
   before_ = {now.t, now.master};
   progress_ = run_.waiting ? Progress::waiting : Progress::running;
@@ -151,6 +162,7 @@ Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
 
 Setpoint FifoFollow::at(const Moment& now) noexcept {
   if (progress_ >= Progress::done) return last_;
+  fresh_ = false;
   const bool lost = !detail::finite(now.master);
   if (!lost) {
     const Sample sample{now.t, now.master};

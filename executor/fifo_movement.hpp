@@ -20,6 +20,7 @@ namespace jounce {
 ///     while (path.fifos().push(0, next) == RowRule::none) ...          // as space comes back
 ///
 /// **Threads.** fifos() is filled by one thread, the axis plays in another (pvt/segment_fifos.hpp).
+/// A movement that was handed back in mid-play is free again after fifos().leave().
 ///
 /// **Stream** (the default): open, so that it ends with its `last` row alone. Before less of it is
 /// known than a stop takes, the axis stops on it with the fault `underrun` (Movement::growing); after
@@ -70,6 +71,7 @@ class FifoPath final : public Movement {
   SegmentFifos fifos_;
   std::optional<RowStart> from_;
   std::atomic<int> first_{0};
+  bool fresh_ = false;  // begun, and nothing was played
   Progress progress_ = Progress::running;
   Cause cause_ = Cause::none;
   Setpoint last_;
@@ -104,6 +106,7 @@ class FifoFollow final : public Movement {
   SegmentFifos fifos_;
   FollowRun run_;
   std::atomic<int> first_{0};
+  bool fresh_ = false;  // begun, and nothing was played
   Sample before_;
   Progress progress_ = Progress::waiting;
   Cause cause_ = Cause::none;

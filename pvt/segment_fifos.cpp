@@ -136,7 +136,7 @@ bool SegmentFifos::take(int fifo) {
 }
 
 void SegmentFifos::give_back() {
-  if (state() == State::taken) state_.store(before_);
+  if (state() == State::taken || moving()) state_.store(before_);
 }
 
 void SegmentFifos::start(double x, double position) {
@@ -286,7 +286,7 @@ void SegmentFifos::lose() {
 }
 
 void SegmentFifos::leave() {
-  if (moving()) stand(State::cut_off);
+  if (moving()) return stand(State::cut_off);
   give_back();
 }
 

@@ -107,7 +107,7 @@ class SegmentFifos {
   // ---- player ------------------------------------------------------------------------------------
 
   /// Chooses what will be started: false where it is empty, in use, being cleared, or a stream that
-  /// has ended. give_back() takes the choice back.
+  /// has ended. give_back() takes the choice back, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
   /// Plays what was taken (a stream: from its base) from x and position on.

@@ -161,7 +161,7 @@ TEST(FifoPath, SaysHowMuchIsKnownAndThatMoreIsToCome) {
   EXPECT_EQ(path.known(), 2);
   EXPECT_TRUE(path.growing());
   EXPECT_NEAR(path.peaks().velocity, 10, 1e-12);
-  EXPECT_NEAR(path.peaks().acceleration, 10, 1e-12);
+  EXPECT_EQ(path.peaks().acceleration, 20) << "the limit: more is to come";
   ASSERT_EQ(path.begin({7, 0, 0}, {}), Cause::none);
   EXPECT_EQ(path.at({1, 1e-3, {}}).slave[0], 12);
   EXPECT_EQ(path.progress(), Progress::running);
@@ -174,6 +174,39 @@ TEST(FifoPath, SaysHowMuchIsKnownAndThatMoreIsToCome) {
   EXPECT_FALSE(path.growing());
   EXPECT_EQ(path.at({3, 1e-3, {}}).slave[0], 27);
   EXPECT_EQ(path.progress(), Progress::done);
+}
+
+// The axis stops on the path, within its limits, on what is known; and goes on when more is.
+TEST(FifoPath, ThatStarvesIsStoppedOnItsPathAndResumes) {
+  const AxisConfig config{.limits = limits(10, 20)};
+  FifoPath path(1, {.each = 100, .limits = row_limits(config)});
+  const auto rows = straight(21);
+  for (std::size_t i = 0; i < 11; ++i) ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+  Bench bench = moving(path, config);
+  Tick now;
+  const auto run = [&](int ticks) {
+    for (int k = 0; k < ticks; ++k) {
+      const double before = now.velocity;
+      now = bench.step();
+      ASSERT_LE(std::abs(now.velocity - before), 0.04 + 1e-9) << now.tick;
+      ASSERT_LE(std::abs(now.velocity), 10 + 1e-9);
+    }
+  };
+  run(3000);
+  EXPECT_EQ(now.fault, Cause::underrun);
+  EXPECT_EQ(now.velocity, 0);
+  EXPECT_LT(now.position, 15) << "what was known";
+  EXPECT_GT(now.position, 10);
+  for (std::size_t i = 11; i < rows.size(); ++i)
+    ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+  ASSERT_EQ(path.fifos().push(0, {.x_end = 4, .p_end = 30, .v_end = 0, .last = true}),
+            RowRule::none);
+  EXPECT_FALSE(bench.tell(Kind::reset).refused);
+  EXPECT_FALSE(bench.tell(Kind::resume).refused);
+  run(5000);
+  EXPECT_EQ(now.state, State::standstill);
+  EXPECT_NEAR(now.position, 30, 1e-12);
+  EXPECT_EQ(now.fault, Cause::none);
 }
 
 TEST(FifoPath, ThatRunsDryKeepsItsLastSetpoint) {

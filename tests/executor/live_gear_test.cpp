@@ -59,6 +59,28 @@ TEST(LiveGear, RampsFromWhateverMotionTheSlaveIsIn) {
   EXPECT_NEAR(slave.now().slave[1], 500, 1e-9);
 }
 
+// Through the axis: engaged from rest, and left by GearOut with the velocity that it has.
+TEST(LiveGear, IsEngagedAndLeftByAnAxis) {
+  LiveGear gear(1, {.numerator = 1, .denominator = 2, .acceleration = 1e4});
+  Bench bench({.limits = limits(1e4, 2e4)});
+  const auto step = [&](const Command& command = {}) {
+    Inputs inputs;
+    inputs.master = steady(1000)(static_cast<double>(bench.tick + 1) * 1e-3);
+    return bench.axis.step(++bench.tick, command, inputs);
+  };
+  step({.kind = Kind::enable});
+  EXPECT_FALSE(step({.kind = Kind::gear_in, .movement = &gear}).refused);
+  Tick now;
+  for (int k = 0; k < 200; ++k) now = step();
+  EXPECT_EQ(now.state, State::synchronized_motion);
+  EXPECT_NEAR(now.velocity, 500, 1e-9);
+  EXPECT_EQ(now.progress, Progress::running);
+  EXPECT_FALSE(step({.kind = Kind::gear_out}).refused);
+  now = step();
+  EXPECT_EQ(now.state, State::continuous_motion);
+  EXPECT_NEAR(now.velocity, 500, 1e-9);
+}
+
 TEST(LiveGear, ALostMasterBreaksIt) {
   LiveGear gear(1, {.acceleration = 1e6});
   bool lost = false;
