@@ -150,6 +150,22 @@ RowRule check(const RowPeaks& f, const RowLimits& limits) {
   return RowRule::none;
 }
 
+std::array<double, 8> columns_of(const SegmentRow& row) {
+  return {row.x_end,
+          row.p_end,
+          row.v_start,
+          row.v_end,
+          row.a_start,
+          row.a_end,
+          static_cast<double>(row.degree),
+          row.last ? 1.0 : 0.0};
+}
+
+SegmentRow row_of(const std::array<double, 8>& c) {
+  const bool whole = c[6] >= 1 && c[6] <= 5 && c[6] == std::floor(c[6]);
+  return {c[0], c[1], c[2], c[3], c[4], c[5], whole ? static_cast<int>(c[6]) : 0, c[7] != 0};
+}
+
 SegmentRow row_of(const PtPoint& point, bool first) {
   SegmentRow row{.x_end = point.x, .p_end = point.position};
   if (point.type == PtType::even) row.degree = 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -98,6 +99,11 @@ RowPeaks peaks(const SegmentRow& row, const RowStart& from, double rate);
 RowRule check(const SegmentRow& row, const RowStart& from);
 /// Whether it keeps the limits (a rounding of 1e-9 is forgiven).
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
+
+/// As eight numbers, in the order of the members, for messages and files; degree and last as numbers.
+/// A degree that is no whole number becomes 0, which check() refuses.
+std::array<double, 8> columns_of(const SegmentRow& row);
+SegmentRow row_of(const std::array<double, 8>& columns);
 
 /// The rows of a PT table by Googol's types, to be played from rest at (0, 0).
 std::vector<SegmentRow> rows_of(std::span<const PtPoint> points);

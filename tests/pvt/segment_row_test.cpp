@@ -118,6 +118,23 @@ TEST(SegmentRow, WhatIsWrongHasAName) {
   }
 }
 
+TEST(SegmentRow, IsEightNumbers) {
+  const SegmentRow row{.x_end = 2, .p_end = 1, .v_end = 0, .degree = 2, .last = true};
+  const auto c = columns_of(row);
+  EXPECT_EQ(c[6], 2);
+  const SegmentRow again = row_of(c);
+  EXPECT_EQ(again.x_end, 2);
+  EXPECT_TRUE(std::isnan(again.v_start));
+  EXPECT_EQ(again.v_end, 0);
+  EXPECT_EQ(again.degree, 2);
+  EXPECT_TRUE(again.last);
+  for (const double wrong : {0.0, 2.5, 6.0, 1e300, -1.0, std::nan("")}) {
+    auto bad = c;
+    bad[6] = wrong;
+    EXPECT_EQ(check(row_of(bad), {}), RowRule::no_degree) << wrong;
+  }
+}
+
 SegmentFifos::Layout rolling(std::size_t each, const RowLimits& limits = {}) {
   return {
       .each = each, .total = 2 * each, .stream = true, .open = true, .base = {}, .limits = limits};
