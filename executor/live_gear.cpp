@@ -22,10 +22,15 @@ bool finite(const MotionState& s) {
 LiveGear::LiveGear(std::uint64_t id, const GearInSpec& spec)
     : Movement(id, Course::live), spec_(spec), gear_(gear_in(spec, MotionState{}, Jet{}, 0)) {}
 
-// gear_in() throws for a bad spec, which the constructor has tried, and for numbers not finite.
+// gear_in() throws for a bad spec, which the constructor has tried, for numbers that are not finite,
+// and for a velocity so far beyond the acceleration that the ramp would not be.
 Cause LiveGear::begin(const MotionState& axis, const Moment& now) noexcept {
   if (!detail::finite(now.master) || !finite(axis)) return Cause::no_master_input;
-  gear_ = gear_in(spec_, axis, now.master, now.t);
+  try {
+    gear_ = gear_in(spec_, axis, now.master, now.t);
+  } catch (const InputError&) {
+    return Cause::no_ramp;
+  }
   progress_ = Progress::engaging;
   last_ = detail::setpoint(now.master, {axis.position, axis.velocity, axis.acceleration, 0});
   return Cause::none;

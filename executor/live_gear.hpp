@@ -20,7 +20,8 @@ class LiveGear final : public Movement {
   /// Throws InputError as gear_in() does.
   LiveGear(std::uint64_t id, const GearInSpec& spec);
 
-  Cause begin(const MotionState& axis, const Moment& now) noexcept override;  ///< no_master_input
+  /// no_master_input; no_ramp: numbers beyond 1e100.
+  Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;

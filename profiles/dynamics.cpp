@@ -88,19 +88,25 @@ class Growing {
   MotionState now_;
 };
 
-void require_valid(const std::string& ramp, const RampLimits& limits, bool jerk_limited) {
-  require_positive((ramp + "acceleration").c_str(), limits.acceleration);
-  for (const auto& [name, jerk] :
-       {std::pair{"jerk_begin", limits.jerk_begin}, {"jerk_end", limits.jerk_end}}) {
-    require_not_negative((ramp + name).c_str(), jerk);
+/// Names of keys with a ramp's own: nothing is put together, and allocated, unless it is wrong.
+struct RampKeys {
+  const char *acceleration, *jerk_begin, *jerk_end;
+};
+
+void require_valid(const RampKeys& keys, const RampLimits& limits, bool jerk_limited) {
+  require_positive(keys.acceleration, limits.acceleration);
+  for (const auto& [key, jerk] :
+       {std::pair{keys.jerk_begin, limits.jerk_begin}, {keys.jerk_end, limits.jerk_end}}) {
+    require_not_negative(key, jerk);
     if ((jerk > 0) != jerk_limited)
-      throw InputError(ramp + name, jerk, "must be limited at both ends of both ramps, or nowhere");
+      throw InputError(key, jerk, "must be limited at both ends of both ramps, or nowhere");
   }
 }
 
 void require_valid(const RampLimits& up, const RampLimits& down) {
-  require_valid("up.", up, up.jerk_begin > 0);
-  require_valid("down.", down, up.jerk_begin > 0);
+  const bool jerk = up.jerk_begin > 0;
+  require_valid({"up.acceleration", "up.jerk_begin", "up.jerk_end"}, up, jerk);
+  require_valid({"down.acceleration", "down.jerk_begin", "down.jerk_end"}, down, jerk);
   const bool same_ends = up.jerk_begin == up.jerk_end && down.jerk_begin == down.jerk_end;
   const bool same_ramps = up.jerk_begin == down.jerk_begin && up.jerk_end == down.jerk_end;
   if (!same_ends && !same_ramps)
