@@ -55,7 +55,9 @@ Figure before_after(const Spec& before, const Spec& after) {
   Figure of_torque = curve_figure(quantity_of(*torque, std::get<Cam>(better.curve)),
                                   quantity_of(*torque, std::get<Cam>(given.curve)), look);
   figure.panels.push_back(std::move(of_torque.panels.front()));
-  figure.panels.back().y_label = "torque [N m]";
+  figure.panels.back().y_label = is_linear(*after.optimize.shape.load)
+                                     ? "torque [N m]"
+                                     : "torque without friction, lever [N m]";
   return figure;
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> figure_names() {
     for (std::size_t k = 1; k < over_time.size(); ++k) names.push_back(how + over_time[k]);
     names.push_back(how + std::string("torque"));
   }
-  for (const char* name : {"peak power", "motor heating", "energy", "residual"})
+  for (const char* name : {"peak power", "motor heating", "energy", "driving energy", "residual"})
     names.emplace_back(name);
   for (const DriveFigure figure : all_drive_figures) names.push_back(jounce::name(figure));
   return names;
@@ -71,6 +71,15 @@ const LoadSpec& load_for(TomlReader& reader, const char* key, const std::string&
   return *words.load;
 }
 
+const LoadSpec& linear_load_for(TomlReader& reader, const char* key, const std::string& name,
+                                const ShapeWords& words) {
+  const LoadSpec& load = load_for(reader, key, name, words);
+  if (!is_linear(load))
+    reader.fail(key, '"' + name + '"',
+                "is known of a load without coulomb and lever alone: limit \"peak torque\"");
+  return load;
+}
+
 LinearQuantity derivative(const std::string& name, std::size_t order, double factor) {
   LinearQuantity quantity{name, {}, 0};
   quantity.by[order] = factor;
@@ -99,7 +108,7 @@ std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const st
   }
   if (name == "torque") {
     const double speed = speed_for(reader, key, said, words) / words.seconds;
-    const LoadSpec& load = load_for(reader, key, said, words);
+    const LoadSpec& load = linear_load_for(reader, key, said, words);
     return NamedQuantity{torque_of(load, speed, words.units.position), "N m"};
   }
   return std::nullopt;
@@ -108,9 +117,28 @@ std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const st
 ShapeFigureSpec power_named(TomlReader& reader, const char* key, const std::string& name,
                             const ShapeWords& words) {
   const double speed = speed_for(reader, key, name, words) / words.seconds;
-  const LoadSpec& load = load_for(reader, key, name, words);
+  const LoadSpec& load = linear_load_for(reader, key, name, words);
   const LinearQuantity torque = torque_of(load, speed, words.units.position);
   return {name, "W", PowerOf{torque, motor_speed_of(load, speed)}};
+}
+
+/// The torque of a load that is not linear.
+std::optional<ShapeFigureSpec> load_named(TomlReader& reader, const char* key,
+                                          const std::string& name, const ShapeWords& words) {
+  const bool energy = name == "driving energy";
+  if (!energy && name != "peak torque" && name != "rms torque") return std::nullopt;
+  const double speed = speed_for(reader, key, name, words) / words.seconds;
+  const LoadSpec& load = load_for(reader, key, name, words);
+  if (energy) return ShapeFigureSpec{name, "J", energy_of(load, speed, words.units.position)};
+  if (is_linear(load)) return std::nullopt;
+  const LoadTorque torque = load_torque_of(load, speed, words.units.position);
+  if (name == "peak torque") return ShapeFigureSpec{name, "N m", TorqueOf{torque}};
+  return ShapeFigureSpec{name, "N m", RmsTorqueOf{torque}};
+}
+
+ShapeFigure rms_torque_of(const LoadSpec& load, double speed, const std::string& unit) {
+  if (is_linear(load)) return RmsOf{torque_of(load, speed, unit)};
+  return RmsTorqueOf{load_torque_of(load, speed, unit)};
 }
 
 ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::string& name,
@@ -120,7 +148,7 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
   if (!load.winding_loss)
     reader.fail(key, '"' + name + '"',
                 "needs load.winding_loss: the motor's resistance / (torque constant)^2");
-  ShapeFigureSpec figure{name, "W", RmsOf{torque_of(load, speed, words.units.position)},
+  ShapeFigureSpec figure{name, "W", rms_torque_of(load, speed, words.units.position),
                          *load.winding_loss, true};
   if (name == "motor heating") return figure;
   figure.unit = "J";
@@ -156,6 +184,7 @@ ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::str
                 "\"17 Hz\"");
   if (name == "peak power") return power_named(reader, key, name, words);
   if (name == "motor heating" || name == "energy") return loss_named(reader, key, name, words);
+  if (auto of_load = load_named(reader, key, name, words)) return *of_load;
   if (const auto drive = drive_figure(name)) return driven(reader, key, *drive, words);
   const bool peak = name.starts_with("peak ");
   const bool rms = name.starts_with("rms ");

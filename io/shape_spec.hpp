@@ -15,10 +15,12 @@ namespace jounce {
 ///
 ///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
 ///                   + r (stiffness f + preload + force + mass gravity)
+///                   + coulomb sign(theta') + r lever sin(lever_angle + f)
 ///     (2)  power  = torque theta'
 ///     (3)  heat   = winding_loss torque^2
+///     (4)  energy = integral of power > 0, less the share `recovered` of power < 0
 ///
-/// All of it is linear in f, f', f'' but (2) and (3). Friction that changes its sign is not in it.
+/// Its first two lines are linear in f, f', f''.
 struct LoadSpec {
   double position_per_rev = 0;  ///< slave's unit a turn of the motor; its sign is the motor's
   double inertia = 0;           ///< kg m^2, at the motor
@@ -29,13 +31,27 @@ struct LoadSpec {
   double stiffness = 0;         ///< of a return spring: N/m, of a rotary slave N m/rad
   double preload = 0;           ///< its force where the slave is at 0: N, or N m
   double force = 0;             ///< constant, against the positive direction: N, or N m
+  double coulomb = 0;           ///< N m, at the motor: dry friction, >= 0
+  double lever = 0;             ///< N m, at a rotary slave: weight times length of its arm
+  double lever_angle = 0;       ///< rad, of the arm from hanging down where the slave is at 0
+  double recovered = 0;         ///< 0 a braking resistor ... 1 a drive without losses
   std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
 };
 
-/// The torque of (1) and the motor's speed as quantities of a shape over the master, which runs at
-/// `speed` units of it in 1 s; `unit` is the slave's.
+/// Whether (1) is linear in the shape: no dry friction, no lever.
+bool is_linear(const LoadSpec& load);
+
+/// What is linear in the torque of (1), and the motor's speed, as quantities of a shape over the master,
+/// which runs at `speed` units of it in 1 s; `unit` is the slave's.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
+
+/// All of (1), counted in the direction in which the slave's position grows: its peak, its rms and its
+/// sign against the velocity are those of the motor.
+LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
+
+/// (4): J, of a shape over the master.
+EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// A figure of [optimize] with what is needed to print it.
 struct ShapeFigureSpec {

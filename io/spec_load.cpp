@@ -47,13 +47,42 @@ LinearQuantity motor_speed_of(const LoadSpec& load, double speed) {
   return velocity;
 }
 
+bool is_linear(const LoadSpec& load) {
+  return load.coulomb == 0 && load.lever == 0;
+}
+
+LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit) {
+  const double r = si(unit) / turned(load);
+  LoadTorque torque;
+  torque.linear = torque_of(load, speed, unit);
+  torque.gravity = r * load.lever;
+  torque.turn = si(unit);
+  torque.angle = load.lever_angle;
+  torque.coulomb = load.coulomb;
+  if (turned(load) > 0) return torque;
+  for (double& by : torque.linear.by) by = -by;  // the motor turns the other way
+  torque.linear.constant = -torque.linear.constant;
+  torque.gravity = -torque.gravity;
+  return torque;
+}
+
+EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit) {
+  EnergyOf energy{load_torque_of(load, speed, unit), load.recovered};
+  const double turn = std::abs(turned(load));  // integral of T theta' = integral of T turn f'
+  for (double& by : energy.load.linear.by) by *= turn;
+  energy.load.linear.constant *= turn;
+  energy.load.coulomb *= turn;
+  energy.load.gravity *= turn;
+  return energy;
+}
+
 namespace detail {
 namespace {
 
 struct LoadKey {
   const char* key;
   const char* unit;         ///< of a slave that moves straight, or of any
-  const char* rotary_unit;  ///< nullptr: straight alone; "": any
+  const char* rotary_unit;  ///< nullptr: straight alone; "": any; `unit` nullptr: rotary alone
   double LoadSpec::*field;
   bool may_be_negative;
 };
@@ -67,17 +96,25 @@ const std::vector<LoadKey> keys{
     {"stiffness", "N/m", "N m/rad", &LoadSpec::stiffness, false},
     {"preload", "N", "N m", &LoadSpec::preload, true},
     {"force", "N", "N m", &LoadSpec::force, true},
+    {"coulomb", "N m", "", &LoadSpec::coulomb, false},
+    {"lever", nullptr, "N m", &LoadSpec::lever, true},
+    {"lever_angle", nullptr, "rad", &LoadSpec::lever_angle, true},
+    {"recovered", "1", "", &LoadSpec::recovered, false},
 };
+
+std::string instead_of(const LoadKey& key) {
+  if (key.unit == nullptr) return ": an arm turns";
+  return std::string(": say what it is at the motor, as ") +
+         (key.field == &LoadSpec::mass ? "inertia" : "torque");
+}
 
 void read_key(TomlReader& table, const LoadKey& key, const std::string& slave, LoadSpec& load) {
   if (!table.has(key.key)) return;
   const bool any = key.rotary_unit != nullptr && key.rotary_unit[0] == '\0';
-  const bool straight = measures(slave, "m");
+  const bool straight = measures(slave, "m") && key.unit != nullptr;
   const bool rotary = measures(slave, "rad") && key.rotary_unit != nullptr;
   if (!any && !straight && !rotary)
-    table.fail(key.key, "",
-               "is not of a slave in " + slave + ": say what it is at the motor, as " +
-                   (key.field == &LoadSpec::mass ? "inertia" : "torque"));
+    table.fail(key.key, "", "is not of a slave in " + slave + instead_of(key));
   const double value = table.number(key.key, any || straight ? key.unit : key.rotary_unit);
   if (value < 0 && !key.may_be_negative) table.fail(key.key, number(value), "must not be negative");
   load.*key.field = value;
@@ -93,6 +130,8 @@ std::optional<LoadSpec> read_load(TomlReader& top, const Units& units) {
   if (load.position_per_rev == 0)
     table->fail("position_per_rev", "0", "must not be 0: the motor would not turn");
   for (const LoadKey& key : keys) read_key(*table, key, units.position, load);
+  if (load.recovered > 1)
+    table->fail("recovered", number(load.recovered), "must be a share, from 0 to 1");
   load.winding_loss = table->optional_number("winding_loss", "W/(N m)^2");
   if (load.winding_loss && !(*load.winding_loss > 0))
     table->fail("winding_loss", number(*load.winding_loss), "must be greater than 0");

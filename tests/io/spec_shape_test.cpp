@@ -1,8 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "jounce/io/drive_figures.hpp"
 #include "jounce/io/make.hpp"
 #include "jounce/io/shape_spec.hpp"
 #include "jounce/io/spec_edit.hpp"
@@ -147,6 +148,90 @@ TEST(Load, OfARotarySlaveCountsInTurns) {
   const LinearQuantity torque = torque_of(load, 100, "deg");
   EXPECT_NEAR(torque.by[0], 0.1 * 2 * std::numbers::pi / 180, 1e-15);
   EXPECT_NEAR(torque.by[2], 1e-3 * (10 * std::numbers::pi / 180) * 1e4, 1e-12);
+}
+
+TEST(Load, DryFrictionAndALeverCountAtTheMotorWhicheverWayItTurns) {
+  LoadSpec load;
+  load.inertia = 1e-3;
+  load.torque = 0.2;
+  load.coulomb = 0.05;
+  load.lever = 3;  // N m, at the slave
+  load.lever_angle = 0.4;
+  ASSERT_FALSE(is_linear(load));
+  for (const double per_rev : {36., -36.}) {  // deg: a gear of 10
+    SCOPED_TRACE(per_rev);
+    load.position_per_rev = per_rev;
+    const LoadTorque torque = load_torque_of(load, 100, "deg");
+    const double sign = per_rev > 0 ? 1 : -1;
+    const double turn = 10 * std::numbers::pi / 180;  // rad of the motor per deg
+    EXPECT_NEAR(torque.linear.by[2], 1e-3 * turn * 1e4, 1e-12);
+    EXPECT_NEAR(torque.linear.constant, sign * 0.2, 1e-15);
+    EXPECT_EQ(torque.coulomb, 0.05) << "always against the motion";
+    EXPECT_NEAR(torque.gravity, 3 / 10., 1e-15) << "the arm knows nothing of the motor";
+    EXPECT_NEAR(torque.turn, std::numbers::pi / 180, 1e-15);
+    EXPECT_EQ(torque.angle, 0.4);
+    const EnergyOf energy = energy_of(load, 100, "deg");
+    EXPECT_NEAR(energy.load.coulomb, 0.05 * turn, 1e-15);
+    EXPECT_NEAR(energy.load.linear.by[2], 1e-3 * turn * turn * 1e4, 1e-12);
+  }
+}
+
+TEST(Load, DryFrictionTakesItsTorqueTimesTheAngle) {
+  LoadSpec load;
+  load.position_per_rev = 100;
+  load.coulomb = 0.3;
+  ShapeProblem p;
+  p.from = {.value = 0, .velocity = 0};
+  p.to = {.value = 250, .velocity = 0};
+  p.pieces = 10;
+  p.minimize = {{RmsOf{derivative_of_shape(2)}}};
+  p.ceilings = {{energy_of(load, 360, "mm"), 1e9}};
+  p.max_evaluations = 1;
+  EXPECT_NEAR(optimize_shape(p).figures[1].given, 0.3 * 2.5 * 2 * std::numbers::pi, 1e-5);
+}
+
+TEST(Load, WithFrictionHasFiguresThatAreSearched) {
+  const Spec spec = spec_of("torque = 0.2", "torque = 0.2\ncoulomb = \"5 N cm\"\nrecovered = 0.6");
+  EXPECT_EQ(spec.optimize.shape.load->coulomb, 0.05);
+  EXPECT_TRUE(std::holds_alternative<RmsTorqueOf>(spec.optimize.shape.figures[0].figure));
+  const Spec others = spec_of(
+      "torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = [\"rms torque\"]",
+      "coulomb = 0.05\nrecovered = 0.6\nwinding_loss = 0.8\n[optimize]\n"
+      "minimize = [\"peak torque\", \"motor heating\", \"driving energy\"]");
+  const auto& figures = others.optimize.shape.figures;
+  EXPECT_TRUE(std::holds_alternative<TorqueOf>(figures[0].figure));
+  EXPECT_TRUE(std::holds_alternative<RmsTorqueOf>(figures[1].figure));
+  EXPECT_TRUE(figures[1].squared);
+  EXPECT_EQ(std::get<EnergyOf>(figures[2].figure).recovered, 0.6);
+  EXPECT_EQ(figures[2].unit, "J");
+}
+
+TEST(Load, RefusesWhatItCannotMean) {
+  const auto with = [](const std::string& key) {
+    return complaint("torque = 0.2", "torque = 0.2\n" + key);
+  };
+  EXPECT_THAT(with("coulomb = -1"), testing::HasSubstr("coulomb = -1: must not be negative"));
+  EXPECT_THAT(with("recovered = 1.2"), testing::HasSubstr("must be a share, from 0 to 1"));
+  EXPECT_THAT(with("lever = 2"), testing::HasSubstr("is not of a slave in mm: an arm turns"));
+  EXPECT_THAT(complaint("torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = "
+                        "[\"rms torque\"]",
+                        "coulomb = 1\n[optimize]\nminimize = [\"peak power\"]"),
+              testing::HasSubstr("a load without coulomb and lever alone"));
+}
+
+TEST(ShapeFigures, OfADriveAreKnownByNameAndAskForOne) {
+  const std::string rms = "minimize = [\"rms torque\"]";
+  const Spec spec = spec_of(rms, "minimize = [\"drive residual\", \"drive rms torque\"]");
+  const auto& figures = spec.optimize.shape.figures;
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].unit, "mm");
+  EXPECT_EQ(figures[1].unit, "N m");
+  EXPECT_EQ(drive_figure(figures[0].figure), DriveFigure::residual);
+  EXPECT_EQ(drive_figure(figures[1].figure), DriveFigure::rms_torque);
+  EXPECT_NO_THROW(make_shape_problem(spec, true));
+  EXPECT_THAT(complaint(rms, "minimize = [\"drive residual\"]"), testing::HasSubstr("--against"));
+  EXPECT_THAT(complaint(rms, "minimize = [\"drive resdual\"]"),
+              testing::HasSubstr("did you mean \"drive residual\"?"));
 }
 
 TEST(ShapeFigures, HaveTheirUnitsAndNumbers) {
