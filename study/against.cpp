@@ -13,7 +13,13 @@
 //
 //   (1)  y(z) ~ y_l(z) + d,    d = y(z_k) - y_l(z_k)
 //
-// where y_l is the same drive without what makes it nonlinear: exact at z_k, with the slopes of y_l. Solved,
+// where y_l is the same drive without what makes it nonlinear: exact at z_k, with the slopes of y_l. An arm's
+// weight G sin(a(r)) grows with the reference r; its slope along z_k, as if the load stood where r is, goes with
+// the torque of y_l:
+//
+//   (3)  T_l(z) <- T_l(z) + G cos(a(r_k)) a' r(z)
+//
+// (nearly exact, as the load lags by far less than the arm must turn for its weight to change). Solved,
 // the drive itself is run along what is found; better, and z_k moves there; not better, and d goes only
 // part of the way
 //
@@ -32,6 +38,12 @@ using Status = Outcome::Status;
 constexpr double worth_a_round = 1e-3;  ///< relative gain
 constexpr double rounding = 1e-9;       ///< of a ceiling
 
+/// What a drive has beside its linear twin, at a cam.
+struct Correction {
+  Lists lists = {};                 ///< d of (1)
+  std::vector<double> slopes = {};  ///< of (3)
+};
+
 /// The problem with every figure of the drive as a function of the shape.
 class Prepared {
  public:
@@ -44,7 +56,7 @@ class Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   /// d of (1), and what ceilings are held to.
-  CamShapeProblem& with(const Lists& correction, const std::vector<double>& at_most) {
+  CamShapeProblem& with(const Correction& correction, const std::vector<double>& at_most) {
     for (ShapeFigure* figure : wanted_)
       if (const auto drive = drive_figure(*figure)) fill(*figure, *drive, correction);
     for (std::size_t i = 0; i < at_most.size(); ++i) problem_.ceilings[i].at_most = at_most[i];
@@ -52,11 +64,11 @@ class Prepared {
   }
 
  private:
-  void fill(ShapeFigure& figure, DriveFigure drive, const Lists& correction) const {
-    const auto found = correction.find(drive);
-    const auto of = [respond = cam_.response(drive),
-                     d = found == correction.end() ? std::vector<double>{}
-                                                   : found->second](const Trajectory& shape) {
+  void fill(ShapeFigure& figure, DriveFigure drive, const Correction& correction) const {
+    const auto found = correction.lists.find(drive);
+    const auto of = [respond = cam_.response(drive, correction.slopes),
+                     d = found == correction.lists.end() ? std::vector<double>{}
+                                                         : found->second](const Trajectory& shape) {
       std::vector<double> y = respond(shape);
       for (std::size_t i = 0; i < d.size(); ++i) y[i] += d[i];
       return y;
@@ -70,24 +82,39 @@ class Prepared {
   std::vector<ShapeFigure*> wanted_;
 };
 
-/// d of (1) at a cam; nothing where the drive could not be integrated.
-std::optional<Lists> correction_at(const DrivenCam& driven, const CamSpec& cam) {
+/// Nothing where the drive could not be integrated.
+std::optional<Correction> correction_at(const DrivenCam& driven, const CamSpec& cam) {
+  std::vector<double> slopes = driven.weight_slopes(cam);
   Lists own = driven.measured(cam);
-  Lists twin = driven.linear(cam);
+  Lists twin = driven.linear(cam, slopes);
   for (auto& [figure, y] : own) {
     if (y.size() != twin[figure].size()) return std::nullopt;
     for (std::size_t i = 0; i < y.size(); ++i) y[i] -= twin[figure][i];
   }
   if (own.empty()) return std::nullopt;
-  return own;
+  return Correction{std::move(own), std::move(slopes)};
 }
 
-Lists halfway(const Lists& a, Lists b) {  // (2)
-  for (auto& [figure, y] : b)
-    if (const auto other = a.find(figure); other != a.end())
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] = (y[i] + other->second[i]) / 2;
+void halve(std::vector<double>& y, const std::vector<double>& other) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = (y[i] + other[i]) / 2;
+}
+
+Correction halfway(const Correction& a, Correction b) {  // (2)
+  for (auto& [figure, y] : b.lists)
+    if (const auto other = a.lists.find(figure); other != a.lists.end()) halve(y, other->second);
+  if (a.slopes.size() == b.slopes.size()) halve(b.slopes, a.slopes);
   return b;
 }
+
+/// What counts of a cam that was driven.
+struct Standing {
+  double score = 1;     ///< weighted sum, of the given cam 1
+  bool excess = false;  ///< over a ceiling
+
+  [[nodiscard]] bool better_than(const Standing& other) const {
+    return excess != other.excess ? !excess : score < other.score;
+  }
+};
 
 class Search {
  public:
@@ -100,12 +127,13 @@ class Search {
         prepared_(problem, driven_) {
     for (const Ceiling& c : problem.ceilings) at_most_.push_back(c.at_most);
     out_.given = driven_.run(problem.cam);
+    best_.excess = breaks_ceiling(out_.given);
     exact_ = driven_.is_linear() && out_.given.saturation.empty();
   }
 
   AgainstOutcome run() {
     if (!out_.given.integration.ok()) return failed();
-    if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Lists{});
+    if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Correction{});
     for (out_.rounds = 1;; ++out_.rounds) {
       const bool more = round();
       if (!more || out_.rounds == against_.max_rounds) break;
@@ -132,14 +160,15 @@ class Search {
     DriveResult run = driven_.run(found.best);
     if (!run.integration.ok()) return false;
     const bool stopped = found.status == Status::cancelled;
-    const double before = have_ ? score_ : 1;
+    const double before = best_.score;
     const CamSpec cam = found.best;
     const bool excess = lower_ceilings(run);
     if (!run.saturation.empty()) exact_ = false;
     const bool better = take(std::move(found), std::move(run), excess);
     if (stopped) return false;
     if (exact_) return excess;
-    return correct(cam, better) && (excess || !better || before - score_ > worth_a_round * before);
+    return correct(cam, better) &&
+           (excess || !better || before - best_.score > worth_a_round * before);
   }
 
   bool correct(const CamSpec& cam, bool better) {
@@ -172,18 +201,20 @@ class Search {
         });
   }
 
-  /// What keeps the ceilings comes before what does not; then the first weighted sum counts.
+  /// Whether it is better than the best so far, which is the given cam to begin with: what keeps the
+  /// ceilings comes before what does not; then the first weighted sum counts. The first is kept anyway,
+  /// so that there is something to tell.
   bool take(CamShapeOutcome found, DriveResult run, bool excess) {
-    const double score = weighted(found, run);
-    const bool better = !have_ || (excess_ && !excess) || (excess_ == excess && score < score_);
-    if (!better) return false;
+    const Standing now{weighted(found, run), excess};
+    const bool better = now.better_than(best_);
+    if (have_ && !better && !now.better_than(told_)) return false;
     have_ = true;
-    excess_ = excess;
-    score_ = score;
+    told_ = now;
+    if (better) best_ = now;
     promised_ = weighted(found, std::nullopt);
     out_.shapes = std::move(found);
     out_.best = std::move(run);
-    return true;
+    return better;
   }
 
   /// Relative to the given cam; the drive's figures by integration, where there is one.
@@ -214,11 +245,11 @@ class Search {
     if (!have_) return out_;
     add_figures();
     // Where the given cam breaks a ceiling, or the best within the limits is no better, it need not be.
-    const bool improved = score_ < 1 || breaks_ceiling(out_.given) ||
+    const bool improved = told_.score < 1 || breaks_ceiling(out_.given) ||
                           (promised_ >= 1 && out_.shapes.status == Status::optimal);
-    out_.real = !excess_ && improved;
+    out_.real = !told_.excess && improved;
     if (!exact_) without_bounds();
-    if (excess_)
+    if (told_.excess)
       out_.shapes.reason = "by integration, a ceiling of the drive is exceeded";
     else if (!improved)
       out_.shapes.reason = "by integration, the drive does no better than with the given cam";
@@ -253,12 +284,12 @@ class Search {
   DrivenCam driven_;
   Prepared prepared_;
   AgainstOutcome out_;
-  Lists correction_;
+  Correction correction_;
   std::vector<double> at_most_;
   bool exact_ = true;  ///< the linear drive is the drive
   bool have_ = false;
-  bool excess_ = false;  ///< of `out_`
-  double score_ = 1;
+  Standing best_;  ///< of the given cam to begin with
+  Standing told_;  ///< of `out_`
   double promised_ = 1;
   int worse_ = 0;
 };

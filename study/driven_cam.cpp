@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
@@ -77,17 +78,35 @@ std::vector<double> DrivenCam::times() const {
   return times;
 }
 
-std::vector<double> DrivenCam::list(DriveFigure figure,
-                                    const std::vector<DriveSample>& samples) const {
+std::vector<double> DrivenCam::weight_slopes(const CamSpec& cam) const {
+  const auto& train = against_.drive.train;
+  if (std::all_of(train.begin(), train.end(), [](const Mass& m) { return m.gravity_torque == 0; }))
+    return {};
+  const double turn = 2 * std::numbers::pi / against_.drive.position_per_rev;
+  const Trajectory motion = over_time(cam);
+  std::vector<double> slopes;
+  for (const double t : times()) {
+    const double angle = turn * motion.at(std::min(t, motion.end())).position;
+    slopes.push_back(0);
+    for (const Mass& m : train)
+      slopes.back() += m.gravity_torque * m.gravity_ratio * turn *
+                       std::cos(m.gravity_angle + m.gravity_ratio * angle);
+  }
+  return slopes;
+}
+
+std::vector<double> DrivenCam::list(DriveFigure figure, const std::vector<DriveSample>& samples,
+                                    const std::vector<double>& slopes) const {
   std::vector<double> y;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const DriveSample& s = samples[i];
-    if (figure == DriveFigure::torque) y.push_back(s.torque);
+    const double torque = s.torque + (slopes.empty() ? 0 : slopes[i] * s.reference);
+    if (figure == DriveFigure::torque) y.push_back(torque);
     if (figure == DriveFigure::following_error) y.push_back(s.following_error);
     if (figure == DriveFigure::rms_torque && i <= moving) {
       // The mean of the squares is the trapezoidal rule: half of both ends, over one interval less.
       const double share = (i == 0 || i == moving ? 0.5 : 1.0) * (moving + 1.0) / moving;
-      y.push_back(std::sqrt(share) * s.torque);
+      y.push_back(std::sqrt(share) * torque);
     }
     if (figure == DriveFigure::residual && i >= moving) y.push_back(s.load - s.reference);
     if (figure == DriveFigure::end_following_error && i == moving) y.push_back(s.following_error);
@@ -96,13 +115,13 @@ std::vector<double> DrivenCam::list(DriveFigure figure,
 }
 
 std::function<std::vector<double>(const Trajectory& shape)> DrivenCam::response(
-    DriveFigure figure) const {
-  return [this, figure, at = times()](const Trajectory& shape) {
+    DriveFigure figure, const std::vector<double>& slopes) const {
+  return [this, figure, slopes, at = times()](const Trajectory& shape) {
     std::vector<Segment> segments = before_;
     for (const Segment& segment : shape.segments())
       segments.push_back(at_speed(segment, against_.velocity));
     segments.insert(segments.end(), after_.begin(), after_.end());
-    return list(figure, exact_run(Trajectory(std::move(segments)), twin_, at).samples);
+    return list(figure, exact_run(Trajectory(std::move(segments)), twin_, at).samples, slopes);
   };
 }
 
@@ -116,15 +135,17 @@ DrivenCam::Lists DrivenCam::measured(const CamSpec& cam) const {
                     {.settle = step_ * static_cast<double>(settling_), .samples = times().size()});
   Lists lists;
   if (run.integration.ok())
-    for (const DriveFigure figure : all_drive_figures) lists[figure] = list(figure, run.samples);
+    for (const DriveFigure figure : all_drive_figures)
+      lists[figure] = list(figure, run.samples, {});
   return lists;
 }
 
-DrivenCam::Lists DrivenCam::linear(const CamSpec& cam) const {
+DrivenCam::Lists DrivenCam::linear(const CamSpec& cam, const std::vector<double>& slopes) const {
   const std::vector<double> at = times();
   const ExactRun run = exact_run(over_time(cam), twin_, at);
   Lists lists;
-  for (const DriveFigure figure : all_drive_figures) lists[figure] = list(figure, run.samples);
+  for (const DriveFigure figure : all_drive_figures)
+    lists[figure] = list(figure, run.samples, slopes);
   return lists;
 }
 

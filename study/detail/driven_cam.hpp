@@ -18,14 +18,19 @@ class DrivenCam {
   /// What a figure is made of, at the instants that are looked at.
   using Lists = std::map<DriveFigure, std::vector<double>>;
 
-  /// Of the linear drive, with a shape over the master in place of the run.
+  /// How the torque that an arm's weight asks for grows with the reference, N m/u, at these instants
+  /// along a cam; none without an arm.
+  [[nodiscard]] std::vector<double> weight_slopes(const CamSpec& cam) const;
+
+  /// Of the linear drive, with a shape over the master in place of the run; to its torque slope times
+  /// reference is added.
   [[nodiscard]] std::function<std::vector<double>(const Trajectory& shape)> response(
-      DriveFigure figure) const;
+      DriveFigure figure, const std::vector<double>& slopes) const;
 
   /// Of the drive as it is, integrated, along a whole cam; `result` is that run, with its own standstill.
   [[nodiscard]] DriveResult run(const CamSpec& cam) const;
   [[nodiscard]] Lists measured(const CamSpec& cam) const;
-  [[nodiscard]] Lists linear(const CamSpec& cam) const;
+  [[nodiscard]] Lists linear(const CamSpec& cam, const std::vector<double>& slopes) const;
 
   /// Whether the linear drive is the drive, as far as its torque keeps its limits.
   [[nodiscard]] bool is_linear() const { return linear_; }
@@ -34,7 +39,8 @@ class DrivenCam {
   [[nodiscard]] Trajectory over_time(const CamSpec& cam) const;
   [[nodiscard]] std::vector<double> times() const;
   [[nodiscard]] std::vector<double> list(DriveFigure figure,
-                                         const std::vector<DriveSample>& samples) const;
+                                         const std::vector<DriveSample>& samples,
+                                         const std::vector<double>& slopes) const;
 
   Against against_;
   Drive twin_;  ///< linear

@@ -94,6 +94,7 @@ TEST(Against, LeastFollowingErrorIsProven) {
 
 TEST(Against, NarrowCeilingsBesideAnRmsAreKeptByIntegration) {
   CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  problem.shapes.front().pieces = 20;
   const double given = std::abs(optimize_against(problem, axis()).given.residual.value);
   double before = 0;
   for (const double share : {1e-2, 1e-5}) {
@@ -110,6 +111,7 @@ TEST(Against, NarrowCeilingsBesideAnRmsAreKeptByIntegration) {
 
 TEST(Against, WhatComesSecondIsMinimisedBesideWhatIsNothing) {
   CamShapeProblem problem = index_problem(DriveFigure::residual);
+  problem.shapes.front().pieces = 20;
   const AgainstOutcome alone = optimize_against(problem, axis());
   problem.minimize.push_back({{asked(DriveFigure::rms_torque)}});
   const AgainstOutcome both = optimize_against(problem, axis());
@@ -139,6 +141,24 @@ TEST(Against, DriveWithDryFrictionDoesBetterByItsOwnRuns) {
   EXPECT_LT(outcome.best.rms_torque, outcome.given.rms_torque);
   EXPECT_NE(outcome.shapes.status, Outcome::Status::optimal) << "nothing is proven";
   EXPECT_FALSE(outcome.shapes.runs.front().shape.spline_bound);
+}
+
+TEST(Against, AnArmIsMovedWithItsWeightInMind) {
+  Against against = axis();
+  against.drive.train.front().gravity_torque = 0.3;  // more than what accelerates
+  const AgainstOutcome outcome = optimize_against(index_problem(DriveFigure::rms_torque), against);
+  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  EXPECT_LT(outcome.best.rms_torque, 0.85 * outcome.given.rms_torque);
+}
+
+TEST(Against, AGivenCamThatBreaksACeilingIsImprovedOnByOneThatKeepsIt) {
+  CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  problem.shapes.front().pieces = 20;
+  problem.ceilings = {{asked(DriveFigure::residual), 5e-3}};
+  const AgainstOutcome outcome = optimize_against(problem, axis());
+  ASSERT_GT(std::abs(outcome.given.residual.value), 5e-3);
+  EXPECT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  EXPECT_GT(outcome.best.rms_torque, outcome.given.rms_torque) << "it has its price";
 }
 
 TEST(Against, RefusesWhatItCannotDo) {
