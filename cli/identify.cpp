@@ -14,6 +14,7 @@
 #include "jounce/io/report_text.hpp"
 #include "jounce/plot/figure.hpp"
 
+#include "folders.hpp"
 #include "interrupt.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
@@ -147,6 +148,7 @@ int run(const Options& options) {
     require_other_file(options.drive, output);
     require_other_file(options.log, output);
   }
+  require_folders({{"--output", options.output}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   const Spec spec = read_spec(options.drive);
   if (!spec.drive)

@@ -2,6 +2,7 @@
 
 #include "jounce/io/spec.hpp"
 
+#include "folders.hpp"
 #include "optimizing.hpp"
 #include "picture.hpp"
 #include "verb.hpp"
@@ -23,6 +24,8 @@ void give_budget(Spec& spec, double seconds) {
 int run(const OptimizeOptions& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
+  require_folders(
+      {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   Spec spec = read_spec(options.spec);
   if (options.seconds) give_budget(spec, *options.seconds);

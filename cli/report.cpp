@@ -10,6 +10,7 @@
 
 #include "cam_check.hpp"
 #include "drive_figures.hpp"
+#include "folders.hpp"
 #include "follower_figure.hpp"
 #include "picture.hpp"
 #include "proof.hpp"
@@ -98,6 +99,8 @@ Section proof_section(const Proof& proof, const Input& input) {
 }
 
 int run(const Options& options) {
+  require_other_file(options.file, options.output);
+  require_folders({{"--output", options.output}});
   const Input input = load(options.file, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
@@ -126,7 +129,6 @@ int run(const Options& options) {
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
-  require_other_file(options.file, options.output);
   write_file(options.output, html(page));
   return all.ok() ? fine : finding;
 }

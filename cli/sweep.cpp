@@ -13,6 +13,7 @@
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
 
+#include "folders.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "verb.hpp"
@@ -137,6 +138,7 @@ int run_under_mpi(const Options& options) {
 int run(const Options& options) {
   for (const std::string& output : {options.output, options.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
+  require_folders({{"--output", options.output}, {"--npy", options.npy}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   return mpi_place().started ? run_under_mpi(options) : run_here(options);
 }

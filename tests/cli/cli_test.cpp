@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -97,6 +99,29 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
       option.err,
       "jounce: `--limt` is not an option here. Did you mean --limit? (jounce --help shows all)\n");
   EXPECT_EQ(run("check nothing.toml").status, 2);
+}
+
+// None of the inputs is there: so it is the folder that was looked at first, before any work.
+TEST_F(Cli, AMissingFolderIsRefusedBeforeTheWorkThatItWouldHold) {
+  const std::string identify = "identify no.toml --log no.csv --fit mass[1].inertia";
+  for (const auto& [verb, option] :
+       std::vector<std::pair<std::string, std::string>>{{"optimize no.toml", "--output"},
+                                                        {"optimize no.toml", "--table"},
+                                                        {"optimize no.toml", "--plot"},
+                                                        {"sweep no.toml", "--output"},
+                                                        {"sweep no.toml", "--npy"},
+                                                        {"sweep no.toml", "--plot"},
+                                                        {identify, "--output"},
+                                                        {identify, "--plot"},
+                                                        {"report no.toml", "--output"}}) {
+    const Result missing = run(verb + " " + option + " nowhere/x.svg");
+    EXPECT_EQ(missing.status, 2) << verb;
+    EXPECT_EQ(missing.err, "jounce: " + option +
+                               " = nowhere/x.svg: cannot be written: there is no "
+                               "folder nowhere\n");
+    EXPECT_THAT(run(verb + " " + option + " .").err, HasSubstr(option + " = .: is a folder"));
+  }
+  EXPECT_THAT(files(), ::testing::IsEmpty());
 }
 
 TEST_F(Cli, EveryStartingSpecIsGood) {
