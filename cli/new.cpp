@@ -22,9 +22,11 @@ void add_new(CLI::App& app, Work& work) {
       add_verb(app, "new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
-  verb->add_option("KIND", options->kind,
-                   "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
-                   "pvt or pt over time; axis, an executor's; or drive, a servo's")
+  verb->add_option(
+          "KIND", options->kind,
+          "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
+          "pvt or pt over time; axis, an executor's; machine, several of them; or drive, a "
+          "servo's")
       ->required()
       ->check(CLI::IsMember(kinds));
   verb->add_option("-o,--output", options->output, "File to write; - is standard output");

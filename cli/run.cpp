@@ -1,88 +1,27 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <poll.h>
-#include <unistd.h>
 
 #include "jounce/executor/shell.hpp"
-#include "jounce/io/make.hpp"
 #include "jounce/stream/driver.hpp"
 
 #include "link.hpp"
+#include "machine.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
 
 struct Options {
-  std::vector<std::string> axes;
-  std::string log;
+  MachineOptions machine;
   LinkOptions link;
   RunOptions run;
-  bool adopt_start = false;
   bool json = false;
 };
-
-AxisConfig axis_of(const Spec& spec) {
-  const auto* axis = std::get_if<AxisSpec>(&spec.subject);
-  if (axis == nullptr)
-    throw InputError("kind", "",
-                     "an executor is configured by a spec of kind \"axis\"; see `jounce new axis`")
-        .at(spec.document.name);
-  const double unit = seconds_per_unit(spec);
-  AxisConfig config;
-  config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
-  config.position = axis->position;
-  config.limits = spec.limits;
-  for (auto [limit, power] : {std::pair{&config.limits.velocity, 1},
-                              {&config.limits.acceleration, 2},
-                              {&config.limits.jerk, 3}})
-    for (int i = 0; *limit && i < power; ++i) **limit /= unit;
-  return config;
-}
-
-/// A terminal that does not take text must not hold up the executor: then it is dropped.
-void say(const std::string& notice) {
-  pollfd out{STDERR_FILENO, POLLOUT, 0};
-  if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
-}
-
-/// run.csv for one axis; run.feeder.csv, run.knife.csv for several.
-std::string log_of(const Options& options, const std::string& name) {
-  if (options.axes.size() == 1) return options.log;
-  std::filesystem::path path(options.log);
-  const std::string extension = path.extension().string();
-  return path.replace_extension("." + name + extension).string();
-}
-
-ExecutorOptions executor_of(const Options& options, const Spec& spec) {
-  ExecutorOptions executor;
-  executor.axis = axis_of(spec);
-  executor.switches = spec.switches;
-  executor.units = {spec.master_unit, spec.units.position};
-  executor.receiver.executor = spec.name;
-  executor.adopt_start = options.adopt_start;
-  executor.build_apart = 2000;  // knots: about a millisecond
-  if (!options.log.empty()) executor.log = log_of(options, spec.name);
-  const std::string whose = options.axes.size() == 1 ? "" : spec.name + ": ";
-  executor.notify = [whose](const std::string& notice) { say(whose + notice); };
-  (void)resolved(executor.axis);
-  return executor;
-}
-
-ExecutorOptions read_axis(const Options& options, const std::string& path) {
-  const Spec spec = read_spec(path);
-  try {
-    return executor_of(options, spec);
-  } catch (const InputError& error) {
-    throw spec.document.located(error);
-  }
-}
 
 void print(const AxisSummary& axis, bool alone) {
   fmt::print("{}{} motions finished, {} stopped; at {}\n", alone ? "" : axis.name + ": ",
@@ -138,30 +77,35 @@ void require_alone(Transport& link, const std::string& name) {
     throw InputError("name", name, "an executor of this name is running already on this --url");
 }
 
+bool logs_are_whole(const Options& options, const ExecutorSummary& summary) {
+  bool whole = true;
+  if (summary.cycle.lost > 0) {
+    fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
+    whole = false;
+  }
+  for (const AxisSummary& axis : summary.axes) {
+    if (!axis.log_truncated) continue;
+    fmt::print(stderr, "jounce: the log of {} is cut off: {}.truncated\n", axis.name,
+               log_of(options.machine.log, axis.name, summary.axes.size()));
+    whole = false;
+  }
+  return whole;
+}
+
 bool has_played(const ExecutorSummary& summary) {
   return std::any_of(summary.axes.begin(), summary.axes.end(),
                      [](const AxisSummary& a) { return a.finished + a.stopped > 0; });
 }
 
 int run(const Options& options) {
-  std::vector<ExecutorOptions> axes;
-  for (const std::string& path : options.axes) axes.push_back(read_axis(options, path));
+  const std::vector<ExecutorOptions> axes = axes_of(options.machine);
   (void)Machine(machine_of(axes));
   for (const auto& axis : axes)
     require_alone(Link(options.link).transport(), axis.receiver.executor);
   Link link(options.link);
   const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
   const int status = report(summary, options.json);
-  if (!options.log.empty() && summary.cycle.lost > 0) {
-    fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
-    return fault;
-  }
-  for (const AxisSummary& axis : summary.axes)
-    if (axis.log_truncated) {
-      fmt::print(stderr, "jounce: the log of {} is cut off: see {}.truncated\n", axis.name,
-                 log_of(options, axis.name));
-      return fault;
-    }
+  if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
   const bool idle = options.run.once && !has_played(summary);
   return status == fine && idle ? finding : status;
 }
@@ -172,11 +116,13 @@ void add_run(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb =
       add_verb(app, "run", "Run an executor: take tables from a stream and play them, tick by tick",
-               "jounce run axis.toml --log run.csv --once");
-  verb->add_option("AXIS", options->axes,
-                   "Specs of kind \"axis\": limits, cycle, name; several run in one cycle")
+               "jounce run axis.toml --enable --log run.csv --once");
+  verb->add_option(
+          "SPEC", options->machine.files,
+          "Of kind \"axis\": limits, cycle, name; several run in one cycle. Or one of kind "
+          "\"machine\", which names them")
       ->required();
-  verb->add_option("--log", options->log,
+  verb->add_option("--log", options->machine.log,
                    "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
   verb->add_option("--seconds", options->run.seconds, "End after so many seconds")
       ->check(seconds_option());
@@ -191,7 +137,9 @@ void add_run(CLI::App& app, Work& work) {
                    "Stop all axes where the communication hangs for so many seconds; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  verb->add_flag("--adopt-start", options->adopt_start,
+  verb->add_flag("--enable", options->machine.enable,
+                 "Enable every axis at the start; otherwise each waits, disabled, for that order");
+  verb->add_flag("--adopt-start", options->machine.adopt_start,
                  "At standstill, a table's first position is where the axis stands");
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Summary for machines");

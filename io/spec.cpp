@@ -89,7 +89,9 @@ void read_pvt(TomlReader& top, Spec& spec) {
 }
 
 void read_axis(TomlReader& top, Spec& spec) {
-  spec.subject = detail::read_axis(top.table("axis"), spec.units);
+  AxisSpec axis = detail::read_axis(top.table("axis"), spec.units);
+  axis.follow = detail::read_whom(top);
+  spec.subject = axis;
   spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
 }
 

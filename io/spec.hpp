@@ -12,6 +12,7 @@
 #include "jounce/cam/disc.hpp"
 #include "jounce/io/document.hpp"
 #include "jounce/io/hash.hpp"
+#include "jounce/io/machine_spec.hpp"
 #include "jounce/io/motion_spec.hpp"
 #include "jounce/io/parameters_spec.hpp"
 #include "jounce/io/shape_spec.hpp"
@@ -95,6 +96,7 @@ struct DiscPart {
 struct AxisSpec {
   double cycle = 1e-3;  ///< s
   double position = 0;  ///< where the axis stands at first
+  std::optional<FollowWhom> follow = {};  ///< its live master
 };
 
 /// A drive alone: for `jounce identify`, and what a cam is optimised against.

@@ -7,7 +7,7 @@ sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$2/cam.toml" > "$scratc
 "$1" stream "$scratch/long.toml" --to nobody --patience 8 2> "$scratch/err" && fail "nobody answered, yet it succeeded"
 grep -q no_answer "$scratch/err" || fail "the error is not no_answer: $(cat "$scratch/err")"
 
-"$1" run "$2/axis.toml" --log "$scratch/run.csv" --once --seconds 40 &
+"$1" run "$2/axis.toml" --enable --log "$scratch/run.csv" --once --seconds 40 &
 executor=$!
 sleep 0.5
 "$1" stream "$scratch/long.toml" --to feeder --inject-loss 0.9 --patience 20 > /dev/null 2>&1 &

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jounce/executor/desk.hpp"
+
+namespace jounce::cli {
+
+/// What `jounce run` is told besides the specs.
+struct MachineOptions {
+  std::vector<std::string> files;  ///< specs of kind "axis", or one of kind "machine"
+  std::string log;                 ///< empty: none
+  bool adopt_start = false;
+  bool enable = false;
+};
+
+/// The log of one axis: run.csv of one, run.feeder.csv, run.knife.csv of several.
+std::string log_of(const std::string& log, const std::string& axis, std::size_t axes);
+
+/// The axes of one executor, as their specs say. Throws InputError, with file, line and key where
+/// there is one: a file of another kind, a bad configuration, whom to follow that is not there, other
+/// units.
+std::vector<ExecutorOptions> axes_of(const MachineOptions& options);
+
+}  // namespace jounce::cli

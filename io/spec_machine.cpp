@@ -1,0 +1,82 @@
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/file.hpp"
+#include "jounce/io/machine_spec.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::TomlReader;
+
+const std::vector<std::string> sides{"setpoint", "actual"};
+
+bool is_machine(const Document& document) {
+  try {
+    const toml::table root = toml::parse(std::string_view(document.text));
+    return root["kind"].value<std::string>() == "machine";
+  } catch (const toml::parse_error&) {
+    return false;  // whoever reads it as something else says what is wrong
+  }
+}
+
+MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& folder) {
+  MachineSpec::Axis axis{.spec = reader.text("spec"), .key = reader.path("spec")};
+  axis.key.erase(axis.key.rfind('.'));
+  if (const std::filesystem::path given(axis.spec); given.is_relative())
+    axis.spec = (folder / given).string();
+  axis.follow = detail::read_whom(reader);
+  reader.finish();
+  return axis;
+}
+
+void read_body(TomlReader& top, MachineSpec& machine) {
+  detail::require_version(top);
+  (void)top.text("kind");
+  (void)top.optional_text("name");
+  const auto folder = std::filesystem::path(machine.document.name).parent_path();
+  for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
+  if (machine.axes.empty())
+    top.fail("axis", "", "is missing: a machine has an [[axis]] with a spec for each of its axes");
+  top.finish();
+}
+
+}  // namespace
+
+std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
+  auto table = owner.optional_table("follow");
+  if (!table) return std::nullopt;
+  FollowWhom whom;
+  if (table->has("axis") == table->has("master"))
+    table->fail("axis", "", "an axis follows either another axis or a master: name one of them");
+  if (table->has("master")) {
+    whom.master = table->text("master");
+  } else {
+    whom.axis = table->text("axis");
+    whom.actual = table->optional_choice("of", sides).value_or(0) == 1;
+  }
+  table->finish();
+  return whom;
+}
+
+std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
+  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}}, .axes = {}};
+  if (!is_machine(machine.document)) return std::nullopt;
+  const toml::table root = detail::parse_toml(machine.document);
+  TomlReader top(root, "", machine.document);
+  try {
+    read_body(top, machine);
+  } catch (const InputError& error) {
+    throw machine.document.located(error);
+  }
+  return machine;
+}
+
+std::optional<MachineSpec> read_machine(const std::string& path) {
+  return parse_machine(read_file(path), path);
+}
+
+}  // namespace jounce
