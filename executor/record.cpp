@@ -1,0 +1,386 @@
+#include "jounce/executor/record.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+
+#include "jounce_record/axis_t.hpp"
+#include "jounce_record/cycle_t.hpp"
+#include "jounce_record/job_t.hpp"
+#include "jounce_record/lost_t.hpp"
+#include "jounce_record/table_t.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace jounce_record;
+
+constexpr std::int16_t version = 1;
+constexpr std::size_t knots_an_event = 200;
+
+// ---- one list of fields a type, for both directions ----------------------------------------------
+
+/// f(name, ours, theirs) for every field.
+template <class Ours, class Theirs, class F>
+void each_input(Ours& c, Theirs& w, F f) {
+  f("id", c.command.id, w.id);
+  f("movement", c.movement, w.movement);
+  f("command", c.command.kind, w.command);
+  f("start_at", c.command.start_at, w.start_at);
+  f("at", c.command.at, w.at);
+  f("command_position", c.command.position, w.command_position);
+  f("relative", c.command.relative, w.relative);
+  f("factor", c.command.factor, w.factor);
+  f("move_velocity", c.command.dynamics.velocity, w.move_velocity);
+  f("move_acceleration", c.command.dynamics.acceleration, w.move_acceleration);
+  f("move_deceleration", c.command.dynamics.deceleration, w.move_deceleration);
+  f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
+  f("direction", c.command.direction, w.direction);
+  for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
+  f("drive_position", c.inputs.feedback.position, w.drive_position);
+  f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
+  f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
+  f("drive_ready", c.inputs.feedback.ready, w.drive_ready);
+  f("drive_fault", c.inputs.feedback.fault, w.drive_fault);
+  f("positive_switch", c.inputs.positive_switch, w.positive_switch);
+  f("negative_switch", c.inputs.negative_switch, w.negative_switch);
+  f("watchdog", c.inputs.watchdog, w.watchdog);
+}
+
+template <class TickOfOurs, class RefusalOfOurs, class Theirs, class F>
+void each_output(TickOfOurs& t, RefusalOfOurs& refused, Theirs& w, F f) {
+  f("tick", t.tick, w.tick);
+  f("time", t.time, w.time);
+  f("state", t.state, w.state);
+  f("position", t.position, w.position);
+  f("velocity", t.velocity, w.velocity);
+  f("acceleration", t.acceleration, w.acceleration);
+  f("master", t.master, w.master);
+  f("master_velocity", t.master_velocity, w.master_velocity);
+  f("job", t.job, w.job);
+  f("armed", t.armed, w.armed);
+  f("waiting", t.waiting, w.waiting);
+  f("progress", t.progress, w.progress);
+  f("fault", t.fault, w.fault);
+  f("skipped", t.skipped, w.skipped);
+  f("finished", t.finished, w.finished);
+  f("stopped", t.stopped, w.stopped);
+  f("reason", t.reason, w.reason);
+  f("override", t.override_, w.override_factor);
+  f("rate", t.rate, w.rate);
+  f("power", t.power, w.power);
+  f("offset", t.offset, w.offset);
+  f("actual_position", t.actual_position, w.actual_position);
+  f("following_error", t.following_error, w.following_error);
+  f("torque", t.torque, w.torque);
+  f("in_position", t.in_position, w.in_position);
+  f("outputs", t.switches.outputs, w.outputs);
+  f("refused", refused.cause, w.refused);
+  f("refused_value", refused.value, w.refused_value);
+  f("refused_limit", refused.limit, w.refused_limit);
+  f("refused_where", refused.where, w.refused_where);
+}
+
+template <class Ours, class Theirs, class F>
+void each_number(Ours& c, Theirs& w, F f) {
+  f("period", c.period, w.period);
+  f("longest_gap", c.longest_gap, w.longest_gap);
+  f("position", c.position, w.position);
+  f("position_min", c.limits.position_min, w.position_min);
+  f("position_max", c.limits.position_max, w.position_max);
+  f("velocity", c.limits.velocity, w.velocity);
+  f("acceleration", c.limits.acceleration, w.acceleration);
+  f("jerk", c.limits.jerk, w.jerk);
+  f("stop_acceleration", c.stop_acceleration, w.stop_acceleration);
+  f("stop_jerk", c.stop_jerk, w.stop_jerk);
+  f("abort_acceleration", c.abort_acceleration, w.abort_acceleration);
+  f("limit_acceleration", c.limit_acceleration, w.limit_acceleration);
+  f("modulo", c.modulo, w.modulo);
+  f("following_error", c.following_error, w.following_error);
+  f("following_time", c.following_time, w.following_time);
+  f("in_position", c.in_position, w.in_position);
+  f("in_position_time", c.in_position_time, w.in_position_time);
+}
+
+template <class Ours, class Theirs, class F>
+void each_coupling(Ours& c, Theirs& w, F f) {
+  f("start", c.start, w.start);
+  f("master_absolute", c.master_absolute, w.master_absolute);
+  f("slave_absolute", c.slave_absolute, w.slave_absolute);
+  f("master_scaling", c.master_scaling, w.master_scaling);
+  f("master_offset", c.master_offset, w.master_offset);
+  f("slave_scaling", c.slave_scaling, w.slave_scaling);
+  f("slave_offset", c.slave_offset, w.slave_offset);
+  f("velocity_diff", c.velocity_diff, w.velocity_diff);
+  f("acceleration", c.acceleration, w.acceleration);
+  f("deceleration", c.deceleration, w.deceleration);
+  f("jerk", c.jerk, w.jerk);
+  f("distance", c.distance, w.distance);
+  f("slave_period", c.slave_period, w.slave_period);
+  f("master_jump", c.master_jump, w.master_jump);
+}
+
+// ---- values ---------------------------------------------------------------------------------------
+
+template <class Enum>
+constexpr int count_of = 0;
+template <>
+constexpr int count_of<State> = static_cast<int>(states);
+template <>
+constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
+template <>
+constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
+template <>
+constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
+template <>
+constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
+template <>
+constexpr int count_of<Cause> = 256;
+template <>
+constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
+template <>
+constexpr int count_of<Axis> = 2;
+template <>
+constexpr int count_of<Rule> = 3;
+template <>
+constexpr int count_of<Outside> = 4;
+
+struct Put {
+  template <class Ours, class Theirs>
+  void operator()(const char* /*name*/, const Ours& ours, Theirs& theirs) const {
+    theirs = static_cast<Theirs>(ours);
+  }
+  void operator()(const char* /*name*/, const std::optional<double>& ours, double& theirs) const {
+    theirs = ours.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+struct Get {
+  template <class Ours, class Theirs>
+  void operator()(const char* name, Ours& ours, const Theirs& theirs) const {
+    if constexpr (std::is_enum_v<Ours>)
+      if (theirs < (std::is_same_v<Ours, Direction> ? -1 : 0) || theirs >= count_of<Ours>)
+        throw InputError(name, std::to_string(theirs), "is no value of this field");
+    ours = static_cast<Ours>(theirs);
+  }
+  void operator()(const char* /*name*/, std::optional<double>& ours, double theirs) const {
+    ours.reset();
+    if (!std::isnan(theirs)) ours = theirs;
+  }
+};
+
+template <std::size_t N>
+void put_text(const std::string& text, std::uint8_t (&bytes)[N]) {
+  std::memset(bytes, 0, N);
+  std::memcpy(bytes, text.data(), std::min(text.size(), N - 1));
+}
+
+template <std::size_t N>
+std::string get_text(const std::uint8_t (&bytes)[N]) {
+  return {bytes, std::find(bytes, bytes + N, 0)};
+}
+
+// ---- events ---------------------------------------------------------------------------------------
+
+axis_t on_wire(const RecordedAxis& a) {
+  axis_t w{};
+  w.version = version;
+  w.axis = static_cast<std::int16_t>(a.axis);
+  put_text(a.name, w.name);
+  put_text(a.units.position, w.position_unit);
+  put_text(a.units.x, w.master_unit);
+  w.whole = a.whole ? 1 : 0;
+  w.switches = a.switches ? 1 : 0;
+  each_number(a.config, w, Put{});
+  return w;
+}
+
+RecordedAxis ours(const axis_t& w) {
+  if (w.version != version)
+    throw InputError("version", std::to_string(w.version), "of the record's types must be 1");
+  RecordedAxis a{.axis = static_cast<std::size_t>(w.axis),
+                 .name = get_text(w.name),
+                 .units = {get_text(w.master_unit), get_text(w.position_unit)},
+                 .whole = w.whole != 0,
+                 .switches = w.switches != 0};
+  each_number(a.config, w, Get{});
+  return a;
+}
+
+/// The columns that there are: x, p, v, a.
+template <class C>
+auto columns_of(C& c) {
+  return std::array{&c.x, &c.p, &c.v, &c.a};
+}
+
+table_t on_wire(const RecordedTable& t) {
+  table_t w{};
+  std::copy(t.hash.begin(), t.hash.end(), w.hash);
+  put_text(t.units.x, w.x_unit);
+  put_text(t.units.position, w.position_unit);
+  w.over = static_cast<std::int8_t>(t.over);
+  w.rule = static_cast<std::int8_t>(t.rule);
+  w.outside = static_cast<std::int8_t>(t.outside);
+  w.knots = static_cast<std::int64_t>(t.knots);
+  w.first = static_cast<std::int64_t>(t.first);
+  w.count = static_cast<std::int32_t>(t.columns.x.size());
+  const auto columns = columns_of(t.columns);
+  for (std::size_t k = 0; k < columns.size() && !columns[k]->empty(); ++k) {
+    w.columns = static_cast<std::int8_t>(k + 1);
+    std::copy(columns[k]->begin(), columns[k]->end(), w.value[k]);
+  }
+  return w;
+}
+
+RecordedTable ours(const table_t& w) {
+  if (w.count < 1 || w.count > static_cast<int>(knots_an_event) || w.first < 0 ||
+      w.knots < w.first + w.count || w.knots > 1'000'000'000)
+    throw InputError("knots",
+                     std::to_string(w.first) + " and " + std::to_string(w.count) + " of " +
+                         std::to_string(w.knots),
+                     "is no part of a table");
+  if (w.columns < 2 || w.columns > 4)
+    throw InputError("columns", std::to_string(w.columns), "must be 2, 3 or 4");
+  RecordedTable t{.units = {get_text(w.x_unit), get_text(w.position_unit)},
+                  .knots = static_cast<std::size_t>(w.knots),
+                  .first = static_cast<std::size_t>(w.first)};
+  std::copy(std::begin(w.hash), std::end(w.hash), t.hash.begin());
+  Get{}("over", t.over, w.over);
+  Get{}("rule", t.rule, w.rule);
+  Get{}("outside", t.outside, w.outside);
+  const auto columns = columns_of(t.columns);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(w.columns); ++k)
+    columns[k]->assign(w.value[k], w.value[k] + w.count);
+  return t;
+}
+
+job_t on_wire(const RecordedJob& j) {
+  job_t w{};
+  w.axis = static_cast<std::int16_t>(j.axis);
+  w.id = static_cast<std::int64_t>(j.id);
+  std::copy(j.time.begin(), j.time.end(), w.time);
+  if (j.cam) std::copy(j.cam->begin(), j.cam->end(), w.cam);
+  w.tick = j.tick;
+  w.position = j.position;
+  each_coupling(j.coupling, w, Put{});
+  return w;
+}
+
+RecordedJob ours(const job_t& w) {
+  RecordedJob j{.axis = static_cast<std::size_t>(w.axis),
+                .id = static_cast<std::uint64_t>(w.id),
+                .tick = w.tick,
+                .position = w.position};
+  std::copy(std::begin(w.time), std::end(w.time), j.time.begin());
+  if (std::any_of(std::begin(w.cam), std::end(w.cam), [](std::uint8_t b) { return b != 0; })) {
+    j.cam.emplace();
+    std::copy(std::begin(w.cam), std::end(w.cam), j.cam->begin());
+  }
+  each_coupling(j.coupling, w, Get{});
+  return j;
+}
+
+cycle_t on_wire(const RecordedCycle& c) {
+  cycle_t w{};
+  w.axis = static_cast<std::int16_t>(c.axis);
+  const Refusal refused = c.tick.refused.value_or(Refusal{});
+  each_input(c, w, Put{});
+  each_output(c.tick, refused, w, Put{});
+  return w;
+}
+
+RecordedCycle ours(const cycle_t& w) {
+  RecordedCycle c{.axis = static_cast<std::size_t>(w.axis)};
+  Refusal refused;
+  each_input(c, w, Get{});
+  each_output(c.tick, refused, w, Get{});
+  if (refused.cause != Cause::none) c.tick.refused = refused;
+  return c;
+}
+
+lost_t on_wire(const RecordedLoss& l) {
+  lost_t w{};
+  w.cycles = l.cycles;
+  return w;
+}
+
+RecordedLoss ours(const lost_t& w) {
+  return {w.cycles};
+}
+
+constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
+    "JOUNCE.axis", "JOUNCE.table", "JOUNCE.job", "JOUNCE.cycle", "JOUNCE.lost"};
+
+template <class Wire>
+std::string bytes_of(const Wire& w) {
+  std::string bytes(static_cast<std::size_t>(w.getEncodedSize()), '\0');
+  w.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  return bytes;
+}
+
+/// Fixed-size types only: their decoder cannot be led beyond the bytes.
+template <class Wire>
+RecordEvent event_of(std::string_view channel, std::string_view bytes) {
+  Wire w{};
+  const bool fits = bytes.size() == static_cast<std::size_t>(w.getEncodedSize());
+  if (!fits || w.decode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0)
+    throw InputError("event", std::string(channel), "is not of the type that this channel has");
+  return ours(w);
+}
+
+std::int16_t axis_of(const RecordEvent& event) {
+  return std::visit(
+      [](const auto& e) -> std::int16_t {
+        if constexpr (requires { e.axis; }) return static_cast<std::int16_t>(e.axis);
+        return 0;
+      },
+      event);
+}
+
+}  // namespace
+
+std::string_view channel_of(const RecordEvent& event) {
+  return channels[event.index()];
+}
+
+std::string encoded(const RecordEvent& event) {
+  return std::visit([](const auto& e) { return bytes_of(on_wire(e)); }, event);
+}
+
+std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes) {
+  const auto it = std::find(channels.begin(), channels.end(), channel);
+  if (it == channels.end()) return std::nullopt;
+  using Decode = RecordEvent (*)(std::string_view, std::string_view);
+  constexpr std::array<Decode, channels.size()> decoders{
+      event_of<axis_t>, event_of<table_t>, event_of<job_t>, event_of<cycle_t>, event_of<lost_t>};
+  RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
+  if (axis_of(event) < 0)
+    throw InputError("axis", std::to_string(axis_of(event)), "must not be negative");
+  return event;
+}
+
+std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
+                                               bool switches) {
+  const cycle_t was = on_wire(RecordedCycle{.tick = recorded});
+  const Refusal refused = replayed.refused.value_or(Refusal{});
+  std::optional<TickDifference> found;
+  each_output(replayed, refused, was,
+              [&](std::string_view name, const auto& ours, const auto& theirs) {
+                using T = std::decay_t<decltype(theirs)>;
+                const auto now = static_cast<T>(ours);
+                bool same = now == theirs;
+                if constexpr (std::is_same_v<T, double>)
+                  same = std::bit_cast<std::uint64_t>(now) == std::bit_cast<std::uint64_t>(theirs);
+                if (same || found || (name == "outputs" && !switches)) return;
+                found = {std::string(name), static_cast<double>(theirs), static_cast<double>(now)};
+              });
+  return found;
+}
+
+}  // namespace jounce

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "jounce/executor/axis.hpp"
+#include "jounce/executor/job.hpp"
+#include "jounce/io/hash.hpp"
+
+namespace jounce {
+
+/// What a record of a run consists of: one event each, in the order in which it happened. A record is an
+/// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
+/// docs/executor/replay.md says it all again for people. Ticks are its only time: the events' time stamps are
+/// tick * period in us, whatever the clock did.
+
+/// What an axis was started with; comes before all else of that axis.
+struct RecordedAxis {
+  std::size_t axis = 0;  ///< counted from 0
+  std::string name = {};
+  Units units = {};  ///< x: the master's
+  AxisConfig config = {};
+  bool whole = true;      ///< false: a black box, which begins in the middle of a run
+  bool switches = false;  ///< it has cam switches: their outputs are recorded, but not replayed
+};
+
+/// A table, or a part of a large one: 200 knots an event.
+struct RecordedTable {
+  Sha256 hash{};
+  Units units = {};
+  Axis over = Axis::time;
+  Rule rule = Rule::linear;
+  Outside outside = Outside::hold;
+  std::size_t knots = 0;
+  std::size_t first = 0;
+  Columns columns = {};  ///< of this part
+};
+
+/// What a Job is made from; its tables by their hashes.
+struct RecordedJob {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  Sha256 time{};
+  std::optional<Sha256> cam = {};
+  double tick = 1e-3;
+  CouplingSpec coupling = {};
+  double position = 0;
+};
+
+/// One axis in one tick: what it was told, what it saw, what it said. The command's movement goes by its
+/// number; `tick` has neither the edges of its switches nor what was handed back.
+struct RecordedCycle {
+  std::size_t axis = 0;
+  Command command = {};
+  std::uint64_t movement = 0;
+  Inputs inputs = {};
+  Tick tick = {};
+};
+
+/// Cycles that are missing here.
+struct RecordedLoss {
+  std::int64_t cycles = 0;
+};
+
+using RecordEvent =
+    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss>;
+
+/// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
+std::string_view channel_of(const RecordEvent& event);
+std::string encoded(const RecordEvent& event);
+/// Nothing for a channel that is none of ours. Throws InputError for bytes that no event has.
+std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes);
+
+/// A field of a tick in which two differ, to the last bit.
+struct TickDifference {
+  std::string field;  ///< "position", "state", ..., as in cycle_t
+  double recorded = 0;
+  double replayed = 0;
+};
+/// The first one, in the order of cycle_t. `switches`: the outputs of cam switches count, too.
+std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
+                                               bool switches = true);
+
+}  // namespace jounce

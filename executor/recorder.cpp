@@ -1,0 +1,192 @@
+#include "jounce/executor/recorder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "jounce/executor/detail/lcm_log.hpp"
+#include "jounce/io/file.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::size_t buffered = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t knots_an_event = 200;
+
+bool regular_or_new(const std::filesystem::path& path) {
+  std::error_code none;
+  return !std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none);
+}
+
+std::vector<double> part(const std::vector<double>& column, std::size_t first, std::size_t count) {
+  if (column.empty()) return {};
+  const auto begin = column.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
+               const Tick& tick) noexcept {
+  Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick},
+            .lost_before = lost_};
+  // By its number: the movement may be gone when the other thread looks.
+  if (command.movement != nullptr) item.cycle.movement = command.movement->id();
+  item.cycle.command.movement = nullptr;
+  item.cycle.tick.handed_back = {};
+  lost_ = items_.push(item) ? 0 : lost_ + 1;
+}
+
+Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape)
+    : options_(std::move(options)), axes_(std::move(axes)), tape_(tape), boxes_(axes_.size()) {
+  if (options_.black_box && options_.black_box_cycles == 0)
+    throw InputError("black_box_cycles", "0", "must be at least 1");
+  if (!options_.log) return;
+  part_ = *options_.log;
+  if (regular_or_new(part_)) part_ += ".part";
+  file_.open(part_, std::ios::binary | std::ios::trunc);
+  if (!file_)
+    throw std::system_error(errno, std::generic_category(), "cannot write " + part_.string());
+  for (const RecordedAxis& axis : axes_) write(axis, 0);
+}
+
+Recorder::~Recorder() {
+  flush();
+}
+
+void Recorder::job(const RecordedJob& job, const std::shared_ptr<const Table>& time,
+                   const Units& time_units, const std::shared_ptr<const Table>& cam,
+                   const Units& cam_units) {
+  if (!file_.is_open()) return;
+  RecordedJob with_hashes = job;
+  const auto add = [&](const Table& table, const Units& units) {
+    const Sha256 hash = content_hash(table, units);
+    if (!tables_.insert(hash).second) return hash;
+    const Columns& c = table.columns();
+    for (std::size_t first = 0; first < table.size(); first += knots_an_event) {
+      const std::size_t count = std::min(knots_an_event, table.size() - first);
+      write(RecordedTable{hash,
+                          units,
+                          table.axis(),
+                          table.rule(),
+                          table.outside(),
+                          table.size(),
+                          first,
+                          {part(c.x, first, count), part(c.p, first, count),
+                           part(c.v, first, count), part(c.a, first, count)}},
+            now_);
+    }
+    return hash;
+  };
+  with_hashes.time = add(*time, time_units);
+  if (cam) with_hashes.cam = add(*cam, cam_units);
+  write(with_hashes, now_);
+}
+
+void Recorder::turn() {
+  for (Tape::Item item; tape_.items_.pop(item);) {
+    const RecordedCycle& cycle = item.cycle;
+    now_ = static_cast<std::int64_t>(cycle.tick.time * 1e6);
+    if (item.lost_before > 0) {
+      if (lost_ == 0 && options_.notify) options_.notify("cycles are missing from the record");
+      lost_ += item.lost_before;
+      write(RecordedLoss{item.lost_before}, now_);
+    }
+    const std::string data = encoded(cycle);
+    write(channel_of(cycle), data, now_);
+    if (options_.black_box && cycle.axis < boxes_.size()) keep(cycle, data, now_);
+  }
+}
+
+void Recorder::close() {
+  turn();
+  flush();
+  if (!file_.is_open()) return;
+  file_.close();
+  if (!file_) return fail("cannot write " + part_.string());
+  if (part_ == *options_.log) return;
+  std::error_code error;
+  std::filesystem::rename(part_, *options_.log, error);
+  if (error) fail("cannot rename " + part_.string() + ": " + error.message());
+}
+
+void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
+  write(channel_of(event), encoded(event), microseconds);
+}
+
+void Recorder::write(std::string_view channel, const std::string& data, std::int64_t microseconds) {
+  if (!file_.is_open()) return;
+  detail::append(buffer_, number_++, microseconds, channel, data);
+  if (buffer_.size() >= buffered) flush();
+}
+
+void Recorder::flush() {
+  if (!file_.is_open() || buffer_.empty()) return;
+  errno = 0;
+  file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.flush();
+  buffer_.clear();
+  if (file_) return;
+  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  file_.close();
+  fail("the record ends here: cannot write " + part_.string() + why);
+}
+
+void Recorder::fail(const std::string& what) {
+  if (!trouble_.empty()) return;
+  trouble_ = what;
+  if (options_.notify) options_.notify(what);
+}
+
+// ---- black box ------------------------------------------------------------------------------------
+
+void Recorder::keep(const RecordedCycle& cycle, const std::string& data,
+                    std::int64_t microseconds) {
+  Box& box = boxes_[cycle.axis];
+  if (box.kept.size() < options_.black_box_cycles) {
+    box.kept.push_back(data);
+    box.microseconds.push_back(microseconds);
+  } else {
+    box.kept[box.count % box.kept.size()] = data;
+    box.microseconds[box.count % box.kept.size()] = microseconds;
+  }
+  ++box.count;
+  const bool failed = cycle.tick.fault != Cause::none && box.fault == Cause::none;
+  box.fault = cycle.tick.fault;
+  if (failed) write_black_box();
+}
+
+void Recorder::write_black_box() {
+  std::string bytes;
+  std::int64_t number = 0;
+  for (RecordedAxis axis : axes_) {
+    axis.whole = false;
+    detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
+  }
+  struct Entry {
+    std::int64_t microseconds;
+    const std::string* data;
+  };
+  std::vector<Entry> entries;
+  for (const Box& box : boxes_) {
+    const std::size_t oldest = box.count > box.kept.size() ? box.count % box.kept.size() : 0;
+    for (std::size_t i = 0; i < box.kept.size(); ++i) {
+      const std::size_t k = (oldest + i) % box.kept.size();
+      entries.push_back({box.microseconds[k], &box.kept[k]});
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.microseconds < b.microseconds; });
+  for (const Entry& e : entries)
+    detail::append(bytes, number++, e.microseconds, channel_of(RecordedCycle{}), *e.data);
+  try {
+    write_file(options_.black_box->string(), bytes);
+    if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());
+  } catch (const std::system_error& error) {
+    fail(std::string("no black box: ") + error.what());
+  }
+}
+
+}  // namespace jounce

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "jounce/executor/record.hpp"
+#include "jounce/executor/ring.hpp"
+
+namespace jounce {
+
+/// What passes from the cyclic thread to the record: cycles, and how many found it full.
+///
+///     tape.add(i, command, inputs, tick);          // the cyclic thread, after every step of an axis
+class Tape {
+ public:
+  static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
+
+  /// Neither allocates nor waits; a cycle that finds no room is lost and counted.
+  void add(std::size_t axis, const Command& command, const Inputs& inputs,
+           const Tick& tick) noexcept;
+
+ private:
+  friend class Recorder;
+  struct Item {
+    RecordedCycle cycle;
+    std::int64_t lost_before = 0;
+  };
+
+  Ring<Item, capacity> items_;
+  std::int64_t lost_ = 0;  // since the last item that found room; of the cyclic thread
+};
+
+struct RecorderOptions {
+  std::optional<std::filesystem::path> log = {};  ///< of the whole run; none: not kept
+  std::optional<std::filesystem::path> black_box =
+      {};                               ///< written when a fault comes; none: not kept
+  std::size_t black_box_cycles = 2000;  ///< of each axis, that it holds
+  std::function<void(const std::string&)> notify = {};  ///< what happens, in words
+};
+
+/// Writes what the cyclic thread did, on the side that communicates:
+///
+///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, tape);
+///     recorder.job(0, id, time_table, units, nullptr, ...);   // before its arm is sent to the axis
+///     recorder.turn();                                         // often: takes what is on the tape
+///     recorder.close();
+///
+/// **The log** grows as LOG.part and has its name when it is closed: of an executor that was killed, LOG.part is a
+/// record all the same, cut off somewhere. A path that exists and is no regular file is written to directly. A
+/// disk that refuses ends the log, said once by `notify`, and nothing else: the motion goes on.
+///
+/// **The black box** has the last cycles of every axis. It is written when an axis comes into a fault (each new fault
+/// replaces it; its last cycle is the fault's), under a temporary name first.
+///
+/// What was lost on the way to the tape is written as such: a replay ends there.
+class Recorder {
+ public:
+  /// Throws InputError for a black box of 0 cycles, std::system_error where the log cannot be made.
+  Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// What a Job is made from, with the very arguments of its constructor. Tables are written once.
+  void job(const RecordedJob& job, const std::shared_ptr<const Table>& time,
+           const Units& time_units, const std::shared_ptr<const Table>& cam = nullptr,
+           const Units& cam_units = {});
+  void turn();
+  /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
+  void close();
+
+  /// Why a file could not be written; empty: all is well.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< cycles
+
+ private:
+  /// The last encoded cycles of one axis.
+  struct Box {
+    std::vector<std::string> kept;
+    std::vector<std::int64_t> microseconds;
+    std::size_t count = 0;
+    Cause fault = Cause::none;
+  };
+
+  void write(const RecordEvent& event, std::int64_t microseconds);
+  void write(std::string_view channel, const std::string& data, std::int64_t microseconds);
+  void flush();
+  void keep(const RecordedCycle& cycle, const std::string& data, std::int64_t microseconds);
+  void write_black_box();
+  void fail(const std::string& what);
+
+  RecorderOptions options_;
+  std::vector<RecordedAxis> axes_;
+  Tape& tape_;
+  std::filesystem::path part_;
+  std::ofstream file_;
+  std::string buffer_;
+  std::int64_t number_ = 0;
+  std::int64_t now_ = 0;  // us
+  std::set<Sha256> tables_;
+  std::vector<Box> boxes_;
+  std::string trouble_;
+  std::int64_t lost_ = 0;
+};
+
+}  // namespace jounce

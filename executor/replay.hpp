@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/executor/record.hpp"
+
+namespace jounce {
+
+/// What came of replaying a record.
+struct Replay {
+  /// The first tick that came out otherwise.
+  struct Difference {
+    std::size_t axis = 0;  ///< counted from 0
+    std::int64_t tick = 0;
+    TickDifference what = {};
+  };
+
+  std::vector<RecordedAxis> axes = {};
+  std::int64_t cycles = 0;    ///< in the record, of all axes together
+  std::int64_t compared = 0;  ///< of them executed again
+  std::optional<Difference> difference = {};
+  /// Why not all of it was executed again, a sentence; empty: all was, or it differs.
+  std::string shorter = {};
+  std::optional<std::int64_t> first_tick = {};
+  std::int64_t last_tick = 0;
+
+  /// Executed to its end, and equal to the last bit.
+  [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
+};
+
+/// Executes a record again: every axis, a pure function of what it was told and saw, in every tick, and
+/// compares what it says to the last bit.
+///
+///     std::ifstream file("run.lcmlog", std::ios::binary);
+///     const Replay r = replay(file, "run.lcmlog");
+///     if (r.difference) std::cerr << r.difference->what.field;
+///
+/// `watch` is called with every cycle of the record, also after a difference and of a black box, which begins in
+/// the middle of a run and cannot be executed again. A record is read as a stream: its length does not matter.
+///
+/// What ends the execution early, but not the reading: cycles that were lost, a movement that is not in the
+/// record (only jobs of tables are), a file that is cut off.
+///
+/// Throws InputError, with the event's number and place, for what is no LCM log, a damaged one, one without our
+/// events, tables that do not have their hash, and an axis that cannot be configured as recorded.
+Replay replay(std::istream& in, const std::string& name,
+              const std::function<void(const RecordedCycle&)>& watch = {});
+
+}  // namespace jounce

@@ -1,0 +1,478 @@
+#include "jounce/executor/record.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
+#include <unistd.h>
+
+#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/replay.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "executor/tables.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using test::Kind;
+using ::testing::HasSubstr;
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Replay replayed(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return replay(in, "test.lcmlog");
+}
+
+/// A folder of its own, with axes that are recorded while they run.
+class Recorded : public ::testing::Test {
+ protected:
+  Recorded() { std::filesystem::create_directories(folder_); }
+  ~Recorded() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path path(const char* name) const { return folder_ / name; }
+
+  void start(RecorderOptions options, std::size_t count = 1) {
+    std::vector<RecordedAxis> axes;
+    for (std::size_t i = 0; i < count; ++i) {
+      axes.push_back({.axis = i,
+                      .name = "axis" + std::to_string(i),
+                      .units = {"deg", "mm"},
+                      .config = config_});
+      motions_.push_back(std::make_unique<MotionAxis>(config_));
+    }
+    options.notify = [this](const std::string& notice) { notices_.push_back(notice); };
+    recorder_ = std::make_unique<Recorder>(options, axes, *tape_);
+  }
+
+  Tick step(const Command& command = {}, const Inputs& inputs = {}, std::size_t axis = 0) {
+    const Tick tick = motions_[axis]->step(tick_, command, inputs);
+    tape_->add(axis, command, inputs, tick);
+    return tick;
+  }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      for (std::size_t axis = 0; axis < motions_.size(); ++axis) step({}, {}, axis);
+      next();
+    }
+  }
+  void tell(const Command& command, std::size_t axis = 0) {
+    for (std::size_t i = 0; i < motions_.size(); ++i) step(i == axis ? command : Command{}, {}, i);
+    next();
+  }
+  void next() {
+    ++tick_;
+    recorder_->turn();
+  }
+
+  /// The cam of the PMC600 behind a master at constant velocity, as `axis` is about to arm it.
+  Movement* cam(std::uint64_t id, std::size_t axis = 0) {
+    const auto master = test::constant_master(360, 720);
+    const auto slave =
+        test::table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+                    {{0, 120, 180, 300, 360}, {0, 90, 90, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
+    jobs_.push_back(std::make_unique<Job>(id, master, slave));
+    recorder_->job({.axis = axis, .id = id}, master, {"s", "deg"}, slave, {"deg", "mm"});
+    return jobs_.back().get();
+  }
+
+  AxisConfig config_{.limits = test::limits(1e4, 1e6), .position = 0};
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("jounce-record-" + std::to_string(getpid()));
+  std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
+  std::unique_ptr<Recorder> recorder_;
+  std::vector<std::unique_ptr<MotionAxis>> motions_;
+  std::vector<std::unique_ptr<Job>> jobs_;
+  std::vector<std::string> notices_;
+  std::int64_t tick_ = 0;
+};
+
+TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
+  start({.log = path("run.lcmlog")}, 2);
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::enable}, 1);
+  tell({.kind = Kind::arm, .movement = cam(7)});
+  tell({.kind = Kind::start});
+  run(100);
+  tell({.kind = Kind::arm, .movement = cam(7, 1)}, 1);  // the same number on another axis
+  tell({.kind = Kind::start, .at = tick_ + 20}, 1);
+  run(200);
+  tick_ += 13;  // a late cycle
+  run(50);
+  tell({.kind = Kind::stop}, 1);
+  run(300);
+  tell({.kind = Kind::start});  // refused: nothing is armed
+  tell({.kind = Kind::set_position, .position = 12.5});
+  tell({.kind = Kind::abort});
+  run(5);
+  EXPECT_FALSE(std::filesystem::exists(path("run.lcmlog"))) << "not before it is closed";
+  recorder_->close();
+  EXPECT_EQ(recorder_->trouble(), "");
+  EXPECT_FALSE(std::filesystem::exists(path("run.lcmlog.part")));
+
+  const Replay result = replayed(bytes_of(path("run.lcmlog")));
+  EXPECT_TRUE(result.same()) << result.shorter
+                             << (result.difference ? result.difference->what.field : "");
+  ASSERT_EQ(result.axes.size(), 2U);
+  EXPECT_EQ(result.axes[1].name, "axis1");
+  EXPECT_EQ(result.axes[1].units.position, "mm");
+  EXPECT_EQ(result.cycles, result.compared);
+  EXPECT_EQ(result.first_tick, 0);
+  EXPECT_EQ(result.last_tick, tick_ - 1);
+}
+
+TEST_F(Recorded, LcmsOwnReaderReadsIt) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  run(10);
+  recorder_->close();
+  lcm::LogFile log(path("run.lcmlog").string(), "r");
+  ASSERT_TRUE(log.good());
+  std::vector<std::string> channels;
+  std::int64_t number = 0;
+  while (const lcm::LogEvent* event = log.readNextEvent()) {
+    EXPECT_EQ(event->eventnum, number++);
+    channels.emplace_back(event->channel);
+    const std::string_view data(static_cast<const char*>(event->data),
+                                static_cast<std::size_t>(event->datalen));
+    EXPECT_TRUE(decoded(event->channel, data));
+    EXPECT_TRUE(event->timestamp % 1000 == 0 && event->timestamp <= 11'000);
+  }
+  ASSERT_EQ(channels.size(), 1U + 1U + 2U + 1U + 11U);
+  EXPECT_EQ(channels[0], "JOUNCE.axis");
+  EXPECT_THAT(channels, ::testing::Contains("JOUNCE.job"));
+}
+
+TEST_F(Recorded, TheFirstDifferenceIsFound) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({.kind = Kind::start});
+  run(200);
+  recorder_->close();
+  // One bit of the position of one tick, by our own events: the last digit.
+  lcm::LogFile log(path("run.lcmlog").string(), "r");
+  {
+    lcm::LogFile out(path("forged.lcmlog").string(), "w");
+    while (const lcm::LogEvent* event = log.readNextEvent()) {
+      std::string data(static_cast<const char*>(event->data),
+                       static_cast<std::size_t>(event->datalen));
+      auto record = *decoded(event->channel, data);
+      if (auto* cycle = std::get_if<RecordedCycle>(&record);
+          cycle != nullptr && cycle->tick.tick == 150) {
+        cycle->tick.position = std::nextafter(cycle->tick.position, 1e9);
+        data = encoded(record);
+      }
+      lcm::LogEvent copy = *event;
+      copy.data = data.data();
+      out.writeEvent(&copy);
+    }
+  }
+  const Replay result = replayed(bytes_of(path("forged.lcmlog")));
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->tick, 150);
+  EXPECT_EQ(result.difference->what.field, "position");
+  EXPECT_EQ(result.difference->what.recorded,
+            std::nextafter(result.difference->what.replayed, 1e9));
+  EXPECT_EQ(result.cycles, 203) << "the rest is read all the same";
+  EXPECT_EQ(result.compared, 151);
+}
+
+TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({.kind = Kind::start});
+  run(50);
+  recorder_->close();
+  const std::string whole = bytes_of(path("run.lcmlog"));
+  const Replay cut = replayed(whole.substr(0, whole.size() - 5));
+  EXPECT_FALSE(cut.difference);
+  EXPECT_THAT(cut.shorter, HasSubstr("cut off"));
+  EXPECT_EQ(cut.compared, 52);
+  EXPECT_EQ(cut.last_tick, 51);
+  int errors = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    try {
+      const Replay some = replayed(whole.substr(0, size));
+      EXPECT_FALSE(some.difference) << size;
+    } catch (const InputError&) {
+      ++errors;  // not even the axis is there
+    }
+  }
+  EXPECT_LE(errors, 6);
+  EXPECT_GT(errors, 0);
+}
+
+TEST_F(Recorded, WhatIsDamagedIsAnErrorOrADifferenceAndNeverACrash) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({.kind = Kind::start});
+  run(20);
+  recorder_->close();
+  const std::string whole = bytes_of(path("run.lcmlog"));
+  testing::Random random(714);
+  int same = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string damaged = whole;
+    const std::size_t at = random.next() % whole.size();
+    const auto bit = static_cast<unsigned char>(1U << (random.next() % 8));
+    damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ bit);
+    SCOPED_TRACE(::testing::Message() << "byte " << at << ", bit " << static_cast<int>(bit));
+    try {
+      same += replayed(damaged).same();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("test.lcmlog"));
+    }
+  }
+  EXPECT_LT(same, 3000)
+      << "the rest are bytes without a meaning: time stamps, names, unused inputs";
+}
+
+TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
+  EXPECT_THROW(replayed(""), InputError);
+  EXPECT_THROW(replayed("tick,time [s],state\n0,0,disabled,and so on for a while\n"), InputError);
+  start({.log = path("run.lcmlog")});
+  run(3);
+  recorder_->close();
+  {
+    lcm::LogFile log(path("run.lcmlog").string(), "r");
+    lcm::LogFile out(path("mixed.lcmlog").string(), "w");
+    while (const lcm::LogEvent* event = log.readNextEvent()) {
+      lcm::LogEvent other = *event;
+      other.channel = "CAMERA";
+      out.writeEvent(&other);
+      lcm::LogEvent copy = *event;
+      out.writeEvent(&copy);
+    }
+  }
+  EXPECT_EQ(replayed(bytes_of(path("mixed.lcmlog"))).compared, 3);
+}
+
+TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
+  std::string bytes;
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  (void)cam(1);
+  recorder_->close();
+  bytes = bytes_of(path("run.lcmlog"));
+  EXPECT_TRUE(replayed(bytes).same());
+  const double ninety = 90;  // a knot of the cam, big-endian
+  std::string knot(8, '\0');
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &ninety, 8);
+  for (std::size_t i = 0; i < 8; ++i) knot[i] = static_cast<char>(bits >> (56 - 8 * i));
+  const std::size_t at = bytes.find(knot);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 7] = 1;
+  try {
+    replayed(bytes);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("does not have the hash"));
+  }
+}
+
+TEST_F(Recorded, AMovementThatIsNotInTheRecordEndsTheReplayAndIsSaid) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  Job unknown(5, test::there_and_back(0, 10, 1, Outside::hold));
+  tell({.kind = Kind::arm, .movement = &unknown});
+  run(10);
+  recorder_->close();
+  const Replay result = replayed(bytes_of(path("run.lcmlog")));
+  EXPECT_FALSE(result.same());
+  EXPECT_FALSE(result.difference);
+  EXPECT_THAT(result.shorter, HasSubstr("movement 5"));
+  EXPECT_EQ(result.compared, 1);
+  EXPECT_EQ(result.cycles, 12);
+}
+
+TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
+  start({.log = path("run.lcmlog")});
+  const auto burst = [&](std::size_t cycles) {
+    for (std::size_t i = 0; i < cycles; ++i) {
+      step();
+      ++tick_;
+    }
+  };
+  burst(Tape::capacity + 100);
+  recorder_->turn();
+  EXPECT_EQ(recorder_->lost(), 0) << "it is told with the next one that finds room";
+  burst(10);
+  recorder_->turn();
+  EXPECT_EQ(recorder_->lost(), 100);
+  recorder_->close();
+  EXPECT_EQ(notices_.size(), 1U);
+  const Replay result = replayed(bytes_of(path("run.lcmlog")));
+  EXPECT_EQ(result.compared, static_cast<std::int64_t>(Tape::capacity));
+  EXPECT_EQ(result.cycles, static_cast<std::int64_t>(Tape::capacity) + 10);
+  EXPECT_THAT(result.shorter, HasSubstr("100 cycles found no room"));
+}
+
+TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
+  start({.log = "/dev/full"});
+  tell({.kind = Kind::enable});
+  run(5000);
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({.kind = Kind::start});
+  run(100);
+  EXPECT_EQ(motions_[0]->state(), State::synchronized_motion);
+  recorder_->close();
+  EXPECT_THAT(recorder_->trouble(), HasSubstr("No space left"));
+  EXPECT_EQ(notices_.size(), 1U) << "said once";
+}
+
+TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
+  start({.black_box = path("box.lcmlog"), .black_box_cycles = 50}, 2);
+  tell({.kind = Kind::enable});
+  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({.kind = Kind::start});
+  run(200);
+  EXPECT_FALSE(std::filesystem::exists(path("box.lcmlog")));
+  tell({.kind = Kind::abort});
+  ASSERT_TRUE(std::filesystem::exists(path("box.lcmlog")));
+  const std::string box = bytes_of(path("box.lcmlog"));
+  std::vector<RecordedCycle> seen;
+  std::istringstream in(box);
+  const Replay result = replay(in, "box", [&](const RecordedCycle& cycle) {
+    if (cycle.axis == 0) seen.push_back(cycle);
+  });
+  EXPECT_FALSE(result.axes[0].whole);
+  EXPECT_EQ(result.compared, 0);
+  EXPECT_THAT(result.shorter, HasSubstr("black box"));
+  ASSERT_EQ(seen.size(), 50U);
+  EXPECT_EQ(seen.back().tick.fault, Cause::aborted);
+  EXPECT_EQ(seen.back().tick.tick, tick_ - 1);
+  EXPECT_EQ(seen[48].tick.fault, Cause::none);
+  for (std::size_t i = 1; i < seen.size(); ++i)
+    EXPECT_EQ(seen[i].tick.tick, seen[i - 1].tick.tick + 1);
+  run(20);
+  EXPECT_EQ(bytes_of(path("box.lcmlog")), box) << "a fault that stays is not another one";
+  tell({.kind = Kind::reset});
+  tell({.kind = Kind::abort});
+  EXPECT_NE(bytes_of(path("box.lcmlog")), box) << "a new one is";
+}
+
+TEST_F(Recorded, BadPathsAndNumbersAreRefusedAtOnce) {
+  EXPECT_THROW(start({.log = path("no/such/folder.lcmlog")}), std::system_error);
+  EXPECT_THROW(start({.black_box = path("box"), .black_box_cycles = 0}), InputError);
+}
+
+TEST(RecordedEvents, ComeBackAsTheyWere) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  RecordedCycle cycle{.axis = 3, .movement = 99};
+  cycle.command = {.kind = Kind::move_absolute,
+                   .id = 77,
+                   .start_at = StartAt::master_position,
+                   .at = 12345,
+                   .position = -0.1,
+                   .relative = true,
+                   .factor = 0.3,
+                   .dynamics = {1.1, 2.2, 3.3, 4.4},
+                   .direction = Direction::negative};
+  cycle.inputs = {
+      .master = {1.5, -2.5, nan, 4.5},
+      .feedback = {.position = 0.1, .velocity = nan, .torque = -0.7, .ready = false, .fault = true},
+      .positive_switch = true,
+      .watchdog = true};
+  cycle.tick.tick = 1LL << 40;
+  cycle.tick.position = 1.0 / 3;
+  cycle.tick.fault = Cause::overspeed;
+  cycle.tick.override_ = 0.7;
+  cycle.tick.switches.outputs = 0x80000001;
+  cycle.tick.refused = Refusal{Cause::not_armed, 1, nan, 3};
+  const auto back = std::get<RecordedCycle>(*decoded("JOUNCE.cycle", encoded(cycle)));
+  EXPECT_EQ(encoded(back), encoded(cycle));
+  EXPECT_EQ(back.command.direction, Direction::negative);
+  EXPECT_EQ(back.command.dynamics.deceleration, 3.3);
+  EXPECT_EQ(back.inputs.feedback.torque, -0.7);
+  EXPECT_TRUE(back.inputs.positive_switch);
+  EXPECT_FALSE(back.inputs.negative_switch);
+  EXPECT_EQ(back.tick.switches.outputs, 0x80000001U);
+  EXPECT_EQ(back.tick.refused->where, 3);
+  EXPECT_FALSE(first_difference(cycle.tick, back.tick)) << "NaN is NaN";
+
+  Tick other = cycle.tick;
+  other.switches.outputs = 1;
+  EXPECT_EQ(first_difference(cycle.tick, other)->field, "outputs");
+  EXPECT_FALSE(first_difference(cycle.tick, other, false));
+  other.position = -0.0;
+  Tick zero = other;
+  zero.position = 0;
+  EXPECT_EQ(first_difference(zero, other)->field, "position") << "to the bit: -0 is not 0";
+}
+
+TEST(RecordedEvents, EveryFieldOfATickCounts) {
+  // Every field that a tick has, changed by itself.
+  const Tick tick;
+  std::vector<Tick> others;
+  const auto with = [&](auto change) {
+    others.push_back(tick);
+    change(others.back());
+  };
+  with([](Tick& t) { t.tick = 1; });
+  with([](Tick& t) { t.time = 1; });
+  with([](Tick& t) { t.state = State::homing; });
+  with([](Tick& t) { t.master = 1; });
+  with([](Tick& t) { t.master_velocity = 1; });
+  with([](Tick& t) { t.position = 1; });
+  with([](Tick& t) { t.velocity = 1; });
+  with([](Tick& t) { t.acceleration = 1; });
+  with([](Tick& t) { t.job = 1; });
+  with([](Tick& t) { t.armed = 1; });
+  with([](Tick& t) { t.waiting = true; });
+  with([](Tick& t) { t.progress = Progress::running; });
+  with([](Tick& t) { t.fault = Cause::stalled; });
+  with([](Tick& t) { t.skipped = 1; });
+  with([](Tick& t) { t.finished = 1; });
+  with([](Tick& t) { t.stopped = 1; });
+  with([](Tick& t) { t.reason = Cause::stalled; });
+  with([](Tick& t) { t.override_ = 0.5; });
+  with([](Tick& t) { t.rate = 0.5; });
+  with([](Tick& t) { t.power = true; });
+  with([](Tick& t) { t.offset = 1; });
+  with([](Tick& t) { t.actual_position = 1; });
+  with([](Tick& t) { t.following_error = 1; });
+  with([](Tick& t) { t.torque = 1; });
+  with([](Tick& t) { t.in_position = true; });
+  with([](Tick& t) { t.switches.outputs = 1; });
+  with([](Tick& t) { t.refused = Refusal{.cause = Cause::in_motion}; });
+  for (std::size_t i = 0; i < others.size(); ++i)
+    EXPECT_TRUE(first_difference(tick, others[i])) << "change " << i + 1;
+}
+
+TEST(RecordedEvents, AnAxisKeepsItsConfiguration) {
+  RecordedAxis axis{.axis = 1, .name = "Zuführung", .units = {"deg", "mm"}, .switches = true};
+  axis.config.period = 250'000;
+  axis.config.limits = test::limits(3, 4, 5);
+  axis.config.limits.position_min = -7;
+  axis.config.following_error = 0.25;
+  const auto back = std::get<RecordedAxis>(*decoded("JOUNCE.axis", encoded(axis)));
+  EXPECT_EQ(encoded(back), encoded(axis));
+  EXPECT_EQ(back.name, "Zuführung");
+  EXPECT_EQ(back.config.period, 250'000);
+  EXPECT_EQ(back.config.limits.position_min, -7);
+  EXPECT_FALSE(back.config.limits.position_max);
+  EXPECT_EQ(back.config.following_error, 0.25);
+  EXPECT_TRUE(back.switches);
+  EXPECT_FALSE(decoded("LASER", encoded(axis)));
+  EXPECT_THROW(decoded("JOUNCE.job", encoded(axis)), InputError);
+}
+
+}  // namespace
+}  // namespace jounce
