@@ -40,12 +40,9 @@ Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options)
       post_(post),
       options_(std::move(options)),
       images_(machine.size()),
-      before_(machine.size()),
       start_(pacer.now()) {
   assert(post.mail.size() == machine.size());
   options_.drives.resize(machine.size());
-  for (std::size_t i = 0; i < machine.size(); ++i)
-    before_[i].position = machine.axis(i).config.position;
 }
 
 void Cycle::once() {
@@ -75,10 +72,8 @@ void Cycle::read() {
 void Cycle::write() {
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const AxisImage& image = images_[i];
-    if (AxisDrive* const drive = options_.drives[i]) {
-      drive->command(drive_setpoint(image.tick, image.command, before_[i]));
-      before_[i] = image.tick;
-    }
+    if (AxisDrive* const drive = options_.drives[i])
+      drive->command(drive_setpoint(image.tick, image.command));
     post(image, *post_.mail[i]);
   }
 }

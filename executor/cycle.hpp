@@ -122,7 +122,6 @@ class Cycle {
   Post& post_;
   CycleOptions options_;
   std::vector<AxisImage> images_;
-  std::vector<Tick> before_;      // of each axis, the tick before
   std::uint64_t alive_ = 0;       // the last sign of life that was seen
   std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;
