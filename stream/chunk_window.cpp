@@ -23,10 +23,11 @@ bool ChunkWindow::mark(std::uint32_t seq, Nanos now) {
   State& chunk = chunks_[seq];
   if (chunk.arrived) return false;
   chunk.arrived = true;
-  highest_ = std::max(highest_, seq + 1);
   ++arrived_;
-  // Of a chunk sent twice nobody knows which one was answered.
+  // Of a chunk sent twice nobody knows which one was answered; the last one hardly at once.
   if (chunk.times == 1) measure(now - chunk.sent);
+  if (chunk.times == 1 || now - chunk.sent >= round_trip_ / 2)
+    newest_ = std::max(newest_, chunk.order);
   return true;
 }
 
@@ -58,12 +59,14 @@ std::vector<std::uint32_t> ChunkWindow::due(Nanos now) {
     State& chunk = chunks_[seq];
     if (chunk.arrived) continue;
     const Nanos age = now - chunk.sent;
-    if (chunk.times > 0 && age < (seq < highest_ ? std::min(hole, late) : late)) continue;
     if (chunk.times > 0) {
+      const bool overtaken = chunk.order < newest_ && age >= hole;
+      if (!overtaken && (age < late || (any_late && back_off_ == 0))) continue;
+      any_late |= !overtaken || age >= late;
       ++resent_;
-      any_late |= age >= late;
     }
     chunk.sent = now;
+    chunk.order = ++sent_;
     ++chunk.times;
     due.push_back(seq);
   }

@@ -12,14 +12,17 @@ namespace jounce {
 /// How a table's chunks are sent. The defaults suit a local network and Linux' default socket
 /// buffer, which 8 chunks fill.
 struct Pace {
-  std::uint32_t window = 8;                          ///< chunks under way, 1...64
-  Nanos resend = std::chrono::milliseconds(6);       ///< least time until a chunk is sent again
-  Nanos slowest = std::chrono::milliseconds(100);    ///< most: it doubles while nothing arrives
-  Nanos fast_resend = std::chrono::milliseconds(2);  ///< least, for a hole below a later arrival
+  std::uint32_t window = 8;                        ///< chunks under way, 1...64
+  Nanos resend = std::chrono::milliseconds(6);     ///< least time until a chunk is sent again
+  Nanos slowest = std::chrono::milliseconds(100);  ///< most: it doubles while nothing arrives
+  Nanos fast_resend =
+      std::chrono::milliseconds(2);  ///< least, for one that a later one has overtaken
 };
 
 /// One table's chunks under way: which are to be sent now, and again. Selective repeat within a
-/// window; the time until a repeat follows the measured round trip (RFC 6298) with back-off.
+/// window; the time until a repeat follows the measured round trip (RFC 6298) with back-off. A chunk
+/// is missing if one that was sent after it has arrived (RFC 8985). Where nothing is heard, the first
+/// repeat is one chunk alone: a receiver that was only held up has all the others already.
 class ChunkWindow {
  public:
   ChunkWindow(std::uint32_t chunks, Pace pace);
@@ -36,6 +39,7 @@ class ChunkWindow {
  private:
   struct State {
     Nanos sent{};
+    std::uint64_t order = 0;  // of its last transmission among all
     std::uint32_t times = 0;
     bool arrived = false;
   };
@@ -46,8 +50,9 @@ class ChunkWindow {
 
   Pace pace_;
   std::vector<State> chunks_;
-  std::uint32_t next_ = 0;     // every chunk below has arrived
-  std::uint32_t highest_ = 0;  // no chunk from here on has arrived
+  std::uint32_t next_ = 0;    // every chunk below has arrived
+  std::uint64_t sent_ = 0;    // transmissions so far
+  std::uint64_t newest_ = 0;  // the latest one that has arrived
   std::uint32_t credit_ = 0;
   unsigned back_off_ = 0;
   bool measured_ = false;

@@ -52,6 +52,23 @@ TEST(ChunkWindow, FillsAHoleSoon) {
   EXPECT_THAT(window.due(3ms), IsEmpty());
 }
 
+TEST(ChunkWindow, AsksASilentReceiverWithOneChunkBeforeItRepeatsAll) {
+  ChunkWindow window = opened();
+  EXPECT_THAT(window.due(0ms), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(window.due(6ms), ElementsAre(0));
+  EXPECT_THAT(window.due(11ms), IsEmpty());
+  EXPECT_THAT(window.due(12ms), ElementsAre(1, 2, 3));
+  EXPECT_THAT(window.due(18ms), IsEmpty()) << "the patience has doubled twice";
+}
+
+TEST(ChunkWindow, RepeatsAllThatTheOneOvertook) {
+  ChunkWindow window = opened();
+  EXPECT_THAT(window.due(0ms), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(window.due(6ms), ElementsAre(0));
+  EXPECT_TRUE(window.acknowledge(ack(1), 7ms));  // the first time they were all lost
+  EXPECT_THAT(window.due(7ms), ElementsAre(1, 2, 3, 4));
+}
+
 TEST(ChunkWindow, RepeatsMoreAndMoreSlowlyOnASilentLink) {
   ChunkWindow window(1, {});
   window.acknowledge(ack(0), 0ms);
