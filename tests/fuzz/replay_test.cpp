@@ -1,0 +1,57 @@
+// Every file that a fuzzer was given or has found, once more: what crashed once never does again.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "jounce/io/file.hpp"
+
+#include "fuzz/fuzz.hpp"
+
+namespace jounce {
+namespace {
+
+using Target = void (*)(fuzz::Input);
+
+struct Named {
+  const char* name;
+  Target target;
+};
+
+class Replay : public testing::TestWithParam<Named> {};
+
+/// tests/fuzz/corpus/NAME/*, tests/fuzz/crashes/NAME-* and the examples.
+std::vector<std::filesystem::path> files_of(const std::string& name) {
+  const std::filesystem::path source = JOUNCE_SOURCE_DIR;
+  const std::filesystem::path root = source / "tests/fuzz";
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "examples"))
+    if (entry.is_regular_file() && entry.file_size() < 200'000) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(root / "corpus" / name))
+    files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(root / "crashes"))
+    if (entry.path().filename().string().starts_with(name + "-")) files.push_back(entry.path());
+  return files;
+}
+
+TEST_P(Replay, FindsNothing) {
+  const auto files = files_of(GetParam().name);
+  ASSERT_FALSE(files.empty());
+  for (const auto& file : files) {
+    SCOPED_TRACE(file.string());
+    const std::string bytes = read_file(file.string());
+    const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    GetParam().target({data, bytes.size()});
+    GetParam().target({data, bytes.size() / 2});  // cut short
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Replay,
+                         testing::Values(Named{"wire", fuzz::wire}, Named{"session", fuzz::session},
+                                         Named{"table", fuzz::table}, Named{"spec", fuzz::spec},
+                                         Named{"recording", fuzz::recording}),
+                         [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace jounce

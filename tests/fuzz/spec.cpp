@@ -1,0 +1,19 @@
+#include "jounce/io/spec.hpp"
+
+#include "jounce/profiles/error.hpp"
+
+#include "fuzz/fuzz.hpp"
+
+namespace jounce::fuzz {
+
+void spec(Input input) {
+  try {
+    const Spec read = parse_spec(text_of(input), "fuzz");
+    static_cast<void>(read.parts());
+    static_cast<void>(read.master_period());
+  } catch (const InputError& error) {
+    require(error.what() != nullptr && *error.what() != '\0', "an error has words");
+  }
+}
+
+}  // namespace jounce::fuzz
