@@ -1,7 +1,7 @@
 # Sourced: runs the function `inside` in a network namespace of its own, with multicast on loopback
 # only, and a scratch folder that goes away.
 if [ "${JOUNCE_INSIDE:-}" != 1 ]; then
-  if unshare -rn true 2> /dev/null; then isolate="unshare -rn"; else isolate="unshare -n"; fi
+  if unshare -rnm true 2> /dev/null; then isolate="unshare -rnm"; else isolate="unshare -nm"; fi
   JOUNCE_INSIDE=1 exec $isolate "$0" "$@"
 fi
 ip link set lo up

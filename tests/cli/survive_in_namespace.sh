@@ -1,0 +1,127 @@
+#!/bin/sh
+# survive_in_namespace.sh WHAT JOUNCE EXAMPLE_DIR [FLOOD]: what real processes live through, over real
+# multicast in a namespace of their own. WHAT is
+#     streamer   kill -9 of the streamer at many points of download, arm, start and play
+#     executor   kill -9 of the executor while it plays, and while it is sent a table
+#     flood      100 000 foreign and malformed messages a second while a table is sent and played
+#     disk       the disk of the log is full while a table is played
+set -eu
+. "$(dirname "$0")/namespace.sh"
+what=$1 jounce=$2 example=$3
+
+play() { "$jounce" stream "$example/cam.toml" --to feeder "$@"; }
+state() { "$jounce" monitor feeder --seconds 0.3 --json | tail -1; }
+wait_for() {  # wait_for SECONDS TEXT: until the status says it
+  for _ in $(seq $(($1 * 3))); do
+    state > "$scratch/status" 2> /dev/null && grep -q "$2" "$scratch/status" && return 0
+  done
+  fail "no status with $2 within $1 s: $(cat "$scratch/status")"
+}
+# The log: no setpoint is further from the one before than the limits of axis.toml allow in that time,
+# neither in position nor in velocity (a stop may take twice the acceleration).
+check_log() {
+  awk -F, 'NR > 1 {
+      if (NR > 2) {
+        n = $1 - tick; dp = $6 - p; dv = $7 - v
+        if (dp > 1 * n + 1e-6 || -dp > 1 * n + 1e-6) { print "position leaps at tick " $1; bad = 1 }
+        if (dv > 40 * n + 1e-6 || -dv > 40 * n + 1e-6) { print "velocity leaps at tick " $1; bad = 1 }
+        if ($3 ~ /standstill|disabled|error_stop/ && $7 != 0) { print "moves in " $3 " at tick " $1; bad = 1 }
+        if (n < 1) { print "time goes back at tick " $1; bad = 1 }
+      }
+      tick = $1; p = $6; v = $7
+    } END { exit bad }' "$1" || fail "the log breaks the limits"
+}
+
+case $what in
+streamer)
+  # A long table, so that the download takes a while, and a cam that plays for 5.4 s.
+  sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$example/cam.toml" > "$scratch/long.toml"
+  "$jounce" run "$example/axis.toml" --log "$scratch/run.csv" --seconds 60 --adopt-start 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 standstill
+  seed=${SEED:-1}
+  for try in $(seq 8); do
+    seed=$((seed * 1103515245 % 2147483648 + 12345))
+    delay=$((seed / 65536 % 900))
+    if [ $((try % 2)) = 0 ]; then file=$scratch/long.toml; else file=$example/cam.toml; fi
+    "$jounce" stream "$file" --to feeder --inject-loss 0.1 --seed $try > /dev/null 2>&1 &
+    streamer=$!
+    sleep 0.$(printf %03d $delay)
+    kill -9 $streamer 2> /dev/null || true
+    wait $streamer 2> /dev/null || true
+    # The owner has gone: within its time-out, and a stop or the end of the table, the axis is still and free.
+    wait_for 12 '"velocity":0.*"error":0'
+    wait_for 12 standstill
+  done
+  sleep 1.2
+  play || fail "the axis is not free"
+  wait_for 12 standstill
+  kill -TERM $executor
+  wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
+  check_log "$scratch/run.csv"
+  ;;
+executor)
+  "$jounce" run "$example/axis.toml" --seconds 60 2> /dev/null &
+  executor=$!
+  wait_for 10 standstill
+  play || fail "the stream did not complete"
+  wait_for 5 synchronized_motion
+  kill -9 $executor
+  wait $executor 2> /dev/null || true
+  "$jounce" run "$example/axis.toml" --seconds 60 --log "$scratch/run.csv" 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 '"state":"\(standstill\|disabled\)".*"velocity":0'
+  sleep 1
+  grep -q started "$scratch/notices" && fail "it moved by itself after its restart"
+  # Killed while it is sent a table: the stream ends, whole at the new executor or with a named error.
+  sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$example/cam.toml" > "$scratch/long.toml"
+  "$jounce" stream "$scratch/long.toml" --to feeder --inject-loss 0.5 --until download --patience 40 > "$scratch/out" 2>&1 &
+  streamer=$!
+  sleep 1.5
+  kill -9 $executor
+  wait $executor 2> /dev/null || true
+  "$jounce" run "$example/axis.toml" --seconds 60 2> "$scratch/notices" &
+  executor=$!
+  if wait $streamer; then
+    grep -q downloaded "$scratch/out" || fail "no outcome: $(cat "$scratch/out")"
+    grep -q "400001 knots" "$scratch/notices" || fail "downloaded, but not to the executor that lives"
+  else
+    grep -q "restarted\|contact_lost\|out_of_time\|stalled" "$scratch/out" || fail "no named error: $(cat "$scratch/out")"
+  fi
+  wait_for 10 standstill
+  kill -TERM $executor
+  wait $executor || fail "the executor ended badly"
+  ;;
+flood)
+  "$jounce" run "$example/axis.toml" --log "$scratch/run.csv" --once --seconds 60 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 standstill
+  "$4" 100000 feeder > "$scratch/flood" &
+  flood=$!
+  sleep 0.3
+  play || fail "the stream did not complete in the flood"
+  wait $executor || fail "the executor ended badly in the flood: $(cat "$scratch/notices")"
+  kill $flood
+  wait $flood 2> /dev/null || true
+  cat "$scratch/flood"
+  "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
+  check_log "$scratch/run.csv"
+  ;;
+disk)
+  mkdir "$scratch/full"
+  mount -t tmpfs -o size=64k tmpfs "$scratch/full" 2> /dev/null || { echo "skipped: tmpfs is forbidden here"; exit 77; }
+  status=0
+  "$jounce" run "$example/axis.toml" --log "$scratch/full/run.csv" --once --seconds 60 > "$scratch/out" 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 standstill
+  play || fail "the stream did not complete"
+  wait $executor || status=$?
+  cat "$scratch/notices"
+  grep -q "^finished" "$scratch/notices" || fail "the motion was not finished"
+  [ $status = 3 ] || fail "a log that cannot be written is a fault of the machine, not $status"
+  grep -q "$scratch/full/run.csv" "$scratch/notices" || fail "the message does not name the log"
+  grep -q "No space left" "$scratch/notices" || fail "the message does not say why"
+  [ ! -e "$scratch/full/run.csv" ] || fail "a log that is not whole has the name of one that is"
+  umount "$scratch/full"
+  ;;
+esac
