@@ -25,12 +25,15 @@ CLI::Validator seconds_option() {
 void add_link_options(CLI::App& verb, LinkOptions& options) {
   verb.add_option("--url", options.url, "LCM URL; without a ttl it stays on this machine")
       ->capture_default_str();
+  verb.add_option("--key", options.key,
+                  "File with the key that commands are signed with; see jounce new key");
   verb.add_option("--inject-loss", options.inject_loss, "Share of packets to lose, each way")
       ->group("");
   verb.add_option("--seed", options.seed, "Of --inject-loss")->group("");
 }
 
 Link::Link(const LinkOptions& options) : lcm_(std::make_unique<LcmTransport>(options.url)) {
+  if (!options.key.empty()) key_ = read_key(options.key);
   if (options.inject_loss > 0)
     lossy_ = std::make_unique<LossyTransport>(
         *lcm_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "jounce/stream/key.hpp"
 #include "jounce/stream/transport.hpp"
 
 namespace jounce::cli {
@@ -13,6 +15,7 @@ namespace jounce::cli {
 /// Where executors and streamers meet.
 struct LinkOptions {
   std::string url = "udpm://239.255.76.67:7667";
+  std::string key;         ///< file; empty: none
   double inject_loss = 0;  ///< share of packets to lose, for tests
   std::uint64_t seed = 1;
 };
@@ -23,7 +26,7 @@ Nanos nanos(double seconds);
 /// A limit on an option in seconds: a millisecond at the least.
 CLI::Validator seconds_option();
 
-/// Adds --url, and the hidden --inject-loss and --seed.
+/// Adds --url and --key, and the hidden --inject-loss and --seed.
 void add_link_options(CLI::App& verb, LinkOptions& options);
 
 /// A link made from the options, and made worse if they ask for it. Throws TransportError with
@@ -32,10 +35,12 @@ class Link {
  public:
   explicit Link(const LinkOptions& options);
   [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *lcm_; }
+  [[nodiscard]] const std::optional<wire::Key>& key() const { return key_; }
 
  private:
   std::unique_ptr<Transport> lcm_;
   std::unique_ptr<Transport> lossy_;
+  std::optional<wire::Key> key_;
 };
 
 }  // namespace jounce::cli

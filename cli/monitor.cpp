@@ -52,15 +52,16 @@ int run(const Options& options) {
   const Nanos begun = steady_now();
   Nanos heard = begun;
   while (options.seconds == 0 || steady_now() - begun < nanos(options.seconds)) {
-    const auto message =
-        next_status(link.transport(), options.executor, std::chrono::milliseconds(100));
+    const auto message = next_status(link.transport(), options.executor,
+                                     std::chrono::milliseconds(100), steady_now, link.key());
     const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
     if (status != nullptr) {
       heard = steady_now();
       options.json ? print_json(*status) : print_line(*status, terminal);
     } else if (steady_now() - heard > nanos(options.silence)) {
       fmt::print(stderr,
-                 "{}jounce: {} has been silent for {} s: is it running, on the same --url?\n",
+                 "{}jounce: {} has been silent for {} s: is it running, on the same --url, with "
+                 "the same --key?\n",
                  terminal ? "\n" : "", options.executor, options.silence);
       return fault;
     }

@@ -5,11 +5,23 @@
 
 #include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/key.hpp"
 
 #include "templates.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
+
+namespace {
+
+/// A key is not text for a terminal, and never replaces another one.
+int make_key(const std::string& output) {
+  if (output == "-") throw InputError("--output", output, "must be a file: a key is a secret");
+  write_new_key(output);
+  return fine;
+}
+
+}  // namespace
 
 void add_new(CLI::App& app, Work& work) {
   struct Options {
@@ -22,17 +34,19 @@ void add_new(CLI::App& app, Work& work) {
       add_verb(app, "new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
+  kinds.emplace_back("key");
   verb->add_option(
           "KIND", options->kind,
           "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
-          "pvt or pt over time; axis, an executor's; machine, several of them; or drive, a "
-          "servo's")
+          "pvt or pt over time; axis, an executor's; machine, several of them; drive, a servo's; or "
+          "key, a secret that executor and streamer share")
       ->required()
       ->check(CLI::IsMember(kinds));
   verb->add_option("-o,--output", options->output, "File to write; - is standard output");
   verb->add_flag("--force", options->force, "Replace a file that is there");
   verb->callback([options, &work] {
     work = [options] {
+      if (options->kind == "key") return make_key(options->output);
       if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
         throw InputError("--output", options->output, "is there already; --force replaces it");
       write_file(options->output, templates().at(options->kind));

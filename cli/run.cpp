@@ -71,9 +71,9 @@ int report(const ExecutorSummary& summary, bool json) {
 }
 
 /// Two executors of one name would both play what is sent to it.
-void require_alone(Transport& link, const std::string& name) {
-  link.subscribe(wire::channel(name, wire::Lane::status), 1);
-  if (next_status(link, name, std::chrono::milliseconds(300)))
+void require_alone(Link link, const std::string& name) {
+  link.transport().subscribe(wire::channel(name, wire::Lane::status), 1);
+  if (next_status(link.transport(), name, std::chrono::milliseconds(300), steady_now, link.key()))
     throw InputError("name", name, "an executor of this name is running already on this --url");
 }
 
@@ -101,8 +101,9 @@ int run(const Options& options) {
   const std::vector<ExecutorOptions> axes = axes_of(options.machine);
   (void)Machine(machine_of(axes));
   for (const auto& axis : axes)
-    require_alone(Link(options.link).transport(), axis.receiver.executor);
+    require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
+  for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
   const int status = report(summary, options.json);
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;

@@ -23,10 +23,11 @@ struct Options {
 /// The state in which the axis has come to rest, as its status says; nothing if it does not in
 /// time.
 std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string& executor,
-                                             Nanos patience) {
+                                             Nanos patience, const std::optional<wire::Key>& key) {
   using State = wire::AxisState;
   for (const Nanos begin = steady_now(); steady_now() - begin < patience;) {
-    const auto message = next_status(link, executor, std::chrono::milliseconds(100));
+    const auto message =
+        next_status(link, executor, std::chrono::milliseconds(100), steady_now, key);
     const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
     if (status == nullptr) continue;
     if (status->state == State::standstill || status->state == State::disabled ||
@@ -42,8 +43,10 @@ int run(const Options& options) {
   Link link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
   link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
-  if (operator_stop(link.transport(), options.executor, mode)) {
-    const auto state = state_at_rest(link.transport(), options.executor, nanos(options.patience));
+  if (operator_stop(link.transport(), options.executor, mode, std::chrono::seconds(2), steady_now,
+                    link.key())) {
+    const auto state =
+        state_at_rest(link.transport(), options.executor, nanos(options.patience), link.key());
     if (!state) {
       fmt::print(stderr, "jounce: {} confirms, but is not at rest after {} s\n", options.executor,
                  options.patience);
@@ -52,8 +55,10 @@ int run(const Options& options) {
     fmt::print("{} is at rest: {}\n", options.executor, name(*state));
     return fine;
   }
-  fmt::print(stderr, "jounce: {} does not confirm: is it running, on the same --url?\n",
-             options.executor);
+  fmt::print(
+      stderr,
+      "jounce: {} does not confirm: is it running, on the same --url, with the same --key?\n",
+      options.executor);
   return fault;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
 #include "link.hpp"
@@ -21,6 +22,10 @@ struct Options {
   std::string to;
   std::string master;
   LinkOptions link;
+  std::vector<std::string> swaps;
+  bool rolling = false;
+  bool resume = false;
+  std::uint32_t capacity = 4096;
   std::string until = "start";
   double patience = 60;
   bool json = false;
@@ -29,21 +34,31 @@ struct Options {
 /// Ctrl-C stops what was armed before the streamer leaves.
 volatile std::sig_atomic_t interrupted = 0;
 
-StreamPlan plan_of(const Options& options) {
-  Input input = load(options.file, options.axis);
+/// Adds what this file plays to the tables of the plan.
+SwapPlan add_file(StreamPlan& plan, const std::string& file, const Options& options) {
+  Input input = load(file, options.axis);
   const auto coupling = input.spec ? input.spec->coupling : std::nullopt;
   Tables tables = [&] {
     if (options.master.empty()) return executor_tables(input);
     return Tables{input.table, read_table(options.master)};
   }();
-  StreamPlan plan;
-  plan.executor = options.to;
+  SwapPlan added{.slave = plan.tables.size(), .master = plan.tables.size() + 1};
   plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});
   if (tables.master) {
     plan.tables.push_back({std::move(tables.master->table), tables.master->units});
-    plan.mode = wire::ArmMode::follow_table;
-    plan.coupling = coupling.value_or(CouplingSpec{});
+    added.mode = wire::ArmMode::follow_table;
+    added.coupling = coupling.value_or(CouplingSpec{});
   }
+  return added;
+}
+
+StreamPlan plan_of(const Options& options) {
+  StreamPlan plan;
+  plan.executor = options.to;
+  const SwapPlan first = add_file(plan, options.file, options);
+  plan.mode = first.mode;
+  plan.coupling = first.coupling;
+  for (const std::string& file : options.swaps) plan.swaps.push_back(add_file(plan, file, options));
   plan.goal = options.until == "download" ? StreamGoal::download
               : options.until == "arm"    ? StreamGoal::arm
                                           : StreamGoal::start;
@@ -58,15 +73,17 @@ int report(const StreamOutcome& outcome, const Options& options) {
                                           {"downloaded", outcome.downloaded},
                                           {"armed", outcome.armed},
                                           {"started", outcome.started},
+                                          {"swaps", outcome.swaps},
                                           {"chunks", outcome.progress.chunks},
                                           {"resent", outcome.progress.resent}};
     fmt::print("{}\n", document.dump(1));
   } else if (outcome.ok()) {
     fmt::print("{} chunks arrived at {}, {} sent again; {}\n", outcome.progress.chunks, options.to,
                outcome.progress.resent,
-               outcome.started ? "started"
-               : outcome.armed ? "armed"
-                               : "downloaded");
+               outcome.swaps > 0 ? fmt::format("started, {} swaps", outcome.swaps)
+               : outcome.started ? "started"
+               : outcome.armed   ? "armed"
+                                 : "downloaded");
   } else {
     fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
   }
@@ -74,10 +91,65 @@ int report(const StreamOutcome& outcome, const Options& options) {
   return outcome.error == StreamError::refused ? finding : fault;
 }
 
+RowPlan row_plan_of(const Options& options) {
+  if (!options.swaps.empty() || !options.master.empty() || options.until != "start") {
+    throw InputError("--rolling", "",
+                     "streams one table over time: without --swap, --master and --until");
+  }
+  Input input = load(options.file, options.axis);
+  Tables tables = executor_tables(input);
+  if (tables.slave.table.axis() != Axis::time)
+    throw InputError("--rolling", options.file, "must be a table over time");
+  return {.executor = options.to,
+          .queue = {.units = tables.slave.units,
+                    .capacity = options.capacity,
+                    .prefill = options.capacity},
+          .rows = rows_of(std::move(tables.slave.table)),
+          .resume = options.resume};
+}
+
+int report(const RowOutcome& outcome, const Options& options) {
+  const RowProgress& p = outcome.progress;
+  if (options.json) {
+    const nlohmann::ordered_json document{
+        {"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason},
+        {"rows", p.sent},     {"played", p.played},           {"underruns", p.underruns},
+        {"resent", p.resent}, {"finished", p.finished}};
+    fmt::print("{}\n", document.dump(1));
+  } else if (outcome.ok()) {
+    fmt::print("{} of {} rows played at {}, {} underruns, {} messages sent again; {}\n", p.played,
+               p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped");
+  } else {
+    fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
+  }
+  if (outcome.ok()) return fine;
+  const bool said_no =
+      outcome.error == StreamError::refused || outcome.error == StreamError::underrun;
+  return said_no ? finding : fault;
+}
+
+int run_rolling(const Options& options) {
+  RowPlan plan = row_plan_of(options);
+  Link link(options.link);
+  RowOptions rolling;
+  rolling.key = link.key();
+  interrupted = 0;
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  rolling.cancelled = [] { return interrupted != 0; };
+  Progress progress("streaming to " + options.to);
+  rolling.progress = [&](const RowProgress& p) {
+    progress.show(p.sent == 0 ? 0 : static_cast<double>(p.played) / static_cast<double>(p.sent),
+                  fmt::format("{} rows played, {} ahead", p.played, p.acknowledged - p.played));
+  };
+  return report(stream_rows(link.transport(), std::move(plan), rolling), options);
+}
+
 int run(const Options& options) {
+  if (options.rolling) return run_rolling(options);
   const StreamPlan plan = plan_of(options);
   Link link(options.link);
   StreamOptions stream;
+  stream.key = link.key();
   stream.total = nanos(options.patience);
   stream.sender.patience = std::min(stream.sender.patience, stream.total);
   interrupted = 0;
@@ -104,6 +176,16 @@ void add_stream(CLI::App& app, Work& work) {
   verb->add_option("--to", options->to, "Name of the executor")->required();
   verb->add_option("--master", options->master,
                    "Table over time that drives a cam table; a cam spec has its own [master]");
+  verb->add_option("--swap", options->swaps,
+                   "Table that takes over where the one before ends, in motion; may be repeated");
+  verb->add_flag("--rolling", options->rolling,
+                 "Send while it plays, to its end: for tables longer than the executor's memory");
+  verb->add_flag("--resume", options->resume,
+                 "With --rolling: go on after the axis had to stop for want of rows");
+  verb->add_option("--ahead", options->capacity,
+                   "With --rolling: rows to begin with; twice as many may wait")
+      ->check(CLI::Range(2U, 1U << 20U))
+      ->capture_default_str();
   verb->add_option("--until", options->until, "How far to go: download, arm or start")
       ->check(CLI::IsMember({"download", "arm", "start"}))
       ->capture_default_str();

@@ -287,7 +287,8 @@ wire::Status Desk::status() const {
                       .last_error = static_cast<std::int32_t>(last_.fault),
                       .late_ticks = vitals_.late.load(std::memory_order_relaxed),
                       .finished = static_cast<std::int64_t>(last_.finished),
-                      .stopped = static_cast<std::int64_t>(last_.stopped)};
+                      .stopped = static_cast<std::int64_t>(last_.stopped),
+                      .units = options_.units};
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
   const auto kept = jobs_.find(last_.job != 0 ? last_.job : last_.armed);
   if (kept != jobs_.end()) {

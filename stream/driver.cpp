@@ -1,6 +1,7 @@
 #include "jounce/stream/driver.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -61,6 +62,8 @@ std::int64_t random_id() {
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
                             const Clock& clock, std::int64_t session) {
   const std::string replies = wire::channel(plan.executor, wire::Lane::reply);
+  if (!plan.swaps.empty())
+    link.subscribe(wire::channel(plan.executor, wire::Lane::status), queue_capacity);
   Sender sender(std::move(plan), session, options.sender);
   link.subscribe(replies, queue_capacity);
   Rejects rejects;
@@ -80,6 +83,35 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
     }
     if (sender.at_goal()) sender.release();
   }
+}
+
+RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options, const Clock& clock,
+                       std::int64_t session) {
+  const std::string executor = plan.executor;
+  // A source that fails stops the axis before what it threw goes on to the caller.
+  std::exception_ptr failure;
+  plan.rows = [&, source = std::move(plan.rows)](std::size_t most) -> std::vector<wire::Row> {
+    if (failure) return {};
+    try {
+      return source(most);
+    } catch (...) {
+      failure = std::current_exception();
+      return {};
+    }
+  };
+  RowSender sender(std::move(plan), session, options.sender);
+  link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
+  Rejects rejects;
+  for (;;) {
+    for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
+    if (options.progress) options.progress(sender.outcome().progress);
+    if (sender.ended()) break;
+    drain(link, options.period, options.key, rejects,
+          [&](const wire::Message& message) { sender.receive(message, clock()); });
+    if (failure || (options.cancelled && options.cancelled())) sender.stop(wire::StopMode::stop);
+  }
+  if (failure) std::rethrow_exception(failure);
+  return sender.outcome();
 }
 
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jounce/stream/receiver.hpp"
+#include "jounce/stream/row_sender.hpp"
 #include "jounce/stream/sender.hpp"
 #include "jounce/stream/transport.hpp"
 #include "jounce/stream/wire.hpp"
@@ -52,6 +53,20 @@ struct StreamOptions {
 /// TransportError.
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
+
+struct RowOptions {
+  SenderOptions sender;
+  Nanos period = std::chrono::milliseconds(1);       ///< longest wait on the link
+  std::function<void(const RowProgress&)> progress;  ///< called in every turn; may be empty
+  std::function<bool()> cancelled;  ///< true: stops the axis and leaves; may be empty
+  std::optional<wire::Key> key{};   ///< the executor's; none: it has none
+};
+
+/// Runs a RowSender to the end of the motion, as long as that takes; returns early with an error.
+/// Throws InputError as RowSender does, TransportError, and whatever the source throws, after a
+/// stop.
+RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
+                       const Clock& clock = steady_now, std::int64_t session = random_id());
 
 /// An operator's Stop, or Order to hold, resume or override, which need no session; its number is
 /// drawn here. Repeated until the executor decides, at most `patience`: then its outcome is pending.

@@ -232,6 +232,7 @@ struct Status {
   std::int64_t not_authentic = 0;       ///< of those, the ones whose mac was wrong
   Histogram lateness{};                 ///< of cycles: how late they woke up
   Histogram computing{};                ///< of cycles: how long they computed
+  Units units{};                        ///< in which the axis counts; empty: any
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };

@@ -24,9 +24,11 @@ inline constexpr std::uint32_t last_queue = 127;  ///< below are tables
 
 /// Which curve a row is, between its ends.
 enum class RowOrder : std::int8_t {
-  linear = 1,   ///< from p alone
-  cubic = 2,    ///< from p and v at both ends; quadratic where these fit one
-  quintic = 5,  ///< from p, v and a
+  linear = 1,     ///< from p alone
+  quadratic = 2,  ///< from p and one v, at whichever end is given; NaN: it is left open. With both
+                  ///< open it goes on at the v at which the row before ended
+  cubic = 3,      ///< from p and v at both ends
+  quintic = 5,    ///< from p, v and a at both ends
 };
 
 /// One piece of the curve. x and p count from the origin of its bank, 0 there, and so the ends of a

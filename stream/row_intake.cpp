@@ -7,10 +7,15 @@
 namespace jounce {
 namespace {
 
+/// Of what its order reads, each is a number; only a quadratic row may leave a v open.
 bool is_finite(const wire::Row& row) {
-  const double values[] = {row.x_end, row.p_end, row.v_start, row.v_end, row.a_start, row.a_end};
-  return std::all_of(std::begin(values), std::end(values),
-                     [](double v) { return std::isfinite(v); });
+  const auto finite = [](double a, double b) { return std::isfinite(a) && std::isfinite(b); };
+  const auto given = [](double v) { return std::isfinite(v) || std::isnan(v); };
+  if (!finite(row.x_end, row.p_end)) return false;
+  if (row.order == wire::RowOrder::linear) return true;
+  if (row.order == wire::RowOrder::quadratic) return given(row.v_start) && given(row.v_end);
+  return finite(row.v_start, row.v_end) &&
+         (row.order == wire::RowOrder::cubic || finite(row.a_start, row.a_end));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
     : plan_(std::move(plan)), session_(session), options_(options) {
   assert(session > 0);
   require_valid(plan_);
+  legs_ = legs_of(plan_);
   const std::uint32_t window = options_.pace.window;
   if (window < 1 || window > 64)
     throw InputError("window", std::to_string(window), "must be 1 to 64");
@@ -198,10 +199,15 @@ void Sender::accepted() {
   command_.reset();
   switch (stage()) {
     case StreamStage::arming:
-      outcome_.armed = true;
+      outcome_.armed = leg_armed_ = true;
       break;
     case StreamStage::starting:
+      outcome_.swaps = leg_;
       outcome_.started = true;
+      leg_armed_ = false;
+      due_.reset();
+      waited_ = false;
+      if (++leg_ < legs_.size()) return enter(StreamStage::swapping);
       break;
     case StreamStage::stopping:
       outcome_.stopped = true;
@@ -224,20 +230,42 @@ void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int3
 
 // ---- where to -----------------------------------------------------------------------------------
 
+wire::Arm Sender::arm_of(const SwapPlan& leg) const {
+  return {.mode = leg.mode,
+          .slave = headers_[leg.slave].hash,
+          .master = leg.mode == wire::ArmMode::follow_table ? headers_[leg.master].hash : Sha256{},
+          .coupling = leg.coupling};
+}
+
 void Sender::pursue() {
-  if (!given_up_ && plan_.goal >= StreamGoal::arm && !outcome_.armed) {
+  const bool more = !given_up_ && leg_ < legs_.size();
+  if (more && plan_.goal >= StreamGoal::arm && !leg_armed_) {
     enter(StreamStage::arming);
-    issue(
-        wire::Arm{.mode = plan_.mode,
-                  .slave = headers_[0].hash,
-                  .master = plan_.mode == wire::ArmMode::follow_table ? headers_[1].hash : Sha256{},
-                  .coupling = plan_.coupling});
-  } else if (!given_up_ && plan_.goal >= StreamGoal::start && !outcome_.started) {
+    issue(arm_of(legs_[leg_]));
+  } else if (more && plan_.goal >= StreamGoal::start) {
+    const SwapPlan& leg = legs_[leg_];
     enter(StreamStage::starting);
-    issue(wire::Start{.tick = plan_.start_tick});
+    issue(wire::Start{.tick = leg.when == wire::StartAt::tick ? plan_.start_tick : -1,
+                      .when = leg.when,
+                      .position = leg.position});
   } else {
     enter(StreamStage::holding);
   }
+}
+
+/// A swap has taken place when its table is the one that is played and nothing waits. A status may
+/// be late: if it is the same table as before, this must have been so for a while.
+void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos now) {
+  constexpr Nanos a_while = std::chrono::milliseconds(500);
+  if (stage() != StreamStage::swapping) return;
+  waited_ |= status.next == wire::Next::waiting;
+  const Sha256& hash = headers_[legs_[leg_ - 1].slave].hash;
+  const bool there = status.next == wire::Next::nothing &&
+                     std::equal(status.table.begin(), status.table.end(), hash.begin());
+  if (!there) return due_.reset();
+  if (!due_) due_ = now;
+  const bool new_table = leg_ < 2 || headers_[legs_[leg_ - 2].slave].hash != hash;
+  if (waited_ || new_table || now - *due_ >= a_while) pursue();
 }
 
 void Sender::raise(StreamGoal goal) {
@@ -273,12 +301,12 @@ void Sender::fail(StreamError error, std::string reason) {
 const char* name(StreamError error) {
   constexpr const char* names[] = {"none",      "no_answer",       "contact_lost",
                                    "stalled",   "command_timeout", "out_of_time",
-                                   "restarted", "refused"};
+                                   "restarted", "refused",         "underrun"};
   return names[static_cast<std::size_t>(error)];
 }
 
 const char* name(StreamStage stage) {
-  constexpr const char* names[] = {"downloading", "arming",    "starting", "stopping",
+  constexpr const char* names[] = {"downloading", "arming",    "starting", "stopping", "swapping",
                                    "holding",     "releasing", "released", "failed"};
   return names[static_cast<std::size_t>(stage)];
 }

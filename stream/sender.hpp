@@ -33,6 +33,7 @@ enum class StreamError {
   out_of_time,      ///< the bound on the total time was reached
   restarted,        ///< the executor has restarted and forgotten
   refused,          ///< see refusal and reason
+  underrun,         ///< rows came too slowly, and the axis has stopped on its path
 };
 const char* name(StreamError error);
 
@@ -41,6 +42,7 @@ enum class StreamStage {
   arming,
   starting,
   stopping,
+  swapping,   ///< the swap is accepted, and waits for its boundary
   holding,    ///< the goal is reached, heartbeats hold the session
   releasing,  ///< the session is about to end; a motion goes on
   released,
@@ -65,6 +67,7 @@ struct StreamOutcome {
   bool armed = false;
   bool started = false;
   bool stopped = false;
+  std::size_t swaps = 0;  ///< accepted
   StreamProgress progress;
 
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
@@ -126,6 +129,7 @@ class Sender {
 
   void take(const wire::Ack& ack, std::int64_t challenge, Nanos now);
   void take(const wire::Reply& reply, std::int64_t challenge, Nanos now);
+  void take(const wire::Status& status, std::int64_t challenge, Nanos now);
   template <class Other>
   void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
   void begin_anew(std::int64_t challenge);
@@ -133,10 +137,16 @@ class Sender {
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
   void next_table(Nanos now);
+  [[nodiscard]] wire::Arm arm_of(const SwapPlan& leg) const;
   void pursue();
   void count();
 
   StreamPlan plan_;
+  std::vector<SwapPlan> legs_;
+  std::size_t leg_ = 0;  // the one that is to be armed or started next
+  bool leg_armed_ = false;
+  std::optional<Nanos> due_;  // the last start looks as if it had taken place, since then
+  bool waited_ = false;       // it was seen to wait
   std::int64_t session_;
   SenderOptions options_;
   std::int64_t challenge_ = 0;  // what the executor told last

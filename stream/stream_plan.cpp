@@ -1,5 +1,6 @@
 #include "jounce/stream/stream_plan.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -9,16 +10,31 @@
 namespace jounce {
 namespace {
 
+TableInUnits in_units(const StreamPlan::Item& item) {
+  return {item.table, item.units};
+}
+
+/// `master` may lie behind the last table: there is none then.
+void require_fit(const StreamPlan& plan, const SwapPlan& leg) {
+  require_valid(leg.coupling);
+  if (leg.mode == wire::ArmMode::queue)
+    throw InputError("mode", name(leg.mode), "must play tables: a queue has a sender of its own");
+  std::optional<TableInUnits> master;
+  if (leg.master < plan.tables.size()) master.emplace(in_units(plan.tables[leg.master]));
+  const Refused refused =
+      misfit(leg.mode, in_units(plan.tables[leg.slave]), master ? &*master : nullptr);
+  if (refused) throw InputError("mode", name(leg.mode), refused.reason);
+}
+
 void require_armable(const StreamPlan& plan) {
   if (plan.goal == StreamGoal::download) return;
-  require_valid(plan.coupling);
-  const auto in_units = [](const StreamPlan::Item& item) {
-    return TableInUnits{item.table, item.units};
-  };
-  std::optional<TableInUnits> master;
-  if (plan.tables.size() > 1) master.emplace(in_units(plan.tables[1]));
-  const Refused refused = misfit(plan.mode, in_units(plan.tables[0]), master ? &*master : nullptr);
-  if (refused) throw InputError("mode", name(plan.mode), refused.reason);
+  for (const SwapPlan& leg : legs_of(plan)) {
+    if (leg.slave >= plan.tables.size())
+      throw InputError("swap", std::to_string(leg.slave + 1), "there is no such table");
+    require_fit(plan, leg);
+    if (!std::isfinite(leg.position))
+      throw InputError("swap position", std::to_string(leg.position), "must be finite");
+  }
 }
 
 }  // namespace
@@ -29,6 +45,16 @@ void require_valid(const StreamPlan& plan) {
   if (plan.start_tick < -1)
     throw InputError("start_tick", std::to_string(plan.start_tick), "must be -1 or more");
   require_armable(plan);
+}
+
+std::vector<SwapPlan> legs_of(const StreamPlan& plan) {
+  std::vector<SwapPlan> legs{{.slave = 0,
+                              .master = 1,
+                              .mode = plan.mode,
+                              .coupling = plan.coupling,
+                              .when = wire::StartAt::tick}};
+  legs.insert(legs.end(), plan.swaps.begin(), plan.swaps.end());
+  return legs;
 }
 
 wire::Header header_of(const StreamPlan::Item& item, std::size_t index) {

@@ -12,6 +12,16 @@ namespace jounce {
 /// How far a streamer goes.
 enum class StreamGoal { download, arm, start };
 
+/// Tables that take over from what plays, in motion, where position, velocity and acceleration meet.
+struct SwapPlan {
+  std::size_t slave = 0;   ///< in StreamPlan::tables, from 0
+  std::size_t master = 0;  ///< with follow_table
+  wire::ArmMode mode = wire::ArmMode::play;
+  CouplingSpec coupling{};  ///< of a slave that follows a master, in s; without master_jump
+  wire::StartAt when = wire::StartAt::end_of_table;
+  double position = 0;  ///< of the master, m, with master_position
+};
+
 /// What is to be streamed where, and what is to become of it.
 struct StreamPlan {
   struct Item {
@@ -24,11 +34,16 @@ struct StreamPlan {
   wire::ArmMode mode = wire::ArmMode::play;
   CouplingSpec coupling{};       ///< of a slave that follows a master, in s; without master_jump
   std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
+  std::vector<SwapPlan>
+      swaps{};  ///< then, one after the other, once the one before has taken place
 };
 
 /// Throws InputError for no or too many tables, a bad tick, or, unless the goal is to download
 /// only, tables whose axes or units do not fit the mode, or a bad coupling.
 void require_valid(const StreamPlan& plan);
+
+/// All that the plan arms and starts: the first tables at their tick, then the swaps.
+std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
 /// What announces this table as number `index` of a session. Throws InputError for too many knots.
 wire::Header header_of(const StreamPlan::Item& item, std::size_t index);

@@ -25,7 +25,8 @@ void put_row(const Row& from, double* to) {
 
 bool get_row(const double* from, Row& to) {
   const double order = from[6];
-  if ((order != 1 && order != 2 && order != 5) || (!is_zero(from[7]) && from[7] != 1)) return false;
+  if ((order != 1 && order != 2 && order != 3 && order != 5) || (!is_zero(from[7]) && from[7] != 1))
+    return false;
   to = {from[0],     from[1], from[2], from[3], from[4], from[5], static_cast<RowOrder>(order),
         from[7] == 1};
   return true;

@@ -41,6 +41,8 @@ void put(const Status& from, jounce_lcm::status_t& to) {
   to.not_authentic = from.not_authentic;
   std::copy(from.lateness.begin(), from.lateness.end(), to.lateness);
   std::copy(from.computing.begin(), from.computing.end(), to.computing);
+  put_unit("unit of x", from.units.x, to.unit_x);
+  put_unit("unit of position", from.units.position, to.unit_position);
 }
 
 bool get(const jounce_lcm::status_t& from, Status& to) {
@@ -68,7 +70,9 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
          get_enum(from.progress, to.progress) && get_count(from.queue_rows, to.queue_rows) &&
          get_count(from.queue_capacity, to.queue_capacity) && to.boot >= 0 && to.rejected >= 0 &&
          to.not_authentic >= 0 && get_histogram(from.lateness, to.lateness) &&
-         get_histogram(from.computing, to.computing);
+         get_histogram(from.computing, to.computing) &&
+         get_text(from.unit_x, unit_bytes, to.units.x) &&
+         get_text(from.unit_position, unit_bytes, to.units.position);
 }
 
 void put(const Event& from, jounce_lcm::event_t& to) {

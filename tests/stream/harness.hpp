@@ -120,8 +120,11 @@ class Executor {
 
   ReceiverPump pump;
   std::vector<std::string> log;
+  std::vector<wire::Row> rows;         ///< that arrived, of all queues
+  std::vector<StartRequested> starts;  ///< that were asked for
+  bool queue_armed = false, queue_started = false;
   bool answers = true;    ///< otherwise it leaves commands without an outcome
-  std::string objection;  ///< what the axis says to an arm; empty: yes
+  std::string objection;  ///< what the axis says to an arm or an order; empty: yes
 
  private:
   static ReceiverOptions named(ReceiverOptions options) {
@@ -136,19 +139,28 @@ class Executor {
       pump.receiver().refuse(e.session, e.command, objection, 41);
   }
   void answer(const StartRequested& e) {
+    queue_started |= queue_armed;
+    starts.push_back(e);
     if (answers) pump.receiver().accept(e.session, e.command);
   }
   void answer(const StopRequested& e) {
     if (answers) pump.receiver().accept(e.session, e.command);
   }
   void answer(const QueueArmRequested& e) {
+    queue_armed = true;
     if (answers) pump.receiver().accept(e.session, e.command);
   }
   void answer(const OrderRequested& e) {
-    if (answers) pump.receiver().accept(e.session, e.command);
+    if (!answers) return;
+    if (objection.empty())
+      pump.receiver().accept(e.session, e.command);
+    else
+      pump.receiver().refuse(e.session, e.command, objection, 41);
   }
   void answer(const QueueOpened& /*e*/) {}
-  void answer(const RowsArrived& /*e*/) {}
+  void answer(const RowsArrived& e) {
+    rows.insert(rows.end(), e.rows.rows.begin(), e.rows.rows.end());
+  }
   void answer(const TableReady& /*e*/) {}
   void answer(const SessionEnded& /*e*/) {}
 };

@@ -70,7 +70,8 @@ inline std::vector<wire::Message> samples() {
                     12,
                     11,
                     lateness,
-                    computing}},
+                    computing,
+                    {"rev", "µm"}}},
       {name, 20,
        wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
@@ -145,7 +146,8 @@ struct Text {
     fields("status", name(m.state), name(m.next), m.tick, m.cycle_ns, m.master_position,
            m.slave_position, m.slave_velocity, m.last_error, m.late_ticks, m.finished, m.stopped,
            m.actual_position, m.following_error, m.torque, m.override_, name(m.progress), m.reason,
-           m.queue_rows, m.queue_capacity, m.outputs, m.boot, m.rejected, m.not_authentic);
+           m.units.x, m.units.position, m.queue_rows, m.queue_capacity, m.outputs, m.boot,
+           m.rejected, m.not_authentic);
     for (const unsigned byte : m.table) fields(byte);
     for (const int count : m.lateness) fields(count);
     for (const int count : m.computing) fields(count);

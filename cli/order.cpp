@@ -1,0 +1,214 @@
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/units.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/client.hpp"
+
+#include "link.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using wire::OrderKind;
+
+struct Options {
+  std::string executor;
+  std::string what;
+  std::string value;
+  std::map<std::string, std::string> named;  // by option, without --
+  bool relative = false;
+  LinkOptions link;
+  bool json = false;
+};
+
+/// What the axis counts in, and so what the values of its orders are.
+Units units_of(Transport& link, const Options& options, const std::optional<wire::Key>& key) {
+  link.subscribe(wire::channel(options.executor, wire::Lane::status), 1);
+  const auto message =
+      next_status(link, options.executor, std::chrono::seconds(1), steady_now, key);
+  if (!message) {
+    throw TransportError("nothing is heard of " + options.executor +
+                         ": is it running, on the same --url, with the same --key?");
+  }
+  return std::get<wire::Status>(message->body).units;
+}
+
+/// A quantity of position / s^order, of an option or of VALUE; an option that is not given is 0.
+double quantity_of(const Options& options, const std::string& option, const Units& units,
+                   int order = 0) {
+  const bool is_value = option == "VALUE";
+  const auto found = options.named.find(option);
+  const std::string text = is_value ? options.value : found->second;
+  if (text.empty() && !is_value) return 0;
+  try {
+    return quantity(text, order == 0 ? units.position : rate_unit(units.position, "s", order));
+  } catch (const InputError& error) {
+    throw InputError(is_value ? option : "--" + option, text, error.rule());
+  }
+}
+
+/// "50%" or "0.5".
+double factor_of(const std::string& text) {
+  const bool percent = !text.empty() && text.back() == '%';
+  double factor = 0;
+  if (!CLI::detail::lexical_cast(percent ? text.substr(0, text.size() - 1) : text, factor) ||
+      !(factor >= 0 && factor <= (percent ? 200 : 2)))
+    throw InputError("VALUE", text, "must be 0% to 200%, or 0 to 2");
+  return percent ? factor / 100 : factor;
+}
+
+/// "3:2" or "3".
+std::pair<double, double> ratio_of(const std::string& text) {
+  const auto colon = text.find(':');
+  double numerator = 0, denominator = 1;
+  const bool good = CLI::detail::lexical_cast(text.substr(0, colon), numerator) &&
+                    (colon == std::string::npos ||
+                     CLI::detail::lexical_cast(text.substr(colon + 1), denominator));
+  if (!good) throw InputError("VALUE", text, "must be a ratio of whole numbers like 3:2");
+  return {numerator, denominator};
+}
+
+double direction_of(const std::string& text) {
+  return text == "positive" ? 1 : text == "negative" ? -1 : 0;
+}
+
+/// --to, --by, --add, --on-top: exactly one of them.
+wire::Order move_of(const Options& options, const Units& units) {
+  constexpr std::pair<const char*, OrderKind> ways[] = {{"to", OrderKind::move_absolute},
+                                                        {"by", OrderKind::move_relative},
+                                                        {"add", OrderKind::move_additive},
+                                                        {"on-top", OrderKind::move_superimposed}};
+  std::optional<wire::Order> order;
+  for (const auto& [option, kind] : ways) {
+    if (options.named.at(option).empty()) continue;
+    if (order) throw InputError("move", option, "must have one of --to, --by, --add, --on-top");
+    order = wire::Order{.kind = kind, .value = {quantity_of(options, option, units)}};
+  }
+  if (!order) throw InputError("move", "", "must have one of --to, --by, --add, --on-top");
+  const double rates[] = {
+      quantity_of(options, "velocity", units, 1), quantity_of(options, "acceleration", units, 2),
+      quantity_of(options, "deceleration", units, 2), quantity_of(options, "jerk", units, 3)};
+  std::copy(std::begin(rates), std::end(rates), order->value.begin() + 1);
+  if (order->kind == OrderKind::move_absolute)
+    order->value[5] = direction_of(options.named.at("direction"));
+  return *order;
+}
+
+wire::Order order_of(const Options& options, const Units& units) {
+  const std::string& what = options.what;
+  const double a = quantity_of(options, "acceleration", units, 2);
+  const double d = quantity_of(options, "deceleration", units, 2);
+  const double j = quantity_of(options, "jerk", units, 3);
+  if (what == "move") return move_of(options, units);
+  if (what == "override")
+    return {.kind = OrderKind::override_, .value = {factor_of(options.value)}};
+  if (what == "jog") {
+    return {.kind = OrderKind::move_velocity,
+            .value = {quantity_of(options, "VALUE", units, 1), a, d, j}};
+  }
+  if (what == "halt") return {.kind = OrderKind::halt, .value = {d, j}};
+  if (what == "home")
+    return {.kind = OrderKind::home, .value = {quantity_of(options, "VALUE", units)}};
+  if (what == "set-position") {
+    return {.kind = OrderKind::set_position,
+            .value = {quantity_of(options, "VALUE", units), options.relative ? 1.0 : 0.0}};
+  }
+  if (what == "gear-in") {
+    const auto [numerator, denominator] = ratio_of(options.value);
+    return {.kind = OrderKind::gear_in, .value = {numerator, denominator, a, d, j}};
+  }
+  const std::map<std::string, OrderKind> plain{
+      {"enable", OrderKind::enable},  {"disable", OrderKind::disable},
+      {"reset", OrderKind::reset},    {"hold", OrderKind::hold},
+      {"resume", OrderKind::resume},  {"gear-out", OrderKind::gear_out},
+      {"cam-out", OrderKind::cam_out}};
+  return {.kind = plain.at(what)};
+}
+
+/// An operator's own orders need no session: they are obeyed whoever owns the axis.
+CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
+  if (!wire::is_operators(order.kind)) {
+    Client client(link.transport(), options.executor, {.key = link.key()});
+    CallOutcome outcome = client.order(order.kind, order.value);
+    static_cast<void>(client.release());
+    return outcome;
+  }
+  const wire::Reply reply = operator_command(link.transport(), options.executor, order, link.key());
+  if (reply.outcome == wire::Outcome::accepted) return {};
+  if (reply.outcome == wire::Outcome::pending)
+    return {StreamError::command_timeout, {}, 0, options.executor + " does not decide"};
+  return {StreamError::refused, reply.refusal, reply.cause,
+          std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
+}
+
+int report(const Options& options, const CallOutcome& outcome) {
+  if (options.json) {
+    const nlohmann::ordered_json document{{"ok", outcome.ok()},
+                                          {"error", name(outcome.error)},
+                                          {"cause", outcome.cause},
+                                          {"reason", outcome.reason}};
+    fmt::print("{}\n", document.dump(1));
+  } else if (outcome.ok()) {
+    fmt::print("{}: {} accepted\n", options.executor, options.what);
+  } else {
+    fmt::print(stderr, "jounce: {}: {}\n", options.executor, outcome.reason);
+  }
+  if (outcome.ok()) return fine;
+  return outcome.error == StreamError::refused ? finding : fault;
+}
+
+int run(const Options& options) {
+  if (!wire::is_executor_name(options.executor))
+    throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  Link link(options.link);
+  const wire::Order order = order_of(options, units_of(link.transport(), options, link.key()));
+  if (const std::string rule = contradiction(order); !rule.empty())
+    throw InputError(options.what, "", rule);
+  return report(options, give(options, order, link));
+}
+
+}  // namespace
+
+void add_order(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = add_verb(app, "order", "Tell an executor's axis one thing to do",
+                            "jounce order feeder move --to 120mm --velocity 200mm/s\n"
+                            "jounce order feeder override 50%");
+  verb->add_option("NAME", options->executor, "Name of the executor")->required();
+  verb->add_option("WHAT", options->what,
+                   "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
+                   "set-position; gear-in, gear-out, cam-out")
+      ->required()
+      ->check(
+          CLI::IsMember({"enable", "disable", "reset", "hold", "resume", "override", "move", "jog",
+                         "halt", "home", "set-position", "gear-in", "gear-out", "cam-out"}));
+  verb->add_option("VALUE", options->value,
+                   "override's factor (50%), jog's velocity, home's and set-position's position, "
+                   "gear-in's ratio (3:2)");
+  const auto add = [&](const std::string& option, const char* help) {
+    return verb->add_option("--" + option, options->named[option], help);
+  };
+  add("to", "Move to this position");
+  add("by", "Move by this distance from where the axis is commanded to be");
+  add("add", "Move by this distance from where the present motion would end");
+  add("on-top", "Move by this distance on top of the present motion");
+  add("velocity", "Greatest velocity of the move; not given: the axis's limit, as all that follow");
+  add("acceleration", "Acceleration");
+  add("deceleration", "Deceleration");
+  add("jerk", "Jerk");
+  add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
+      ->check(CLI::IsMember({"shortest", "positive", "negative"}));
+  verb->add_flag("--relative", options->relative, "set-position by an offset");
+  add_link_options(*verb, options->link);
+  verb->add_flag("--json", options->json, "Outcome for machines");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,179 @@
+#include "jounce/stream/client.hpp"
+
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using wire::OrderKind;
+using wire::Refusal;
+
+/// Whether the executor knows this session no more, and so has done nothing.
+bool is_over(Refusal refusal) {
+  return refusal == Refusal::unknown_session || refusal == Refusal::session_ended ||
+         refusal == Refusal::stale_challenge;
+}
+
+void set_number(wire::Body& body, std::int32_t number) {
+  std::visit(
+      [&](auto& each) {
+        if constexpr (requires { each.command; }) each.command = number;
+      },
+      body);
+}
+
+CallOutcome refused(const wire::Reply& reply) {
+  const std::string why = reply.reason.empty() ? "" : ": " + reply.reason;
+  return {StreamError::refused, reply.refusal, reply.cause, name(reply.refusal) + why};
+}
+
+}  // namespace
+
+Client::Client(Transport& link, std::string executor, ClientOptions options, Clock clock)
+    : link_(link),
+      executor_(std::move(executor)),
+      options_(std::move(options)),
+      clock_(std::move(clock)) {
+  if (!wire::is_executor_name(executor_))
+    throw InputError("executor", executor_, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
+}
+
+/// The next reply to this command, within one repeat. Also what challenge came with it.
+std::optional<wire::Reply> Client::reply_to(std::int32_t number, std::int64_t& challenge) {
+  for (const Nanos end = clock_() + options_.repeat; clock_() < end;) {
+    const auto message = next_message(link_, end - clock_(), rejects_, options_.key);
+    const auto* const reply = message ? std::get_if<wire::Reply>(&message->body) : nullptr;
+    if (reply == nullptr || message->executor != executor_ || message->session != session_ ||
+        reply->command != number)
+      continue;
+    challenge = message->challenge;
+    return *reply;
+  }
+  return std::nullopt;
+}
+
+/// One command under the next number, repeated until it is decided.
+CallOutcome Client::ask(const wire::Body& body) {
+  const std::int32_t number = ++number_;
+  bool heard = false;
+  wire::Message message{executor_, session_, body, challenge_};
+  set_number(message.body, number);
+  for (const Nanos begin = clock_(); clock_() - begin <= options_.patience;) {
+    send_message(link_, message, options_.key);
+    std::int64_t challenge = 0;
+    const auto reply = reply_to(number, challenge);
+    if (!reply) continue;
+    heard = true;
+    if (number > 1 && reply->boot != boot_)
+      return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
+    boot_ = reply->boot;
+    if (number == 1 && reply->refusal == Refusal::stale_challenge)
+      message.challenge = challenge_ = challenge;
+    else if (reply->outcome == wire::Outcome::refused)
+      return refused(*reply);
+    else if (reply->outcome == wire::Outcome::accepted)
+      return {};
+  }
+  const std::size_t foreign = rejects_[wire::Reject::not_authentic];
+  if (heard) return {StreamError::command_timeout, Refusal::none, 0, "the axis does not decide"};
+  return {StreamError::no_answer, Refusal::none, 0,
+          "no answer from executor " + executor_ +
+              (foreign > 0 ? ", but messages that another key signed, or none" : "")};
+}
+
+CallOutcome Client::open() {
+  session_ = random_id();
+  challenge_ = boot_ = number_ = 0;
+  CallOutcome outcome = ask(wire::Heartbeat{});
+  if (!outcome.ok()) session_ = 0;
+  return outcome;
+}
+
+/// In the session that is there, or else in a new one.
+CallOutcome Client::call(wire::Body body) {
+  if (session_ != 0) {
+    CallOutcome outcome = ask(body);
+    if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+  }
+  if (CallOutcome outcome = open(); !outcome.ok()) return outcome;
+  return ask(body);
+}
+
+CallOutcome Client::order(OrderKind kind, const std::array<double, 8>& value, std::int64_t at) {
+  const wire::Order order{.kind = kind, .at = at, .value = value};
+  if (const std::string rule = contradiction(order); !rule.empty())
+    throw InputError(name(kind), "", rule);
+  if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
+  return call(order);
+}
+
+CallOutcome Client::release() {
+  if (session_ == 0) return {};
+  CallOutcome outcome = ask(wire::Heartbeat{.release = true});
+  session_ = 0;
+  const bool was_over = outcome.error == StreamError::refused && is_over(outcome.refusal);
+  return was_over ? CallOutcome{} : outcome;
+}
+
+CallOutcome Client::stop(wire::StopMode mode) {
+  return call(wire::Stop{.mode = mode});
+}
+
+CallOutcome Client::set_position(double position, bool relative) {
+  return order(OrderKind::set_position, {position, relative ? 1.0 : 0.0});
+}
+
+CallOutcome Client::home(double position) {
+  return order(OrderKind::home, {position});
+}
+
+CallOutcome Client::override_(double factor) {
+  return order(OrderKind::override_, {factor});
+}
+
+CallOutcome Client::move_absolute(double position, const Pacing& p, int direction) {
+  return order(OrderKind::move_absolute, {position, p.velocity, p.acceleration, p.deceleration,
+                                          p.jerk, static_cast<double>(direction)});
+}
+
+CallOutcome Client::move_relative(double distance, const Pacing& p) {
+  return order(OrderKind::move_relative,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_additive(double distance, const Pacing& p) {
+  return order(OrderKind::move_additive,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_superimposed(double distance, const Pacing& p) {
+  return order(OrderKind::move_superimposed,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_velocity(double velocity, const Pacing& p) {
+  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::halt(const Pacing& p) {
+  return order(OrderKind::halt, {p.deceleration, p.jerk});
+}
+
+CallOutcome Client::gear_in(std::int32_t numerator, std::int32_t denominator, const Pacing& p) {
+  return order(OrderKind::gear_in,
+               {static_cast<double>(numerator), static_cast<double>(denominator), p.acceleration,
+                p.deceleration, p.jerk});
+}
+
+CallOutcome Client::gear_in_pos(std::int32_t numerator, std::int32_t denominator,
+                                double master_sync, double slave_sync, double master_start_distance,
+                                bool avoid_reversal) {
+  return order(OrderKind::gear_in_pos,
+               {static_cast<double>(numerator), static_cast<double>(denominator), master_sync,
+                slave_sync, master_start_distance, avoid_reversal ? 1.0 : 0.0});
+}
+
+}  // namespace jounce

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "jounce/stream/driver.hpp"
+
+namespace jounce {
+
+/// What became of a call.
+struct CallOutcome {
+  StreamError error = StreamError::none;  ///< no_answer, command_timeout, restarted or refused
+  wire::Refusal refusal = wire::Refusal::none;
+  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::string reason{};    ///< in words; may be empty
+
+  [[nodiscard]] bool ok() const { return error == StreamError::none; }
+};
+
+struct ClientOptions {
+  std::optional<wire::Key> key{};                ///< the executor's; none: it has none
+  Nanos patience = std::chrono::seconds(2);      ///< with one call
+  Nanos repeat = std::chrono::milliseconds(20);  ///< of a command, until it is answered
+};
+
+/// How a motion is to be made, u/s, u/s^2, u/s^3; 0: the limit that the axis is configured with.
+struct Pacing {
+  double velocity = 0;
+  double acceleration = 0;
+  double deceleration = 0;
+  double jerk = 0;
+};
+
+/// Tells an executor's axis what to do, one call after another, as PLCopen's function blocks would.
+///
+///     Client client(link, "feeder");
+///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
+///     client.move_absolute(120, {.velocity = 200});   // accepted: the axis moves
+///     client.override_(0.5);
+///     client.release();                               // the motion goes on
+///
+/// Each call returns once the axis has accepted or refused; it never throws but for a value that no
+/// axis can take (InputError) and TransportError. The first one begins a session, which owns the
+/// axis; while another one owns it, calls are refused as busy. After a second without a call the
+/// axis is free again, and the next call begins another session.
+class Client {
+ public:
+  /// Subscribes. The link must outlive the client. Throws InputError for a bad name.
+  Client(Transport& link, std::string executor, ClientOptions options = {},
+         Clock clock = steady_now);
+
+  CallOutcome enable() { return order(wire::OrderKind::enable); }
+  CallOutcome disable() { return order(wire::OrderKind::disable); }
+  CallOutcome reset() { return order(wire::OrderKind::reset); }
+  CallOutcome set_position(double position, bool relative = false);
+  CallOutcome home(double position);
+  CallOutcome hold() { return order(wire::OrderKind::hold); }
+  CallOutcome resume() { return order(wire::OrderKind::resume); }
+  CallOutcome override_(double factor);
+
+  /// `direction` of a rotary axis: 1 or -1, 0 the shorter way.
+  CallOutcome move_absolute(double position, const Pacing& pacing = {}, int direction = 0);
+  CallOutcome move_relative(double distance, const Pacing& pacing = {});
+  CallOutcome move_additive(double distance, const Pacing& pacing = {});
+  /// pacing.velocity: the greatest difference to the motion below.
+  CallOutcome move_superimposed(double distance, const Pacing& pacing = {});
+  /// `velocity` is signed; pacing.velocity has no meaning.
+  CallOutcome move_velocity(double velocity, const Pacing& pacing = {});
+  CallOutcome halt(const Pacing& pacing = {});
+  CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
+
+  CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator, const Pacing& pacing = {});
+  CallOutcome gear_in_pos(std::int32_t numerator, std::int32_t denominator, double master_sync,
+                          double slave_sync, double master_start_distance,
+                          bool avoid_reversal = false);
+  CallOutcome gear_out() { return order(wire::OrderKind::gear_out); }
+  CallOutcome cam_out() { return order(wire::OrderKind::cam_out); }
+
+  /// Any order; `at`: the executor's tick at which it is obeyed, -1: the next one.
+  CallOutcome order(wire::OrderKind kind, const std::array<double, 8>& value = {},
+                    std::int64_t at = -1);
+
+  /// Ends the session; a motion goes on.
+  CallOutcome release();
+
+  [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: none yet
+
+ private:
+  CallOutcome open();
+  CallOutcome call(wire::Body body);
+  CallOutcome ask(const wire::Body& body);
+  [[nodiscard]] std::optional<wire::Reply> reply_to(std::int32_t number, std::int64_t& challenge);
+
+  Transport& link_;
+  std::string executor_;
+  ClientOptions options_;
+  Clock clock_;
+  Rejects rejects_;
+  std::int64_t session_ = 0;
+  std::int64_t challenge_ = 0;
+  std::int64_t boot_ = 0;
+  std::int32_t number_ = 0;
+};
+
+}  // namespace jounce

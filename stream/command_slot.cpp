@@ -1,0 +1,25 @@
+#include "jounce/stream/command_slot.hpp"
+
+#include <utility>
+
+namespace jounce {
+
+void CommandSlot::issue(wire::Body body) {
+  ++number_;
+  std::visit(
+      [&](auto& each) {
+        if constexpr (requires { each.command; }) each.command = number_;
+      },
+      body);
+  body_ = std::move(body);
+  begun_.reset();
+}
+
+std::optional<wire::Body> CommandSlot::due(Nanos now, Nanos repeat) {
+  if (!body_ || (begun_ && now - sent_ < repeat)) return std::nullopt;
+  if (!begun_) begun_ = now;
+  sent_ = now;
+  return body_;
+}
+
+}  // namespace jounce

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/transport.hpp"
+
+namespace jounce {
+
+/// The one command of a session that has no outcome yet, repeated until it has.
+class CommandSlot {
+ public:
+  /// Numbers the command; it takes the place of one before.
+  void issue(wire::Body body);
+  void clear() { body_.reset(); }
+
+  /// What is to be sent now, again and again.
+  [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
+
+  [[nodiscard]] bool empty() const { return !body_; }
+  [[nodiscard]] bool is_answered_by(const wire::Reply& reply) const {
+    return body_.has_value() && reply.command == number_;
+  }
+  [[nodiscard]] bool is_older(Nanos now, Nanos patience) const {
+    return body_.has_value() && begun_ && now - *begun_ > patience;
+  }
+  [[nodiscard]] const std::optional<wire::Body>& body() const { return body_; }
+
+ private:
+  std::optional<wire::Body> body_;
+  std::int32_t number_ = 0;
+  std::optional<Nanos> begun_;
+  Nanos sent_{};
+};
+
+}  // namespace jounce

@@ -1,0 +1,226 @@
+#include "jounce/stream/client.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "stream/harness.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace std::chrono_literals;
+using test::World;
+using testing::ElementsAre;
+using wire::Refusal;
+
+const wire::Key key{1, 2, 3};
+const wire::Key other_key{1, 2, 4};
+
+ReceiverOptions keyed() {
+  ReceiverOptions options;
+  options.key = key;
+  return options;
+}
+
+TEST(Client, TellsTheAxisOneThingAfterAnother) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  EXPECT_TRUE(client.enable().ok());
+  EXPECT_TRUE(client.move_absolute(120, {.velocity = 200}).ok());
+  EXPECT_TRUE(client.override_(0.5).ok());
+  EXPECT_TRUE(client.stop().ok());
+  const std::string session = std::to_string(client.session());
+  EXPECT_TRUE(client.release().ok());
+  EXPECT_THAT(world.executor->log,
+              ElementsAre("enable " + session, "move_absolute " + session, "override " + session,
+                          "stop " + session, "released " + session));
+}
+
+TEST(Client, EachOrderIsGivenOnceOnABadLink) {
+  World world;
+  LossyTransport bad(world.link,
+                     {.seed = 5, .lost = 0.3, .doubled = 0.3, .corrupted = 0.1, .delayed = 0.3},
+                     world.clock);
+  Client client(bad, "feeder", {}, world.clock);
+  std::vector<std::string> told;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(client.move_relative(1).ok()) << i;
+    told.push_back("move_relative " + std::to_string(client.session()));
+  }
+  EXPECT_EQ(world.executor->log, told);
+}
+
+TEST(Client, SaysWhyTheAxisRefuses) {
+  World world;
+  world.executor->objection = "not_enabled";
+  Client client(world.link, "feeder", {}, world.clock);
+  const CallOutcome outcome = client.move_relative(5);
+  EXPECT_EQ(outcome.error, StreamError::refused);
+  EXPECT_EQ(outcome.refusal, Refusal::axis);
+  EXPECT_EQ(outcome.cause, 41);
+  EXPECT_EQ(outcome.reason, "axis: not_enabled");
+}
+
+TEST(Client, DoesNotTakeAnAxisThatIsOwned) {
+  World world;
+  Client owner(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(owner.enable().ok());
+  Client second(world.link, "feeder", {}, world.clock);
+  EXPECT_EQ(second.disable().refusal, Refusal::busy);
+  EXPECT_TRUE(owner.move_relative(5).ok());
+  ASSERT_TRUE(owner.release().ok());
+  EXPECT_TRUE(second.disable().ok());
+}
+
+TEST(Client, BeginsAnewAfterALongPause) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  const auto before = client.session();
+  world.pass(2s);
+  EXPECT_TRUE(client.move_relative(1).ok());
+  EXPECT_NE(client.session(), before);
+}
+
+TEST(Client, NeverTellsAnExecutorThatHasRestartedWhatWasMeantForTheOneBefore) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  world.boot(101);
+  EXPECT_EQ(client.move_relative(1).error, StreamError::restarted);
+  EXPECT_TRUE(world.executor->log.empty());
+}
+
+TEST(Client, SaysThatNobodyAnswers) {
+  World world;
+  world.shut_down();
+  Client client(world.link, "feeder", {}, world.clock);
+  EXPECT_EQ(client.enable().error, StreamError::no_answer);
+  EXPECT_LT(world.now, 2100ms);
+}
+
+TEST(Client, RefusesValuesThatNoAxisCanTake) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  EXPECT_THROW(client.override_(2.5), InputError);
+  EXPECT_THROW(client.move_absolute(NAN), InputError);
+  EXPECT_THROW(client.move_relative(1, {.velocity = -1}), InputError);
+  EXPECT_THROW(client.gear_in(1, 0), InputError);
+  EXPECT_THROW(Client(world.link, "two words"), InputError);
+}
+
+// ---- with a key ---------------------------------------------------------------------------------
+
+TEST(Key, WhoHasItIsObeyedAndNobodyElse) {
+  World world(keyed());
+  Client owner(world.link, "feeder", {.key = key}, world.clock);
+  EXPECT_TRUE(owner.enable().ok());
+  EXPECT_TRUE(owner.release().ok());
+  const std::size_t obeyed = world.executor->log.size();
+  for (const auto& wrong : {std::optional<wire::Key>{}, std::optional{other_key}}) {
+    Client stranger(world.link, "feeder", {.key = wrong}, world.clock);
+    const CallOutcome outcome = stranger.enable();
+    EXPECT_EQ(outcome.error, StreamError::no_answer);
+    EXPECT_FALSE(
+        operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, world.clock, wrong));
+  }
+  EXPECT_EQ(world.executor->log.size(), obeyed);
+  EXPECT_GT(world.executor->pump.rejects()[wire::Reject::not_authentic], 100U);
+}
+
+TEST(Key, AWholeTableGoesThrough) {
+  World world(keyed());
+  StreamOptions options;
+  options.key = key;
+  EXPECT_TRUE(world.stream(test::plan_of(test::sine_table(5000)), 1, options).ok());
+  EXPECT_FALSE(world.stream(test::plan_of(test::sine_table(10)), 2).ok()) << "without it";
+}
+
+TEST(Key, AnOperatorsStopIsObeyedOnce) {
+  World world(keyed());
+  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, world.clock, key));
+  EXPECT_THAT(world.executor->log, ElementsAre("stop 0"));
+}
+
+/// All that was ever said to an executor, once more.
+void replay(World& world, const std::vector<Packet>& packets) {
+  MemoryTransport attacker(world.network);
+  for (const Packet& packet : packets) {
+    attacker.send(packet.channel, packet.bytes);
+    world.pass(1ms);
+  }
+}
+
+TEST(Key, NothingThatWasRecordedHasAnyEffectAgain) {
+  for (const bool with_key : {true, false}) {
+    World world(with_key ? keyed() : ReceiverOptions{});
+    const auto used = with_key ? std::optional{key} : std::nullopt;
+    MemoryTransport tap(world.network);
+    for (const auto lane : {wire::Lane::table, wire::Lane::command, wire::Lane::reply})
+      tap.subscribe(wire::channel("feeder", lane), 100'000);
+    Client client(world.link, "feeder", {.key = used}, world.clock);
+    ASSERT_TRUE(client.enable().ok());
+    ASSERT_TRUE(client.move_relative(100).ok());
+    const auto held = operator_command(
+        world.link, "feeder", wire::Order{.kind = wire::OrderKind::hold}, used, 1s, world.clock);
+    ASSERT_EQ(held.outcome, wire::Outcome::accepted);
+    ASSERT_TRUE(client.release().ok());
+    std::vector<Packet> recorded;
+    while (auto packet = tap.receive(Nanos{})) recorded.push_back(*std::move(packet));
+    ASSERT_GT(recorded.size(), 8U);
+
+    // Into the free axis, in any order; beside the next session; after a restart.
+    const std::size_t obeyed = world.executor->log.size();
+    replay(world, recorded);
+    std::reverse(recorded.begin(), recorded.end());
+    replay(world, recorded);
+    EXPECT_EQ(world.executor->log.size(), obeyed);
+    Client next(world.link, "feeder", {.key = used}, world.clock);
+    ASSERT_TRUE(next.enable().ok());
+    replay(world, recorded);
+    EXPECT_EQ(world.executor->log.size(), obeyed + 1);
+    world.boot(101);
+    replay(world, recorded);
+    EXPECT_TRUE(world.executor->log.empty());
+    EXPECT_EQ(world.executor->pump.receiver().session(), 0);
+  }
+}
+
+TEST(Key, AForgedAnswerConvincesNobody) {
+  World world(keyed());
+  world.executor->answers = false;
+  MemoryTransport attacker(world.network);
+  Client client(world.link, "feeder", {.key = key, .patience = 200ms}, world.clock);
+  // Whatever the number, whatever the session: without the key it does not count.
+  world.each_turn = [&] {
+    for (int number = 1; number < 4; ++number)
+      send_message(
+          attacker,
+          {"feeder", client.session(),
+           wire::Reply{.boot = 100, .command = number, .outcome = wire::Outcome::accepted}, 1});
+  };
+  EXPECT_EQ(client.enable().error, StreamError::command_timeout);
+}
+
+TEST(Key, AMessageIsNotItsOwnAnswer) {
+  // Types have one direction each, and a signature covers the type.
+  World world(keyed());
+  MemoryTransport mirror(world.network);
+  for (const auto lane : {wire::Lane::command, wire::Lane::reply})
+    mirror.subscribe(wire::channel("feeder", lane), 1000);
+  Client client(world.link, "feeder", {.key = key}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  const std::size_t obeyed = world.executor->log.size();
+  while (const auto packet = mirror.receive(Nanos{})) {
+    mirror.send(wire::channel("feeder", wire::Lane::command), packet->bytes);
+    mirror.send(wire::channel("feeder", wire::Lane::reply), packet->bytes);
+    if (world.now > 1s) break;
+    world.pass(1ms);
+  }
+  EXPECT_EQ(world.executor->log.size(), obeyed);
+}
+
+}  // namespace
+}  // namespace jounce
