@@ -40,9 +40,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double noise = 1e-13;
-constexpr double accuracy = 1e-11;         ///< of y, in what is natural
-constexpr double nothing = 1e-9;           ///< of the same
-constexpr double steepest = 1e7;           ///< of (3), in v
+constexpr double accuracy = 1e-10;   ///< of y, in what is natural: what joints leave
+constexpr double nothing = 1e-9;     ///< of the same
+constexpr double steepest = 1e7;     ///< of (3), in v
 constexpr Index to_begin_with = 32;  ///< instants
 constexpr std::array signs{1.0, -1.0};
 
