@@ -151,6 +151,11 @@ void MotionAxis::arm(Movement* movement) {
     now_.refused = movement->admit(config_, *from);
   else if (movement->course() == Course::path)
     refuse(Cause::in_motion);
+  // For a swap where the master passes a position: where the cam begins is looked at there.
+  if (now_.refused && on_path() && active_->synchronized() &&
+      (now_.refused->cause == Cause::start_position ||
+       now_.refused->cause == Cause::start_velocity))
+    now_.refused.reset();
   if (now_.refused) return hand_back(movement);
   disarm();
   pending_ = movement;

@@ -63,7 +63,7 @@ struct Tick {
 ///
 /// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
 /// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
-/// either a superimposed move. Who ends whom: transitions.hpp and docs/executor.md.
+/// either a superimposed move. Who ends whom: transitions.hpp and docs/executor/axis.md.
 ///
 /// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
 /// in the tick after which the axis no longer looks at it.

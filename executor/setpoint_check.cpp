@@ -50,7 +50,7 @@ Cause check_stopping(const MotionState& next, const AxisConfig& config) noexcept
   const auto stop = stopping({next.velocity, next.acceleration}, ramp);
   if (!stop) return Cause::none;
   const double end = next.position + stop->distance;
-  const double near = range_slack(end, config);
+  const double near = 1e-12 * (std::abs(next.position) + std::abs(stop->distance));  // rounding
   if (limits.position_max && stop->distance > 0 && end > *limits.position_max + near)
     return Cause::positive_soft_limit;
   if (limits.position_min && stop->distance < 0 && end < *limits.position_min - near)

@@ -23,7 +23,7 @@ const char* name(State state);
 
 /// Whether a command is looked at in a state: none, or the reason why not. What it needs besides
 /// (a movement, a target within the range) is looked at then. The table is in transitions.cpp and
-/// in docs/executor.md.
+/// in docs/executor/axis.md.
 Cause permitted(State state, Command::Kind kind) noexcept;
 
 }  // namespace jounce

@@ -100,7 +100,7 @@ std::vector<std::vector<std::string>> table_in(const std::string& file, const st
 }
 
 TEST(AxisStates, TheTableInTheDocumentationIsThatOfTheAxis) {
-  const auto rows = table_in("docs/executor.md", "| command \\ state");
+  const auto rows = table_in("docs/executor/axis.md", "| command \\ state");
   ASSERT_EQ(rows.size(), command_kinds + 1);  // heading, rule, and all but `none`
   for (std::size_t k = 1; k < command_kinds; ++k) {
     const auto& row = rows[k + 1];
