@@ -19,9 +19,9 @@ namespace {
 /// An axis as its file has it, and whom it follows, with the place where that is said.
 struct Read {
   Spec spec;
-  std::optional<FollowWhom> follow;
+  std::optional<FollowWhom> follow = {};
   const Document* said_in = nullptr;
-  std::string key;
+  std::string key = {};
 };
 
 AxisConfig config_of(const Spec& spec) {
