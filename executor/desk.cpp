@@ -6,6 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/executor/events.hpp"
+#include "jounce/executor/live_cam.hpp"
+#include "jounce/executor/orders.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -17,37 +20,16 @@ bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
 }
 
+/// The numbers of both are the same (docs/stream-protocol.md).
 wire::AxisState on_wire(State state) {
-  switch (state) {
-    case State::disabled:
-      return wire::AxisState::disabled;
-    case State::standstill:
-      return wire::AxisState::standstill;
-    case State::discrete_motion:
-      return wire::AxisState::discrete_motion;
-    case State::synchronized_motion:
-      return wire::AxisState::synchronized_motion;
-    case State::stopping:
-      return wire::AxisState::stopping;
-    default:
-      break;
-  }
-  return wire::AxisState::error_stop;
+  return static_cast<wire::AxisState>(state);
 }
 
-/// The tables as a motion; nothing where they do not make one.
-std::unique_ptr<Job> made(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
-                          double position) {
-  const double tick = static_cast<double>(period) * 1e-9;
-  try {
-    return arm.master ? std::make_unique<Job>(id, arm.master->table, arm.slave.table, tick,
-                                              arm.coupling, position)
-                      : std::make_unique<Job>(id, arm.slave.table, nullptr, tick);
-  } catch (const InputError&) {
-    return nullptr;
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
+/// Whether a command sets the axis in motion for whoever gives it.
+bool moves(Kind kind) {
+  return kind == Kind::move_absolute || kind == Kind::move_relative ||
+         kind == Kind::move_additive || kind == Kind::move_superimposed ||
+         kind == Kind::move_velocity || kind == Kind::gear_in;
 }
 
 }  // namespace
@@ -70,6 +52,7 @@ void Desk::turn() {
   take_built();
   take_answers();
   take_ticks();  // the later: the tick of every answer is there to be taken
+  queues_.report(last_, receiver_);
   flush();
 }
 
@@ -97,17 +80,38 @@ void Desk::handle(const TableReady& ready) {
 
 std::optional<Refusal> Desk::unfit(const ArmRequested& arm) const {
   if (retired_) return Refusal{.cause = Cause::leaving};
-  if (arm.mode == wire::ArmMode::follow_input) return Refusal{.cause = Cause::no_master_input};
+  const bool live = arm.mode == wire::ArmMode::follow_input;
+  if (live && options_.follow.what == Follow::What::nothing)
+    return Refusal{.cause = Cause::no_master_input};
   if (differ(options_.units.position, arm.slave.units.position) ||
-      (arm.master && differ(options_.units.x, arm.slave.units.x)))
+      ((arm.master || live) && differ(options_.units.x, arm.slave.units.x)))
     return Refusal{.cause = Cause::wrong_unit};
   return std::nullopt;
 }
 
 /// Where the axis will stand when what it plays now is over.
 double Desk::next_rest() const {
-  const auto playing = jobs_.find(last_.job);
-  return playing == jobs_.end() ? last_.position : playing->second.job->last().slave[0];
+  const auto playing = movements_.find(last_.job);
+  return playing == movements_.end() ? last_.position
+                                     : playing->second.made.last.value_or(last_.position);
+}
+
+/// The tables as a movement; none where they do not make one.
+Desk::Made Desk::make(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
+                      double position) {
+  const double tick = static_cast<double>(period) * 1e-9;
+  try {
+    if (arm.mode == wire::ArmMode::follow_input)
+      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling)};
+    auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
+                                                  arm.coupling, position)
+                          : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
+    return {job, job->first().slave[0], job->last().slave[0]};
+  } catch (const InputError&) {
+    return {};
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
 }
 
 void Desk::handle(const ArmRequested& arm) {
@@ -123,42 +127,49 @@ void Desk::build(const ArmRequested& arm) {
   const std::uint64_t id = ++numbers_;
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
-  auto make = [arm, id, period = options_.axis.period, position = next_rest()] {
-    return made(arm, id, period, position);
+  auto now = [arm, id, period = options_.axis.period, position = next_rest()] {
+    return make(arm, id, period, position);
   };
-  if (knots <= options_.build_apart) return this->arm(arm, make());
-  building_.emplace(Building{arm, worker_.ask(std::move(make))});
+  if (knots > options_.build_apart)
+    building_.emplace(Building{arm, worker_.ask(std::move(now))});
+  else
+    this->arm({arm.session, arm.command, Kind::arm}, now(), arm.slave.hash);
 }
 
 void Desk::take_built() {
   using namespace std::chrono_literals;
-  if (!building_ || building_->job.wait_for(0s) != std::future_status::ready) return;
+  if (!building_ || building_->made.wait_for(0s) != std::future_status::ready) return;
   Building built = std::move(*building_);
   building_.reset();
-  std::unique_ptr<Job> job = built.job.get();
-  if (!built.void_) arm(built.arm, std::move(job));
+  Made made = built.made.get();
+  const Request request{built.arm.session, built.arm.command, Kind::arm};
+  if (!built.void_) arm(request, std::move(made), built.arm.slave.hash);
   if (const auto next = std::exchange(next_arm_, std::nullopt)) build(*next);
 }
 
-void Desk::arm(const ArmRequested& arm, std::unique_ptr<Job> job) {
-  const Request request{arm.session, arm.command, Kind::arm};
-  if (!job) return answer(request, Refusal{.cause = Cause::bad_table});
-  if (last_.fault != Cause::none && arm.session != fault_session_) {
-    // Only a job that will be armed may clear a fault.
-    const double at = options_.adopt_start ? job->first().slave[0] : last_.position;
-    if (const auto refusal = admit(*job, options_.axis, at)) return answer(request, refusal);
+void Desk::arm(const Request& request, Made made, const Sha256& hash) {
+  if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
+  const bool adopts = options_.adopt_start && made.first.has_value();
+  if (last_.fault != Cause::none && request.session != fault_session_) {
+    // Only what will be armed may clear a fault.
+    const MotionState at{.position = adopts ? *made.first : last_.position};
+    if (const auto refusal = made.movement->admit(options_.axis, at))
+      return answer(request, refusal);
     order({.kind = Kind::reset});
   }
-  if (options_.adopt_start && !moving())
-    order({.kind = Kind::set_position, .position = job->first().slave[0]});
-  order({.kind = Kind::arm, .movement = job.get()}, request);
-  const std::uint64_t id = job->id();
-  jobs_[id] = {std::move(job), arm.slave.hash};
+  if (adopts && !moving()) order({.kind = Kind::set_position, .position = *made.first});
+  order({.kind = Kind::arm, .movement = made.movement.get()}, request);
+  const std::uint64_t id = made.movement->id();
+  movements_[id] = {std::move(made), hash};
 }
 
 void Desk::handle(const StartRequested& start) {
   motion_session_ = start.session;
-  order({.kind = Kind::start, .at = start.tick}, {start.session, start.command, Kind::start});
+  order({.kind = Kind::start,
+         .start_at = static_cast<StartAt>(start.when),
+         .at = start.tick,
+         .position = start.position},
+        {start.session, start.command, Kind::start});
 }
 
 void Desk::handle(const StopRequested& stop) {
@@ -171,32 +182,70 @@ void Desk::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
   if (silent) notify("the owner has fallen silent");
   drop_builds();
+  queues_.close();
   // The motion may be that of an owner before, who released it to run on.
   const bool its_motion = ended.session == motion_session_;
   order({.kind = silent && its_motion && options_.stop_when_silent ? Kind::stop : Kind::disarm});
 }
 
-// Orders and queues are understood, and refused: this axis plays tables.
-void Desk::handle(const OrderRequested& order) {
-  receiver_.refuse(order.session, order.command, "this axis plays tables only",
-                   static_cast<std::int32_t>(Cause::no_value));
+void Desk::handle(const OrderRequested& requested) {
+  const auto command = command_of(requested);
+  const Request request{requested.session, requested.command,
+                        command ? command->kind : Kind::gear_in};
+  if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
+  if (requested.at >= 0) return answer(request, Refusal{.cause = Cause::no_such_move});
+  if (moves(request.kind)) motion_session_ = requested.session;
+  if (command) return order(*command, request);
+  if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
+  if (options_.follow.what == Follow::What::nothing)
+    return answer(request, Refusal{.cause = Cause::no_master_input});
+  try {
+    const std::uint64_t id = ++numbers_;
+    Made gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
+    order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
+    movements_[id] = {std::move(gear), {}};
+  } catch (const InputError& error) {
+    receiver_.refuse(requested.session, requested.command, error.what(),
+                     static_cast<std::int32_t>(Cause::no_value));
+  }
+}
+
+void Desk::handle_queue_order(const OrderRequested& requested) {
+  const auto queue = static_cast<std::uint32_t>(requested.value[0]);
+  const int bank = requested.value[1] == 0 ? 0 : 1;
+  const bool done = requested.kind == wire::OrderKind::queue_switch  ? queues_.queue_switch(queue)
+                    : requested.kind == wire::OrderKind::queue_clear ? queues_.clear(queue, bank)
+                                                                     : false;
+  const Request request{requested.session, requested.command, Kind::none};
+  if (done) return answer(request, std::nullopt);
+  answer(request,
+         Refusal{.cause = requested.kind == wire::OrderKind::queue_end ? Cause::no_such_move
+                                                                       : Cause::in_motion});
 }
 
 void Desk::handle(const QueueArmRequested& arm) {
-  receiver_.refuse(arm.session, arm.command, "this axis plays tables only",
-                   static_cast<std::int32_t>(Cause::no_value));
+  const Request request{arm.session, arm.command, Kind::arm};
+  const auto movement = queues_.movement(arm.queue, arm.bank);
+  if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
+  if (!movement) return answer(request, Refusal{.cause = Cause::no_movement});
+  if (movements_.contains(movement->id()))
+    return answer(request, Refusal{.cause = Cause::in_motion});
+  this->arm(request, {.movement = movement}, {});
 }
 
 void Desk::handle(const QueueOpened& opened) {
-  receiver_.refuse_queue(opened.queue.queue, wire::Refusal::bad_queue,
-                         "this axis plays tables only");
+  queues_.open(opened, ++numbers_, options_.axis, receiver_);
+}
+
+void Desk::handle(const RowsArrived& arrived) {
+  queues_.take(arrived, receiver_);
 }
 
 /// A stop goes ahead of whatever has not reached the axis yet, and makes it void.
 void Desk::clear_outbox() {
   drop_builds();
   for (const Command& command : outbox_) {
-    if (command.movement != nullptr) jobs_.erase(command.movement->id());
+    if (command.movement != nullptr) movements_.erase(command.movement->id());
     unanswered_.erase(command.id);
   }
   outbox_.clear();
@@ -235,7 +284,7 @@ void Desk::take_answers() {
       unanswered_.erase(it);
     }
     for (const Movement* movement : from_axis.handed_back)
-      if (movement != nullptr) jobs_.erase(movement->id());
+      if (movement != nullptr) movements_.erase(movement->id());
   }
 }
 
@@ -252,6 +301,11 @@ void Desk::take_ticks() {
   for (Tick tick; mail_.ticks.pop(tick);) {
     if (log_) write(tick);
     compare(tick);
+    for (auto& event :
+         events_of(last_, tick, options_.switches.of, options_.axis.period, event_count_)) {
+      event_count_ = event.count;
+      events_.push_back(event);
+    }
     last_ = tick;
   }
 }
@@ -278,6 +332,7 @@ void Desk::compare(const Tick& tick) {
 }
 
 wire::Status Desk::status() const {
+  const auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
   wire::Status status{.state = on_wire(last_.state),
                       .tick = last_.tick,
                       .cycle_ns = options_.axis.period,
@@ -288,12 +343,23 @@ wire::Status Desk::status() const {
                       .late_ticks = vitals_.late.load(std::memory_order_relaxed),
                       .finished = static_cast<std::int64_t>(last_.finished),
                       .stopped = static_cast<std::int64_t>(last_.stopped),
+                      .actual_position = last_.actual_position,
+                      .following_error = last_.following_error,
+                      .torque = last_.torque,
+                      .override_ = last_.override_,
+                      .reason = static_cast<std::int32_t>(last_.reason),
+                      .queue_rows = waiting,
+                      .queue_capacity = capacity,
+                      .outputs = last_.switches.outputs,
+                      .lateness = vitals_.lateness.counts(),
+                      .computing = vitals_.computing.counts(),
                       .units = options_.units};
+  if (last_.job != 0) status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
-  const auto kept = jobs_.find(last_.job != 0 ? last_.job : last_.armed);
-  if (kept != jobs_.end()) {
+  const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
+  if (kept != movements_.end()) {
     std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());
-    if (kept->second.job->synchronized()) status.master_position = last_.master;
+    if (kept->second.made.movement->synchronized()) status.master_position = last_.master;
   }
   return status;
 }

@@ -9,10 +9,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/job.hpp"
 #include "jounce/executor/log.hpp"
+#include "jounce/executor/queues.hpp"
 #include "jounce/executor/worker.hpp"
 #include "jounce/stream/receiver.hpp"
 
@@ -64,6 +67,8 @@ class Desk {
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   [[nodiscard]] wire::Status status() const;
+  /// What the outputs did since it was asked last.
+  [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
  private:
   struct Request {
@@ -71,13 +76,19 @@ class Desk {
     std::int32_t command = 0;
     Command::Kind kind = Command::Kind::none;
   };
+  /// A movement as it was made of tables, with where it begins and ends, u, if that is known.
+  struct Made {
+    std::shared_ptr<Movement> movement = {};
+    std::optional<double> first = {};
+    std::optional<double> last = {};
+  };
   struct Kept {
-    std::unique_ptr<Job> job;
+    Made made;
     Sha256 hash{};
   };
   struct Building {
     ArmRequested arm;
-    std::future<std::unique_ptr<Job>> job;
+    std::future<Made> made;
     bool void_ = false;  // a stop came, or the session's end: nobody wants it any more
   };
 
@@ -86,15 +97,17 @@ class Desk {
   void handle(const StartRequested& start);
   void handle(const StopRequested& stop);
   void handle(const SessionEnded& ended);
-  void handle(const OrderRequested& order);
+  void handle(const OrderRequested& requested);
   void handle(const QueueArmRequested& arm);
   void handle(const QueueOpened& opened);
-  void handle(const RowsArrived& /*of a queue that was refused*/) {}
+  void handle(const RowsArrived& arrived);
+  void handle_queue_order(const OrderRequested& requested);
+  static Made make(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
   void build(const ArmRequested& arm);
   void take_built();
-  void arm(const ArmRequested& arm, std::unique_ptr<Job> job);
+  void arm(const Request& request, Made made, const Sha256& hash);
   void drop_builds();
 
   void order(Command command);
@@ -111,14 +124,17 @@ class Desk {
   ExecutorOptions options_;
   Receiver& receiver_;
   Mail& mail_;
-  const Vitals& vitals_;
+  Vitals& vitals_;
   Worker& worker_;
   std::optional<TickLog> log_;
   std::deque<Command> outbox_;
   std::map<std::uint64_t, Request> unanswered_;  // by the command's number
-  std::map<std::uint64_t, Kept> jobs_;           // by the job's
-  std::optional<Building> building_;             // one at a time
-  std::optional<ArmRequested> next_arm_;         // came while another was built; the newest
+  std::map<std::uint64_t, Kept> movements_;      // by the movement's
+  Queues queues_;
+  std::vector<wire::Event> events_;
+  std::int64_t event_count_ = 0;
+  std::optional<Building> building_;      // one at a time
+  std::optional<ArmRequested> next_arm_;  // came while another was built; the newest
   std::uint64_t numbers_ = 0;
   std::size_t under_way_ = 0;
   bool retired_ = false;

@@ -41,6 +41,7 @@ void Dispatcher::turn(Nanos timeout) {
   pump_.run(timeout);
   for (std::size_t i = 0; i < desks_.size(); ++i) {
     desks_[i].turn();
+    for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
     if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
   }
 }
@@ -68,8 +69,20 @@ bool Dispatcher::owned() const {
   return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.owned(); });
 }
 
+/// At once, and again with the next status: one of the two may be lost on its way.
+void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
+  pump_.announce(event, axis);
+  again_.emplace_back(axis, event);
+}
+
 void Dispatcher::publish(std::size_t axis) {
   pump_.publish(desks_[axis].status(), axis);
+  const auto repeat = [&](const auto& entry) {
+    if (entry.first != axis) return false;
+    pump_.announce(entry.second, axis);
+    return true;
+  };
+  again_.erase(std::remove_if(again_.begin(), again_.end(), repeat), again_.end());
   published_[axis] = clock_();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "jounce/executor/desk.hpp"
@@ -40,13 +41,15 @@ class Dispatcher {
 
  private:
   void publish(std::size_t axis);
+  void announce(const wire::Event& event, std::size_t axis);
 
   Vitals& vitals_;
   Clock clock_;
   ReceiverPump pump_;
   std::deque<Desk> desks_;
-  std::vector<Nanos> published_;  // when each axis's status was
-  Worker worker_;                 // last: what it builds is waited for before the rest goes
+  std::vector<Nanos> published_;                            // when each axis's status was
+  std::vector<std::pair<std::size_t, wire::Event>> again_;  // to be said once more, by axis
+  Worker worker_;  // last: what it builds is waited for before the rest goes
 };
 
 /// The same axes as a machine has them. Each is named as its receiver is.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "jounce/executor/command.hpp"
+#include "jounce/executor/machine.hpp"
+#include "jounce/stream/receiver.hpp"
+
+namespace jounce {
+
+/// What an order of the wire is to the axis: the same with its values named. Nothing where it needs a
+/// movement (gears) or is about a queue.
+std::optional<Command> command_of(const OrderRequested& order);
+
+/// The movement of a gear order, for an axis at rest at `position`. Throws InputError for a spec out
+/// of range; nothing for other orders.
+std::unique_ptr<Movement> gear_of(const OrderRequested& order, std::uint64_t id,
+                                  const AxisConfig& config, double position);
+
+}  // namespace jounce

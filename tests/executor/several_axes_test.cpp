@@ -1,0 +1,146 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/events.hpp"
+#include "jounce/stream/driver.hpp"
+#include "jounce/stream/memory_transport.hpp"
+
+#include "executor/tables.hpp"
+#include "executor/virtual_pacer.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using wire::OrderKind;
+
+const Units over_time{.x = "s", .position = "mm"};
+
+ExecutorOptions axis(const std::string& name) {
+  ExecutorOptions options;
+  options.axis.limits = limits(1000, 1e5);
+  options.receiver.executor = name;
+  return options;
+}
+
+/// Two axes on one link, the second following the first, and whoever talks to them.
+struct Site {
+  Site() {
+    axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
+    axes[0].switches = {.table = {.switches = {{.first_on_position = 2, .last_on_position = 4}}}};
+    network.on_wait = [this](Nanos time) { advance(time); };
+    for (const auto& one : axes)
+      for (const auto lane : {wire::Lane::reply, wire::Lane::event})
+        link.subscribe(wire::channel(one.receiver.executor, lane), 64);
+  }
+
+  void advance(Nanos time) {
+    for (const Nanos end = clock() + time; clock() < end;) {
+      cycle.once();
+      dispatcher.turn(0ns);
+    }
+  }
+
+  StreamOutcome play(const std::string& name, const Table& table, std::int64_t session) {
+    return stream_tables(link, {.executor = name, .tables = {{table, over_time}}}, {}, clock,
+                         session);
+  }
+
+  std::vector<ExecutorOptions> axes{axis("feeder"), axis("knife")};
+  MemoryNetwork network;
+  MemoryTransport own_link{network};
+  MemoryTransport link{network};
+  Machine machine{machine_of(axes)};
+  VirtualPacer pacer;
+  Clock clock = [this] { return Nanos(pacer.now()); };
+  Post post{2};
+  Dispatcher dispatcher{own_link, axes, post, clock};
+  Cycle cycle{machine, pacer, post};
+};
+
+TEST(SeveralAxes, EachHasItsOwnSessionsAndStopsAlone) {
+  Site site;
+  ASSERT_TRUE(site.play("feeder", *there_and_back(0, 10, 1, Outside::wrap), 1).ok());
+  ASSERT_TRUE(site.play("knife", *there_and_back(0, 5, 1, Outside::wrap), 2).ok());
+  site.advance(300ms);
+  EXPECT_TRUE(operator_stop(site.link, "knife", wire::StopMode::stop, 2s, site.clock));
+  site.advance(1s);
+  EXPECT_EQ(site.dispatcher.last(1).stopped, 1U);
+  EXPECT_EQ(site.dispatcher.last(1).state, State::standstill);
+  EXPECT_EQ(site.dispatcher.last(0).state, State::discrete_motion);
+}
+
+TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
+  Site site;
+  ASSERT_TRUE(site.play("feeder", *there_and_back(0, 10, 1, Outside::wrap), 1).ok());
+  const wire::Reply reply = operator_command(
+      site.link, "feeder", wire::Order{.kind = OrderKind::override_, .value = {0.5}}, {}, 2s,
+      site.clock);
+  EXPECT_EQ(reply.outcome, wire::Outcome::accepted) << reply.reason;
+  site.advance(200ms);
+  EXPECT_EQ(site.dispatcher.last(0).override_, 0.5);
+  EXPECT_EQ(site.dispatcher.last(1).override_, 1);
+}
+
+TEST(SeveralAxes, EdgesOfSwitchesAreMessagesTwiceEach) {
+  Site site;
+  ASSERT_TRUE(site.play("feeder", *trapezoid_table(5, 100, 1000, 1000), 1).ok());
+  site.advance(500ms);
+  std::vector<wire::Event> events;
+  Rejects rejects;
+  while (const auto message = next_message(site.link, 0ns, rejects))
+    if (const auto* event = std::get_if<wire::Event>(&message->body)) events.push_back(*event);
+  ASSERT_EQ(events.size(), 4U);
+  for (const auto& event : events) {
+    EXPECT_EQ(event.kind, wire::EventKind::track);
+    EXPECT_EQ(event.number, 1U);
+    EXPECT_EQ(event.on, event.count == 1);
+    EXPECT_NEAR(event.position, event.on ? 2 : 4, 1e-9);
+    EXPECT_GE(event.offset_s, 0);
+    EXPECT_LE(event.offset_s, 1e-3);
+  }
+}
+
+// The instant is the one at which the position is passed: 1/2 * 1000 * t^2 = 2 of a ramp from rest.
+TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
+  Tick before{.tick = 62, .position = 500 * 0.062 * 0.062, .velocity = 62};
+  Tick now{.tick = 64, .position = 500 * 0.064 * 0.064, .velocity = 64, .skipped = 1};
+  const double at = std::sqrt(2.0 / 500);  // 63.2 ms
+  now.switches.count = 1;
+  now.switches.edge[0] = {.time = at - 0.062, .track = 3, .on = true};
+  const auto events = events_of(before, now, SwitchesOf::position, 1'000'000, 7);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].count, 8);
+  EXPECT_EQ(events[0].number, 3U);
+  EXPECT_EQ(events[0].tick, 64);
+  EXPECT_NEAR(events[0].offset_s, 0.064 - at, 1e-12);
+  EXPECT_NEAR(events[0].position, 2, 1e-12);
+}
+
+// A start that reaches the link is a first tick of motion at most two cycles later.
+TEST(SeveralAxes, FromTheStartToTheFirstTickAreTwoCyclesAtMost) {
+  Site site;
+  const std::int64_t begun = site.dispatcher.last(0).tick;
+  ASSERT_TRUE(site.play("feeder", *there_and_back(0, 10, 1, Outside::hold), 1).ok());
+  EXPECT_GT(site.dispatcher.last(0).tick, begun);
+  const auto under = [&](Command command) { site.post.mail[1]->commands.push(command); };
+  Job job(77, there_and_back(0, 1, 1, Outside::hold));
+  under({.kind = Kind::arm, .movement = &job});
+  under({.kind = Kind::start});
+  site.cycle.once();
+  site.cycle.once();
+  Tick tick;
+  Tick last;
+  while (site.post.mail[1]->ticks.pop(tick)) last = tick;
+  EXPECT_EQ(last.job, 77U);
+  EXPECT_EQ(last.state, State::discrete_motion);
+}
+
+}  // namespace
+}  // namespace jounce
