@@ -84,8 +84,18 @@ void Receiver::receive(const wire::Message& message, Nanos now) {
   }
   if (Refused refused = barred(message)) return answer_barred(message, std::move(refused));
   if (session_ == 0 && opens(message.body)) open(message.session);
+  const bool fresh = is_fresh(number_of(message.body));
+  const std::uint64_t before = rows_taken_;
   std::visit([&](const auto& body) { take(body); }, message.body);
-  if (message.session == session_) heard_ = now;
+  if (message.session == session_ && (fresh || rows_taken_ != before)) heard_ = now;
+}
+
+/// Whether it proves that its streamer lives. Once there are commands, only what was never said
+/// before does: a repeated message may be anybody's, or the network's.
+bool Receiver::is_fresh(std::int32_t number) const {
+  const wire::Reply& last = command_.reply;
+  const bool waits = number == last.command && last.outcome == wire::Outcome::pending;
+  return last.command == 0 || number > last.command || waits;
 }
 
 /// A command whose outcome is recorded, of the last session: it is answered once more.

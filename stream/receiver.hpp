@@ -198,6 +198,7 @@ class Receiver {
   template <class Other>
   void take(const Other& /*from an executor*/) {}
 
+  [[nodiscard]] bool is_fresh(std::int32_t number) const;
   [[nodiscard]] Refused barred(const wire::Message& message) const;
   [[nodiscard]] bool repeats(const wire::Message& message, const Record& record) const;
   void answer_barred(const wire::Message& message, Refused refused);
@@ -236,6 +237,7 @@ class Receiver {
   std::int64_t operators_challenge_;
   std::map<std::uint32_t, Slot> slots_;
   std::map<std::uint32_t, OpenQueue> queues_;
+  std::uint64_t rows_taken_ = 0;                                       // messages of them
   std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // and bank; of the last arm
   Record command_;   // of the live session, or else of the last one
   Record operator_;  // of session 0

@@ -199,8 +199,10 @@ void Receiver::take(const wire::Rows& rows) {
   if (queue == nullptr) return;  // they have overtaken it
   queue->ack_due = true;
   queue->intake.add(rows);
-  for (wire::Rows& ready : queue->intake.take())
+  for (wire::Rows& ready : queue->intake.take()) {
+    ++rows_taken_;
     events_.emplace_back(RowsArrived{session_, std::move(ready)});
+  }
 }
 
 void Receiver::level(std::uint32_t queue, const QueueLevel& level) {

@@ -71,11 +71,12 @@ std::vector<wire::Message> RowSender::poll(Nanos now) {
   }
   fill();
   go_on();
-  // Repeated, a queue asks for an ack and keeps the session alive.
+  // Repeated, a queue asks for an ack, and until it is armed keeps the session alive.
   const Nanos pause = stage_ == Stage::opening ? options_.repeat : options_.heartbeat;
   if (stage_ < Stage::stopping && now - asked_ >= pause) {
     asked_ = now;
     send(plan_.queue, now);
+    if (stage_ == Stage::playing && command_.empty()) command_.issue(wire::Heartbeat{});
   }
   if (stage_ < Stage::stopping)
     for (wire::Rows& rows : window_.due(now)) send(std::move(rows), now);

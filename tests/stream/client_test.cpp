@@ -188,6 +188,32 @@ TEST(Key, NothingThatWasRecordedHasAnyEffectAgain) {
   }
 }
 
+TEST(Key, NobodysRepetitionKeepsADeadStreamersSessionAlive) {
+  World world(keyed());
+  MemoryTransport tap(world.network);
+  tap.subscribe(wire::channel("feeder", wire::Lane::table), 1000);
+  tap.subscribe(wire::channel("feeder", wire::Lane::command), 1000);
+  Sender sender(test::plan_of(test::sine_table(100)), 1);
+  world.link.subscribe(wire::channel("feeder", wire::Lane::reply), 64);
+  Rejects rejects;
+  const auto go = [&](Nanos time) {
+    for (const Nanos end = world.now + time; world.now < end; world.pass(1ms)) {
+      for (const auto& message : sender.poll(world.now)) send_message(world.link, message, key);
+      while (const auto message = next_message(world.link, Nanos{}, rejects, key))
+        sender.receive(*message, world.now);
+    }
+  };
+  go(3s);
+  ASSERT_TRUE(sender.at_goal()) << "it plays, and heartbeats hold the session";
+  ASSERT_EQ(world.executor->pump.receiver().session(), 1);
+  std::vector<Packet> recorded;
+  while (auto packet = tap.receive(Nanos{})) recorded.push_back(*std::move(packet));
+  MemoryTransport attacker(world.network);
+  for (const Nanos end = world.now + 2s; world.now < end; world.pass(10ms))
+    for (const Packet& packet : recorded) attacker.send(packet.channel, packet.bytes);
+  EXPECT_EQ(world.executor->log.back(), "silent 1");
+}
+
 TEST(Key, AForgedAnswerConvincesNobody) {
   World world(keyed());
   world.executor->answers = false;
