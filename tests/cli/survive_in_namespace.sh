@@ -119,9 +119,10 @@ disk)
   cat "$scratch/notices"
   grep -q "^finished" "$scratch/notices" || fail "the motion was not finished"
   [ $status = 3 ] || fail "a log that cannot be written is a fault of the machine, not $status"
-  grep -q "$scratch/full/run.csv" "$scratch/notices" || fail "the message does not name the log"
-  grep -q "No space left" "$scratch/notices" || fail "the message does not say why"
+  grep -q "No space left" "$scratch/notices" || fail "nobody says why"
+  grep -q "full/run.csv.truncated" "$scratch/notices" || fail "nobody says where what was written is"
   [ ! -e "$scratch/full/run.csv" ] || fail "a log that is not whole has the name of one that is"
+  check_log "$scratch/full/run.csv.truncated"
   umount "$scratch/full"
   ;;
 esac
