@@ -140,6 +140,11 @@ class Fit {
       }
       all.jacobian.middleRows(b * m, m) = Eigen::Map<const Eigen::MatrixXd>(r.by[k].data(), m, n);
     }
+    // A model that runs away, every number of it finite, would weigh as noise beyond all bounds.
+    if (!std::isfinite(all.residual.squaredNorm() + all.jacobian.squaredNorm())) {
+      failure_ = "its response overflows";
+      return std::nullopt;
+    }
     return all;
   }
 

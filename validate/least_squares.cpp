@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -42,12 +43,16 @@ VectorXd damped_step(const Linearised& at, double damping) {
 }
 
 /// Damped as much as it takes to be no longer than that: what hardly acts must not run away, nor hold
-/// back what does.
-VectorXd step_within(const Linearised& at, double scale, double longest, double& mu) {
-  for (;; mu = 10 * mu) {
-    VectorXd step = damped_step(at, std::sqrt(mu) * scale);
+/// back what does. Nothing where the numbers overflow: no damping makes a step of what is not finite.
+std::optional<VectorXd> step_within(const Linearised& at, double scale, double longest,
+                                    double& mu) {
+  for (double damping = mu; std::isfinite(damping); damping *= 10) {
+    VectorXd step = damped_step(at, std::sqrt(damping) * scale);
+    if (!step.allFinite()) break;
+    mu = damping;
     if (step.cwiseAbs().maxCoeff() <= longest) return step;
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -64,7 +69,9 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
   double mu = options.damping;
   for (; best.iterations < options.max_iterations; ++best.iterations) {
     scale = std::max({scale, small.jacobian.colwise().norm().maxCoeff(), 1e-300});
-    const VectorXd step = step_within(small, scale, options.longest_step, mu);
+    const auto within = step_within(small, scale, options.longest_step, mu);
+    if (!within) break;
+    const VectorXd& step = *within;
     best.damping = mu;
     const double promised =
         small.residual.squaredNorm() - (small.residual + small.jacobian * step).squaredNorm();

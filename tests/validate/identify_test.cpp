@@ -2,8 +2,10 @@
 #include "jounce/validate/identify.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -363,6 +365,26 @@ TEST(LeastSquares, FindsTheValleyOfRosenbrock) {
   EXPECT_EQ(found.status, detail::LeastSquares::Status::converged);
   EXPECT_NEAR(found.x[0], 1, 1e-8);
   EXPECT_NEAR(found.x[1], 1, 1e-8);
+}
+
+// A search from such a place once went on for ever: no damping shortens a step that is not a number.
+TEST(LeastSquares, EndsWhereNoStepIsFinite) {
+  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  for (const auto& [residual, slope] : std::vector<std::pair<double, double>>{{1, inf},
+                                                                              {inf, 1},
+                                                                              {1, std::nan("")},
+                                                                              {std::nan(""), 1},
+                                                                              {most, 1e-300},
+                                                                              {1e150, 1e-150},
+                                                                              {most, most}}) {
+    const auto f = [r = residual, s = slope](const Eigen::VectorXd&) {
+      return detail::Linearised{Eigen::Vector2d(r, r), Eigen::Vector2d(s, s)};
+    };
+    const auto found = detail::least_squares(f, Eigen::VectorXd::Zero(1), {.max_iterations = 200});
+    EXPECT_TRUE(found.x.allFinite()) << residual << " " << slope;
+    EXPECT_LE(found.iterations, 200);
+  }
 }
 
 TEST(LeastSquares, CovarianceIsTheInverseOfTheNormalMatrix) {

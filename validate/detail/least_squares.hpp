@@ -38,7 +38,8 @@ struct LeastSquares {
 };
 
 /// Minimises |residual(x)|^2 (Levenberg, Marquardt), from x on.
-/// `not_computable`: the residuals cannot be computed at the start.
+/// `not_computable`: the residuals cannot be computed at the start. `stalled` is also a place from which
+/// no step is finite: residuals or derivatives that overflow.
 LeastSquares least_squares(const ResidualFunction& f, const Eigen::VectorXd& x,
                            const LeastSquaresOptions& options = {});
 
