@@ -23,6 +23,8 @@ struct OptimizeOptions {
 /// limits. Answer the exit status.
 int optimize_knots(const OptimizeOptions& options, const Spec& spec);
 int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
+/// Free shapes through the drive of options.against.
+int optimize_against(const OptimizeOptions& options, const Spec& spec);
 int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 
 /// Where the outcome is told: a spec, table or picture on standard output has it for itself.

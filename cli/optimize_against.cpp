@@ -1,0 +1,95 @@
+// Free shapes optimised through a drive: --against.
+#include <fmt/format.h>
+
+#include "jounce/io/make.hpp"
+#include "jounce/io/spec_edit.hpp"
+#include "jounce/io/units.hpp"
+#include "jounce/study/against.hpp"
+
+#include "optimizing.hpp"
+#include "shape_text.hpp"
+#include "verb.hpp"
+#include "watched.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The drive of --against in the units of the cam.
+Against against_of(const OptimizeOptions& options, const Spec& spec) {
+  const Spec file = read_spec(options.against);
+  if (!file.drive)
+    throw file.document.located(InputError("drive", "", "is missing: nothing to optimise against"));
+  if (!spec.master)
+    throw spec.document.located(
+        InputError("master", "", "is missing: how fast the drive must follow"));
+  Against against{.drive = file.drive->drive, .settle = file.drive->settle};
+  against.velocity = spec.master->velocity / conversion(spec.time_unit, "s");
+  try {
+    against.drive.position_per_rev *= conversion(file.units.position, spec.units.position);
+  } catch (const InputError&) {
+    throw file.document.located(
+        InputError("units.position", '"' + file.units.position + '"',
+                   "must measure what the cam's slave does, in " + spec.units.position));
+  }
+  return against;
+}
+
+std::string unit_of(const DriveFigureResult& figure, const ShapeWords& words) {
+  return figure.name.ends_with("torque") ? "N m" : words.labels().units.position;
+}
+
+void print_drive(std::FILE* out, const AgainstOutcome& outcome, const ShapeWords& words) {
+  if (outcome.figures.empty()) return;
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}\n", "by integration", "given", "reached",
+             "", "saved");
+  for (const DriveFigureResult& f : outcome.figures)
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", f.name, rounded(f.given),
+               rounded(f.reached), "",
+               f.given > 0 ? fmt::format("{:.2f} %", 100 * (1 - f.reached / f.given)) : "-",
+               unit_of(f, words));
+  for (const auto& [whose, run] : {std::pair{"given", &outcome.given}, {"reached", &outcome.best}})
+    if (!run->saturation.empty())
+      fmt::print(out, "  - the torque of the {} cam meets its limit {} times\n", whose,
+                 run->saturation.size());
+}
+
+Json json_of(const AgainstOutcome& outcome, const ShapeWords& words) {
+  Json figures = Json::array();
+  for (const DriveFigureResult& f : outcome.figures)
+    figures.push_back({{"figure", f.name},
+                       {"unit", unit_of(f, words)},
+                       {"given", f.given},
+                       {"reached", f.reached}});
+  return {{"real", outcome.real},
+          {"rounds", outcome.rounds},
+          {"figures", figures},
+          {"saturated", !outcome.best.saturation.empty()}};
+}
+
+}  // namespace
+
+int optimize_against(const OptimizeOptions& options, const Spec& spec) {
+  const CamShapeProblem problem = make_shape_problem(spec, true);
+  const Against against = against_of(options, spec);
+  const ShapeWords words(spec);
+  const AgainstOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
+    return jounce::optimize_against(problem, against, keep_going);
+  });
+  std::FILE* out = told_on(options);
+  if (options.json) {
+    Json document = json_of(outcome.shapes, words);
+    document["usable"] = outcome.usable();
+    document["drive"] = json_of(outcome, words);
+    fmt::print(out, "{}\n", document.dump(1));
+  } else {
+    print_text(out, outcome.shapes, words);
+    print_drive(out, outcome, words);
+  }
+  if (!outcome.usable()) return finding;
+  write_optimized(options, spec, with_shapes(spec, outcome.shapes.best));
+  return fine;
+}
+
+}  // namespace jounce::cli
