@@ -180,6 +180,40 @@ TEST_F(Cli, OptimizeDrawsParametersBeforeAndAfter) {
   EXPECT_THAT(slurp(folder / "both.svg"), HasSubstr("optimised"));
 }
 
+TEST_F(Cli, OptimizeAgainstADriveIsToldByIntegration) {
+  const std::string against = examples + "against-drive/";
+  const Result done = run("optimize " + against + "cam.toml --against " + against +
+                          "drive.toml --json -o better.toml");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const json drive = json::parse(done.out).at("drive");
+  EXPECT_TRUE(drive.at("real"));
+  EXPECT_EQ(drive.at("figures").at(0).at("figure"), "drive rms torque");
+  EXPECT_LT(drive.at("figures").at(0).at("reached"),
+            0.9 * drive.at("figures").at(0).at("given").get<double>());
+  EXPECT_THAT(slurp(folder / "better.toml"), HasSubstr("hermite"));
+}
+
+TEST_F(Cli, OptimizeAgainstADriveWritesNothingWhereACeilingCannotBeKept) {
+  const std::string against = examples + "against-drive/";
+  write("cam.toml", slurp(against + "cam.toml") +
+                        "\n[[optimize.ceiling]]\nfigure = \"drive following error\"\n"
+                        "at_most = 0.001\n");
+  const Result done = run("optimize cam.toml --against " + against + "drive.toml -o better.toml");
+  EXPECT_EQ(done.status, 1) << done.out;
+  EXPECT_THAT(done.out, HasSubstr("drive following error"));
+  EXPECT_EQ(files(), std::vector<std::string>{"cam.toml"});
+}
+
+TEST_F(Cli, OptimizeAgainstADriveRefusesWhatIsNoneAndWhatLacksOne) {
+  const std::string spec = examples + "against-drive/cam.toml";
+  const Result none = run("optimize " + spec);
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.err, HasSubstr("--against drive.toml"));
+  const Result cam_as_drive = run("optimize " + spec + " --against " + spec);
+  EXPECT_EQ(cam_as_drive.status, 2);
+  EXPECT_THAT(cam_as_drive.err, HasSubstr("drive: is missing"));
+}
+
 TEST_F(Cli, PlotOfADriveGoesWithNothingElse) {
   for (const char* other : {"--over time", "--before x.toml"}) {
     const Result both = run("plot " + cam + " --drive response " + other + " -o x.svg");
