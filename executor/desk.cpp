@@ -193,10 +193,11 @@ void Desk::handle(const OrderRequested& requested) {
   const Request request{requested.session, requested.command,
                         command ? command->kind : Kind::gear_in};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
-  if (requested.at >= 0) return answer(request, Refusal{.cause = Cause::no_such_move});
+  if (requested.at >= 0)
+    return decline(requested, "this executor obeys orders at once, not at a tick");
+  if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (moves(request.kind)) motion_session_ = requested.session;
   if (command) return order(*command, request);
-  if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});
   try {
@@ -205,22 +206,25 @@ void Desk::handle(const OrderRequested& requested) {
     order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
-    receiver_.refuse(requested.session, requested.command, error.what(),
-                     static_cast<std::int32_t>(Cause::no_value));
+    decline(requested, error.what());
   }
 }
 
 void Desk::handle_queue_order(const OrderRequested& requested) {
   const auto queue = static_cast<std::uint32_t>(requested.value[0]);
   const int bank = requested.value[1] == 0 ? 0 : 1;
-  const bool done = requested.kind == wire::OrderKind::queue_switch  ? queues_.queue_switch(queue)
-                    : requested.kind == wire::OrderKind::queue_clear ? queues_.clear(queue, bank)
-                                                                     : false;
+  if (requested.kind == wire::OrderKind::queue_end)
+    return decline(requested, "a stream ends with the row that says it is the last");
+  const bool done = requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
+                                                                    : queues_.clear(queue, bank);
   const Request request{requested.session, requested.command, Kind::none};
-  if (done) return answer(request, std::nullopt);
-  answer(request,
-         Refusal{.cause = requested.kind == wire::OrderKind::queue_end ? Cause::no_such_move
-                                                                       : Cause::in_motion});
+  answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
+}
+
+/// What the protocol has and this executor does not do.
+void Desk::decline(const OrderRequested& requested, const std::string& reason) {
+  receiver_.refuse(requested.session, requested.command, reason,
+                   static_cast<std::int32_t>(Cause::no_value));
 }
 
 void Desk::handle(const QueueArmRequested& arm) {

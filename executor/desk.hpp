@@ -102,6 +102,7 @@ class Desk {
   void handle(const QueueOpened& opened);
   void handle(const RowsArrived& arrived);
   void handle_queue_order(const OrderRequested& requested);
+  void decline(const OrderRequested& requested, const std::string& reason);
   static Made make(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
