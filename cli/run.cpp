@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/executor/shell.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
 #include "link.hpp"
@@ -57,7 +58,8 @@ nlohmann::ordered_json json_of(const ExecutorSummary& summary) {
           {"computed_ns", summary.cycle.computed_ns},
           {"lateness_us", summary.lateness},
           {"computing_us", summary.computing},
-          {"log_lost", summary.cycle.lost}};
+          {"log_lost", summary.cycle.lost},
+          {"record_lost", summary.record_lost}};
 }
 
 int report(const ExecutorSummary& summary, bool json) {
@@ -97,16 +99,25 @@ bool has_played(const ExecutorSummary& summary) {
                      [](const AxisSummary& a) { return a.finished + a.stopped > 0; });
 }
 
+bool record_is_whole(const ExecutorSummary& summary) {
+  if (summary.record_trouble.empty() && summary.record_lost == 0) return true;
+  fmt::print(stderr, "jounce: the record is not whole: {}\n",
+             summary.record_trouble.empty()
+                 ? std::to_string(summary.record_lost) + " cycles are missing"
+                 : summary.record_trouble);
+  return false;
+}
+
 int run(const Options& options) {
-  const std::vector<ExecutorOptions> axes = axes_of(options.machine);
+  std::vector<ExecutorOptions> axes = axes_of(options.machine);
   (void)Machine(machine_of(axes));
-  for (const auto& axis : axes)
-    require_alone(Link(options.link), axis.receiver.executor);
+  for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
   const int status = report(summary, options.json);
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
+  if (!record_is_whole(summary)) return fault;
   const bool idle = options.run.once && !has_played(summary);
   return status == fine && idle ? finding : status;
 }
@@ -125,6 +136,14 @@ void add_run(CLI::App& app, Work& work) {
       ->required();
   verb->add_option("--log", options->machine.log,
                    "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
+  verb->add_option("--record", options->run.record.log,
+                   "LCM log of all that the axes are told, see and say, for `jounce replay`");
+  verb->add_option("--black-box", options->run.record.black_box,
+                   "Where a fault leaves the last cycles before it");
+  verb->add_option("--black-box-cycles", options->run.record.black_box_cycles,
+                   "How many of each axis")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
   verb->add_option("--seconds", options->run.seconds, "End after so many seconds")
       ->check(seconds_option());
   verb->add_flag("--once", options->run.once, "End after one motion");

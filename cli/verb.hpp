@@ -39,6 +39,7 @@ void add_stop(CLI::App& app, Work& work);
 void add_order(CLI::App& app, Work& work);
 void add_run(CLI::App& app, Work& work);
 void add_monitor(CLI::App& app, Work& work);
+void add_replay(CLI::App& app, Work& work);
 
 /// A verb with its one-line description and the example that closes its --help.
 CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example);

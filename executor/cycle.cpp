@@ -6,6 +6,8 @@
 #include <ctime>
 #include <utility>
 
+#include "jounce/executor/recorder.hpp"
+
 namespace jounce {
 namespace {
 
@@ -74,6 +76,7 @@ void Cycle::write() {
     const AxisImage& image = images_[i];
     if (AxisDrive* const drive = options_.drives[i])
       drive->command(drive_setpoint(image.tick, image.command));
+    if (options_.tape != nullptr) options_.tape->add(i, image.command, image.inputs, image.tick);
     post(image, *post_.mail[i]);
   }
 }

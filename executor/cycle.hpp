@@ -81,10 +81,13 @@ struct CycleCounts {
   std::int64_t lost = 0;         ///< ticks that found their ring full
 };
 
+class Tape;
+
 /// What a cycle runs with besides the machine; all of it must outlive the cycle.
 struct CycleOptions {
   std::vector<AxisDrive*> drives = {};  ///< one an axis, or null; empty: no axis has one
   std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
+  Tape* tape = nullptr;                 ///< of what is recorded; null: nothing is
 };
 
 /// The real-time loop: waits for the next instant, reads what the axes are told and what their

@@ -9,6 +9,7 @@
 #include "jounce/executor/events.hpp"
 #include "jounce/executor/live_cam.hpp"
 #include "jounce/executor/orders.hpp"
+#include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -37,6 +38,7 @@ bool moves(Kind kind) {
 Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t axis,
            Worker& worker)
     : options_(std::move(options)),
+      axis_(axis),
       receiver_(receiver),
       mail_(*post.mail[axis]),
       vitals_(post.vitals),
@@ -106,7 +108,14 @@ Desk::Made Desk::make(const ArmRequested& arm, std::uint64_t id, std::int64_t pe
     auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
                                                   arm.coupling, position)
                           : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
-    return {job, job->first().slave[0], job->last().slave[0]};
+    Made made{.movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
+    made.source = Source{{.id = id, .tick = tick}, arm.master.value_or(arm.slave)};
+    if (arm.master) {
+      made.source->cam = arm.slave;
+      made.source->job.coupling = arm.coupling;
+      made.source->job.position = position;
+    }
+    return made;
   } catch (const InputError&) {
     return {};
   } catch (const std::bad_alloc&) {
@@ -158,9 +167,17 @@ void Desk::arm(const Request& request, Made made, const Sha256& hash) {
     order({.kind = Kind::reset});
   }
   if (adopts && !moving()) order({.kind = Kind::set_position, .position = *made.first});
+  if (options_.recorder != nullptr && made.source) record(*made.source);
   order({.kind = Kind::arm, .movement = made.movement.get()}, request);
   const std::uint64_t id = made.movement->id();
   movements_[id] = {std::move(made), hash};
+}
+
+/// Before the axis is told of it.
+void Desk::record(const Source& source) {
+  RecordedJob job = source.job;
+  job.axis = axis_;
+  options_.recorder->job(job, source.time, source.cam ? &*source.cam : nullptr);
 }
 
 void Desk::handle(const StartRequested& start) {

@@ -16,10 +16,13 @@
 #include "jounce/executor/job.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/queues.hpp"
+#include "jounce/executor/record.hpp"
 #include "jounce/executor/worker.hpp"
 #include "jounce/stream/receiver.hpp"
 
 namespace jounce {
+
+class Recorder;
 
 /// What one axis of an executor is started with.
 struct ExecutorOptions {
@@ -37,6 +40,7 @@ struct ExecutorOptions {
   Nanos status_period = std::chrono::milliseconds(50);
   std::optional<std::filesystem::path> log{};               ///< CSV of all ticks
   std::function<void(const std::string& notice)> notify{};  ///< what happens, in words
+  Recorder* recorder = nullptr;  ///< of the whole machine; null: nothing is recorded
 };
 
 /// Where the requests to one axis come in from the stream and its answers go back: it keeps the jobs
@@ -76,11 +80,18 @@ class Desk {
     std::int32_t command = 0;
     Command::Kind kind = Command::Kind::none;
   };
+  /// What a job was made from, for the record.
+  struct Source {
+    RecordedJob job;
+    StoredTable time;
+    std::optional<StoredTable> cam = {};
+  };
   /// A movement as it was made of tables, with where it begins and ends, u, if that is known.
   struct Made {
     std::shared_ptr<Movement> movement = {};
     std::optional<double> first = {};
     std::optional<double> last = {};
+    std::optional<Source> source = {};
   };
   struct Kept {
     Made made;
@@ -109,6 +120,7 @@ class Desk {
   void build(const ArmRequested& arm);
   void take_built();
   void arm(const Request& request, Made made, const Sha256& hash);
+  void record(const Source& source);
   void drop_builds();
 
   void order(Command command);
@@ -123,6 +135,7 @@ class Desk {
   void notify(const std::string& notice) const;
 
   ExecutorOptions options_;
+  std::size_t axis_;
   Receiver& receiver_;
   Mail& mail_;
   Vitals& vitals_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "jounce/executor/recorder.hpp"
+
 namespace jounce {
 namespace {
 
@@ -25,7 +27,8 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
                        Clock clock)
     : vitals_(post.vitals),
       clock_(clock),
-      pump_(link, receivers_of(axes), random_id(), std::move(clock)) {
+      pump_(link, receivers_of(axes), random_id(), std::move(clock)),
+      recorder_(axes.front().recorder) {
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     desks_.emplace_back(axes[i], pump_.receiver(i), post, i, worker_);
@@ -44,6 +47,7 @@ void Dispatcher::turn(Nanos timeout) {
     for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
     if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
   }
+  if (recorder_ != nullptr) recorder_->turn();
 }
 
 void Dispatcher::retire() {

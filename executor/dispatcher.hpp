@@ -47,6 +47,7 @@ class Dispatcher {
   Clock clock_;
   ReceiverPump pump_;
   std::deque<Desk> desks_;
+  Recorder* recorder_;
   std::vector<Nanos> published_;                            // when each axis's status was
   std::vector<std::pair<std::size_t, wire::Event>> again_;  // to be said once more, by axis
   Worker worker_;  // last: what it builds is waited for before the rest goes

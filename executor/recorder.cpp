@@ -56,33 +56,36 @@ Recorder::~Recorder() {
   flush();
 }
 
-void Recorder::job(const RecordedJob& job, const std::shared_ptr<const Table>& time,
-                   const Units& time_units, const std::shared_ptr<const Table>& cam,
-                   const Units& cam_units) {
+void Recorder::job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam) {
   if (!file_.is_open()) return;
   RecordedJob with_hashes = job;
-  const auto add = [&](const Table& table, const Units& units) {
-    const Sha256 hash = content_hash(table, units);
-    if (!tables_.insert(hash).second) return hash;
-    const Columns& c = table.columns();
-    for (std::size_t first = 0; first < table.size(); first += knots_an_event) {
-      const std::size_t count = std::min(knots_an_event, table.size() - first);
-      write(RecordedTable{hash,
-                          units,
-                          table.axis(),
-                          table.rule(),
-                          table.outside(),
-                          table.size(),
-                          first,
-                          {part(c.x, first, count), part(c.p, first, count),
-                           part(c.v, first, count), part(c.a, first, count)}},
-            now_);
-    }
-    return hash;
-  };
-  with_hashes.time = add(*time, time_units);
-  if (cam) with_hashes.cam = add(*cam, cam_units);
+  with_hashes.time = time.hash;
+  write(time);
+  if (cam != nullptr) {
+    with_hashes.cam = cam->hash;
+    write(*cam);
+  }
   write(with_hashes, now_);
+}
+
+/// In parts, where it is not there yet.
+void Recorder::write(const StoredTable& stored) {
+  if (!tables_.insert(stored.hash).second) return;
+  const Table& table = *stored.table;
+  const Columns& c = table.columns();
+  for (std::size_t first = 0; first < table.size(); first += knots_an_event) {
+    const std::size_t count = std::min(knots_an_event, table.size() - first);
+    write(RecordedTable{.hash = stored.hash,
+                        .units = stored.units,
+                        .over = table.axis(),
+                        .rule = table.rule(),
+                        .outside = table.outside(),
+                        .knots = table.size(),
+                        .first = first,
+                        .columns = {part(c.x, first, count), part(c.p, first, count),
+                                    part(c.v, first, count), part(c.a, first, count)}},
+          now_);
+  }
 }
 
 void Recorder::turn() {

@@ -14,6 +14,7 @@
 
 #include "jounce/executor/record.hpp"
 #include "jounce/executor/ring.hpp"
+#include "jounce/stream/table_store.hpp"
 
 namespace jounce {
 
@@ -50,7 +51,7 @@ struct RecorderOptions {
 /// Writes what the cyclic thread did, on the side that communicates:
 ///
 ///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, tape);
-///     recorder.job(0, id, time_table, units, nullptr, ...);   // before its arm is sent to the axis
+///     recorder.job({.axis = 0, .id = id}, time_table);         // before its arm is sent to the axis
 ///     recorder.turn();                                         // often: takes what is on the tape
 ///     recorder.close();
 ///
@@ -70,10 +71,9 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// What a Job is made from, with the very arguments of its constructor. Tables are written once.
-  void job(const RecordedJob& job, const std::shared_ptr<const Table>& time,
-           const Units& time_units, const std::shared_ptr<const Table>& cam = nullptr,
-           const Units& cam_units = {});
+  /// What a Job is made from, with the arguments of its constructor; its tables' hashes are taken from
+  /// where they are kept. Each table is written once.
+  void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
   void turn();
   /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
   void close();
@@ -93,6 +93,7 @@ class Recorder {
 
   void write(const RecordEvent& event, std::int64_t microseconds);
   void write(std::string_view channel, const std::string& data, std::int64_t microseconds);
+  void write(const StoredTable& table);
   void flush();
   void keep(const RecordedCycle& cycle, const std::string& data, std::int64_t microseconds);
   void write_black_box();

@@ -51,9 +51,11 @@ class SignalWatch {
 /// The cyclic thread. Joined by its destructor at the latest.
 class CyclicThread {
  public:
-  CyclicThread(Machine& machine, std::vector<AxisDrive*> drives, Post& post, const RunOptions& run)
+  CyclicThread(Machine& machine, std::vector<AxisDrive*> drives, Tape* tape, Post& post,
+               const RunOptions& run)
       : machine_(machine),
         drives_(std::move(drives)),
+        tape_(tape),
         thread_([this, &post, run] { this->run(post, run); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
@@ -73,13 +75,14 @@ class CyclicThread {
     realtime_.set_value(make_realtime(run.realtime));
     const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
     Cycle cycle(machine_, pacer_, post,
-                {.drives = drives_, .patience = static_cast<std::int64_t>(cycles)});
+                {.drives = drives_, .patience = static_cast<std::int64_t>(cycles), .tape = tape_});
     while (running_) cycle.once();
     counts_ = cycle.counts();
   }
 
   Machine& machine_;
   std::vector<AxisDrive*> drives_;
+  Tape* tape_;
   MonotonicPacer pacer_;
   std::promise<std::string> realtime_;
   std::atomic<bool> running_{true};
@@ -155,6 +158,26 @@ std::vector<AxisDrive*> drives_of(const std::vector<ExecutorOptions>& axes) {
   return drives;
 }
 
+/// The record of a run, if there is to be one, and the tape to it.
+struct Recording {
+  std::unique_ptr<Tape> tape = {};
+  std::unique_ptr<Recorder> recorder = {};
+
+  Recording(RecorderOptions options, const std::vector<ExecutorOptions>& axes) {
+    if (!options.log && !options.black_box) return;
+    if (!options.notify) options.notify = axes.front().notify;
+    std::vector<RecordedAxis> recorded;
+    for (const auto& axis : axes)
+      recorded.push_back({.axis = recorded.size(),
+                          .name = axis.receiver.executor,
+                          .units = axis.units,
+                          .config = resolved(axis.axis),
+                          .switches = !axis.switches.table.switches.empty()});
+    tape = std::make_unique<Tape>();
+    recorder = std::make_unique<Recorder>(std::move(options), std::move(recorded), *tape);
+  }
+};
+
 AxisSummary summary_of(const Desk& desk) {
   const Tick& last = desk.last();
   return {.name = desk.options().receiver.executor,
@@ -167,14 +190,17 @@ AxisSummary summary_of(const Desk& desk) {
 
 }  // namespace
 
-ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
+ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& of_axes,
                              const RunOptions& run) {
   const Deadline deadline(run);
   const SignalWatch watch;
+  std::vector<ExecutorOptions> axes = of_axes;
+  const Recording recording(run.record, axes);
+  for (auto& axis : axes) axis.recorder = recording.recorder.get();
   Machine machine(machine_of(axes));
   Post post(machine.size());
   Dispatcher dispatcher(link, axes, post);
-  CyclicThread cyclic(machine, drives_of(axes), post, run);
+  CyclicThread cyclic(machine, drives_of(axes), recording.tape.get(), post, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
@@ -188,6 +214,11 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   }
   summary.cycle = cyclic.join();
   dispatcher.close();
+  if (recording.recorder) {
+    recording.recorder->close();
+    summary.record_trouble = recording.recorder->trouble();
+    summary.record_lost = recording.recorder->lost();
+  }
   summary.lateness = post.vitals.lateness.counts();
   summary.computing = post.vitals.computing.counts();
   for (std::size_t i = 0; i < dispatcher.size(); ++i)

@@ -7,6 +7,7 @@
 
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/realtime.hpp"
+#include "jounce/executor/recorder.hpp"
 
 namespace jounce {
 
@@ -17,6 +18,7 @@ struct RunOptions {
   Realtime realtime = {};  ///< of the cyclic thread
   /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.
   double watchdog = 0.5;
+  RecorderOptions record = {};  ///< where it is recorded; notices go where the first axis's go
 };
 
 /// What came of one axis.
@@ -36,6 +38,8 @@ struct ExecutorSummary {
   Histogram::Counts lateness{};   ///< of waking up
   Histogram::Counts computing{};  ///< of a cycle
   std::string realtime;           ///< what make_realtime() was granted; empty if it was not asked
+  std::string record_trouble;     ///< why it was not recorded to its end; empty: it was
+  std::int64_t record_lost = 0;   ///< cycles that are missing from the record
 };
 
 /// The executor behind `jounce run`: the cyclic thread steps all axes, the calling one communicates

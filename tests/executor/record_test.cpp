@@ -77,14 +77,19 @@ class Recorded : public ::testing::Test {
     recorder_->turn();
   }
 
-  /// The cam of the PMC600 behind a master at constant velocity, as `axis` is about to arm it.
+  static StoredTable store(const std::shared_ptr<const Table>& table, const Units& units) {
+    return {content_hash(*table, units), units, table};
+  }
+
+  /// A cam behind a master at constant velocity, as `axis` is about to arm it.
   Movement* cam(std::uint64_t id, std::size_t axis = 0) {
     const auto master = test::constant_master(360, 720);
     const auto slave =
         test::table(Axis::master, Rule::quintic_hermite, Outside::wrap,
                     {{0, 120, 180, 300, 360}, {0, 90, 90, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
     jobs_.push_back(std::make_unique<Job>(id, master, slave));
-    recorder_->job({.axis = axis, .id = id}, master, {"s", "deg"}, slave, {"deg", "mm"});
+    const StoredTable stored = store(slave, {"deg", "mm"});
+    recorder_->job({.axis = axis, .id = id}, store(master, {"s", "deg"}), &stored);
     return jobs_.back().get();
   }
 
