@@ -55,7 +55,7 @@ class Gear final : public Movement {
   Setpoint at(const Moment& now) noexcept override {
     const auto& [m, v, a, j] = now.master;
     if (!std::isfinite(m)) progress_ = Progress::broken;
-    if (ends_at && now.t >= ends_at) progress_ = Progress::done;
+    if (ends_at > 0 && now.t >= ends_at) progress_ = Progress::done;
     return {m, v, {offset_ + ratio_ * m, ratio_ * v, ratio_ * a, ratio_ * j}};
   }
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
