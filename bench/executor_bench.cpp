@@ -79,9 +79,10 @@ void a_new_target_each_tick(benchmark::State& state) {
   MotionAxis axis(limits);
   axis.step(0, {.kind = Kind::enable});
   std::int64_t tick = 0;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(axis.step(
-        ++tick, {.kind = Kind::move_absolute, .position = tick % 2000 < 1000 ? 300.0 : -300.0}));
+  for (auto _ : state) {
+    const double target = ++tick % 2000 < 1000 ? 300 : -300;
+    benchmark::DoNotOptimize(axis.step(tick, {.kind = Kind::move_absolute, .position = target}));
+  }
 }
 BENCHMARK(a_new_target_each_tick)->Arg(0)->Arg(1)->ArgName("jerk");
 

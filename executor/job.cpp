@@ -130,7 +130,6 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
     : Movement(id, Course::path),
       time_(std::move(time)),
       cam_(std::move(cam)),
-      tick_(tick),
       in_sync_(time_->start()) {
   if (time_->outside() == Outside::advance)
     throw InputError("outside", "advance", "is for cams: a table over time ends, or wraps");

@@ -94,7 +94,6 @@ class Job final : public Movement {
 
   std::shared_ptr<const Table> time_;
   std::shared_ptr<const Table> cam_;
-  double tick_;       // s
   double least_ = 0;  // s of duration, for a ramp
   Engaged engaged_;
   CouplingStatus coupled_ = CouplingStatus::ok;
