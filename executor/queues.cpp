@@ -13,6 +13,8 @@ int degree(wire::RowOrder order) {
   switch (order) {
     case wire::RowOrder::linear:
       return 1;
+    case wire::RowOrder::quadratic:
+      return 2;
     case wire::RowOrder::cubic:
       return 3;
     case wire::RowOrder::quintic:
