@@ -122,6 +122,13 @@ TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
   tell({.kind = Kind::set_position, .position = 12.5});
   tell({.kind = Kind::abort});
   run(5);
+  tell({.kind = Kind::reset});
+  tell({.kind = Kind::move_absolute, .position = 90, .dynamics = {.velocity = 300}});
+  run(40);
+  tell({.kind = Kind::override_, .factor = 0.3});
+  run(40);
+  tell({.kind = Kind::halt});
+  run(100);
   EXPECT_FALSE(std::filesystem::exists(path("run.lcmlog"))) << "not before it is closed";
   recorder_->close();
   EXPECT_EQ(recorder_->trouble(), "");
