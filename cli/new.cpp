@@ -45,7 +45,7 @@ void add_new(CLI::App& app, Work& work) {
   verb->add_option("-o,--output", options->output, "File to write; - is standard output");
   verb->add_flag("--force", options->force, "Replace a file that is there");
   verb->callback([options, &work] {
-    work = [options] {
+    work = [options]() -> int {
       if (options->kind == "key") return make_key(options->output);
       if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
         throw InputError("--output", options->output, "is there already; --force replaces it");
