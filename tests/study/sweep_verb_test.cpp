@@ -167,7 +167,7 @@ TEST_F(SweepVerb, SaysWhatIsWrong) {
   EXPECT_EQ(jounce("sweep none.toml").status, 2);
   EXPECT_EQ(jounce("sweep move.toml").status, 2);
   EXPECT_EQ(jounce("sweep sweep.toml --jobs 0").status, 2);
-  EXPECT_EQ(jounce("sweep sweep.toml -o no/such/folder.csv").status, 3);
+  EXPECT_EQ(jounce("sweep sweep.toml -o no/such/folder.csv").status, 2);
   EXPECT_EQ(jounce("sweep sweep.toml -o sweep.toml").status, 2);
 }
 
