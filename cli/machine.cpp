@@ -39,6 +39,15 @@ AxisConfig config_of(const Spec& spec) {
                               {&config.limits.acceleration, 2},
                               {&config.limits.jerk, 3}})
     for (int i = 0; *limit && i < power; ++i) **limit /= unit;
+  config.stop_acceleration = axis->stop_acceleration / (unit * unit);
+  config.stop_jerk = axis->stop_jerk / (unit * unit * unit);
+  config.abort_acceleration = axis->abort_acceleration / (unit * unit);
+  config.limit_acceleration = axis->limit_acceleration / (unit * unit);
+  config.modulo = axis->modulo;
+  config.following_error = axis->following_error;
+  config.following_time = axis->following_time;
+  config.in_position = axis->in_position;
+  config.in_position_time = axis->in_position_time;
   return config;
 }
 

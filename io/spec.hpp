@@ -67,8 +67,8 @@ struct OptimizeSpec {
 struct DriveSpec {
   Drive drive;
   DriveLimits limits;
-  double settle = 0.2;  ///< s of standstill after the motion's end
-  std::vector<Interval> sync = {};  ///< [[drive.sync]], s of the motion
+  double settle = 0.2;                           ///< s of standstill after the motion's end
+  std::vector<Interval> sync = {};               ///< [[drive.sync]], s of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
@@ -96,6 +96,16 @@ struct DiscPart {
 struct AxisSpec {
   double cycle = 1e-3;  ///< s
   double position = 0;  ///< where the axis stands at first
+  // How it stops, and what it watches, as executor/axis_config.hpp; 0: left out. u and the spec's time.
+  double modulo = 0;
+  double stop_acceleration = 0;
+  double stop_jerk = 0;
+  double abort_acceleration = 0;
+  double limit_acceleration = 0;
+  double following_error = 0;
+  double following_time = 0;  ///< s
+  double in_position = 0;
+  double in_position_time = 0;            ///< s
   std::optional<FollowWhom> follow = {};  ///< its live master
 };
 
@@ -143,10 +153,10 @@ struct Spec {
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< of a cam
   std::optional<Mode>
-      polydyne;           ///< of a cam: its knots say what the load behind this mode (Hz) does
+      polydyne;  ///< of a cam: its knots say what the load behind this mode (Hz) does
   std::optional<FollowerSpec> follower = {};  ///< of a cam with a master
-  AxisSwitches switches;  ///< of kinds "axis" and "cam"
-  std::optional<CompareSpec> compare;  ///< of a motion over time
+  AxisSwitches switches;                      ///< of kinds "axis" and "cam"
+  std::optional<CompareSpec> compare;         ///< of a motion over time
   Report fill;  ///< of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.

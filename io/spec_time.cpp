@@ -1,6 +1,30 @@
 #include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
 
 namespace jounce::detail {
+
+namespace {
+
+/// How the axis stops, and what it watches: each is off, or the executor's default, if left out.
+void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
+  const auto read = [&](const char* key, const std::string& unit, double& value) {
+    const auto given = axis.optional_number(key, unit);
+    if (given && !(*given > 0)) axis.fail(key, jounce::number(*given), "must be greater than 0");
+    value = given.value_or(0);
+  };
+  const auto rate = [&](int order) { return rate_unit(units.position, units.x, order); };
+  read("modulo", units.position, spec.modulo);
+  read("stop_acceleration", rate(2), spec.stop_acceleration);
+  read("stop_jerk", rate(3), spec.stop_jerk);
+  read("abort_acceleration", rate(2), spec.abort_acceleration);
+  read("limit_acceleration", rate(2), spec.limit_acceleration);
+  read("following_error", units.position, spec.following_error);
+  read("following_time", "s", spec.following_time);
+  read("in_position", units.position, spec.in_position);
+  read("in_position_time", "s", spec.in_position_time);
+}
+
+}  // namespace
 
 AxisSpec read_axis(TomlReader axis, const Units& units) {
   AxisSpec spec;
@@ -8,6 +32,7 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
   if (!(spec.cycle >= 1e-5 && spec.cycle <= 1))
     axis.fail("cycle", number(spec.cycle), "must be between 10 us and 1 s");
   spec.position = axis.optional_number("position", units.position).value_or(0);
+  read_watch(axis, units, spec);
   axis.finish();
   return spec;
 }

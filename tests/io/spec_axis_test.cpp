@@ -1,0 +1,67 @@
+#include <gmock/gmock.h>
+
+#include "jounce/io/spec.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+std::string axis_spec(const std::string& keys) {
+  return "jounce = 1\nkind = \"axis\"\nunits = { position = \"mm\" }\n[axis]\n" + keys +
+         "[limits]\nvelocity = 1\nacceleration = 1\n";
+}
+
+AxisSpec read(const std::string& keys) {
+  return std::get<AxisSpec>(parse_spec(axis_spec(keys), "a.toml").subject);
+}
+
+TEST(AxisSpec, ReadsHowTheAxisStopsAndWhatItWatches) {
+  const AxisSpec axis = read(R"(modulo = "36 cm"
+stop_acceleration = "2 m/s^2"
+stop_jerk = 3
+abort_acceleration = 4
+limit_acceleration = 5
+following_error = "20 um"
+following_time = "10 ms"
+in_position = 0.01
+in_position_time = 0.005
+)");
+  EXPECT_DOUBLE_EQ(axis.modulo, 360);
+  EXPECT_DOUBLE_EQ(axis.stop_acceleration, 2000);
+  EXPECT_DOUBLE_EQ(axis.stop_jerk, 3);
+  EXPECT_DOUBLE_EQ(axis.abort_acceleration, 4);
+  EXPECT_DOUBLE_EQ(axis.limit_acceleration, 5);
+  EXPECT_DOUBLE_EQ(axis.following_error, 0.02);
+  EXPECT_DOUBLE_EQ(axis.following_time, 0.01);
+  EXPECT_DOUBLE_EQ(axis.in_position, 0.01);
+  EXPECT_DOUBLE_EQ(axis.in_position_time, 0.005);
+}
+
+TEST(AxisSpec, LeavesOffWhatIsNotAskedFor) {
+  const AxisSpec axis = read("");
+  EXPECT_EQ(axis.modulo, 0);
+  EXPECT_EQ(axis.stop_acceleration, 0);
+  EXPECT_EQ(axis.following_error, 0);
+}
+
+TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
+  const auto complaint = [](const std::string& keys) -> std::string {
+    try {
+      (void)read(keys);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_THAT(
+      complaint("following_error = 0\n"),
+      AllOf(HasSubstr("a.toml:5"), HasSubstr("following_error = 0: must be greater than 0")));
+  EXPECT_THAT(complaint("stop_jerk = \"3 mm\"\n"),
+              AllOf(HasSubstr("a.toml:5"), HasSubstr("stop_jerk")));
+  EXPECT_THAT(complaint("in_position = nan\n"), HasSubstr("in_position"));
+}
+
+}  // namespace
+}  // namespace jounce
