@@ -19,12 +19,18 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
   now_.position = config_.position;
 }
 
+bool in_motion(const Tick& tick) {
+  const bool left = tick.state == State::error_stop && tick.job != 0 && tick.rate == 0;
+  return tick.waiting || (!left && (tick.job != 0 || tick.progress != Progress::done));
+}
+
 Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
   assert(tick > last_tick_);
   now_.skipped = tick - last_tick_ - 1;
   now_.tick = tick;
   now_.time = seconds(tick);
   now_.refused.reset();
+  now_.dropped.reset();
   now_.handed_back = {};
   joint_ = false;
   if (state_ == State::homing) state_ = State::standstill;
@@ -43,6 +49,8 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.armed = pending_ ? pending_->id() : 0;
   now_.waiting = waiting_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
+  if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
+    now_.progress = Progress::starving;
   now_.override_ = on_path() ? std::min(factor_, highest_rate(peaks_, config_)) : factor_;
   now_.rate = on_path() ? clock_.at(tick).rate : 1;
   return now_;
@@ -186,6 +194,7 @@ void MotionAxis::start(const Command& command) {
     if (now_.refused) return;
   }
   waiting_ = true;
+  accepted_ = now_.tick;
   start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
   start_tick_ = std::max(command.at, now_.tick);
   start_position_ = command.position;
@@ -215,6 +224,7 @@ void MotionAxis::start_at_end() {
   boundary_ = Boundary::swap;
   boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
   waiting_ = true;
+  accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
 }
 
@@ -233,10 +243,7 @@ void MotionAxis::begin_due() {
     if (!(before * after <= 0 && before != after)) return;
     ahead = dt() * after / (after - before);
   }
-  if (pending_->course() == Course::path && moving()) {
-    refuse(Cause::in_motion);
-    return disarm();
-  }
+  if (pending_->course() == Course::path && moving()) return drop({.cause = Cause::in_motion});
   begin_pending(last(), ahead);
 }
 
@@ -249,10 +256,8 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
     lift(next);
     state = {next.slave[0], next.slave[1], next.slave[2]};
   }
-  if (const Cause no = pending_->begin(state, moment(0)); no != Cause::none) {
-    refuse(no, state.position);
-    return disarm();
-  }
+  if (const Cause no = pending_->begin(state, moment(0)); no != Cause::none)
+    return drop({.cause = no, .value = state.position});
   Movement* const next = pending_;
   pending_ = nullptr;
   waiting_ = false;
@@ -269,6 +274,7 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
   if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
   if (!live) {
     const double rate = wanted_rate();
+    played_to_ = 0;
     // At full speed path time is bit for bit ticks * period since the tick of the start.
     if (start_at_ == StartAt::tick)
       clock_.start(start_tick_, 0, rate);
@@ -291,6 +297,7 @@ void MotionAxis::gear_in(Movement* movement) {
   disarm();
   pending_ = movement;
   waiting_ = true;
+  accepted_ = now_.tick;
   start_at_ = StartAt::tick;
   start_tick_ = now_.tick;
 }

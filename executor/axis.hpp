@@ -46,8 +46,13 @@ struct Tick {
   SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
 
   std::optional<Refusal> refused{};              ///< why this tick's command was not obeyed
+  std::optional<Refusal> dropped{};              ///< why what waited for its start did not begin
   std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
 };
+
+/// Whether the axis moves, or will without being told: by a movement, a move of its own, or braking
+/// in a fault. A held motion does; one that an underrun has brought to rest does not.
+bool in_motion(const Tick& tick);
 
 /// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither
 /// allocates nor frees, locks, logs nor throws.
@@ -123,10 +128,11 @@ class MotionAxis {
   void play();
   Cause advance(Setpoint& next);
   Cause advance_path(Setpoint& next);
-  [[nodiscard]] bool starves(const PathTime& time) const;
+  [[nodiscard]] bool starves() const;
   void swap(double boundary, MotionState end);
-  [[nodiscard]] bool swaps_at(double master) const;
-  void swap_at_master(double until);
+  [[nodiscard]] bool swaps_at_master() const;
+  [[nodiscard]] std::optional<double> passing(double to) const;
+  void swap_at_master(double s);
   void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   void give_out(const Setpoint& next);
@@ -141,11 +147,13 @@ class MotionAxis {
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void replan();
   bool change_rate(double rate);
+  [[nodiscard]] double slope_to(double rate) const;
   void drop_movement();
   void operate_switches();
 
   void hand_back(const Movement* movement);
   void refuse(Cause cause, double value = 0, double limit = 0);
+  void drop(const Refusal& why);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const;
   [[nodiscard]] double wanted_rate() const;
@@ -168,7 +176,8 @@ class MotionAxis {
   bool waiting_ = false;  // a start of the pending one was accepted
   StartAt start_at_ = StartAt::tick;
   std::int64_t start_tick_ = 0;
-  double start_position_ = 0;  // of the master
+  double start_position_ = 0;   // of the master
+  std::int64_t accepted_ = -1;  // tick in which that start was
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;
@@ -176,6 +185,7 @@ class MotionAxis {
   std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
   bool joint_ = false;       // this tick joins one motion to another
   PathClock clock_;          // of a path
+  double played_to_ = 0;     // path time of the tick before, s
   Peaks peaks_;              // of it, and of what it will be swapped for
   Boundary boundary_ = Boundary::none;
   double boundary_at_ = 0;  // path time, s

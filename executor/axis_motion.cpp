@@ -87,14 +87,15 @@ Cause MotionAxis::advance_path(Setpoint& next) {
     swap(boundary_at_, *active_->end());
     time = clock_.at(now_.tick);
   }
-  if (ending_ != Ending::fault && starves(time)) return Cause::underrun;
+  if (ending_ != Ending::fault && starves()) return Cause::underrun;
   if (active_->growing() && time.s > active_->known()) return Cause::jump;
   next = active_->at(moment(time.s));
-  if (swaps_at(next.master)) {
-    swap_at_master(time.s);
+  if (const auto s = swaps_at_master() ? passing(time.s) : std::nullopt) {
+    swap_at_master(*s);
     time = clock_.at(now_.tick);
     next = active_->at(moment(time.s));
   }
+  played_to_ = time.s;
   next = at_rate(next, time);
   joint_ = joint_ || active_->progress() == Progress::done;
   if (active_->progress() != Progress::broken) return Cause::none;
@@ -102,23 +103,21 @@ Cause MotionAxis::advance_path(Setpoint& next) {
 }
 
 /// Less is known of the path than a stop begun in the next tick would need.
-bool MotionAxis::starves(const PathTime& time) const {
+bool MotionAxis::starves() const {
   if (wanted_rate() == 0) return false;
   if (active_->progress() == Progress::starving) return true;
   if (!active_->growing()) return false;
-  const double slope = rate_slope(peaks_, config_, std::max(1.0, time.rate));
-  const double way = clock_.way_to_rest(now_.tick, slope);
-  return active_->known() - time.s < way + std::max(1.0, time.rate) * dt();
+  const std::int64_t next = now_.tick + 1;
+  const double rest = clock_.at(next).s + clock_.way_to_rest(next, slope_to(0));
+  return active_->known() < rest + 1e-3 * seconds(1);  // rounding
 }
 
 /// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
 void MotionAxis::swap(double boundary, MotionState end) {
   boundary_ = Boundary::none;
   end.position += shift_;
-  if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none) {
-    refuse(no, end.position);
-    return disarm();
-  }
+  if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
+    return drop({.cause = no, .value = end.position});
   hand_back(active_);
   active_ = pending_;
   pending_ = nullptr;
@@ -134,30 +133,41 @@ void MotionAxis::swap(double boundary, MotionState end) {
   if (switches_of_ == SwitchesOf::master) switches_.place();
 }
 
-bool MotionAxis::swaps_at(double master) const {
-  if (!waiting_ || start_at_ != StartAt::master_position || !active_->synchronized()) return false;
-  const double before = now_.master - start_position_;
-  const double after = master - start_position_;
-  return before * after <= 0 && before != after;
+/// Whether what waits begins where the master of this path passes a position.
+bool MotionAxis::swaps_at_master() const {
+  return waiting_ && start_at_ == StartAt::master_position && active_->synchronized();
 }
 
-/// The master passes the position within this tick: when, by halving, and the swap there if both
-/// paths meet.
-void MotionAxis::swap_at_master(double until) {
-  double low = clock_.at(last_tick_).s;
-  double high = until;
-  const bool rising = now_.master < start_position_;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = low + (high - low) / 2;
-    ((active_->at(moment(middle)).master < start_position_) == rising ? low : high) = middle;
-  }
-  const Jet& there = active_->at(moment(high)).slave;
+/// When the master passes that position on the way to path time `to`, by halving. Where a pass ends on
+/// the way the master leaps to its beginning: that passes nothing.
+std::optional<double> MotionAxis::passing(double to) const {
+  const auto beyond = [&](double s) { return active_->at(moment(s)).master - start_position_; };
+  const auto crossing = [&](double low, double high) -> std::optional<double> {
+    const double before = beyond(low);
+    const double after = beyond(high);
+    if (!(before * after <= 0 && before != after)) return std::nullopt;
+    if (before == 0) return low;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      ((beyond(middle) < 0) == (before < 0) ? low : high) = middle;
+    }
+    return high;
+  };
+  const double pass = active_->pass();
+  const double leap = pass * std::floor(to / pass);
+  if (!std::isinf(active_->known()) || !(leap > played_to_)) return crossing(played_to_, to);
+  const auto there = crossing(played_to_, std::nextafter(leap, 0));
+  return there ? there : crossing(leap, to);
+}
+
+/// The swap there, if both paths meet.
+void MotionAxis::swap_at_master(double s) {
+  const Jet& there = active_->at(moment(s)).slave;
   const MotionState end{there[0], there[1], there[2]};
-  if (now_.refused =
-          pending_->admit(config_, {end.position + shift_, end.velocity, end.acceleration});
-      now_.refused)
-    return disarm();
-  swap(high, end);
+  if (const auto no =
+          pending_->admit(config_, {end.position + shift_, end.velocity, end.acceleration}))
+    return drop(*no);
+  swap(s, end);
 }
 
 /// Adds what is superimposed.
@@ -215,7 +225,7 @@ void MotionAxis::conclude() {
   if (!on_path()) {
     if (active_->progress() != Progress::done) return;
     // A coupling that ends at speed leaves the slave at its velocity, as CamOut does.
-    const double still = *config_.limits.acceleration * seconds(1);
+    const double still = 1e-9 * *config_.limits.velocity;  // rounding
     if (!(std::abs(now_.velocity) > still)) return rest();
     leave();
     origin_ = now_.tick;  // of what was given out just now, not in the tick before
@@ -357,13 +367,18 @@ void MotionAxis::replan() {
 
 bool MotionAxis::change_rate(double rate) {
   if (rate == clock_.target()) return true;
+  return clock_.change(now_.tick, rate, slope_to(rate));
+}
+
+/// How steep a change to that rate would be.
+double MotionAxis::slope_to(double rate) const {
   const double highest = std::max({1.0, clock_.highest(now_.tick), rate});
   Peaks above;
   if (lifting_)
     above = {lift_dynamics_.velocity,
              std::max(lift_dynamics_.acceleration, lift_dynamics_.deceleration),
              lift_dynamics_.jerk};
-  return clock_.change(now_.tick, rate, rate_slope(peaks_, config_, highest, above));
+  return rate_slope(peaks_, config_, highest, above);
 }
 
 void MotionAxis::drop_movement() {
@@ -391,6 +406,12 @@ void MotionAxis::hand_back(const Movement* movement) {
 
 void MotionAxis::refuse(Cause cause, double value, double limit) {
   now_.refused = Refusal{cause, value, limit, 0};
+}
+
+/// What waits does not begin. An answer to the command of this tick only if that asked for it.
+void MotionAxis::drop(const Refusal& why) {
+  (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
+  disarm();
 }
 
 bool MotionAxis::on_path() const {

@@ -191,6 +191,29 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
   EXPECT_EQ(tick.fault, Cause::none);
 }
 
+// At twice the speed a stop has less to brake with than at once: 2000 of 22000 u/s^2 beside the path's
+// own. What is on its way there is stopped in time all the same.
+TEST(AxisFaults, AnUnderrunOnTheWayToAHigherRateStopsOnThePathToo) {
+  for (const double known : {0.2, 0.3, 0.4, 0.5}) {
+    Feed feed(1, 0, 12.5, 20);  // 250 u/s, 5000 u/s^2
+    feed.prefill(known);
+    AxisConfig config{.limits = limits(500, 2e4)};
+    config.stop_acceleration = 2.2e4;
+    Bench bench(config);
+    bench.tell(Kind::enable);
+    bench.step({.kind = Kind::arm, .movement = &feed});
+    bench.tell(Kind::start);
+    bench.run(50);
+    EXPECT_EQ(bench.step({.kind = Kind::override_, .factor = 2}).override_, 2);
+    Tick tick = bench.run(1000);
+    EXPECT_EQ(tick.fault, Cause::underrun);
+    EXPECT_EQ(tick.job, 1U) << "still on its path, " << known << " s of which were known";
+    EXPECT_EQ(tick.progress, Progress::starving);
+    EXPECT_EQ(tick.rate, 0);
+    EXPECT_FALSE(in_motion(tick));
+  }
+}
+
 TEST(AxisFaults, AMasterThatIsLostOrLeapsIsBrakedFrom) {
   for (const bool lost : {true, false}) {
     Gear gear(1, 1);

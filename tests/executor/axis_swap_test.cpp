@@ -144,8 +144,9 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
                 {.kind = Kind::start, .start_at = StartAt::master_position, .position = 225})),
             Cause::none);
   Tick tick = bench.step();
-  while (tick.job == 1) tick = bench.step();
+  while (tick.job == 1) tick = bench.step({.kind = Kind::set_position, .position = 1});
   EXPECT_EQ(tick.job, 2U);
+  EXPECT_EQ(refusal(tick), Cause::synchronized) << "the swap does not obey this tick's command";
   EXPECT_NEAR(tick.master, 225, 0.72);  // passed within the tick, and the master goes on
   EXPECT_NEAR(tick.master - 225, 720 * (0.313 - 0.3125), 1e-6);
   for (int k = 0; k < 1000; ++k) {
@@ -153,6 +154,34 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
     ASSERT_NEAR(next.master - tick.master, 0.72, 1e-9);
     tick = next;
   }
+}
+
+// A virtual master that repeats leaps from 360 back to 0: that does not pass 180.
+TEST(AxisSwap, AMasterThatRepeatsPassesNothingWhereItLeaps) {
+  const auto cam = [](double reach) {
+    return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+                 {{0, 90, 180, 270, 360}, {0, reach, 0, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
+  };
+  const auto turn = [](double from) {
+    return table(Axis::time, Rule::linear, Outside::wrap, {{0, 0.5}, {from, from + 360}, {}, {}});
+  };
+  Job a(1, turn(0), cam(10));
+  Job b(2, turn(180), cam(4));
+  Bench bench({.limits = limits(1e3, 1e5)});
+  bench.tell(Kind::enable);
+  bench.arm(a);
+  bench.tell(Kind::start);
+  bench.run(300);  // the master is at 216
+  ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
+  ASSERT_EQ(refusal(bench.step(
+                {.kind = Kind::start, .start_at = StartAt::master_position, .position = 180})),
+            Cause::none);
+  Tick tick = bench.step();
+  double before = tick.master;
+  for (; tick.job == 1; tick = bench.step()) before = tick.master;
+  EXPECT_LT(before, 180);
+  EXPECT_NEAR(tick.master, 180, 0.72);
+  EXPECT_NEAR(tick.time, 0.752, 1.1e-3) << "in its second turn";
 }
 
 // At speed: both cams are the same from 0 to 90, and come down to different places.
@@ -206,8 +235,11 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
   bench.arm(b);
   bench.step({.kind = Kind::start, .start_at = StartAt::master_position, .position = 405});
   Tick tick = bench.step();
-  while (tick.waiting) tick = bench.step();
-  EXPECT_EQ(refusal(tick), Cause::start_position);
+  // A command of that very tick has an answer of its own.
+  while (tick.waiting) tick = bench.step({.kind = Kind::set_position, .position = 1});
+  EXPECT_EQ(refusal(tick), Cause::synchronized);
+  ASSERT_TRUE(tick.dropped);
+  EXPECT_EQ(tick.dropped->cause, Cause::start_position);
   EXPECT_EQ(tick.handed_back[0], &b);
   EXPECT_EQ(tick.job, 1U);
   EXPECT_EQ(tick.state, State::synchronized_motion);
