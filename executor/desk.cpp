@@ -30,7 +30,7 @@ wire::AxisState on_wire(State state) {
 bool moves(Kind kind) {
   return kind == Kind::move_absolute || kind == Kind::move_relative ||
          kind == Kind::move_additive || kind == Kind::move_superimposed ||
-         kind == Kind::move_velocity || kind == Kind::gear_in;
+         kind == Kind::move_velocity || kind == Kind::gear_in || kind == Kind::resume;
 }
 
 }  // namespace
@@ -124,6 +124,7 @@ Desk::Made Desk::make(const ArmRequested& arm, std::uint64_t id, std::int64_t pe
 }
 
 void Desk::handle(const ArmRequested& arm) {
+  if (crowded(arm.session, arm.command)) return;
   if (const auto refusal = unfit(arm))
     return answer({arm.session, arm.command, Kind::arm}, refusal);
   if (building_)
@@ -165,6 +166,8 @@ void Desk::arm(const Request& request, Made made, const Sha256& hash) {
     if (const auto refusal = made.movement->admit(options_.axis, at))
       return answer(request, refusal);
     order({.kind = Kind::reset});
+    if (last_.job != 0)
+      order({.kind = Kind::stop});  // what an underrun has left is not gone on with
   }
   if (adopts && !moving()) order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
@@ -181,6 +184,7 @@ void Desk::record(const Source& source) {
 }
 
 void Desk::handle(const StartRequested& start) {
+  if (crowded(start.session, start.command)) return;
   motion_session_ = start.session;
   order({.kind = Kind::start,
          .start_at = static_cast<StartAt>(start.when),
@@ -202,10 +206,14 @@ void Desk::handle(const SessionEnded& ended) {
   queues_.close();
   // The motion may be that of an owner before, who released it to run on.
   const bool its_motion = ended.session == motion_session_;
-  order({.kind = silent && its_motion && options_.stop_when_silent ? Kind::stop : Kind::disarm});
+  const bool stops = silent && its_motion && options_.stop_when_silent;
+  const Kind kind = stops ? Kind::stop : Kind::disarm;
+  if (outbox_.empty() || outbox_.back().kind != kind) order({.kind = kind});
 }
 
 void Desk::handle(const OrderRequested& requested) {
+  if (requested.kind == wire::OrderKind::disable) clear_outbox();  // more than a stop
+  if (crowded(requested.session, requested.command)) return;
   const auto command = command_of(requested);
   const Request request{requested.session, requested.command,
                         command ? command->kind : Kind::gear_in};
@@ -238,6 +246,14 @@ void Desk::handle_queue_order(const OrderRequested& requested) {
   answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
 }
 
+/// Refused where more waits than any streamer needs: the axis takes one command a tick.
+bool Desk::crowded(std::int64_t session, std::int32_t command) {
+  if (outbox_.size() < most_waiting) return false;
+  receiver_.refuse(session, command, "more commands wait already than the axis takes",
+                   static_cast<std::int32_t>(Cause::no_value));
+  return true;
+}
+
 /// What the protocol has and this executor does not do.
 void Desk::decline(const OrderRequested& requested, const std::string& reason) {
   receiver_.refuse(requested.session, requested.command, reason,
@@ -245,12 +261,14 @@ void Desk::decline(const OrderRequested& requested, const std::string& reason) {
 }
 
 void Desk::handle(const QueueArmRequested& arm) {
+  if (crowded(arm.session, arm.command)) return;
   const Request request{arm.session, arm.command, Kind::arm};
-  const auto movement = queues_.movement(arm.queue, arm.bank);
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
+  const auto movement = queues_.movement(arm.queue);
   if (!movement) return answer(request, Refusal{.cause = Cause::no_movement});
   if (movements_.contains(movement->id()))
     return answer(request, Refusal{.cause = Cause::in_motion});
+  queues_.choose(arm.queue, arm.bank);
   this->arm(request, {.movement = movement}, {});
 }
 
@@ -262,14 +280,21 @@ void Desk::handle(const RowsArrived& arrived) {
   queues_.take(arrived, receiver_);
 }
 
-/// A stop goes ahead of whatever has not reached the axis yet, and makes it void.
+/// A stop goes ahead of whatever has not reached the axis yet, and makes it void; but not what ends
+/// more than it does.
 void Desk::clear_outbox() {
   drop_builds();
+  std::deque<Command> kept;
   for (const Command& command : outbox_) {
+    const bool again = !kept.empty() && kept.back().kind == command.kind;
+    if ((command.kind == Kind::abort || command.kind == Kind::disable) && !again) {
+      kept.push_back(command);
+      continue;
+    }
     if (command.movement != nullptr) movements_.erase(command.movement->id());
     unanswered_.erase(command.id);
   }
-  outbox_.clear();
+  outbox_ = std::move(kept);
 }
 
 void Desk::drop_builds() {
@@ -304,8 +329,11 @@ void Desk::take_answers() {
       answer(it->second, from_axis.refused);
       unanswered_.erase(it);
     }
-    for (const Movement* movement : from_axis.handed_back)
-      if (movement != nullptr) movements_.erase(movement->id());
+    for (const Movement* movement : from_axis.handed_back) {
+      if (movement == nullptr) continue;
+      queues_.handed_back(movement->id());
+      movements_.erase(movement->id());
+    }
   }
 }
 
@@ -343,6 +371,7 @@ void Desk::write(const Tick& tick) {
 void Desk::compare(const Tick& tick) {
   const std::string at = " at tick " + std::to_string(tick.tick);
   if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
+  if (tick.dropped) notify("what was armed did not begin: " + tick.dropped->text() + at);
   if (tick.finished > last_.finished) notify("finished" + at);
   if (tick.stopped > last_.stopped) notify("stopped" + at);
   if (tick.fault == last_.fault) return;

@@ -63,7 +63,7 @@ class Desk {
   void close();
 
   [[nodiscard]] const Tick& last() const { return last_; }
-  [[nodiscard]] bool moving() const { return last_.job != 0 || last_.waiting; }
+  [[nodiscard]] bool moving() const { return in_motion(last_); }
   /// At rest, and no command is on its way that could change that.
   [[nodiscard]] bool settled() const { return !moving() && outbox_.empty() && under_way_ == 0; }
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
@@ -75,6 +75,8 @@ class Desk {
   [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
  private:
+  static constexpr std::size_t most_waiting = 64;  // commands, for the axis
+
   struct Request {
     std::int64_t session = 0;
     std::int32_t command = 0;
@@ -114,6 +116,7 @@ class Desk {
   void handle(const RowsArrived& arrived);
   void handle_queue_order(const OrderRequested& requested);
   void decline(const OrderRequested& requested, const std::string& reason);
+  bool crowded(std::int64_t session, std::int32_t command);
   static Made make(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;

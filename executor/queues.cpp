@@ -113,11 +113,18 @@ void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
   }
 }
 
-std::shared_ptr<Movement> Queues::movement(std::uint32_t queue, int bank) const {
+std::shared_ptr<Movement> Queues::movement(std::uint32_t queue) const {
   const Open* const open = find(queue);
-  if (open == nullptr) return nullptr;
-  open->choose(bank);
-  return open->movement;
+  return open == nullptr ? nullptr : open->movement;
+}
+
+void Queues::choose(std::uint32_t queue, int bank) const {
+  if (const Open* const open = find(queue)) open->choose(bank);
+}
+
+void Queues::handed_back(std::uint64_t movement) const {
+  for (const auto& [index, open] : open_)
+    if (open.movement->id() == movement) open.fifos->leave();
 }
 
 void Queues::report(const Tick& last, Receiver& receiver) const {
@@ -127,7 +134,7 @@ void Queues::report(const Tick& last, Receiver& receiver) const {
       const auto b = static_cast<std::size_t>(bank);
       level.freed[b] = open.pushed[b] - std::min(open.pushed[b], held(open, bank));
     }
-    if (last.job == open.movement->id()) level.progress = on_wire(last.progress);
+    level.progress = progress(open, last);
     receiver.level(index, level);
   }
 }
@@ -154,6 +161,23 @@ std::array<std::uint32_t, 2> Queues::fill(std::uint64_t movement) const {
 const Queues::Open* Queues::find(std::uint32_t queue) const {
   const auto found = open_.find(queue);
   return found == open_.end() ? nullptr : &found->second;
+}
+
+/// The FIFOs know how it ended: then the axis no longer plays it.
+wire::Progress Queues::progress(const Open& open, const Tick& last) {
+  switch (open.fifos->state()) {
+    case SegmentFifos::State::idle:
+    case SegmentFifos::State::taken:
+      return wire::Progress::waiting;
+    case SegmentFifos::State::ended:
+      return wire::Progress::done;
+    case SegmentFifos::State::cut_off:
+    case SegmentFifos::State::lost:
+      return wire::Progress::broken;
+    case SegmentFifos::State::moving:
+      break;
+  }
+  return last.job == open.movement->id() ? on_wire(last.progress) : wire::Progress::running;
 }
 
 /// Rows of a bank that still take up room: a stream gives it back in blocks of a FIFO.

@@ -22,8 +22,12 @@ class Queues {
             Receiver& receiver);
   /// Hands rows over; one that breaks a rule is refused with it, and never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// What is armed, beginning with this bank; nothing where the queue is not open.
-  [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue, int bank) const;
+  /// What is armed; nothing where the queue is not open.
+  [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
+  /// The bank that it begins with. Not while the axis has it.
+  void choose(std::uint32_t queue, int bank) const;
+  /// The axis no longer looks at it: what was not played to its end is cut off there.
+  void handed_back(std::uint64_t movement) const;
   /// Says how far each has come.
   void report(const Tick& last, Receiver& receiver) const;
 
@@ -44,6 +48,7 @@ class Queues {
     std::array<std::uint64_t, 2> pushed{};
   };
   [[nodiscard]] const Open* find(std::uint32_t queue) const;
+  [[nodiscard]] static wire::Progress progress(const Open& open, const Tick& last);
   [[nodiscard]] static std::uint64_t held(const Open& open, int bank);
 
   std::map<std::uint32_t, Open> open_;

@@ -146,8 +146,7 @@ void stop_alone(Post& post) {
     while (!at_rest && steady_now() - begin < 60s) {
       std::this_thread::sleep_for(20ms);
       ++post.vitals.alive;
-      while (mail->ticks.pop(tick))
-        at_rest = tick.job == 0 && !tick.waiting && steady_now() - begin > 100ms;
+      while (mail->ticks.pop(tick)) at_rest = !in_motion(tick) && steady_now() - begin > 100ms;
     }
   }
 }

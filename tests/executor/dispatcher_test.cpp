@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/stream/client.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 #include "jounce/stream/memory_transport.hpp"
 
@@ -318,6 +319,68 @@ TEST(Dispatcher, RetiringStopsTheMotionAndArmsNothingMore) {
   const double here = site.dispatcher.last().position;
   const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Outside::hold), 2);
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::leaving));
+}
+
+// A move has no table; braking it takes half a second here.
+TEST(Dispatcher, RetiringWaitsForAMoveToEnd) {
+  ExecutorOptions options = Site::defaults();
+  options.axis.limits = limits(1000, 100);
+  Site site(options);
+  Client client(site.link, "feeder", {}, site.clock);
+  ASSERT_TRUE(client.move_velocity(100).ok());
+  ASSERT_TRUE(client.release().ok());
+  site.advance(1500ms);
+  EXPECT_EQ(site.dispatcher.last().velocity, 100);
+  EXPECT_TRUE(site.dispatcher.moving());
+  site.dispatcher.retire();
+  site.advance(100ms);
+  EXPECT_NE(site.dispatcher.last().velocity, 0);
+  EXPECT_FALSE(site.dispatcher.settled());
+  site.advance(1s);
+  EXPECT_TRUE(site.dispatcher.settled());
+  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
+}
+
+/// Orders to an axis whose cycle stands still; why the last one was refused, if it was.
+std::string flood(Site& site, const Sender& owner, std::int32_t from, std::int32_t to) {
+  std::string reason;
+  Rejects rejects;
+  for (std::int32_t i = from; i <= to; ++i) {
+    if (i < to)
+      send_message(site.link,
+                   {"feeder", 1,
+                    wire::Order{.command = i, .kind = wire::OrderKind::override_, .value = {0.5}},
+                    owner.challenge()});
+    site.dispatcher.turn(0ns);
+    while (const auto message = next_message(site.link, 0ns, rejects))
+      if (const auto* reply = std::get_if<wire::Reply>(&message->body)) reason = reply->reason;
+  }
+  return reason;
+}
+
+TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
+  Site site(Site::defaults());
+  const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
+  flood(site, owner, 100, 120);  // more than the axis's mail holds
+  for (const auto mode : {wire::StopMode::abort, wire::StopMode::stop}) {
+    send_message(site.link,
+                 {"feeder", 1,
+                  wire::Stop{.command = mode == wire::StopMode::abort ? 200 : 201, .mode = mode},
+                  owner.challenge()});
+    site.dispatcher.turn(0ns);
+  }
+  site.advance(30ms);
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+}
+
+TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
+  Site site(Site::defaults());
+  const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
+  EXPECT_EQ(flood(site, owner, 100, 150), "");
+  EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("more commands wait"));
+  site.advance(100ms);  // of which one a tick is obeyed
+  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
+  EXPECT_EQ(flood(site, owner, 2000, 2001), "");
 }
 
 TEST(Dispatcher, AStartAtATickBeginsThere) {
