@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "jounce/executor/shell.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
+#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/web/panel.hpp"
 
 #include "link.hpp"
 #include "machine.hpp"
@@ -21,6 +24,7 @@ struct Options {
   MachineOptions machine;
   LinkOptions link;
   RunOptions run;
+  std::optional<std::uint16_t> web;
   bool json = false;
 };
 
@@ -108,12 +112,25 @@ bool record_is_whole(const ExecutorSummary& summary) {
   return false;
 }
 
+/// The live page, where it is asked for: beside the executor, on links of its own.
+std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
+                                     const std::vector<ExecutorOptions>& axes) {
+  if (!options.web) return nullptr;
+  web::PanelOptions panel{.port = *options.web, .key = link.key(), .title = "Jounce"};
+  for (const auto& axis : axes) panel.axes.push_back(axis.receiver.executor);
+  auto made = std::make_unique<web::Panel>(
+      panel, [url = options.link.url] { return std::make_unique<LcmTransport>(url); });
+  fmt::print(stderr, "jounce: live page at {}\n", made->address());
+  return made;
+}
+
 int run(const Options& options) {
   std::vector<ExecutorOptions> axes = axes_of(options.machine);
   (void)Machine(machine_of(axes));
   for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
+  const auto panel = panel_of(options, link, axes);
   const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
   const int status = report(summary, options.json);
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
@@ -157,6 +174,10 @@ void add_run(CLI::App& app, Work& work) {
                    "Stop all axes where the communication hangs for so many seconds; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  verb->add_option("--web", options->web,
+                   "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
+                   "address as it is printed; 0: any free port")
+      ->check(CLI::Range(0, 65535));
   verb->add_flag("--enable", options->machine.enable,
                  "Enable every axis at the start; otherwise each waits, disabled, for that order");
   verb->add_flag("--adopt-start", options->machine.adopt_start,

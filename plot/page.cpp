@@ -149,13 +149,17 @@ std::string head(const Page& page) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
       "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>\n:root{{{}}}\n"
-      "@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n{}{}\n</style>\n</head>\n",
-      escaped(page.title), colour_variables(false), colour_variables(true), page_rules,
-      inlined_figure_style());
+      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>\n{}{}\n</style>\n</head>\n",
+      escaped(page.title), page_style(), inlined_figure_style());
 }
 
 }  // namespace
+
+std::string page_style() {
+  return fmt::format(
+      ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n{}",
+      colour_variables(false), colour_variables(true), page_rules);
+}
 
 std::string html(const Page& page) {
   std::string out = head(page) + "<body>\n<main>\n<header>\n";

@@ -66,4 +66,9 @@ struct Page {
 /// drawn a second time for narrow windows), printed on white. Equal pages give equal bytes.
 std::string html(const Page& page);
 
+/// The CSS of that page, for others that shall look the same: colours as variables (--paper, --ink,
+/// --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader prefers; its text
+/// and tables.
+std::string page_style();
+
 }  // namespace jounce

@@ -1,0 +1,108 @@
+#include "jounce/web/board.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/executor/cause.hpp"
+
+namespace jounce::web {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+wire::Status at(std::int64_t tick, double position) {
+  return {.state = wire::AxisState::discrete_motion,
+          .tick = tick,
+          .cycle_ns = 1'000'000,
+          .slave_position = position,
+          .slave_velocity = 2,
+          .units = {"s", "mm"}};
+}
+
+json next(const Board& board, std::int64_t& seen, Nanos now = 0s) {
+  return json::parse(board.json_since(seen, now));
+}
+
+TEST(Board, TellsAnAxisThatWasNotHeardFromOneThatWas) {
+  Board board({"feeder", "knife"});
+  board.take("feeder", at(10, 1.5), 3s);
+  std::int64_t seen = 0;
+  const json axes = next(board, seen, 5s)["axes"];
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes[0]["name"], "feeder");
+  EXPECT_EQ(axes[0]["state"], "discrete_motion");
+  EXPECT_EQ(axes[0]["unit"], "mm");
+  EXPECT_EQ(axes[0]["heard"], 2.0);
+  EXPECT_EQ(axes[0]["fault"], nullptr);
+  EXPECT_EQ(axes[1]["name"], "knife");
+  EXPECT_EQ(axes[1]["heard"], nullptr);
+  EXPECT_TRUE(axes[1]["samples"].empty());
+}
+
+TEST(Board, GivesEachReaderEachSampleOnce) {
+  Board board({"feeder"});
+  board.take("feeder", at(1, 1), 0s);
+  board.take("feeder", at(2, 2), 0s);
+  std::int64_t early = 0, late = 0;
+  EXPECT_EQ(next(board, early)["axes"][0]["samples"].size(), 2U);
+  EXPECT_EQ(next(board, early)["axes"][0]["samples"].size(), 0U);
+  board.take("feeder", at(3, 3), 0s);
+  const json samples = next(board, early)["axes"][0]["samples"];
+  ASSERT_EQ(samples.size(), 1U);
+  EXPECT_EQ(samples[0], (json{0.003, 3.0, 2.0, nullptr}));  // no drive: no following error
+  EXPECT_EQ(next(board, late)["axes"][0]["samples"].size(), 3U);
+}
+
+TEST(Board, TakesNothingOldAndNothingOfOthers) {
+  Board board({"feeder"});
+  board.take("feeder", at(5, 5), 0s);
+  board.take("feeder", at(5, 6), 0s);
+  board.take("feeder", at(4, 4), 0s);
+  board.take("stranger", at(9, 9), 0s);
+  std::int64_t seen = 0;
+  const json axes = next(board, seen)["axes"];
+  ASSERT_EQ(axes.size(), 1U);
+  EXPECT_EQ(axes[0]["position"], 5.0);
+  EXPECT_EQ(axes[0]["samples"].size(), 1U);
+  EXPECT_TRUE(board.has("feeder"));
+  EXPECT_FALSE(board.has("stranger"));
+}
+
+TEST(Board, GoesOnWhereTheExecutorWasStartedAgain) {
+  Board board({"feeder"});
+  wire::Status status = at(1000, 1);
+  status.boot = 1;
+  board.take("feeder", status, 0s);
+  status = at(3, 7);
+  status.boot = 2;
+  board.take("feeder", status, 0s);
+  std::int64_t seen = 0;
+  EXPECT_EQ(next(board, seen)["axes"][0]["position"], 7.0);
+}
+
+TEST(Board, ForgetsTheOldestSamples) {
+  Board board({"feeder"});
+  const auto most = static_cast<std::int64_t>(Board::most_samples);
+  for (std::int64_t tick = 1; tick <= most + 10; ++tick) board.take("feeder", at(tick, 0), 0s);
+  std::int64_t seen = 0;
+  const json samples = next(board, seen)["axes"][0]["samples"];
+  ASSERT_EQ(samples.size(), Board::most_samples);
+  EXPECT_NEAR(samples[0][0].get<double>(), 0.011, 1e-12);
+}
+
+TEST(Board, SaysAFaultWithNumberNameAndMeaning) {
+  Board board({"feeder"});
+  wire::Status status = at(1, 0);
+  status.last_error = static_cast<std::int32_t>(Cause::following_error);
+  board.take("feeder", status, 0s);
+  std::int64_t seen = 0;
+  const json fault = next(board, seen)["axes"][0]["fault"];
+  EXPECT_EQ(fault["number"], 6);
+  EXPECT_EQ(fault["name"], "following_error");
+  EXPECT_EQ(fault["meaning"], meaning(Cause::following_error));
+}
+
+}  // namespace
+}  // namespace jounce::web

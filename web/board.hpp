@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "jounce/stream/message.hpp"
+#include "jounce/stream/transport.hpp"
+
+namespace jounce::web {
+
+/// What is known of some axes: the newest status of each, and the last seconds for its plots.
+///
+///     Board board({"feeder", "knife"});
+///     board.take("feeder", status, steady_now());
+///     std::int64_t seen = 0;
+///     send(board.json_since(seen, steady_now()));   // moves `seen` on
+///
+/// A pure value: whoever shares it between threads guards it.
+class Board {
+ public:
+  static constexpr std::size_t most_samples = 2000;  ///< kept of each axis
+
+  explicit Board(std::vector<std::string> axes);
+
+  /// A status; of an axis that is not named, or as old as the one before: nothing happens.
+  void take(const std::string& axis, const wire::Status& status, Nanos now);
+
+  /// All axes in JSON, with the samples of after `seen`, which is moved to the newest one. NaN
+  /// becomes null. {"axes": [{"name", "state", "heard" (s since), "position", ..., "samples":
+  /// [[time s, position, velocity, following error], ...]}]}; time is tick * cycle.
+  [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
+
+  [[nodiscard]] bool has(const std::string& axis) const;
+
+ private:
+  struct Sample {
+    std::int64_t number;  // over all axes, rising
+    double time, position, velocity, error;
+  };
+  struct AxisView {
+    std::string name{};
+    wire::Status status{};
+    Nanos heard{-1};
+    std::deque<Sample> samples{};
+  };
+
+  std::vector<AxisView> axes_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace jounce::web

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "jounce/stream/client.hpp"
+
+namespace jounce::web {
+
+/// What an operator asks of an axis: {"axis": "feeder", "what": "override", "value": 0.5}.
+///
+/// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which are obeyed whoever
+/// owns the axis; or enable, disable, reset, move (value: position in the axis's unit, at the limits
+/// it is configured with), which are refused while a streamer owns it.
+struct Instruction {
+  std::string axis{};
+  std::string what{};
+  double value = 0;
+};
+
+/// From JSON. Throws InputError: no such object, an unknown key or word, a value that is missing,
+/// too much, or out of range.
+Instruction read_instruction(std::string_view json);
+
+/// Tells the axis, over a link that nobody else uses, as `jounce order` and `jounce stop` do, and
+/// waits for its answer. Throws TransportError.
+CallOutcome give(Transport& link, const Instruction& instruction,
+                 const std::optional<wire::Key>& key);
+
+}  // namespace jounce::web

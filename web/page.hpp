@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace jounce::web {
+
+/// The live page, in three files that web/page/ holds as such: HTML with this title, its script, and
+/// its style, which is the report page's and a little more. They load nothing from elsewhere.
+std::string page(const std::string& title);
+std::string_view script();
+std::string style();
+
+}  // namespace jounce::web

@@ -1,0 +1,201 @@
+'use strict';
+// The live page of `jounce run --web`: statuses come as server-sent events, orders go as POSTs.
+
+const token = location.hash.slice(1);  // after #: a browser never sends that part
+const window_s = 10;
+const axes = new Map();  // by name: {element, parts, samples}
+
+const moving = ['discrete_motion', 'synchronized_motion', 'continuous_motion', 'homing'];
+const classOf = (state) => state === 'error_stop' ? 'fault' : moving.includes(state) ? 'moving'
+  : state === 'stopping' ? 'waiting' : '';
+
+const asks = {
+  stop: (axis) => [`Bring ${axis} to rest?`, 'Stop'],
+  hold: (axis) => [`Hold ${axis} on its path?`, 'Hold'],
+  resume: (axis) => [`Let ${axis} go on? It may move at once.`, 'Resume'],
+  enable: (axis) => [`Enable ${axis}?`, 'Enable'],
+  disable: (axis) => [`Disable ${axis}? It holds its position no longer.`, 'Disable'],
+  reset: (axis) => [`Clear the fault of ${axis}?`, 'Reset'],
+  move: (axis, value, unit) => [`Start ${axis} to ${value} ${unit}? It moves at once.`, 'Start'],
+};
+
+const number = (value, unit) => value === null || value === undefined ? '–'
+  : `${Number(value.toPrecision(6)).toLocaleString('en', {maximumFractionDigits: 4, useGrouping: false})}${unit ? ' ' + unit : ''}`;
+const words = (text) => text.replaceAll('_', ' ');
+
+function say(text, ok) {
+  const line = document.getElementById('said');
+  line.textContent = text;
+  line.classList.toggle('no', !ok);
+}
+
+async function order(axis, what, value) {
+  const body = value === undefined ? {axis, what} : {axis, what, value};
+  try {
+    const answer = await fetch('/order', {method: 'POST', headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
+      body: JSON.stringify(body)});
+    const text = await answer.text();
+    const reason = answer.headers.get('Content-Type').startsWith('application/json') ? JSON.parse(text).reason : text;
+    say(answer.ok ? `${axis}: ${what} accepted` : `${axis}: ${what} is refused: ${reason}`, answer.ok);
+  } catch (error) {
+    say(`${axis}: the executor cannot be reached`, false);
+  }
+}
+
+/// Shows the question; true once it was answered with yes.
+function confirmed([question, yes]) {
+  const dialog = document.getElementById('ask');
+  dialog.querySelector('p').textContent = question;
+  dialog.querySelector('button[value=yes]').textContent = yes;
+  dialog.returnValue = 'no';
+  dialog.showModal();
+  return new Promise((resolve) =>
+    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), {once: true}));
+}
+
+function wire(name, view) {
+  for (const button of view.element.querySelectorAll('button[data-what]')) {
+    const what = button.dataset.what;
+    if (what === 'move') continue;
+    button.addEventListener('click', async () => { if (await confirmed(asks[what](name))) order(name, what); });
+  }
+  view.parts.move.addEventListener('submit', async (event) => {
+    event.preventDefault();
+    const to = view.parts.move.querySelector('input').valueAsNumber;
+    if (await confirmed(asks.move(name, to, view.parts.unit.textContent))) order(name, 'move', to);
+  });
+  const slider = view.parts.slider;
+  slider.addEventListener('input', () => { view.sliding = true; view.parts.override.textContent = `${slider.value} %`; });
+  slider.addEventListener('change', async () => {
+    await order(name, 'override', slider.value / 100);
+    view.sliding = false;
+  });
+}
+
+function viewOf(name) {
+  if (axes.has(name)) return axes.get(name);
+  const element = document.getElementById('axis').content.firstElementChild.cloneNode(true);
+  const parts = {};
+  for (const part of element.querySelectorAll('[data-is]')) parts[part.dataset.is] = part;
+  const view = {element, parts, samples: [], sliding: false};
+  parts.name.textContent = name;
+  for (const input of element.querySelectorAll('button,input')) input.disabled = token === '';
+  wire(name, view);
+  document.getElementById('axes').append(element);
+  axes.set(name, view);
+  return view;
+}
+
+function show(axis) {
+  const view = viewOf(axis.name), parts = view.parts;
+  const silent = axis.heard === null || axis.heard > 1;
+  view.element.classList.toggle('silent', silent);
+  if (axis.heard === null) { parts.state.textContent = 'not heard'; return; }
+  const unit = axis.unit;
+  parts.state.textContent = silent ? `silent for ${axis.heard.toFixed(0)} s` : words(axis.state);
+  parts.state.className = `state ${silent ? 'waiting' : classOf(axis.state)}`;
+  parts.next.textContent = axis.next === 'nothing' ? '' : words(axis.next);
+  parts.fault.hidden = axis.fault === null;
+  if (axis.fault) parts.fault.textContent = `Fault ${axis.fault.number}, ${words(axis.fault.name)}. ${axis.fault.meaning}`;
+  parts.position.textContent = number(axis.position, unit);
+  parts.velocity.textContent = number(axis.velocity, unit && `${unit}/s`);
+  parts.error.textContent = number(axis.error, unit);
+  parts.master.textContent = number(axis.master);
+  parts.queue.textContent = `${axis.queue} of ${axis.capacity}`;
+  parts.level.value = axis.capacity ? axis.queue / axis.capacity : 0;
+  for (const [part, known] of [['error', axis.error !== null], ['master', axis.master !== null], ['queue', axis.capacity > 0]])
+    parts[part].closest('dl > div').hidden = !known;
+  parts.late.textContent = axis.late;
+  parts.motions.textContent = `${axis.finished} done, ${axis.stopped} stopped`;
+  parts.unit.textContent = unit;
+  if (!view.sliding) {
+    parts.slider.value = Math.round(axis.override * 100);
+    parts.override.textContent = `${Math.round(axis.override * 100)} %`;
+  }
+  parts['position-title'].textContent = `position${unit && ` [${unit}]`}`;
+  parts['velocity-title'].textContent = `velocity${unit && ` [${unit}/s]`}`;
+  parts['error-title'].textContent = `following error${unit && ` [${unit}]`}`;
+  parts['error-plot'].hidden = axis.error === null;
+  const last = view.samples.at(-1);
+  if (axis.samples.length && last && axis.samples[0][0] < last[0]) view.samples = [];  // it was started again
+  view.samples.push(...axis.samples);
+  const newest = view.samples.at(-1)?.[0] ?? 0;
+  while (view.samples.length && view.samples[0][0] < newest - window_s) view.samples.shift();
+}
+
+/// A step of 1, 2 or 5 times a power of ten, so that at most `most` of them fit the span.
+function step(span, most) {
+  const raw = span / most, power = 10 ** Math.floor(Math.log10(raw));
+  return [1, 2, 5, 10].map((k) => k * power).find((s) => s >= raw);
+}
+
+function range(values) {
+  let low = Infinity, high = -Infinity;
+  for (const v of values) { if (v === null) continue; low = Math.min(low, v); high = Math.max(high, v); }
+  if (low > high) return [-1, 1];
+  const pad = (high - low) * 0.08 || Math.abs(high) * 0.1 || 1;
+  return [low - pad, high + pad];
+}
+
+function draw(canvas, samples, column) {
+  const box = canvas.getBoundingClientRect(), scale = devicePixelRatio || 1;
+  if (box.width === 0) return;
+  canvas.width = box.width * scale;
+  canvas.height = box.height * scale;
+  const ink = canvas.getContext('2d'), css = getComputedStyle(document.documentElement);
+  const colour = (name) => css.getPropertyValue(`--${name}`);
+  ink.scale(scale, scale);
+  ink.font = '11px system-ui,sans-serif';
+  const left = 46, right = box.width - 4, top = 6, bottom = box.height - 18;
+  const end = samples.at(-1)?.[0] ?? 0;
+  const [low, high] = range(samples.map((s) => s[column]));
+  const x = (t) => right - (end - t) / window_s * (right - left);
+  const y = (v) => bottom - (v - low) / (high - low) * (bottom - top);
+  ink.textAlign = 'right';
+  ink.textBaseline = 'middle';
+  ink.lineWidth = 1;
+  ink.strokeStyle = colour('grid');
+  ink.fillStyle = colour('soft');
+  const rise = step(high - low, 4);
+  for (let v = Math.ceil(low / rise) * rise; v <= high; v += rise) {
+    ink.beginPath(); ink.moveTo(left, y(v)); ink.lineTo(right, y(v)); ink.stroke();
+    ink.fillText(Number(v.toPrecision(6)), left - 6, y(v));
+  }
+  ink.textBaseline = 'top';
+  for (let t = -window_s; t <= 0; t += 5) {
+    ink.textAlign = t === 0 ? 'right' : t === -window_s ? 'left' : 'center';
+    ink.fillText(t === 0 ? 'now' : `${t} s`.replace('-', '−'), x(end + t), bottom + 4);
+  }
+  ink.strokeStyle = colour(['', 'one', 'two', 'four'][column]);
+  ink.lineWidth = 1.5;
+  ink.lineJoin = 'round';
+  ink.beginPath();
+  let pen = false;
+  for (const s of samples) {
+    if (s[column] === null) { pen = false; continue; }
+    if (pen) ink.lineTo(x(s[0]), y(s[column])); else ink.moveTo(x(s[0]), y(s[column]));
+    pen = true;
+  }
+  ink.stroke();
+}
+
+function paint() {
+  for (const view of axes.values())
+    for (const canvas of view.element.querySelectorAll('canvas'))
+      draw(canvas, view.samples, Number(canvas.dataset.plot));
+  dirty = false;
+}
+
+let dirty = false;
+const link = document.getElementById('link');
+document.getElementById('look').hidden = token !== '';
+const events = new EventSource('/events');
+events.onopen = () => { link.textContent = 'live'; };
+events.onerror = () => {
+  link.textContent = 'the executor has ended, or cannot be reached';
+  for (const view of axes.values()) view.element.classList.add('silent');
+};
+events.onmessage = (event) => {
+  for (const axis of JSON.parse(event.data).axes) show(axis);
+  if (!dirty) { dirty = true; requestAnimationFrame(paint); }
+};

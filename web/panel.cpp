@@ -1,0 +1,109 @@
+#include "jounce/web/panel.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/driver.hpp"
+#include "jounce/web/board.hpp"
+#include "jounce/web/gate.hpp"
+#include "jounce/web/instruction.hpp"
+#include "jounce/web/page.hpp"
+#include "jounce/web/server.hpp"
+
+namespace jounce::web {
+namespace {
+
+constexpr int waiting_statuses =
+    64;  // LCM keeps the oldest: they are taken out faster than they come
+constexpr Nanos turn = std::chrono::milliseconds(50);
+
+Answer answer(int status, const std::string& reason) {
+  const nlohmann::ordered_json said{{"ok", status == 200}, {"reason", reason}};
+  return {status, said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+}  // namespace
+
+struct Panel::Impl {
+  Impl(const PanelOptions& its_options, MakeLink its_make_link)
+      : options(its_options), make_link(std::move(its_make_link)), board(options.axes) {
+    ears = make_link();
+    for (const std::string& axis : options.axes)
+      ears->subscribe(wire::channel(axis, wire::Lane::status), waiting_statuses);
+    server.emplace(options.port, token,
+                   Site{page(options.title), std::string(script()), style(),
+                        [this](std::int64_t& seen) { return event(seen); },
+                        [this](const std::string& body) { return order(body); }});
+    listener = std::thread([this] { listen(); });
+  }
+
+  ~Impl() {
+    server.reset();  // first: it calls event() and order()
+    running = false;
+    listener.join();
+  }
+
+  void listen() {
+    try {
+      Rejects rejects;
+      while (running) {
+        const auto message = next_message(*ears, turn, rejects, options.key);
+        const auto* const status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
+        if (status == nullptr) continue;
+        const std::scoped_lock lock(mutex);
+        board.take(message->executor, *status, steady_now());
+      }
+    } catch (const TransportError&) {
+      // The page says of each axis for how long nothing was heard.
+    }
+  }
+
+  std::string event(std::int64_t& seen) {
+    const std::scoped_lock lock(mutex);
+    return board.json_since(seen, steady_now());
+  }
+
+  Answer order(const std::string& body) {
+    try {
+      const Instruction instruction = read_instruction(body);
+      if (!board.has(instruction.axis))
+        throw InputError("axis", instruction.axis, "is none of this executor's");
+      const auto link = make_link();
+      const CallOutcome outcome = give(*link, instruction, options.key);
+      return answer(outcome.ok()                            ? 200
+                    : outcome.error == StreamError::refused ? 409
+                                                            : 504,
+                    outcome.reason);
+    } catch (const InputError& error) {
+      return answer(400, error.what());
+    } catch (const TransportError& error) {
+      return answer(504, error.what());
+    }
+  }
+
+  const PanelOptions options;
+  const MakeLink make_link;
+  const std::string token = new_token();
+  std::unique_ptr<Transport> ears;  // the listener's
+  std::mutex mutex;                 // guards what of the board changes
+  Board board;
+  std::optional<Server> server;
+  std::atomic<bool> running{true};
+  std::thread listener;
+};
+
+Panel::Panel(const PanelOptions& options, MakeLink make_link)
+    : impl_(std::make_unique<Impl>(options, std::move(make_link))) {}
+Panel::~Panel() = default;
+
+std::string Panel::address() const {
+  return "http://127.0.0.1:" + std::to_string(impl_->server->port()) + "/#" + impl_->token;
+}
+
+}  // namespace jounce::web
