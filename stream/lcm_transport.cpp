@@ -6,6 +6,7 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <map>
 #include <utility>
 
 #include <lcm/lcm-cpp.hpp>
@@ -24,10 +25,14 @@ std::string explicit_url(const std::string& url) {
   return url + (url.find('?') == std::string::npos ? "?ttl=0" : "&ttl=0");
 }
 
-/// A channel's name as the regular expression that LCM takes it for.
+/// A channel's name as the regular expression that LCM takes it for, * standing for a part of it.
 std::string escaped(const std::string& channel) {
   std::string regex;
   for (const char c : channel) {
+    if (c == '*') {
+      regex += "[^.]*";
+      continue;
+    }
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) regex += '\\';
     regex += c;
   }
@@ -73,6 +78,7 @@ struct LcmTransport::Impl {
 
   lcm::LCM lcm;
   int fd = -1;
+  std::map<std::string, lcm::Subscription*> subscriptions;  // owned by lcm
   std::deque<Packet> waiting;
   std::exception_ptr failure;
 };
@@ -84,8 +90,9 @@ LcmTransport::~LcmTransport() = default;
 
 void LcmTransport::subscribe(const std::string& channel, int capacity) {
   assert(channel.size() <= 63 && capacity >= 1);
-  auto* const subscription =
-      impl_->lcm.subscribeFunction(escaped(channel), &Impl::on_message, impl_.get());
+  lcm::Subscription*& subscription = impl_->subscriptions[channel];
+  if (subscription == nullptr)
+    subscription = impl_->lcm.subscribeFunction(escaped(channel), &Impl::on_message, impl_.get());
   if (subscription == nullptr) throw TransportError("cannot subscribe to " + channel);
   subscription->setQueueCapacity(capacity);
 }

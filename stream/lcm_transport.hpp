@@ -20,7 +20,8 @@ class LcmTransport : public Transport {
   LcmTransport(const LcmTransport&) = delete;
   LcmTransport& operator=(const LcmTransport&) = delete;
 
-  /// At most 63 characters, LCM's limit.
+  /// At most 63 characters, LCM's limit. A * stands for any text without a dot: "JOUNCE2.*.status" are
+  /// those of all executors.
   void subscribe(const std::string& channel, int capacity) override;
   void send(const std::string& channel, std::span<const std::byte> bytes) override;
   std::optional<Packet> receive(Nanos timeout) override;

@@ -37,7 +37,7 @@ class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on. At most `capacity` >= 1 packets of it wait for receive();
+  /// Receives this channel from now on; asked again, no second time. At most `capacity` >= 1 packets of it wait for receive();
   /// what comes while they wait is lost. (LCM keeps the oldest ones: to know the newest state,
   /// drain the link, then wait.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;

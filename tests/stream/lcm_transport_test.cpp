@@ -45,6 +45,22 @@ TEST(LcmTransport, TakesAChannelForItsNameNotForAPattern) {
   EXPECT_FALSE(link.receive(Nanos{}).has_value());
 }
 
+TEST(LcmTransport, HearsAllOfAKindByAStarAndOneThingOnce) {
+  LcmTransport link("memq://");
+  link.subscribe(wire::channel("*", wire::Lane::status), 10);
+  link.subscribe(wire::channel("*", wire::Lane::status), 10);
+  const std::byte byte{1};
+  for (const char* channel :
+       {"JOUNCE2.a_-b.status", "JOUNCE2.a.b.status", "JOUNCE2.knife.reply", "JOUNCE2.knife.status"})
+    link.send(channel, {&byte, 1});
+  for (const char* heard : {"JOUNCE2.a_-b.status", "JOUNCE2.knife.status"}) {
+    const auto packet = link.receive(1s);
+    ASSERT_TRUE(packet.has_value());
+    EXPECT_EQ(packet->channel, heard);
+  }
+  EXPECT_FALSE(link.receive(Nanos{}).has_value());
+}
+
 TEST(LcmTransport, AWholeStreamRunsThroughIt) {
   // Streamer and executor share one link: memq:// is private to its object.
   LcmTransport link("memq://");
