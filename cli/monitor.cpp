@@ -1,90 +1,208 @@
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "jounce/executor/cause.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
+#include "dashboard.hpp"
 #include "link.hpp"
+#include "terminal.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
 
+constexpr int queue_capacity = 256;  // two statuses each of the most axes of a machine, and more
+constexpr Nanos turn = std::chrono::milliseconds(50);
+
 struct Options {
-  std::string executor;
+  std::vector<std::string> executors;  // sorted; empty: all that are heard
   LinkOptions link;
   double seconds = 0;
   double silence = 3;
+  bool ascii = false;
   bool json = false;
 };
 
-void print_line(const wire::Status& s, bool terminal) {
+void print_line(const std::string& axis, const wire::Status& s) {
   fmt::print(
-      "{}{:<9} tick {:<10} master {:<12.6g} position {:<12.6g} velocity {:<12.6g} late {}{}{}",
-      terminal ? "\r\x1b[K" : "", name(s.state), s.tick, s.master_position, s.slave_position,
-      s.slave_velocity, s.late_ticks,
-      s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
-      terminal ? "" : "\n");
+      "{:<12} {:<9} tick {:<10} master {:<12.6g} position {:<12.6g} velocity {:<12.6g} late {}{}\n",
+      axis, name(s.state), s.tick, s.master_position, s.slave_position, s.slave_velocity,
+      s.late_ticks,
+      s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))));
   std::fflush(stdout);
 }
 
-void print_json(const wire::Status& s) {
-  const nlohmann::ordered_json line{{"state", name(s.state)},       {"tick", s.tick},
-                                    {"master", s.master_position},  {"position", s.slave_position},
-                                    {"velocity", s.slave_velocity}, {"late", s.late_ticks},
-                                    {"error", s.last_error}};
+void print_json(const std::string& axis, const wire::Status& s) {
+  const nlohmann::ordered_json line{{"name", axis},
+                                    {"state", name(s.state)},
+                                    {"tick", s.tick},
+                                    {"master", s.master_position},
+                                    {"position", s.slave_position},
+                                    {"velocity", s.slave_velocity},
+                                    {"late", s.late_ticks},
+                                    {"error", s.last_error},
+                                    {"actual", s.actual_position},
+                                    {"following_error", s.following_error},
+                                    {"override", s.override_},
+                                    {"progress", name(s.progress)},
+                                    {"queue_rows", s.queue_rows}};
   fmt::print("{}\n", line.dump());
   std::fflush(stdout);
 }
 
-int run(const Options& options) {
-  if (!wire::is_executor_name(options.executor))
-    throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
-  Link link(options.link);
-  link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
-  const bool terminal = isatty(STDOUT_FILENO) != 0 && !options.json;
-  const Nanos begun = steady_now();
-  Nanos heard = begun;
-  while (options.seconds == 0 || steady_now() - begun < nanos(options.seconds)) {
-    const auto message = next_status(link.transport(), options.executor,
-                                     std::chrono::milliseconds(100), steady_now, link.key());
-    const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
-    if (status != nullptr) {
-      heard = steady_now();
-      options.json ? print_json(*status) : print_line(*status, terminal);
-    } else if (steady_now() - heard > nanos(options.silence)) {
-      fmt::print(stderr,
-                 "{}jounce: {} has been silent for {} s: is it running, on the same --url, with "
-                 "the same --key?\n",
-                 terminal ? "\n" : "", options.executor, options.silence);
-      return fault;
+/// Hears the executors that are asked for.
+class Ear {
+ public:
+  explicit Ear(const Options& options) : options_(options), link_(options.link) {
+    for (const std::string& name : options.executors) {
+      link_.transport().subscribe(wire::channel(name, wire::Lane::status), queue_capacity);
+      axes_.push_back({.name = name});
+    }
+    if (options.executors.empty())
+      link_.transport().subscribe(wire::channel("*", wire::Lane::status), queue_capacity);
+  }
+
+  /// Hands each status that comes within a turn to `take`.
+  template <class Take>
+  void listen(Take take) {
+    const Nanos end = steady_now() + turn;
+    for (Nanos left = turn; left > Nanos{}; left = end - steady_now()) {
+      const auto message = next_message(link_.transport(), left, rejects_, link_.key());
+      const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
+      if (status == nullptr || !wanted(message->executor)) continue;
+      hear(axes_, message->executor, *status, steady_now());
+      take(message->executor, *status);
     }
   }
-  if (terminal) fmt::print("\n");
+
+  /// What has been silent for too long, in words: an axis that was named, or all; empty: nothing.
+  [[nodiscard]] std::string silent() const {
+    const Nanos now = steady_now();
+    Nanos last = begun_;
+    for (const Watched& axis : axes_) {
+      const Nanos heard = std::max(begun_, axis.heard);
+      if (!options_.executors.empty() && now - heard > nanos(options_.silence)) return axis.name;
+      last = std::max(last, heard);
+    }
+    return now - last > nanos(options_.silence) ? "every executor" : "";
+  }
+
+  [[nodiscard]] bool heard_any() const {
+    return std::any_of(axes_.begin(), axes_.end(),
+                       [](const auto& a) { return a.status.has_value(); });
+  }
+  [[nodiscard]] bool in_time() const {
+    return options_.seconds == 0 || steady_now() - begun_ < nanos(options_.seconds);
+  }
+  [[nodiscard]] const std::vector<Watched>& axes() const { return axes_; }
+  [[nodiscard]] Link& link() { return link_; }
+
+ private:
+  [[nodiscard]] bool wanted(const std::string& name) const {
+    return options_.executors.empty() ||
+           std::binary_search(options_.executors.begin(), options_.executors.end(), name);
+  }
+
+  const Options& options_;
+  Link link_;
+  std::vector<Watched> axes_;
+  Rejects rejects_;
+  Nanos begun_ = steady_now();
+};
+
+int give_up(const std::string& who, const Options& options) {
+  fmt::print(stderr,
+             "jounce: {} has been silent for {} s: is it running, on the same --url, with the same "
+             "--key?\n",
+             who, options.silence);
+  return fault;
+}
+
+int print_all(Ear& ear, const Options& options) {
+  while (ear.in_time()) {
+    ear.listen(options.json ? print_json : print_line);
+    if (const std::string who = ear.silent(); !who.empty()) return give_up(who, options);
+  }
   return fine;
+}
+
+/// Tells the chosen axis what a key asks for; what it says to that, in a few words.
+std::string tell(Ear& ear, const std::string& axis, Wish wish) {
+  const char* const word = wish == Wish::stop ? "stop" : wish == Wish::hold ? "hold" : "resume";
+  const auto kind = wish == Wish::hold ? wire::OrderKind::hold : wire::OrderKind::resume;
+  const wire::Body body =
+      wish == Wish::stop ? wire::Body(wire::Stop{}) : wire::Body(wire::Order{.kind = kind});
+  const wire::Reply reply = operator_command(ear.link().transport(), axis, body, ear.link().key(),
+                                             std::chrono::seconds(1));
+  if (reply.outcome == wire::Outcome::accepted) return fmt::format("{}: {} accepted", axis, word);
+  if (reply.outcome == wire::Outcome::pending) return fmt::format("{}: {}: no answer", axis, word);
+  return fmt::format(
+      "{}: {} refused: {}", axis, word,
+      reply.cause != 0 ? name(static_cast<Cause>(reply.cause)) : name(reply.refusal));
+}
+
+int watch(Ear& ear, const Options& options) {
+  Terminal terminal;
+  View view{.ascii = options.ascii || !is_utf8(), .silence = nanos(options.silence)};
+  while (ear.in_time()) {
+    view.now = steady_now();
+    terminal.measure(view);
+    terminal.show(dashboard(ear.axes(), view));
+    ear.listen([](const std::string& /*name*/, const wire::Status& /*status*/) {});
+    while (const auto key = terminal.key()) {
+      const Wish wish = press(view, ear.axes(), *key);
+      if (wish == Wish::quit) return fine;
+      if (wish != Wish::nothing) view.note = tell(ear, view.chosen, wish);
+    }
+    // One that falls silent later is shown as such: it may come back.
+    if (!ear.heard_any() && !ear.silent().empty()) return fault;
+  }
+  return fine;
+}
+
+int run(Options options) {
+  for (const std::string& name : options.executors)
+    if (!wire::is_executor_name(name))
+      throw InputError("NAME", name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  std::sort(options.executors.begin(), options.executors.end());
+  options.executors.erase(std::unique(options.executors.begin(), options.executors.end()),
+                          options.executors.end());
+  Ear ear(options);
+  if (options.json || !is_screen()) return print_all(ear, options);
+  const int status = watch(ear, options);
+  return status == fault ? give_up(ear.silent(), options) : status;
 }
 
 }  // namespace
 
 void add_monitor(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "monitor", "Show what an executor is doing now",
-                            "jounce monitor feeder --seconds 10");
-  verb->add_option("NAME", options->executor, "Name of the executor")->required();
+  CLI::App* verb = add_verb(
+      app, "monitor", "Show what executors are doing now",
+      "jounce monitor                           all that are heard\n"
+      "jounce monitor feeder knife\n"
+      "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
+      "Keys: up and down choose an axis, h holds, r resumes, s and then y stops it, q quits.\n"
+      "Into a file or a pipe: a line for each status.");
+  verb->add_option("NAME", options->executors, "Names of executors; otherwise all that are heard");
   verb->add_option("--seconds", options->seconds,
-                   "End after so many seconds; otherwise with Ctrl-C")
+                   "End after so many seconds; otherwise with q or Ctrl-C")
       ->check(seconds_option());
-  verb->add_option("--silence", options->silence,
-                   "Give up when nothing is heard for so many seconds")
+  verb->add_option(
+          "--silence", options->silence,
+          "Give up when nothing is heard for so many seconds; on a terminal, from the start")
       ->check(seconds_option())
       ->capture_default_str();
   add_link_options(*verb, options->link);
+  verb->add_flag("--ascii", options->ascii,
+                 "Bars and plots of ASCII; otherwise as the locale allows");
   verb->add_flag("--json", options->json, "A line of JSON for each status");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -1,0 +1,252 @@
+#include "dashboard.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "terminal.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::Not;
+
+wire::Status moving() {
+  wire::Status s;
+  s.state = wire::AxisState::synchronized_motion;
+  s.progress = wire::Progress::running;
+  s.tick = 4711;
+  s.cycle_ns = 1'000'000;
+  s.master_position = 45.5;
+  s.slave_position = 123.25;
+  s.slave_velocity = -7.5;
+  s.actual_position = 123;
+  s.following_error = 0.25;
+  s.torque = 0.4;
+  s.override_ = 0.5;
+  s.queue_rows = 1024;
+  s.queue_capacity = 4096;
+  s.outputs = 0b101;
+  s.late_ticks = 3;
+  s.lateness[6] = 1000;
+  s.lateness[9] = 1;
+  s.units = {"deg", "mm"};
+  return s;
+}
+
+std::vector<Watched> two_axes() {
+  std::vector<Watched> axes;
+  hear(axes, "knife", wire::Status{}, 1s);
+  hear(axes, "feeder", moving(), 1s);
+  return axes;
+}
+
+std::string text_of(const Row& row) {
+  std::string text;
+  for (const Span& span : row) text += span.text;
+  return text;
+}
+
+std::string text_of(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) text += text_of(row) + "\n";
+  return text;
+}
+
+std::string screen(const std::vector<Watched>& axes, const View& view) {
+  return text_of(dashboard(axes, view));
+}
+
+/// Of the first span that has this text; nothing otherwise.
+std::optional<Tone> tone_of(const std::vector<Row>& rows, const std::string& text) {
+  for (const Row& row : rows)
+    for (const Span& span : row)
+      if (span.text.find(text) != std::string::npos) return span.tone;
+  return std::nullopt;
+}
+
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+TEST(Dashboard, ShowsTheAxesByNameAndTheFirstInDetail) {
+  const std::string text = screen(two_axes(), {.now = 1s});
+  EXPECT_LT(text.find("> feeder"), text.find("  knife"));
+  for (const char* said :
+       {"synchronized_motion", "motion running", "123.25 mm", "master 45.5 deg", "-7.5 mm/s",
+        "torque 40 %", "following error 0.25 mm", "50 %", "1024 of 4096 rows", "1 3 ", "3 cycles",
+        "of 1 ms, tick 4711", "99.9 % within 64 us"})
+    EXPECT_THAT(text, HasSubstr(said));
+}
+
+TEST(Dashboard, SaysWhatIsNotKnown) {
+  const std::string text = screen(two_axes(), {.chosen = "knife", .now = 1s});
+  EXPECT_THAT(text, HasSubstr("> knife"));
+  EXPECT_THAT(text, HasSubstr("torque not known"));
+  EXPECT_THAT(text, HasSubstr("following error not known"));
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST(Dashboard, FitsEveryScreen) {
+  for (const bool ascii : {false, true})
+    for (int width = 0; width <= 200; width += 7)
+      for (int height = 0; height <= 60; ++height) {
+        const auto rows =
+            dashboard(two_axes(), {.width = width, .height = height, .ascii = ascii, .now = 1s});
+        ASSERT_LE(rows.size(), static_cast<std::size_t>(height));
+        for (const Row& row : rows)
+          ASSERT_LE(columns(text_of(row)), static_cast<std::size_t>(width))
+              << width << " x " << height << ": " << text_of(row);
+      }
+}
+
+TEST(Dashboard, ShowsTheWholeAxisAndItsKeysOn80By24) {
+  const std::string text = screen(two_axes(), {.now = 1s});
+  EXPECT_THAT(text, HasSubstr("packets"));
+  EXPECT_THAT(text, HasSubstr("q quit"));
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 24);
+}
+
+TEST(Dashboard, KeepsTheChosenOneOfManyInSight) {
+  std::vector<Watched> axes;
+  for (int i = 10; i < 74; ++i) hear(axes, "axis" + std::to_string(i), moving(), 1s);
+  for (const Watched& axis : axes) {
+    const std::string text = screen(axes, {.chosen = axis.name, .now = 1s});
+    EXPECT_THAT(text, HasSubstr("> " + axis.name));
+    EXPECT_THAT(text, HasSubstr("q quit"));
+  }
+}
+
+TEST(Dashboard, IsAsciiWhereItHasToBe) {
+  std::vector<Watched> axes = two_axes();
+  axes[0].status->units.position = "µm";
+  EXPECT_THAT(screen(axes, {.now = 1s}), HasSubstr("123.25 µm"));
+  const std::string text = screen(axes, {.ascii = true, .now = 1s});
+  EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c > 0; })) << text;
+  EXPECT_THAT(text, HasSubstr("123.25 ?m"));
+}
+
+TEST(Dashboard, GivesTheTerminalNoControlCharacterOfAnybody) {
+  std::vector<Watched> axes = two_axes();
+  // CSI as one character of two bytes, an escape, a byte that ends nothing.
+  axes[0].status->units.position =
+      "\xC2\x9B"
+      "2J\x1b[2J\x80";
+  const std::string text = screen(axes, {.now = 1s});
+  EXPECT_THAT(text, HasSubstr("?2J?[2J?"));
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(text, Not(HasSubstr("\xC2\x9B")));
+}
+
+TEST(Dashboard, SaysAFaultInWordsWithItsNumber) {
+  std::vector<Watched> axes = two_axes();
+  axes[0].status->state = wire::AxisState::error_stop;
+  axes[0].status->last_error = 6;
+  const auto rows = dashboard(axes, {.width = 120, .now = 1s});
+  EXPECT_THAT(text_of(rows), HasSubstr("6 following_error: The drive was further"));
+  EXPECT_EQ(tone_of(rows, "error_stop"), Tone::wrong);
+  EXPECT_EQ(tone_of(rows, "6 following_error"), Tone::wrong);
+}
+
+TEST(Dashboard, SaysThatAnAxisIsSilentInPlaceOfItsState) {
+  const std::vector<Watched> axes = two_axes();
+  EXPECT_THAT(screen(axes, {.now = 4s, .silence = 3s}), Not(HasSubstr("silent")));
+  const auto rows = dashboard(axes, {.now = 6s, .silence = 3s});
+  EXPECT_THAT(text_of(rows), HasSubstr("silent for 5 s"));
+  EXPECT_EQ(tone_of(rows, "silent for 5 s"), Tone::wrong);
+}
+
+TEST(Dashboard, SaysThatNothingIsHeard) {
+  EXPECT_THAT(screen({}, {}), HasSubstr("nothing is heard yet"));
+  EXPECT_THAT(screen({{.name = "feeder"}}, {}), HasSubstr("not heard yet"));
+}
+
+TEST(Dashboard, HasAMarkForOneLateCycleAmongMillions) {
+  std::vector<Watched> axes = two_axes();
+  axes[0].status->lateness = {};
+  axes[0].status->lateness[0] = std::numeric_limits<std::int32_t>::max();
+  axes[0].status->lateness[15] = 1;
+  EXPECT_THAT(screen(axes, {.ascii = true, .now = 1s}), HasSubstr("@              ."));
+}
+
+TEST(Sparkline, GoesFromTheLowestToTheHighestOfWhatIsShown) {
+  EXPECT_EQ(sparkline({0, 1, 2, 7}, 80, true), ".:-@");
+  EXPECT_EQ(sparkline({100, 0, 7}, 2, true), ".@");
+  EXPECT_EQ(sparkline({5, 5}, 80, false), "▁▁");
+  EXPECT_EQ(sparkline({}, 80, true), "");
+  EXPECT_EQ(sparkline({1, 2}, 0, true), "");
+}
+
+TEST(Heard, KeepsAPositionEveryTenthOfASecondAndNoMoreThanAreShown) {
+  std::vector<Watched> axes;
+  wire::Status s;
+  for (int i = 0; i < 100'000; ++i) {
+    s.slave_position = i;
+    hear(axes, "feeder", s, i * 1ms);
+  }
+  ASSERT_EQ(axes.size(), 1U);
+  EXPECT_EQ(axes[0].trace.size(), Watched::traced);
+  EXPECT_EQ(axes[0].trace.back(), 99'900);
+  EXPECT_EQ(axes[0].trace.front(), 99'900 - 100.0 * (Watched::traced - 1));
+  EXPECT_EQ(axes[0].heard, 99'999ms);
+}
+
+TEST(Keys, HoldAndResumeAreForTheChosenAxis) {
+  const auto axes = two_axes();
+  View view;
+  EXPECT_EQ(press(view, axes, Key{'h'}), Wish::hold);
+  EXPECT_EQ(view.chosen, "feeder");
+  EXPECT_EQ(press(view, axes, Key::down), Wish::nothing);
+  EXPECT_EQ(press(view, axes, Key{'r'}), Wish::resume);
+  EXPECT_EQ(view.chosen, "knife");
+  EXPECT_EQ(press(view, axes, Key::down), Wish::nothing);
+  EXPECT_EQ(view.chosen, "feeder");
+  EXPECT_EQ(press(view, axes, Key::up), Wish::nothing);
+  EXPECT_EQ(view.chosen, "knife");
+  EXPECT_EQ(press(view, axes, Key{'q'}), Wish::quit);
+}
+
+TEST(Keys, AStopIsAskedForTwice) {
+  const auto axes = two_axes();
+  View view;
+  EXPECT_EQ(press(view, axes, Key{'s'}), Wish::nothing);
+  EXPECT_THAT(screen(axes, view), HasSubstr("Stop feeder?"));
+  EXPECT_EQ(press(view, axes, Key{'s'}), Wish::nothing);
+  EXPECT_THAT(screen(axes, view), Not(HasSubstr("Stop feeder?")));
+  EXPECT_EQ(press(view, axes, Key{'y'}), Wish::nothing);
+  EXPECT_EQ(press(view, axes, Key{'s'}), Wish::nothing);
+  EXPECT_EQ(press(view, axes, Key{'y'}), Wish::stop);
+  EXPECT_EQ(press(view, axes, Key{'y'}), Wish::nothing);
+}
+
+// Whoever reads "Stop knife?" and presses y stops the knife, whatever was heard in between.
+TEST(Keys, AnAxisThatAppearsTakesNothingFromTheChosenOne) {
+  auto axes = two_axes();
+  View view{.chosen = "knife"};
+  EXPECT_EQ(press(view, axes, Key{'s'}), Wish::nothing);
+  hear(axes, "auger", wire::Status{}, 2s);
+  EXPECT_THAT(screen(axes, view), HasSubstr("Stop knife?"));
+  EXPECT_EQ(press(view, axes, Key{'y'}), Wish::stop);
+  EXPECT_EQ(view.chosen, "knife");
+}
+
+TEST(Keys, MeanNothingWhereNothingIsHeard) {
+  View view;
+  for (const int c :
+       {int('h'), int('r'), int('s'), int('y'), int('\t'), int(Key::up), int(Key::down)})
+    EXPECT_EQ(press(view, {}, Key{c}), Wish::nothing);
+  EXPECT_FALSE(view.asks);
+}
+
+TEST(Terminal, ClearsWhatARowLeavesOver) {
+  EXPECT_EQ(drawn({{{"a", Tone::plain}}, {}}),
+            "\x1b[H\x1b[0ma\x1b[0m\x1b[K\r\n\x1b[0m\x1b[K\x1b[J");
+}
+
+}  // namespace
+}  // namespace jounce::cli

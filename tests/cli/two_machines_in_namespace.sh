@@ -1,0 +1,38 @@
+#!/bin/sh
+# two_machines_in_namespace.sh JOUNCE EXAMPLE_DIR: streamer and executor with a network of their own each, joined by a
+# cable, as docs/executor/two-machines.md says. The cable is pulled while the axis moves.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+jounce=$1 example=$2
+url='udpm://239.255.76.67:7667?ttl=1'
+ip route del 224.0.0.0/4 dev lo
+ip link add name here type veth peer name there 2> /dev/null || { echo "skipped: no veth here"; exit 77; }
+unshare -n sleep 60 &
+other=$!
+trap 'kill $other 2> /dev/null; rm -rf "$scratch"' EXIT
+there() { nsenter -t $other -n "$@"; }
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+  ip link set there netns $other 2> /dev/null && [ ! -e /sys/class/net/there ] && break
+  sleep 0.2
+done
+ip addr add 10.7.0.1/24 dev here
+ip link set here up
+there sh -c 'ip link set lo up; ip addr add 10.7.0.2/24 dev there; ip link set there up
+  ip route add 239.255.76.67/32 dev there'
+ip route add 239.255.76.67/32 dev here
+
+"$jounce" new key -o "$scratch/line.key" > /dev/null
+there "$jounce" run "$example/axis.toml" --url "$url" --key "$scratch/line.key" --enable --log "$scratch/run.csv" \
+  --once --seconds 40 2> "$scratch/notices" &
+executor=$!
+# Without a ttl nothing leaves this machine, and without the key nothing is believed.
+"$jounce" monitor feeder --url "$url" --key "$scratch/line.key" --seconds 10 --silence 9 --json | head -1 > "$scratch/status"
+grep -q '"state":"standstill"' "$scratch/status" || fail "the executor is not heard over the cable"
+status=0
+"$jounce" monitor feeder --silence 1 2> "$scratch/err" || status=$?
+[ $status = 3 ] || fail "without a ttl it is heard on the other machine"
+"$jounce" stream "$example/cam.toml" --to feeder --url "$url" --patience 2 > /dev/null 2>&1 && fail "it was streamed without the key"
+"$jounce" stream "$example/cam.toml" --to feeder --url "$url" --key "$scratch/line.key" || fail "the stream did not complete"
+ip link set here down
+wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
+"$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played than the one designed"
