@@ -205,7 +205,7 @@ void add_convert(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb =
       add_verb(app, "convert", "Between table formats and controllers, with the stated loss",
-               "jounce convert cam.csv cam.st\n  jounce convert old.xyva cam.csv --master-unit deg "
+               "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
                "--position-unit mm");
   verb->add_option("IN", options->input,
                    "Table or spec, in any format that is read; - is standard input")

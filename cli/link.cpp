@@ -23,7 +23,8 @@ CLI::Validator seconds_option() {
 }
 
 void add_link_options(CLI::App& verb, LinkOptions& options) {
-  verb.add_option("--url", options.url, "LCM URL; without a ttl it stays on this machine")
+  verb.add_option("--url", options.url,
+                  "LCM URL; without a ttl it stays on this machine, with ?ttl=1 it reaches others")
       ->capture_default_str();
   verb.add_option("--key", options.key,
                   "File with the key that commands are signed with; see jounce new key");

@@ -180,7 +180,9 @@ void add_order(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb = add_verb(app, "order", "Tell an executor's axis one thing to do",
                             "jounce order feeder move --to 120mm --velocity 200mm/s\n"
-                            "jounce order feeder override 50%");
+                            "jounce order feeder jog -20mm/s\n"
+                            "jounce order feeder override 50%\n"
+                            "Numbers without a unit are in that of the axis.");
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
   verb->add_option("WHAT", options->what,
                    "enable, disable, reset; hold, resume, override; move, jog, halt; home, "

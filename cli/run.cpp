@@ -145,7 +145,8 @@ void add_run(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb =
       add_verb(app, "run", "Run an executor: take tables from a stream and play them, tick by tick",
-               "jounce run axis.toml --enable --log run.csv --once");
+               "jounce run axis.toml --enable --log run.csv --once\n"
+               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
   verb->add_option(
           "SPEC", options->machine.files,
           "Of kind \"axis\": limits, cycle, name; several run in one cycle. Or one of kind "
@@ -158,7 +159,7 @@ void add_run(CLI::App& app, Work& work) {
   verb->add_option("--black-box", options->run.record.black_box,
                    "Where a fault leaves the last cycles before it");
   verb->add_option("--black-box-cycles", options->run.record.black_box_cycles,
-                   "How many of each axis")
+                   "How many cycles of each axis that is")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   verb->add_option("--seconds", options->run.seconds, "End after so many seconds")

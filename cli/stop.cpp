@@ -67,10 +67,11 @@ int run(const Options& options) {
 void add_stop(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb = add_verb(app, "stop", "Bring an executor's axis to rest, whoever owns it",
-                            "jounce stop feeder");
+                            "jounce stop feeder\n"
+                            "jounce stop feeder --abort");
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
   verb->add_flag("--abort", options->abort,
-                 "Freeze the set-point at once; the axis is then in ErrorStop");
+                 "The fastest stop that the axis has, path or not; it is then in error_stop");
   verb->add_option("--patience", options->patience,
                    "Give up waiting for standstill after so many seconds")
       ->check(seconds_option())

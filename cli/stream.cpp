@@ -170,7 +170,9 @@ void add_stream(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb = add_verb(
       app, "stream", "Send a table to an executor; nothing moves before all of it has arrived",
-      "jounce stream cam.toml --to feeder");
+      "jounce stream cam.toml --to feeder\n"
+      "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
+      "jounce stream long.csv --to feeder --rolling             longer than its memory");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
   add_axis_option(verb, options->axis);
   verb->add_option("--to", options->to, "Name of the executor")->required();

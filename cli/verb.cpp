@@ -9,7 +9,10 @@ namespace jounce::cli {
 
 CLI::App* add_verb(CLI::App& app, const char* name, const char* description, const char* example) {
   CLI::App* verb = app.add_subcommand(name, description);
-  verb->footer(std::string("Example:\n  ") + example);
+  std::string lines = std::string("Example:\n") + example;
+  for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 3)
+    lines.insert(at + 1, "  ");
+  verb->footer(lines);
   return verb;
 }
 

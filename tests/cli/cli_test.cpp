@@ -80,7 +80,7 @@ TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
   EXPECT_EQ(run("--help").status, 0);
   for (const char* verb :
        {"new", "design", "check", "optimize", "validate", "diff", "convert", "plot", "report",
-        "stream", "run", "monitor", "stop", "sweep", "identify"}) {
+        "stream", "run", "monitor", "stop", "order", "replay", "sweep", "identify"}) {
     const Result help = run(std::string(verb) + " --help");
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  jounce ") + verb)) << verb;
