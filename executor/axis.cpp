@@ -34,6 +34,8 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.handed_back = {};
   joint_ = false;
   if (state_ == State::homing) state_ = State::standstill;
+  for (Movement* const movement : {active_, pending_, command.movement})
+    if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
   obey(command);
   watch();

@@ -67,6 +67,7 @@ void Cycle::read() {
     AxisImage& image = images_[i];
     if (!post_.mail[i]->commands.pop(image.command)) image.command = {};
     image.inputs.watchdog = watchdog;
+    image.inputs.rows = post_.mail[i]->rows.load(std::memory_order_acquire);
     if (AxisDrive* const drive = options_.drives[i]) image.inputs.feedback = drive->feedback();
   }
 }

@@ -51,7 +51,8 @@ struct Mail {
   Ring<Command, most_commands> commands;
   Ring<Answer, 4 * most_commands> answers;
   Ring<Tick, most_ticks> ticks;
-  std::atomic<std::int64_t> lost{0};  ///< ticks that found the ring full
+  std::atomic<std::int64_t> lost{0};   ///< ticks that found the ring full
+  std::atomic<std::uint64_t> rows{0};  ///< what was handed over to its queues, by its number
 };
 
 /// What the two threads let each other know of themselves.

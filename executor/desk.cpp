@@ -42,7 +42,8 @@ Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t 
       receiver_(receiver),
       mail_(*post.mail[axis]),
       vitals_(post.vitals),
-      worker_(worker) {
+      worker_(worker),
+      queues_(mail_.rows, recorded_rows()) {
   if (options_.log) log_.emplace(*options_.log, options_.units);
   if (options_.enable) order({.kind = Kind::enable});
   flush();
@@ -103,8 +104,11 @@ Desk::Made Desk::make(const ArmRequested& arm, std::uint64_t id, std::int64_t pe
                       double position) {
   const double tick = static_cast<double>(period) * 1e-9;
   try {
-    if (arm.mode == wire::ArmMode::follow_input)
-      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling)};
+    if (arm.mode == wire::ArmMode::follow_input) {
+      const RecordedJob job{.id = id, .live = true, .tick = tick, .coupling = arm.coupling};
+      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling),
+              .source = Source{job, arm.slave}};
+    }
     auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
                                                   arm.coupling, position)
                           : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
@@ -228,11 +232,29 @@ void Desk::handle(const OrderRequested& requested) {
   try {
     const std::uint64_t id = ++numbers_;
     Made gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
+    record_gear(requested, id);
     order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
     decline(requested, error.what());
   }
+}
+
+void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {
+  if (options_.recorder == nullptr) return;
+  options_.recorder->note(RecordedGear{.axis = axis_,
+                                       .id = id,
+                                       .kind = requested.kind,
+                                       .value = requested.value,
+                                       .position = last_.position});
+}
+
+/// Where a queue's rows are recorded, if they are.
+Queues::Record Desk::recorded_rows() const {
+  if (options_.recorder == nullptr) return {};
+  return [recorder = options_.recorder, axis = axis_](const HandedOver& what) {
+    recorder->note(RecordedRows{axis, what});
+  };
 }
 
 void Desk::handle_queue_order(const OrderRequested& requested) {
@@ -268,12 +290,15 @@ void Desk::handle(const QueueArmRequested& arm) {
   if (!movement) return answer(request, Refusal{.cause = Cause::no_movement});
   if (movements_.contains(movement->id()))
     return answer(request, Refusal{.cause = Cause::in_motion});
-  queues_.choose(arm.queue, arm.bank);
+  queues_.begin_with(arm.queue, arm.bank);
   this->arm(request, {.movement = movement}, {});
 }
 
 void Desk::handle(const QueueOpened& opened) {
-  queues_.open(opened, ++numbers_, options_.axis, receiver_);
+  const std::uint64_t id = ++numbers_;
+  const bool made = queues_.open(opened, id, options_.axis, receiver_);
+  if (made && options_.recorder != nullptr)
+    options_.recorder->note(RecordedQueue{axis_, id, opened.queue});
 }
 
 void Desk::handle(const RowsArrived& arrived) {

@@ -117,6 +117,7 @@ class Desk {
   void handle_queue_order(const OrderRequested& requested);
   void decline(const OrderRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
+  void record_gear(const OrderRequested& requested, std::uint64_t id);
   static Made make(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
@@ -124,6 +125,7 @@ class Desk {
   void take_built();
   void arm(const Request& request, Made made, const Sha256& hash);
   void record(const Source& source);
+  [[nodiscard]] Queues::Record recorded_rows() const;
   void drop_builds();
 
   void order(Command command);

@@ -81,7 +81,7 @@ bool FifoPath::misplaced(const MotionState& axis) const {
 
 std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
                                        const MotionState& axis) const noexcept {
-  if (fifos_.size(fifos_.stream() ? 0 : first_.load()) == 0)
+  if (fifos_.visible(fifos_.stream() ? 0 : first_.load()) == 0)
     return Refusal{Cause::no_movement, 0, 1, 0};
   if (misplaced(axis)) return Refusal{Cause::start_position, from_->position, axis.position, 0};
   const double most = *config.limits.acceleration * static_cast<double>(config.period) / 1e9;

@@ -53,6 +53,7 @@ class FifoPath final : public Movement {
   [[nodiscard]] SegmentFifos& fifos() { return fifos_; }
   /// The FIFO that begin() starts; of tables.
   void choose(int fifo) { first_.store(fifo); }
+  void see(std::uint64_t number) noexcept override { fifos_.see(number); }
 
   /// no_movement: nothing was pushed, or it is being cleared; start_position; start_velocity.
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
@@ -95,6 +96,7 @@ class FifoFollow final : public Movement {
 
   [[nodiscard]] SegmentFifos& fifos() { return fifos_; }
   void choose(int fifo) { first_.store(fifo); }
+  void see(std::uint64_t number) noexcept override { fifos_.see(number); }
 
   /// no_master_input, no_movement.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;

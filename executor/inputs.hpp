@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "jounce/profiles/jet.hpp"
@@ -21,6 +22,8 @@ struct Inputs {
   Feedback feedback = {};
   bool positive_switch = false;  ///< limit switches: the axis stands on it
   bool negative_switch = false;
+  /// Rows of its queues are there up to this number; the greatest: all that were handed over.
+  std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
 };
 

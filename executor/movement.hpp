@@ -74,6 +74,10 @@ class Movement {
   [[nodiscard]] virtual Progress progress() const noexcept = 0;
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
+  /// Of what is handed over to it while it is played, under numbers, this much is there from now on:
+  /// said by the axis at the beginning of every tick (Inputs::rows).
+  virtual void see(std::uint64_t /*number*/) noexcept {}
+
   /// What the axis would refuse it for, if it began in the state `from`; asked when it is armed.
   [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
                                                      const MotionState& /*from*/) const noexcept {

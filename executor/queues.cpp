@@ -80,23 +80,52 @@ wire::Progress on_wire(Progress progress) {
   return wire::Progress::broken;
 }
 
-void Queues::open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
+QueueMovement::QueueMovement(const wire::Queue& queue, std::uint64_t id, const AxisConfig& config) {
+  const FifoSpec spec = spec_of(queue, config);
+  if (queue.axis == Axis::time)
+    keep(std::make_shared<FifoPath>(id, spec), movement_, fifos_, choose_);
+  else
+    keep(std::make_shared<FifoFollow>(id, spec, run_of(queue)), movement_, fifos_, choose_);
+}
+
+bool QueueMovement::take(const HandedOver& what) const {
+  fifos_->stamp(what.number);
+  switch (what.kind) {
+    case HandedOver::Kind::rows:
+      return std::all_of(what.rows.begin(), what.rows.end(), [&](const SegmentRow& row) {
+        return fifos_->push(what.bank, row) == RowRule::none;
+      });
+    case HandedOver::Kind::queue_switch:
+      return fifos_->queue_switch();
+    case HandedOver::Kind::clear:
+      return fifos_->clear(what.bank);
+    case HandedOver::Kind::begin:
+      break;
+  }
+  choose_(what.bank);
+  return true;
+}
+
+bool Queues::open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
                   Receiver& receiver) {
   const wire::Queue& queue = opened.queue;
-  Open open{.queue = queue, .movement = {}, .choose = {}};
   try {
-    const FifoSpec spec = spec_of(queue, config);
-    if (queue.axis == Axis::time)
-      keep(std::make_shared<FifoPath>(id, spec), open.movement, open.fifos, open.choose);
-    else
-      keep(std::make_shared<FifoFollow>(id, spec, run_of(queue)), open.movement, open.fifos,
-           open.choose);
+    open_.insert_or_assign(queue.queue,
+                           Open{.queue = queue, .made = QueueMovement(queue, id, config)});
+    return true;
   } catch (const InputError& error) {
-    return receiver.refuse_queue(queue.queue, wire::Refusal::bad_queue, error.what());
+    receiver.refuse_queue(queue.queue, wire::Refusal::bad_queue, error.what());
   } catch (const std::bad_alloc&) {
-    return receiver.refuse_queue(queue.queue, wire::Refusal::out_of_memory, "");
+    receiver.refuse_queue(queue.queue, wire::Refusal::out_of_memory, "");
   }
-  open_[queue.queue] = std::move(open);
+  return false;
+}
+
+/// What is done with the FIFOs under the next number is there for the axis from here on.
+void Queues::hand_over(HandedOver what) {
+  what.number = ++number_;
+  if (record_) record_(what);
+  last_.store(number_, std::memory_order_release);
 }
 
 void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
@@ -104,32 +133,41 @@ void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
   if (found == open_.end()) return;
   Open& open = found->second;
   const int bank = arrived.rows.bank;
+  HandedOver taken{.movement = open.made.movement()->id(), .bank = bank};
   for (std::size_t i = 0; i < arrived.rows.rows.size(); ++i) {
-    const RowRule rule = open.fifos->push(bank, row_of(arrived.rows.rows[i]));
-    if (rule != RowRule::none)
-      return receiver.refuse_row(open.queue.queue, arrived.rows.first_row + i,
-                                 std::string(name(rule)) + ": " + explain(rule));
+    const SegmentRow row = row_of(arrived.rows.rows[i]);
+    open.made.fifos().stamp(number_ + 1);
+    if (const RowRule rule = open.made.fifos().push(bank, row); rule != RowRule::none) {
+      receiver.refuse_row(open.queue.queue, arrived.rows.first_row + i,
+                          std::string(name(rule)) + ": " + explain(rule));
+      break;
+    }
     ++open.pushed[static_cast<std::size_t>(bank)];
+    taken.rows.push_back(row);
+    if (taken.rows.size() < HandedOver::most_rows) continue;
+    hand_over(taken);
+    taken.rows.clear();
   }
+  if (!taken.rows.empty()) hand_over(std::move(taken));
 }
 
 std::shared_ptr<Movement> Queues::movement(std::uint32_t queue) const {
   const Open* const open = find(queue);
-  return open == nullptr ? nullptr : open->movement;
+  return open == nullptr ? nullptr : open->made.movement();
 }
 
-void Queues::choose(std::uint32_t queue, int bank) const {
-  if (const Open* const open = find(queue)) open->choose(bank);
+void Queues::begin_with(std::uint32_t queue, int bank) {
+  (void)act(queue, HandedOver::Kind::begin, bank);
 }
 
-void Queues::handed_back(std::uint64_t movement) const {
-  for (const auto& [index, open] : open_)
-    if (open.movement->id() == movement) open.fifos->leave();
+void Queues::handed_back(std::uint64_t movement) {
+  for (auto& [index, open] : open_)
+    if (open.made.movement()->id() == movement) open.made.fifos().leave();
 }
 
 void Queues::report(const Tick& last, Receiver& receiver) const {
   for (const auto& [index, open] : open_) {
-    QueueLevel level{.played = static_cast<std::int64_t>(open.fifos->rows_played())};
+    QueueLevel level{.played = static_cast<std::int64_t>(open.made.fifos().rows_played())};
     for (const int bank : {0, 1}) {
       const auto b = static_cast<std::size_t>(bank);
       level.freed[b] = open.pushed[b] - std::min(open.pushed[b], held(open, bank));
@@ -139,20 +177,28 @@ void Queues::report(const Tick& last, Receiver& receiver) const {
   }
 }
 
-bool Queues::queue_switch(std::uint32_t queue) {
+bool Queues::act(std::uint32_t queue, HandedOver::Kind kind, int bank) {
   const Open* const open = find(queue);
-  return open != nullptr && open->fifos->queue_switch();
+  if (open == nullptr) return false;
+  HandedOver what{
+      .movement = open->made.movement()->id(), .number = number_ + 1, .kind = kind, .bank = bank};
+  if (!open->made.take(what)) return false;
+  hand_over(std::move(what));
+  return true;
+}
+
+bool Queues::queue_switch(std::uint32_t queue) {
+  return act(queue, HandedOver::Kind::queue_switch, 0);
 }
 
 bool Queues::clear(std::uint32_t queue, int bank) {
-  const Open* const open = find(queue);
-  return open != nullptr && open->fifos->clear(bank);
+  return act(queue, HandedOver::Kind::clear, bank);
 }
 
 std::array<std::uint32_t, 2> Queues::fill(std::uint64_t movement) const {
   for (const auto& [index, open] : open_)
-    if (open.movement->id() == movement) {
-      const std::size_t waiting = open.fifos->size(0) + open.fifos->size(1);
+    if (open.made.movement()->id() == movement) {
+      const std::size_t waiting = open.made.fifos().size(0) + open.made.fifos().size(1);
       return {static_cast<std::uint32_t>(waiting), 2 * open.queue.capacity};
     }
   return {};
@@ -165,7 +211,7 @@ const Queues::Open* Queues::find(std::uint32_t queue) const {
 
 /// The FIFOs know how it ended: then the axis no longer plays it.
 wire::Progress Queues::progress(const Open& open, const Tick& last) {
-  switch (open.fifos->state()) {
+  switch (open.made.fifos().state()) {
     case SegmentFifos::State::idle:
     case SegmentFifos::State::taken:
       return wire::Progress::waiting;
@@ -177,13 +223,13 @@ wire::Progress Queues::progress(const Open& open, const Tick& last) {
     case SegmentFifos::State::moving:
       break;
   }
-  return last.job == open.movement->id() ? on_wire(last.progress) : wire::Progress::running;
+  return last.job == open.made.movement()->id() ? on_wire(last.progress) : wire::Progress::running;
 }
 
 /// Rows of a bank that still take up room: a stream gives it back in blocks of a FIFO.
 std::uint64_t Queues::held(const Open& open, int bank) {
-  if (open.queue.mode == wire::QueueMode::static_) return open.fifos->size(bank);
-  return bank == 0 ? wire::room(open.queue) - open.fifos->space(0) : 0;
+  if (open.queue.mode == wire::QueueMode::static_) return open.made.fifos().size(bank);
+  return bank == 0 ? wire::room(open.queue) - open.made.fifos().space(0) : 0;
 }
 
 }  // namespace jounce

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "jounce/executor/axis.hpp"
 #include "jounce/executor/fifo_movement.hpp"
@@ -13,21 +17,65 @@
 
 namespace jounce {
 
+/// What was handed over to the FIFOs of a queue's movement, under a number of its axis: the axis sees
+/// it in the ticks whose Inputs::rows is not less.
+struct HandedOver {
+  static constexpr std::size_t most_rows = 32;
+  enum class Kind : std::uint8_t {
+    rows,
+    queue_switch,  ///< the other bank goes on
+    clear,         ///< of the bank
+    begin,         ///< it is armed, and this bank begins
+  };
+  std::uint64_t movement = 0;
+  std::uint64_t number = 0;
+  Kind kind = Kind::rows;
+  int bank = 0;
+  std::vector<SegmentRow> rows = {};  ///< at most `most_rows`
+};
+
+/// The movement of a queue, and what its rows go into.
+class QueueMovement {
+ public:
+  /// Throws InputError for what makes no queue.
+  QueueMovement(const wire::Queue& queue, std::uint64_t id, const AxisConfig& config);
+
+  [[nodiscard]] const std::shared_ptr<Movement>& movement() const { return movement_; }
+  [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
+  void choose(int bank) const { choose_(bank); }
+  /// Again what was handed over once; false where it is not taken now.
+  [[nodiscard]] bool take(const HandedOver& what) const;
+
+ private:
+  std::shared_ptr<Movement> movement_;
+  SegmentFifos* fifos_ = nullptr;
+  std::function<void(int)> choose_;
+};
+
 /// The queues of rows that an axis's owner has opened (protocol page, "Queues"): what arrives goes
 /// into the FIFOs of a movement, which the axis plays meanwhile, and what it has played makes room.
+///
+/// All that is handed over has a number, and the axis sees it from the next tick on, whole: what it
+/// plays depends on the numbers in its ticks alone, and a record of both is replayed to the last bit.
 class Queues {
  public:
-  /// Makes the movement, under this number, or refuses the queue.
-  void open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
+  using Record = std::function<void(const HandedOver&)>;
+
+  /// `last`: of the numbers, as the cycle reads it; must outlive this. `record` is told before that.
+  explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
+      : last_(last), record_(std::move(record)) {}
+
+  /// Makes the movement, under this number, or refuses the queue: false.
+  bool open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
             Receiver& receiver);
   /// Hands rows over; one that breaks a rule is refused with it, and never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// What is armed; nothing where the queue is not open.
+  /// Nothing where the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
-  /// The bank that it begins with. Not while the axis has it.
-  void choose(std::uint32_t queue, int bank) const;
+  /// The bank with which its movement begins; while that is not armed.
+  void begin_with(std::uint32_t queue, int bank);
   /// The axis no longer looks at it: what was not played to its end is cut off there.
-  void handed_back(std::uint64_t movement) const;
+  void handed_back(std::uint64_t movement);
   /// Says how far each has come.
   void report(const Tick& last, Receiver& receiver) const;
 
@@ -42,16 +90,20 @@ class Queues {
  private:
   struct Open {
     wire::Queue queue;
-    std::shared_ptr<Movement> movement;
-    SegmentFifos* fifos = nullptr;
-    std::function<void(int)> choose;
+    QueueMovement made;
     std::array<std::uint64_t, 2> pushed{};
   };
   [[nodiscard]] const Open* find(std::uint32_t queue) const;
   [[nodiscard]] static wire::Progress progress(const Open& open, const Tick& last);
   [[nodiscard]] static std::uint64_t held(const Open& open, int bank);
 
+  bool act(std::uint32_t queue, HandedOver::Kind kind, int bank);
+  void hand_over(HandedOver what);
+
   std::map<std::uint32_t, Open> open_;
+  std::uint64_t number_ = 0;
+  std::atomic<std::uint64_t>& last_;
+  Record record_;
 };
 
 /// As it stands on the wire.

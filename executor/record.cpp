@@ -12,8 +12,11 @@
 
 #include "jounce_record/axis_t.hpp"
 #include "jounce_record/cycle_t.hpp"
+#include "jounce_record/gear_t.hpp"
 #include "jounce_record/job_t.hpp"
 #include "jounce_record/lost_t.hpp"
+#include "jounce_record/queue_t.hpp"
+#include "jounce_record/rows_t.hpp"
 #include "jounce_record/table_t.hpp"
 
 namespace jounce {
@@ -51,6 +54,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("positive_switch", c.inputs.positive_switch, w.positive_switch);
   f("negative_switch", c.inputs.negative_switch, w.negative_switch);
   f("watchdog", c.inputs.watchdog, w.watchdog);
+  f("rows", c.inputs.rows, w.rows);
 }
 
 template <class TickOfOurs, class RefusalOfOurs, class Theirs, class F>
@@ -150,6 +154,14 @@ template <>
 constexpr int count_of<Rule> = 3;
 template <>
 constexpr int count_of<Outside> = 4;
+template <>
+constexpr int count_of<wire::QueueMode> = 2;
+template <>
+constexpr int count_of<wire::QueueEvent> = 3;
+template <>
+constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::begin) + 1;
+template <>
+constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
 
 struct Put {
   template <class Ours, class Theirs>
@@ -266,6 +278,7 @@ job_t on_wire(const RecordedJob& j) {
   w.id = static_cast<std::int64_t>(j.id);
   std::copy(j.time.begin(), j.time.end(), w.time);
   if (j.cam) std::copy(j.cam->begin(), j.cam->end(), w.cam);
+  w.live = j.live ? 1 : 0;
   w.tick = j.tick;
   w.position = j.position;
   each_coupling(j.coupling, w, Put{});
@@ -275,6 +288,7 @@ job_t on_wire(const RecordedJob& j) {
 RecordedJob ours(const job_t& w) {
   RecordedJob j{.axis = static_cast<std::size_t>(w.axis),
                 .id = static_cast<std::uint64_t>(w.id),
+                .live = w.live != 0,
                 .tick = w.tick,
                 .position = w.position};
   std::copy(std::begin(w.time), std::end(w.time), j.time.begin());
@@ -314,8 +328,92 @@ RecordedLoss ours(const lost_t& w) {
   return {w.cycles};
 }
 
+gear_t on_wire(const RecordedGear& g) {
+  gear_t w{};
+  w.axis = static_cast<std::int16_t>(g.axis);
+  w.id = static_cast<std::int64_t>(g.id);
+  w.kind = static_cast<std::int8_t>(g.kind);
+  std::copy(g.value.begin(), g.value.end(), w.value);
+  w.position = g.position;
+  return w;
+}
+
+RecordedGear ours(const gear_t& w) {
+  RecordedGear g{.axis = static_cast<std::size_t>(w.axis),
+                 .id = static_cast<std::uint64_t>(w.id),
+                 .position = w.position};
+  Get{}("kind", g.kind, w.kind);
+  if (g.kind != wire::OrderKind::gear_in && g.kind != wire::OrderKind::gear_in_pos)
+    throw InputError("kind", std::to_string(w.kind), "is no order of a gear");
+  std::copy(std::begin(w.value), std::end(w.value), g.value.begin());
+  return g;
+}
+
+queue_t on_wire(const RecordedQueue& q) {
+  queue_t w{};
+  w.axis = static_cast<std::int16_t>(q.axis);
+  w.id = static_cast<std::int64_t>(q.id);
+  w.over = static_cast<std::int8_t>(q.queue.axis);
+  w.mode = static_cast<std::int8_t>(q.queue.mode);
+  w.capacity = q.queue.capacity;
+  w.loops = q.queue.loops;
+  w.event = static_cast<std::int8_t>(q.queue.event);
+  w.event_position = q.queue.event_position;
+  w.event_direction = q.queue.event_direction;
+  return w;
+}
+
+RecordedQueue ours(const queue_t& w) {
+  RecordedQueue q{.axis = static_cast<std::size_t>(w.axis), .id = static_cast<std::uint64_t>(w.id)};
+  Get{}("over", q.queue.axis, w.over);
+  Get{}("mode", q.queue.mode, w.mode);
+  Get{}("event", q.queue.event, w.event);
+  if (w.capacity < 1 || w.capacity > 1'000'000)
+    throw InputError("capacity", std::to_string(w.capacity), "must be from 1 to 1e6 rows");
+  q.queue.capacity = static_cast<std::uint32_t>(w.capacity);
+  q.queue.loops = static_cast<std::int32_t>(w.loops);
+  q.queue.event_position = w.event_position;
+  q.queue.event_direction = static_cast<std::int8_t>(w.event_direction);
+  return q;
+}
+
+rows_t on_wire(const RecordedRows& r) {
+  rows_t w{};
+  w.axis = static_cast<std::int16_t>(r.axis);
+  w.id = static_cast<std::int64_t>(r.what.movement);
+  w.number = static_cast<std::int64_t>(r.what.number);
+  w.kind = static_cast<std::int8_t>(r.what.kind);
+  w.bank = static_cast<std::int8_t>(r.what.bank);
+  w.count = static_cast<std::int32_t>(r.what.rows.size());
+  for (std::size_t i = 0; i < r.what.rows.size(); ++i) {
+    const SegmentRow& row = r.what.rows[i];
+    const std::array value{row.x_end, row.p_end, row.v_start, row.v_end, row.a_start, row.a_end};
+    std::copy(value.begin(), value.end(), w.value[i]);
+    w.degree[i] = static_cast<std::int8_t>(row.degree);
+    w.last[i] = row.last ? 1 : 0;
+  }
+  return w;
+}
+
+RecordedRows ours(const rows_t& w) {
+  RecordedRows r{.axis = static_cast<std::size_t>(w.axis)};
+  r.what.movement = static_cast<std::uint64_t>(w.id);
+  r.what.number = static_cast<std::uint64_t>(w.number);
+  Get{}("kind", r.what.kind, w.kind);
+  if (w.bank < 0 || w.bank > 1) throw InputError("bank", std::to_string(w.bank), "must be 0 or 1");
+  if (w.count < 0 || w.count > static_cast<int>(HandedOver::most_rows))
+    throw InputError("count", std::to_string(w.count), "must be from 0 to 32 rows");
+  r.what.bank = w.bank;
+  for (int i = 0; i < w.count; ++i) {
+    const auto& v = w.value[i];
+    r.what.rows.push_back({v[0], v[1], v[2], v[3], v[4], v[5], w.degree[i], w.last[i] != 0});
+  }
+  return r;
+}
+
 constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
-    "JOUNCE.axis", "JOUNCE.table", "JOUNCE.job", "JOUNCE.cycle", "JOUNCE.lost"};
+    "JOUNCE.axis", "JOUNCE.table", "JOUNCE.job",  "JOUNCE.cycle",
+    "JOUNCE.lost", "JOUNCE.queue", "JOUNCE.rows", "JOUNCE.gear"};
 
 template <class Wire>
 std::string bytes_of(const Wire& w) {
@@ -358,7 +456,8 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
   if (it == channels.end()) return std::nullopt;
   using Decode = RecordEvent (*)(std::string_view, std::string_view);
   constexpr std::array<Decode, channels.size()> decoders{
-      event_of<axis_t>, event_of<table_t>, event_of<job_t>, event_of<cycle_t>, event_of<lost_t>};
+      event_of<axis_t>, event_of<table_t>, event_of<job_t>,  event_of<cycle_t>,
+      event_of<lost_t>, event_of<queue_t>, event_of<rows_t>, event_of<gear_t>};
   RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
   if (axis_of(event) < 0)
     throw InputError("axis", std::to_string(axis_of(event)), "must not be negative");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "jounce/executor/axis.hpp"
 #include "jounce/executor/job.hpp"
+#include "jounce/executor/queues.hpp"
 #include "jounce/io/hash.hpp"
 
 namespace jounce {
@@ -40,15 +42,38 @@ struct RecordedTable {
   Columns columns = {};  ///< of this part
 };
 
-/// What a Job is made from; its tables by their hashes.
+/// What a Job is made from, or a LiveCam; its tables by their hashes.
 struct RecordedJob {
   std::size_t axis = 0;
   std::uint64_t id = 0;
-  Sha256 time{};
+  Sha256 time{};  ///< live: of the cam
   std::optional<Sha256> cam = {};
+  bool live = false;  ///< the cam is behind the axis's live master
   double tick = 1e-3;
   CouplingSpec coupling = {};
   double position = 0;
+};
+
+/// What a gear's movement is made from: the order (gear_of()), and where the slave stood.
+struct RecordedGear {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  wire::OrderKind kind = wire::OrderKind::gear_in;
+  std::array<double, 8> value{};
+  double position = 0;
+};
+
+/// A queue that was opened; of the wire's queue what its movement is made from.
+struct RecordedQueue {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  wire::Queue queue = {};
+};
+
+/// What was handed over to a queue; many rows are several of these.
+struct RecordedRows {
+  std::size_t axis = 0;
+  HandedOver what = {};
 };
 
 /// One axis in one tick: what it was told, what it saw, what it said. The command's movement goes by its
@@ -66,8 +91,8 @@ struct RecordedLoss {
   std::int64_t cycles = 0;
 };
 
-using RecordEvent =
-    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss>;
+using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
+                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear>;
 
 /// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
 std::string_view channel_of(const RecordEvent& event);

@@ -74,6 +74,8 @@ class Recorder {
   /// What a Job is made from, with the arguments of its constructor; its tables' hashes are taken from
   /// where they are kept. Each table is written once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
+  /// What another movement is made from, and what is handed over to it.
+  void note(const RecordEvent& event) { write(event, now_); }
   void turn();
   /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
   void close();

@@ -1,10 +1,13 @@
 #include "jounce/executor/replay.hpp"
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "jounce/executor/detail/lcm_log.hpp"
+#include "jounce/executor/live_cam.hpp"
+#include "jounce/executor/orders.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -56,9 +59,26 @@ class Replayer {
   }
 
   void take(const RecordedJob& job) {
-    jobs_[{job.axis, job.id}] =
-        std::make_unique<Job>(job.id, table(job.time), job.cam ? table(*job.cam) : nullptr,
-                              job.tick, job.coupling, job.position);
+    if (job.live)
+      keep(job.axis, std::make_shared<LiveCam>(job.id, table(job.time), job.coupling));
+    else
+      keep(job.axis,
+           std::make_shared<Job>(job.id, table(job.time), job.cam ? table(*job.cam) : nullptr,
+                                 job.tick, job.coupling, job.position));
+  }
+
+  void take(const RecordedGear& gear) {
+    const OrderRequested order{.kind = gear.kind, .value = gear.value};
+    keep(gear.axis, gear_of(order, gear.id, config(gear.axis), gear.position));
+  }
+
+  void take(const RecordedQueue& opened) {
+    if (ended_) return;
+    queues_.try_emplace({opened.axis, opened.id}, opened.queue, opened.id, config(opened.axis));
+  }
+
+  void take(const RecordedRows& rows) {
+    if (!ended_) handed_over_[rows.axis].push_back(rows.what);
   }
 
   void take(const RecordedLoss& loss) {
@@ -91,12 +111,12 @@ class Replayer {
  private:
   void execute(const RecordedCycle& cycle) {
     Command command = cycle.command;
+    if (!hand_over(cycle)) return;
     if (cycle.movement != 0) {
-      const auto job = jobs_.find({cycle.axis, cycle.movement});
-      if (job == jobs_.end())
+      command.movement = movement({cycle.axis, cycle.movement});
+      if (command.movement == nullptr)
         return end("the record does not have what movement " + std::to_string(cycle.movement) +
                    " is made from (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
-      command.movement = job->second.get();
     }
     const auto [last, first] = last_ticks_.try_emplace(cycle.axis, cycle.tick.tick);
     if (cycle.tick.tick < 0 || (!first && cycle.tick.tick <= last->second))
@@ -106,12 +126,46 @@ class Replayer {
     const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
     ++result_.compared;
     for (const Movement* movement : now.handed_back)
-      if (movement != nullptr) jobs_.erase({cycle.axis, movement->id()});
+      if (movement != nullptr) movements_.erase({cycle.axis, movement->id()});
     const bool switches = !result_.axes[cycle.axis].switches;
     if (const auto what = first_difference(cycle.tick, now, switches)) {
       result_.difference = Replay::Difference{cycle.axis, cycle.tick.tick, *what};
       ended_ = true;
     }
+  }
+
+  using Key = std::pair<std::size_t, std::uint64_t>;  // axis, and the movement's number
+
+  void keep(std::size_t axis, std::shared_ptr<Movement> movement) {
+    const std::uint64_t id = movement->id();
+    movements_[{axis, id}] = std::move(movement);
+  }
+
+  /// A queue's can be armed again and again.
+  [[nodiscard]] Movement* movement(const Key& key) const {
+    if (const auto it = movements_.find(key); it != movements_.end()) return it->second.get();
+    const auto queue = queues_.find(key);
+    return queue == queues_.end() ? nullptr : queue->second.movement().get();
+  }
+
+  [[nodiscard]] const AxisConfig& config(std::size_t axis) const {
+    if (axis >= result_.axes.size())
+      throw InputError("axis", std::to_string(axis + 1), "was not recorded when it started");
+    return result_.axes[axis].config;
+  }
+
+  /// What the axis sees of its queues from this cycle on. False: it cannot be executed.
+  bool hand_over(const RecordedCycle& cycle) {
+    auto& waiting = handed_over_[cycle.axis];
+    for (; !waiting.empty() && waiting.front().number <= cycle.inputs.rows; waiting.pop_front()) {
+      const HandedOver& next = waiting.front();
+      const auto queue = queues_.find({cycle.axis, next.movement});
+      if (queue != queues_.end() && queue->second.take(next)) continue;
+      end("the record has something for queue " + std::to_string(next.movement) +
+          " that cannot be handed over to it (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
+      return false;
+    }
+    return true;
   }
 
   std::shared_ptr<const Table> table(const Sha256& hash) const {
@@ -127,7 +181,9 @@ class Replayer {
   std::map<std::size_t, std::int64_t> last_ticks_;
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
-  std::map<std::pair<std::size_t, std::uint64_t>, std::unique_ptr<Job>> jobs_;
+  std::map<Key, std::shared_ptr<Movement>> movements_;
+  std::map<Key, QueueMovement> queues_;
+  std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // and not yet seen, by axis
   bool ended_ = false;
 };
 

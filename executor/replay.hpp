@@ -45,7 +45,7 @@ struct Replay {
 /// the middle of a run and cannot be executed again. A record is read as a stream: its length does not matter.
 ///
 /// What ends the execution early, but not the reading: cycles that were lost, a movement that is not in the
-/// record (only jobs of tables are), a file that is cut off.
+/// record (a program of your own has not noted it), a file that is cut off.
 ///
 /// Throws InputError, with the event's number and place, for what is no LCM log, a damaged one, one without our
 /// events, tables that do not have their hash, and an axis that cannot be configured as recorded.

@@ -43,7 +43,13 @@ bool SegmentFifos::in_use(int fifo) const {
 }
 
 RowPeaks SegmentFifos::peaks() const {
-  return {peaks_[0].load(), peaks_[1].load(), peaks_[2].load(), peaks_[3].load(), 0, 0};
+  std::array<double, 4> f{peaks_[0].load(), peaks_[1].load(), peaks_[2].load(), peaks_[3].load()};
+  // Looked at last, as the producer writes it first: peaks of a row to come are known by it.
+  if (pushed_at_.load() > sight_) {
+    const Slot* const last = newest();
+    f = last != nullptr ? last->peaks : std::array<double, 4>{};
+  }
+  return {f[0], f[1], f[2], f[3], 0, 0};
 }
 
 // ---- producer ------------------------------------------------------------------------------------
@@ -70,6 +76,7 @@ RowRule SegmentFifos::push(int fifo, const SegmentRow& row) {
   if (const RowRule wrong = admits(fifo, row); wrong != RowRule::none) return wrong;
   const auto [from, rate] = tail(fifo);
   const PtRate made = rates(row, from, rate);
+  pushed_at_.store(stamp_);
   if (!std::isnan(made.start)) note(jounce::peaks(row, from, rate));
   if (layout_.stream) {
     if (size(filling_) == layout_.each) filling_ = 1 - filling_;
@@ -77,12 +84,14 @@ RowRule SegmentFifos::push(int fifo, const SegmentRow& row) {
   }
   Fifo& to = fifos_[index(fifo)];
   const std::size_t n = to.size.load();
-  to.slots[n] = {row, 0};
+  to.slots[n] = {row, 0, stamp_, {}};
+  for (std::size_t k = 0; k < peaks_.size(); ++k) to.slots[n].peaks[k] = peaks_[k].load();
   to.size.store(n + 1);
   tails_[layout_.stream ? 0 : index(fifo)] = {end_of(row), made.end};
   if (!layout_.stream) return RowRule::none;
-  stream_end_.store(row.x_end);
-  if (row.last && layout_.open) complete_.store(true);
+  if (!row.last || !layout_.open) return RowRule::none;
+  completed_at_.store(stamp_);
+  complete_.store(true);
   return RowRule::none;
 }
 
@@ -100,7 +109,6 @@ bool SegmentFifos::clear(int fifo) {
     for (Fifo& each : fifos_) each.size.store(0);
     filling_ = 0;
     tails_[0] = {layout_.base, 0};
-    stream_end_.store(layout_.base.x);
     complete_.store(false);
     played_.store(0);
     spent_.store(false);
@@ -113,11 +121,38 @@ bool SegmentFifos::clear(int fifo) {
 
 bool SegmentFifos::queue_switch() {
   if (!moving() || layout_.stream || size(1 - active()) == 0) return false;
+  queued_at_.store(stamp_);
   queued_.store(true);
   return true;
 }
 
 // ---- player --------------------------------------------------------------------------------------
+
+/// Stamps ascend: what is not there yet is at the end.
+std::size_t SegmentFifos::visible(int fifo) const {
+  const Fifo& of = fifos_[index(fifo)];
+  std::size_t n = of.size.load();
+  while (n > 0 && of.slots[n - 1].stamp > sight_) --n;
+  return n;
+}
+
+bool SegmentFifos::switch_seen() const {
+  return queued_.load() && queued_at_.load() <= sight_;
+}
+
+/// The last row that is there, by its number: of a stream, its end.
+const SegmentFifos::Slot* SegmentFifos::newest() const {
+  const Slot* last = nullptr;
+  for (const int fifo : {0, 1}) {
+    const std::size_t n = visible(fifo);
+    if (n == 0) continue;
+    const Slot& slot = fifos_[index(fifo)].slots[n - 1];
+    const bool later = last == nullptr || slot.stamp > last->stamp ||
+                       (slot.stamp == last->stamp && slot.row.x_end > last->row.x_end);
+    if (later) last = &slot;
+  }
+  return last;
+}
 
 bool SegmentFifos::take(int fifo) {
   const State was = state();
@@ -126,7 +161,7 @@ bool SegmentFifos::take(int fifo) {
   const int active_before = active();
   active_.store(to);
   state_.store(State::taken);
-  if (!clearing_.load() && playing().size.load() > 0) {
+  if (!clearing_.load() && visible(to) > 0) {
     before_ = was;
     return true;
   }
@@ -149,7 +184,7 @@ void SegmentFifos::start(double x, double position) {
   passes_ = 0;
   queued_ = false;
   rate_ = 0;
-  seen_ = playing().size.load();
+  seen_ = visible(active());
   state_.store(State::moving);
   enter(0);
 }
@@ -178,7 +213,7 @@ PtRate SegmentFifos::rates_here() const {
 /// Whether rows have been pushed behind the last one that was known: looked for only when that is
 /// at its end. The passes of a table so far were shorter than those to come.
 bool SegmentFifos::grown() {
-  const std::size_t now = playing().size.load();
+  const std::size_t now = visible(active());
   if (now == seen_) return false;
   seen_ = now;
   table_ = origin_;
@@ -200,15 +235,15 @@ void SegmentFifos::next() {
 
 /// Whether an open stream is at the end of all that was pushed, and more is to come.
 bool SegmentFifos::dry() const {
-  return growing() && slot_ + 1 == playing().size.load() && size(1 - active()) == 0;
+  return growing() && slot_ + 1 == visible(active()) && visible(1 - active()) == 0;
 }
 
 void SegmentFifos::end_stream_fifo() {
-  if (size(1 - active()) == 0) return stop();
+  if (visible(1 - active()) == 0) return stop();
   base_ = end_of(last_row());
   playing().size.store(0);
   active_.store(1 - active());
-  seen_ = playing().size.load();
+  seen_ = visible(active());
   enter(0);
 }
 
@@ -233,7 +268,7 @@ void SegmentFifos::end_pass() {
   const std::int64_t done = passes_.load() + 1;
   passes_.store(done);
   const bool again = loops() < 1 || done < loops();
-  const bool switches = switch_queued();
+  const bool switches = switch_seen();
   if (!switches && !again) return stop();
   take_turns(1);
   if (switches) {
@@ -242,14 +277,14 @@ void SegmentFifos::end_pass() {
     pass_rates_ = {pass_rates_[1], pass_rates_[2], rate_};
     known_rates_ = std::min(known_rates_ + 1, 3);
   }
-  seen_ = playing().size.load();
+  seen_ = visible(active());
   enter(0);
 }
 
 /// The rate r with which a pass ends depends on the one before as s r + c: s is 0 where any row
 /// has a rate of its own, otherwise 1 or -1. So two passes change it by the same each time.
 void SegmentFifos::skip_passes(double x) {
-  if (layout_.stream || switch_queued() || slot_ != 0 || known_rates_ < 3) return;
+  if (layout_.stream || switch_seen() || slot_ != 0 || known_rates_ < 3) return;
   constexpr double countable = 9007199254740992;  // 2^53: beyond, the place in the pass is rounding
   const double ahead = (x - origin_.x) / last_row().x_end;
   if (!(ahead >= 4)) return;
@@ -315,13 +350,16 @@ Jet SegmentFifos::in_pass(double u) {
 }
 
 double SegmentFifos::known() const {
-  if (layout_.stream) return origin_.x + stream_end_.load();
+  if (layout_.stream) {
+    const Slot* const last = newest();
+    return origin_.x + (last != nullptr ? last->row.x_end : layout_.base.x);
+  }
   if (loops() < 1) return std::numeric_limits<double>::infinity();
-  const auto left = static_cast<double>(switch_queued() ? 1 : loops() - passes_.load());
+  const auto left = static_cast<double>(switch_seen() ? 1 : loops() - passes_.load());
   const double end = origin_.x + left * last_row().x_end;
-  if (!switch_queued()) return end;
+  if (!switch_seen()) return end;
   const Fifo& next = fifos_[index(1 - active())];
-  return end + static_cast<double>(loops()) * next.slots[next.size.load() - 1].row.x_end;
+  return end + static_cast<double>(loops()) * next.slots[visible(1 - active()) - 1].row.x_end;
 }
 
 }  // namespace jounce

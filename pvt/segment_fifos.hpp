@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "jounce/pvt/segment_row.hpp"
@@ -38,6 +39,10 @@ namespace jounce {
 /// matter. A stream that has ended is cleared before the next one is pushed.
 /// An *open* stream ends with its `last` row alone: where it runs out of rows before, it stands at
 /// the end of what it knows, still moving, and goes on when more is pushed.
+///
+/// **Numbers.** What the producer does can be numbered (stamp(), ascending), and the player told up to
+/// which number it is there for it (see()): so that what is played depends on that number alone, and
+/// not on when the threads met. Without numbers all is there at once. A clear() is not numbered.
 ///
 /// **Rates** are as in SegmentRow: one left open goes on at the end rate of the row before, that of
 /// the pass before for the first of a pass (0 in the first one).
@@ -91,6 +96,8 @@ class SegmentFifos {
 
   // ---- producer ----------------------------------------------------------------------------------
 
+  /// The number of what follows.
+  void stamp(std::uint64_t number) { stamp_ = number; }
   /// Takes a row, or says what is wrong with it; limits are checked exactly, by (1) to (3) of
   /// segment_row.cpp. A `last` row means nothing to a table.
   RowRule push(int fifo, const SegmentRow& row);
@@ -106,6 +113,10 @@ class SegmentFifos {
 
   // ---- player ------------------------------------------------------------------------------------
 
+  /// From now on what has a greater number is not there yet.
+  void see(std::uint64_t number) { sight_ = number; }
+  /// Rows of a FIFO that are.
+  [[nodiscard]] std::size_t visible(int fifo) const;
   /// Chooses what will be started: false where it is empty, in use, being cleared, or a stream that
   /// has ended. give_back() takes the choice back, or a start after which nothing was played.
   bool take(int fifo);
@@ -126,12 +137,16 @@ class SegmentFifos {
   /// x at which what is known now ends; infinite where tables are played for ever.
   [[nodiscard]] double known() const;
   /// Whether more rows are to come: an open stream without its last one.
-  [[nodiscard]] bool growing() const { return layout_.open && !complete_.load(); }
+  [[nodiscard]] bool growing() const {
+    return layout_.open && !(complete_.load() && completed_at_.load() <= sight_);
+  }
 
  private:
   struct Slot {
     SegmentRow row;
     double rate = 0;  // at the end of the row before, as played last
+    std::uint64_t stamp = 0;
+    std::array<double, 4> peaks{};  // of all rows so far
   };
   struct Fifo {
     std::vector<Slot> slots;
@@ -158,6 +173,8 @@ class SegmentFifos {
   [[nodiscard]] PtRate rates_here() const;
   [[nodiscard]] Jet here(double u) const;
   [[nodiscard]] bool dry() const;
+  [[nodiscard]] bool switch_seen() const;
+  [[nodiscard]] const Slot* newest() const;
   void enter(std::size_t slot);
   bool grown();
   void next();
@@ -175,21 +192,25 @@ class SegmentFifos {
   std::array<Fifo, 2> fifos_;
   std::atomic<State> state_{State::idle};
   std::atomic<int> active_{0};
-  std::atomic<bool> queued_{false};    // set by the producer, taken back by the player
-  std::atomic<bool> clearing_{false};  // the producer is at it
-  std::atomic<bool> spent_{false};     // a stream has ended and was not cleared
-  std::atomic<bool> complete_{false};  // the stream's last row is there
-  std::atomic<double> stream_end_{0};  // x of the last row pushed
+  std::atomic<bool> queued_{false};             // set by the producer, taken back by the player
+  std::atomic<bool> clearing_{false};           // the producer is at it
+  std::atomic<bool> spent_{false};              // a stream has ended and was not cleared
+  std::atomic<bool> complete_{false};           // the stream's last row is there
+  std::atomic<std::uint64_t> queued_at_{0};     // stamps of the switch, of the last row,
+  std::atomic<std::uint64_t> completed_at_{0};  // and of the one that is pushed now
+  std::atomic<std::uint64_t> pushed_at_{0};
   std::atomic<std::int64_t> loops_{1};
   std::atomic<std::int64_t> passes_{0};
   std::atomic<std::uint64_t> played_{0};
   std::array<std::atomic<double>, 4> peaks_{};
 
   // The producer's.
+  std::uint64_t stamp_ = 0;
   int filling_ = 0;            // of a stream
   std::array<Tail, 2> tails_;  // of each table; [0] of a stream
 
   // The player's.
+  std::uint64_t sight_ = std::numeric_limits<std::uint64_t>::max();
   State before_ = State::idle;  // what a take() is given back to
   Origin table_;                // of the first pass of its period
   std::int64_t turns_ = 0;
