@@ -381,5 +381,25 @@ TEST(FifoFollow, ALostMasterBreaksIt) {
   }
 }
 
+// What is played depends on the number that the axis is told, not on when a row came.
+TEST(FifoPath, RowsOfAGreaterNumberAreNotThereYet) {
+  FifoPath path(1, {.each = 4});
+  SegmentFifos& fifos = path.fifos();
+  path.see(0);
+  fifos.stamp(1);
+  ASSERT_EQ(fifos.push(0, {.x_end = 1, .p_end = 1, .degree = 1}), RowRule::none);
+  EXPECT_EQ(path.begin({}, {}), Cause::no_movement);
+  path.see(1);
+  ASSERT_EQ(path.begin({}, {}), Cause::none);
+  EXPECT_EQ(path.known(), 1);
+  fifos.stamp(2);
+  ASSERT_EQ(fifos.push(0, {.x_end = 2, .p_end = 2, .degree = 1, .last = true}), RowRule::none);
+  EXPECT_EQ(path.known(), 1);
+  EXPECT_TRUE(path.growing());
+  path.see(2);
+  EXPECT_EQ(path.known(), 2);
+  EXPECT_FALSE(path.growing());
+}
+
 }  // namespace
 }  // namespace jounce
