@@ -10,8 +10,11 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "jounce/io/axis_drive.hpp"
 #include "jounce/io/make.hpp"
 #include "jounce/io/nearest.hpp"
+
+#include "axis_drive.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -70,6 +73,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   const std::string whose = axes == 1 ? "" : spec.name + ": ";
   executor.notify = [whose](const std::string& notice) { say(whose + notice); };
   (void)resolved(executor.axis);
+  if (const auto drive = axis_drive(spec)) executor.drive = make_drive(*drive, executor.axis);
   return executor;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/io/detail/axis_drive.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/io/points.hpp"
@@ -64,7 +65,7 @@ void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
                                  kind.runs == Kind::over_master ? Axis::master : Axis::time);
   Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
   spec.limits = detail::read_limits(top, spec.units, slave, spec.time_unit);
-  spec.drive = detail::read_drive(top, spec.units);
+  if (kind.name != std::string_view("axis")) spec.drive = detail::read_drive(top, spec.units);
 }
 
 /// What any cam may have beside it: a master, a coupling, switches.
@@ -91,6 +92,7 @@ void read_pvt(TomlReader& top, Spec& spec) {
 void read_axis(TomlReader& top, Spec& spec) {
   AxisSpec axis = detail::read_axis(top.table("axis"), spec.units);
   axis.follow = detail::read_whom(top);
+  (void)detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
   spec.subject = axis;
   spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/io/detail/axis_drive.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
 
@@ -142,26 +143,29 @@ Drive read_model(TomlReader& table) {
 
 }  // namespace
 
-std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
-  auto table = owner.optional_table("drive");
-  if (!table) return std::nullopt;
-  refuse_moved(*table);
+DriveSpec read_drive_table(TomlReader& table, const Units& units) {
+  refuse_moved(table);
   DriveSpec spec;
-  spec.drive = read_model(*table);
-  read_drive_numbers(*table, spec.drive, units);
-  spec.settle = table->optional_number("settle", "s").value_or(spec.settle);
-  spec.sync = read_drive_sync(*table);
-  spec.tolerances = read_tolerances(*table, spec.drive);
-  if (auto limits = table->optional_table("limits"))
-    spec.limits = read_drive_limits(*limits, units);
-  table->finish();
+  spec.drive = read_model(table);
+  read_drive_numbers(table, spec.drive, units);
+  spec.settle = table.optional_number("settle", "s").value_or(spec.settle);
+  spec.sync = read_drive_sync(table);
+  spec.tolerances = read_tolerances(table, spec.drive);
+  if (auto limits = table.optional_table("limits")) spec.limits = read_drive_limits(*limits, units);
+  table.finish();
   try {
     require_valid(spec.drive);
     require_valid(spec.options(), spec.drive);
   } catch (const InputError& error) {  // the model names its own fields
-    throw InputError(owner.path("drive." + error.key()), error.value(), error.rule());
+    throw InputError(table.path(error.key()), error.value(), error.rule());
   }
   return spec;
+}
+
+std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
+  auto table = owner.optional_table("drive");
+  if (!table) return std::nullopt;
+  return read_drive_table(*table, units);
 }
 
 }  // namespace jounce::detail

@@ -1,0 +1,39 @@
+#include "axis_drive.hpp"
+
+#include "jounce/executor/shared_drive.hpp"
+#include "jounce/executor/simulated_drive.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+namespace {
+
+std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axis) {
+  switch (spec.type) {
+    case AxisDriveSpec::Type::null:
+      return std::make_shared<NullDrive>(axis.position);
+    case AxisDriveSpec::Type::simulated:
+      return std::make_shared<SimulatedDrive>(*spec.model, static_cast<double>(axis.period) * 1e-9,
+                                              axis.position);
+    case AxisDriveSpec::Type::shared_memory:
+      break;
+  }
+  const AxisDriveSpec::Shared& shared = *spec.shared;
+  return std::make_shared<SharedDrive>(shared.name,
+                                       Cia402Config{.increments_per_rev = shared.increments_per_rev,
+                                                    .position_per_rev = shared.position_per_rev,
+                                                    .reversed = shared.reversed,
+                                                    .window = shared.window},
+                                       shared.silent_cycles);
+}
+
+}  // namespace
+
+std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis) {
+  try {
+    return make(spec, axis);
+  } catch (const InputError& error) {  // a drive names its own numbers
+    throw InputError("drive." + error.key(), error.value(), error.rule());
+  }
+}
+
+}  // namespace jounce::cli

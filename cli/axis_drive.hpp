@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "jounce/executor/desk.hpp"
+#include "jounce/io/axis_drive.hpp"
+
+namespace jounce::cli {
+
+/// The drive that a spec names, for an axis with this configuration. Throws InputError, with keys of
+/// [drive], and std::system_error where the machine has no shared memory.
+std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis);
+
+}  // namespace jounce::cli

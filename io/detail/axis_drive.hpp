@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "jounce/io/axis_drive.hpp"
+#include "jounce/io/detail/toml_reader.hpp"
+#include "jounce/io/spec.hpp"
+
+namespace jounce::detail {
+
+/// [drive] with what an axis's executor needs of it; also `spec`, `name` and so on.
+std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units);
+
+/// A [drive] of which its owner may have read keys of its own.
+DriveSpec read_drive_table(TomlReader& table, const Units& units);
+
+}  // namespace jounce::detail
