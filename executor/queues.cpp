@@ -160,8 +160,8 @@ void Queues::begin_with(std::uint32_t queue, int bank) {
   (void)act(queue, HandedOver::Kind::begin, bank);
 }
 
-void Queues::handed_back(std::uint64_t movement) {
-  for (auto& [index, open] : open_)
+void Queues::handed_back(std::uint64_t movement) const {
+  for (const auto& [index, open] : open_)
     if (open.made.movement()->id() == movement) open.made.fifos().leave();
 }
 

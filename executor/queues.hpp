@@ -70,12 +70,12 @@ class Queues {
             Receiver& receiver);
   /// Hands rows over; one that breaks a rule is refused with it, and never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// Nothing where the queue is not open.
+  /// What is armed; nothing where the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
-  /// The bank with which its movement begins; while that is not armed.
+  /// The bank that it begins with. Not while the axis has it.
   void begin_with(std::uint32_t queue, int bank);
   /// The axis no longer looks at it: what was not played to its end is cut off there.
-  void handed_back(std::uint64_t movement);
+  void handed_back(std::uint64_t movement) const;
   /// Says how far each has come.
   void report(const Tick& last, Receiver& receiver) const;
 

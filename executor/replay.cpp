@@ -126,7 +126,7 @@ class Replayer {
     const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
     ++result_.compared;
     for (const Movement* movement : now.handed_back)
-      if (movement != nullptr) movements_.erase({cycle.axis, movement->id()});
+      if (movement != nullptr) drop({cycle.axis, movement->id()});
     const bool switches = !result_.axes[cycle.axis].switches;
     if (const auto what = first_difference(cycle.tick, now, switches)) {
       result_.difference = Replay::Difference{cycle.axis, cycle.tick.tick, *what};
@@ -139,6 +139,12 @@ class Replayer {
   void keep(std::size_t axis, std::shared_ptr<Movement> movement) {
     const std::uint64_t id = movement->id();
     movements_[{axis, id}] = std::move(movement);
+  }
+
+  /// The axis no longer looks at it.
+  void drop(const Key& key) {
+    movements_.erase(key);
+    if (const auto queue = queues_.find(key); queue != queues_.end()) queue->second.fifos().leave();
   }
 
   /// A queue's can be armed again and again.
