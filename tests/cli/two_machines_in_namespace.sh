@@ -11,10 +11,13 @@ unshare -n sleep 60 &
 other=$!
 trap 'kill $other 2> /dev/null; rm -rf "$scratch"' EXIT
 there() { nsenter -t $other -n "$@"; }
-for _ in 1 2 3 4 5 6 7 8 9 10; do
-  ip link set there netns $other 2> /dev/null && [ ! -e /sys/class/net/there ] && break
-  sleep 0.2
+tries=0
+while [ "$(readlink /proc/$other/ns/net)" = "$(readlink /proc/self/ns/net)" ]; do  # until it has one of its own
+  tries=$((tries + 1))
+  [ $tries -lt 100 ] || fail "no second network"
+  sleep 0.05
 done
+ip link set there netns $other
 ip addr add 10.7.0.1/24 dev here
 ip link set here up
 there sh -c 'ip link set lo up; ip addr add 10.7.0.2/24 dev there; ip link set there up
