@@ -141,7 +141,11 @@ std::vector<ExecutorOptions> axes_of(const MachineOptions& options) {
     try {
       axes.push_back(executor_of(options, one.spec, read.size()));
     } catch (const InputError& error) {
-      throw one.spec.document.located(error);
+      // The executor names its own fields, which the spec has in [axis].
+      const std::string key = "axis." + error.key();
+      throw one.spec.document.located(one.spec.document.places.contains(key)
+                                          ? InputError(key, error.value(), error.rule())
+                                          : error);
     }
     axes.back().follow = resolved(one, read);
   }

@@ -101,6 +101,15 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
   EXPECT_EQ(run("check nothing.toml").status, 2);
 }
 
+TEST_F(Cli, SaysWhereAnAxisContradictsItsOwnLimits) {
+  write("a.toml",
+        "jounce = 1\nkind = \"axis\"\nname = \"a\"\nunits = { position = \"mm\" }\n[axis]\n"
+        "stop_acceleration = 10\n[limits]\nvelocity = 1\nacceleration = 100\n");
+  const Result run_it = run("run a.toml --url memq:// --seconds 1");
+  EXPECT_EQ(run_it.status, 2);
+  EXPECT_THAT(run_it.err, HasSubstr("a.toml:6:21: axis.stop_acceleration = 10: must be at least"));
+}
+
 // None of the inputs is there: so it is the folder that was looked at first, before any work.
 TEST_F(Cli, AMissingFolderIsRefusedBeforeTheWorkThatItWouldHold) {
   const std::string identify = "identify no.toml --log no.csv --fit mass[1].inertia";
