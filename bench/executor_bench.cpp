@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/executor/axis.hpp"
-#include "jounce/executor/job.hpp"
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/job.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "jounce/axis/job.hpp"
 #include "jounce/executor/cycle.hpp"
-#include "jounce/executor/job.hpp"
 
 namespace {
 

@@ -4,11 +4,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/executor/fifo_movement.hpp"
-#include "jounce/executor/job.hpp"
-#include "jounce/executor/live_cam.hpp"
-#include "jounce/executor/live_gear.hpp"
-#include "jounce/executor/master.hpp"
+#include "jounce/axis/fifo_movement.hpp"
+#include "jounce/axis/job.hpp"
+#include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/live_gear.hpp"
+#include "jounce/axis/master.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "axis_drive.hpp"
 
-#include "jounce/executor/shared_drive.hpp"
-#include "jounce/executor/simulated_drive.hpp"
+#include "jounce/drive/shared_drive.hpp"
+#include "jounce/drive/simulated_drive.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::cli {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/executor/cause.hpp"
+#include "jounce/axis/cause.hpp"
 #include "jounce/executor/histogram.hpp"
 
 namespace jounce::cli {

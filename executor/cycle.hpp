@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "jounce/executor/drive.hpp"
+#include "jounce/axis/machine.hpp"
+#include "jounce/axis/ring.hpp"
+#include "jounce/drive/drive.hpp"
 #include "jounce/executor/histogram.hpp"
-#include "jounce/executor/machine.hpp"
-#include "jounce/executor/ring.hpp"
 
 namespace jounce {
 

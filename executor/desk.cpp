@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/axis/live_cam.hpp"
 #include "jounce/executor/events.hpp"
-#include "jounce/executor/live_cam.hpp"
 #include "jounce/executor/orders.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"

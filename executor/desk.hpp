@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/axis/job.hpp"
 #include "jounce/executor/cycle.hpp"
-#include "jounce/executor/job.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/record.hpp"

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "jounce/axis/axis.hpp"
 #include "jounce/cam/cam_switch.hpp"
-#include "jounce/executor/axis.hpp"
 #include "jounce/stream/message.hpp"
 
 namespace jounce {

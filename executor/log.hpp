@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "jounce/executor/axis.hpp"
+#include "jounce/axis/axis.hpp"
 #include "jounce/io/hash.hpp"
 
 namespace jounce {

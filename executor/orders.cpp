@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "jounce/executor/live_gear.hpp"
+#include "jounce/axis/live_gear.hpp"
 
 namespace jounce {
 namespace {

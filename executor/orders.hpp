@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "jounce/executor/command.hpp"
-#include "jounce/executor/machine.hpp"
+#include "jounce/axis/command.hpp"
+#include "jounce/axis/machine.hpp"
 #include "jounce/stream/receiver.hpp"
 
 namespace jounce {

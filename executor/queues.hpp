@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/executor/axis.hpp"
-#include "jounce/executor/fifo_movement.hpp"
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/fifo_movement.hpp"
 #include "jounce/stream/receiver.hpp"
 
 namespace jounce {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
-#include "jounce/executor/axis.hpp"
-#include "jounce/executor/job.hpp"
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/job.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/io/hash.hpp"
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/axis/ring.hpp"
 #include "jounce/executor/record.hpp"
-#include "jounce/executor/ring.hpp"
 #include "jounce/stream/table_store.hpp"
 
 namespace jounce {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "jounce/axis/live_cam.hpp"
 #include "jounce/executor/detail/lcm_log.hpp"
-#include "jounce/executor/live_cam.hpp"
 #include "jounce/executor/orders.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -19,7 +19,7 @@ struct AxisDriveSpec {
     simulated,      ///< `model`
     shared_memory,  ///< `shared`: a CiA 402 drive in another process
   };
-  /// In shared memory of this name; see executor/shared_drive.hpp.
+  /// In shared memory of this name; see drive/shared_drive.hpp.
   struct Shared {
     std::string name = {};
     double increments_per_rev = 0;  ///< whole, > 0

@@ -96,7 +96,7 @@ struct DiscPart {
 struct AxisSpec {
   double cycle = 1e-3;  ///< s
   double position = 0;  ///< where the axis stands at first
-  // How it stops, and what it watches, as executor/axis_config.hpp; 0: left out. u and the spec's time.
+  // How it stops, and what it watches, as axis/axis_config.hpp; 0: left out. u and the spec's time.
   double modulo = 0;
   double stop_acceleration = 0;
   double stop_jerk = 0;

@@ -12,7 +12,7 @@
 namespace jounce {
 
 /// Two FIFOs of rows and what plays them: the common core of Googol's PT and follow modes
-/// (pvt/googol_pt.hpp, gear/googol_follow.hpp) and of rolling streams (executor/fifo_movement.hpp).
+/// (pvt/googol_pt.hpp, gear/googol_follow.hpp) and of rolling streams (axis/fifo_movement.hpp).
 /// A state machine without a clock: its memory is allocated when it is made, nothing throws or waits.
 ///
 ///     SegmentFifos fifos(1024);

@@ -4,7 +4,7 @@
 usage: master_picture.py > docs/pictures/encoder-master.svg
        master_picture.py --numbers        the table of docs/executor/masters.md
 
-An implementation of its own of what executor/tracker.cpp derives, (1) to (5); standard library alone.
+An implementation of its own of what axis/tracker.cpp derives, (1) to (5); standard library alone.
 """
 import random
 import sys

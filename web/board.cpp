@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/executor/cause.hpp"
+#include "jounce/axis/cause.hpp"
 
 namespace jounce::web {
 namespace {

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <thread>
 
-#include "jounce/executor/shared_drive.hpp"
+#include "jounce/drive/shared_drive.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "jounce/executor/realtime.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 
 namespace jounce {

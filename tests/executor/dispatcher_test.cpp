@@ -15,7 +15,7 @@
 #include "jounce/stream/lossy_transport.hpp"
 #include "jounce/stream/memory_transport.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 
 namespace jounce {

@@ -16,7 +16,7 @@
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/memory_transport.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 #include "gear/follow_tables.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "jounce/executor/cycle.hpp"
 
+#include "axis/tables.hpp"
 #include "executor/hooks.hpp"
-#include "executor/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 
 namespace jounce {

@@ -17,7 +17,7 @@
 #include "jounce/executor/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "support/random.hpp"
 
 namespace jounce {

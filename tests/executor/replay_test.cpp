@@ -14,14 +14,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/drive/simulated_drive.hpp"
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/recorder.hpp"
-#include "jounce/executor/simulated_drive.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/memory_transport.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 #include "support/random.hpp"
 

@@ -10,7 +10,7 @@
 #include "jounce/stream/driver.hpp"
 #include "jounce/stream/memory_transport.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
 
 namespace jounce {

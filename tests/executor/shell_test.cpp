@@ -12,7 +12,7 @@
 #include "jounce/stream/memory_transport.hpp"
 #include "jounce/stream/sender.hpp"
 
-#include "executor/tables.hpp"
+#include "axis/tables.hpp"
 
 namespace jounce {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/executor/cause.hpp"
+#include "jounce/axis/cause.hpp"
 
 namespace jounce::web {
 namespace {

@@ -1,0 +1,211 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/command.hpp"
+#include "jounce/axis/inputs.hpp"
+#include "jounce/axis/move_plan.hpp"
+#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/supervision.hpp"
+#include "jounce/axis/transitions.hpp"
+#include "jounce/cam/cam_switches.hpp"
+
+namespace jounce {
+
+/// All that an axis says in one tick.
+struct Tick {
+  std::int64_t tick = 0;
+  double time = 0;  ///< tick * period, s
+  State state = State::disabled;
+  double master = 0;                   ///< m
+  double master_velocity = 0;          ///< m/s
+  double position = 0;                 ///< commanded, u
+  double velocity = 0;                 ///< u/s
+  double acceleration = 0;             ///< u/s^2
+  std::uint64_t job = 0;               ///< the one that is played, 0: none
+  std::uint64_t armed = 0;             ///< the one that waits for its start, 0: none
+  bool waiting = false;                ///< a start was accepted for later
+  Progress progress = Progress::done;  ///< of what is played
+  Cause fault = Cause::none;           ///< latched
+  std::int64_t skipped = 0;            ///< ticks left out since the one before
+  std::uint64_t finished = 0;          ///< motions so far that reached their end
+  std::uint64_t stopped = 0;           ///< motions so far that a stop brought to rest
+  Cause reason = Cause::none;  ///< why the last motion ended: its fault, stopped, halted, ...
+  double override_ = 1;        ///< factor that the axis was granted
+  double rate = 1;             ///< of path time now
+  bool power = false;          ///< the drive shall follow setpoints
+  double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
+  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known
+  double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
+  double torque = std::numeric_limits<double>::quiet_NaN();           ///< share of the rated one
+  bool in_position = false;  ///< at rest, and the drive within the window for its time
+  SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
+
+  std::optional<Refusal> refused{};              ///< why this tick's command was not obeyed
+  std::optional<Refusal> dropped{};              ///< why what waited for its start did not begin
+  std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
+};
+
+/// Whether the axis moves, or will without being told: by a movement, a move of its own, or braking
+/// in a fault. A held motion does; one that an underrun has brought to rest does not.
+bool in_motion(const Tick& tick);
+
+/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither
+/// allocates nor frees, locks, logs nor throws.
+///
+///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
+///     axis.step(0, {.kind = Command::Kind::enable});
+///     axis.step(1, {.kind = Command::Kind::arm, .movement = &job});
+///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
+///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
+///
+/// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend; one that is
+/// left out is left out of the motion too, which follows time.
+///
+/// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
+/// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
+/// either a superimposed move. Who ends whom: transitions.hpp and docs/executor/axis.md.
+///
+/// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
+/// in the tick after which the axis no longer looks at it.
+///
+/// **Cam switches** are stepped with what each tick says. A new position, or a new master when a
+/// job starts, is a new place: outputs may change there, but nothing was passed. They work in every
+/// state, also disabled and in a fault.
+///
+/// **Drives.** Feedback is of the drive's own position; a set_position moves the axis's count by
+/// `offset`, not the drive. While the axis is disabled its position is the drive's, where that is
+/// known, so that enabling moves nothing.
+///
+/// **Safety.** Arming admits a movement against the limits, whatever its sender did. In motion,
+/// every setpoint is compared with the one before and the limits before it is given out. A fault
+/// stays until a reset; what the axis does about it says reaction_to().
+class MotionAxis {
+ public:
+  /// Throws InputError for a bad configuration, or bad switches.
+  explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {});
+
+  /// The point of this tick, after its command. `tick` must be greater than in the step before.
+  Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
+
+  [[nodiscard]] const AxisConfig& config() const { return config_; }
+  [[nodiscard]] State state() const { return state_; }
+
+ private:
+  enum class Base : std::uint8_t { rest, movement, move };
+  enum class Ending : std::uint8_t { none, stop, halt, fault };
+  enum class Boundary : std::uint8_t { none, swap, finish };
+
+  // axis.cpp: what it is told
+  void obey(const Command& command);
+  void power(bool on);
+  void reset();
+  void arm(Movement* movement);
+  void disarm();
+  void start(const Command& command);
+  void start_at_end();
+  bool ready_to_swap();
+  void begin_due();
+  void begin_pending(const MotionState& from, double ahead);
+  void gear_in(Movement* movement);
+  void end_motion(Ending ending, const Command& command);
+  void set_position(double position);
+  void hold(bool on);
+  void set_override(double factor);
+  void finish();
+  void move(const Command& command);
+  void move_to(double position, const MoveDynamics& dynamics);
+  void superimpose(double distance, MoveDynamics dynamics);
+  void decouple();
+
+  // axis_motion.cpp: what it does
+  void take(const Inputs& inputs);
+  void watch();
+  void play();
+  Cause advance(Setpoint& next);
+  Cause advance_path(Setpoint& next);
+  [[nodiscard]] bool starves() const;
+  void swap(double boundary, MotionState end);
+  [[nodiscard]] bool swaps_at_master() const;
+  [[nodiscard]] std::optional<double> passing(double to) const;
+  void swap_at_master(double s);
+  void lift(Setpoint& next);
+  [[nodiscard]] Cause judge(const Setpoint& next) const;
+  void give_out(const Setpoint& next);
+  void conclude();
+  void rest();
+  void freeze();
+  void fail(Cause cause);
+  void brake(double deceleration);
+  void leave();
+  void go(const Goal& goal, State state);
+  bool adopt(const Goal& goal, double factor);
+  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
+  void replan();
+  bool change_rate(double rate);
+  [[nodiscard]] double slope_to(double rate) const;
+  void drop_movement();
+  void operate_switches();
+
+  void hand_back(const Movement* movement);
+  void refuse(Cause cause, double value = 0, double limit = 0);
+  void drop(const Refusal& why);
+  [[nodiscard]] bool moving() const { return base_ != Base::rest; }
+  [[nodiscard]] bool on_path() const;
+  [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] MotionState last() const;
+  [[nodiscard]] std::optional<MotionState> expected_end() const;
+  [[nodiscard]] Moment moment(double t) const;
+  [[nodiscard]] double seconds(std::int64_t ticks) const;
+  [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
+
+  AxisConfig config_;
+  State state_ = State::disabled;
+  std::int64_t last_tick_ = -1;
+  std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
+  Inputs inputs_;
+  double last_master_ = std::numeric_limits<double>::quiet_NaN();  // of the live one
+  Supervision windows_;
+
+  Movement* active_ = nullptr;
+  Movement* pending_ = nullptr;
+  bool waiting_ = false;  // a start of the pending one was accepted
+  StartAt start_at_ = StartAt::tick;
+  std::int64_t start_tick_ = 0;
+  double start_position_ = 0;   // of the master
+  std::int64_t accepted_ = -1;  // tick in which that start was
+
+  Base base_ = Base::rest;
+  Ending ending_ = Ending::none;
+  std::int64_t begun_ = 0;   // tick at which the motion began
+  std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
+  bool joint_ = false;       // this tick joins one motion to another
+  PathClock clock_;          // of a path
+  double played_to_ = 0;     // path time of the tick before, s
+  Peaks peaks_;              // of it, and of what it will be swapped for
+  Boundary boundary_ = Boundary::none;
+  double boundary_at_ = 0;  // path time, s
+  Goal goal_;               // of the move
+  Profile plan_;
+  MotionState bare_;   // the last setpoint without what is superimposed
+  double factor_ = 1;  // override
+  bool held_ = false;
+
+  bool lifting_ = false;  // a superimposed move runs
+  Profile lift_;
+  MoveDynamics lift_dynamics_;
+  std::int64_t lift_origin_ = 0;
+  double shift_ = 0;  // u, of those that are over
+
+  bool has_switches_;
+  bool has_master_ = false;  // since a cam was started; until the next table without one
+  SwitchesOf switches_of_;
+  CamSwitches switches_;
+  Tick now_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+
+#include "jounce/axis/movement.hpp"
+#include "jounce/profiles/modulo.hpp"
+
+namespace jounce {
+
+/// What a move may do; magnitudes. 0: as much as the axis is configured for.
+struct MoveDynamics {
+  double velocity = 0;      ///< u/s
+  double acceleration = 0;  ///< u/s^2, while it speeds up
+  double deceleration = 0;  ///< u/s^2, while it slows down
+  double jerk = 0;          ///< u/s^3
+};
+
+/// When what is armed begins.
+enum class StartAt : std::uint8_t {
+  tick,             ///< `at`
+  end_of_table,     ///< where the table that is played ends, or its present pass: no stop between
+  master_position,  ///< where the master passes `position`
+};
+
+/// What an axis is told. At most one command a tick; of several in a row the last one wins.
+struct Command {
+  enum class Kind : std::uint8_t {
+    none,
+    enable,
+    disable,
+    arm,                ///< `movement` becomes the one to be started; it replaces one that waits
+    disarm,             ///< takes it back, unless its start was accepted
+    start,              ///< what is armed, see `start_at`
+    stop,               ///< on the path if there is one; disarms; nothing but a fault ends it
+    abort,              ///< at once: a fault
+    reset,              ///< clears a fault
+    set_position,       ///< the axis stands at `position` (or `relative`: so much further on)
+    home,               ///< the same, as the end of a homing: through the state homing
+    hold,               ///< a path, or a planned move: to rest, and it waits there
+    resume,             ///< ends the hold
+    override_,          ///< `factor` times the speed from now on
+    finish,             ///< a table that repeats ends with this pass (Agito StopRep)
+    move_absolute,      ///< to `position`
+    move_relative,      ///< by `position` from where the setpoint is
+    move_additive,      ///< by `position` from the target of the move under way
+    move_superimposed,  ///< by `position` on top of what is under way; `dynamics.velocity` is added
+    move_velocity,  ///< at `position` / |`position`| * dynamics.velocity; until the next command
+    halt,           ///< as stop, but any command may follow at once
+    gear_in,        ///< `movement`, a live one, begins now, in whatever motion the axis is
+    gear_out,       ///< leaves the gear; the velocity stays
+    cam_out,        ///< leaves the cam; the velocity stays
+  };
+  Kind kind = Kind::none;
+  std::uint64_t id = 0;          ///< the sender's, handed back with the answer
+  Movement* movement = nullptr;  ///< must live until it is handed back
+  StartAt start_at = StartAt::tick;
+  std::int64_t at = -1;  ///< tick; -1: in the step that gets the command
+  double position = 0;   ///< u; a distance where a move is relative, m for a master
+  bool relative = false;
+  double factor = 1;  ///< of override_, 0 to 2
+  MoveDynamics dynamics = {};
+  Direction direction = Direction::shortest;  ///< of a move on a modulo axis
+};
+inline constexpr std::size_t command_kinds = 24;
+
+/// "move_absolute", ...
+const char* name(Command::Kind kind);
+
+}  // namespace jounce

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+
+#include "jounce/axis/movement.hpp"
+#include "jounce/gear/gear_in.hpp"
+#include "jounce/gear/gear_in_pos.hpp"
+
+namespace jounce {
+
+/// MC_GearIn on the axis's live master: from whatever motion the slave is in, it ramps to k times its
+/// master's velocity and keeps step from then on (gear/gear_in.hpp).
+///
+///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
+///     axis.step(t, {.kind = Command::Kind::gear_in, .movement = &gear}, inputs);
+///
+/// `engaging` while it ramps, then `running` until the axis leaves it; `broken` where the master is lost.
+class LiveGear final : public Movement {
+ public:
+  /// Throws InputError as gear_in() does.
+  LiveGear(std::uint64_t id, const GearInSpec& spec);
+
+  /// no_master_input; no_ramp: numbers beyond 1e100.
+  Cause begin(const MotionState& axis, const Moment& now) noexcept override;
+  Setpoint at(const Moment& now) noexcept override;
+  [[nodiscard]] Progress progress() const noexcept override { return progress_; }
+  [[nodiscard]] Cause cause() const noexcept override;
+
+ private:
+  GearInSpec spec_;
+  GearedIn gear_;
+  Progress progress_ = Progress::engaging;
+  Setpoint last_;
+};
+
+/// MC_GearInPos on the axis's live master: at rest until it passes the start, in step with it from the
+/// sync position on (gear/gear_in_pos.hpp). Made for where the slave will stand: `slave_start`.
+///
+/// `waiting` for the start, `engaging`, then `running`, through reversals of the master too: one that
+/// turns back before the sync position takes the slave back with it, and neither stops nor errs
+/// (PMC600 error 775 is told by master_reversed()).
+class LiveGearInPos final : public Movement {
+ public:
+  /// Throws InputError as gear_in_pos() does, and "master_start_distance" where it cannot be engaged.
+  LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec);
+
+  /// no_master_input; start_position, start_velocity: the axis does not stand at slave_start.
+  Cause begin(const MotionState& axis, const Moment& now) noexcept override;
+  Setpoint at(const Moment& now) noexcept override;
+  [[nodiscard]] Progress progress() const noexcept override { return progress_; }
+  [[nodiscard]] Cause cause() const noexcept override;
+  /// In this cycle the master went back while connecting.
+  [[nodiscard]] bool master_reversed() const noexcept { return reversed_; }
+
+ private:
+  GearInPos gear_;
+  GearInPosState state_;
+  bool reversed_ = false;
+  Progress progress_ = Progress::waiting;
+  Setpoint last_;
+};
+
+}  // namespace jounce

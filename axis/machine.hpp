@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/inputs.hpp"
+
+namespace jounce {
+
+/// What an axis of a machine follows: its live master.
+struct Follow {
+  enum class What : std::uint8_t {
+    nothing,   ///< it has no live master
+    master,    ///< one of the machine's masters
+    setpoint,  ///< what another axis is commanded in the same tick
+    actual,    ///< where another axis's drive says that it is; lost where it does not tell how fast
+  };
+  What what = What::nothing;
+  std::size_t index = 0;  ///< of the master, or of the axis
+};
+
+/// One axis of a machine, fixed when it starts.
+struct MachineAxis {
+  std::string name;  ///< by which messages find it
+  AxisConfig config;
+  AxisSwitches switches = {};
+  Follow follow = {};
+};
+
+/// The process image of one axis: what passes between it and the world in one tick.
+struct AxisImage {
+  Command command = {};  ///< in
+  Inputs inputs = {};    ///< in; the master is filled in by the machine
+  Tick tick = {};        ///< out
+};
+
+/// Several axes in one cycle, as a pure function of what they were told and what they saw: no
+/// clock, no thread, no device.
+///
+///     Machine machine({{.name = "feeder", .config = feeder},
+///                      {.name = "knife", .config = knife,
+///                       .follow = {.what = Follow::What::setpoint, .index = 0}}});
+///     std::vector<AxisImage> images(machine.size());
+///     images[0].command = {.kind = Command::Kind::enable};
+///     machine.step(0, images);                       // images[i].tick: what axis i says
+///
+/// **Order.** An axis that follows another one's setpoint sees the setpoint of the same tick: so the
+/// axes are stepped leaders first, and else as they were declared; images, names and messages keep
+/// the declared order. Axes whose setpoints follow each other in a ring are refused.
+///
+/// **Masters** come in from outside as one Jet a tick each: m, m/s, m/s^2, m/s^3; NaN: lost. An axis
+/// gives its own in u. A setpoint's jerk counts as 0, an actual position's
+/// acceleration too.
+///
+/// step() neither allocates nor frees, locks, logs nor throws.
+class Machine {
+ public:
+  static constexpr std::size_t most_axes = 64;
+
+  /// Throws InputError with the axis's name: no axis or more than 64, a name that is missing or
+  /// there twice, periods that differ, a bad configuration or bad switches, an index to nothing, a
+  /// ring. `masters`: how many step() will be given.
+  explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
+
+  [[nodiscard]] std::size_t size() const { return axes_.size(); }
+  [[nodiscard]] std::size_t masters() const { return masters_; }
+  [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }  ///< ns
+  [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
+
+  /// Steps every axis: `images` in the declared order, one an axis. `tick` must be greater than in
+  /// the step before.
+  void step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters = {});
+
+ private:
+  [[nodiscard]] Jet master_of(std::size_t axis, std::span<const AxisImage> images,
+                              std::span<const Jet> masters) const;
+
+  std::vector<MachineAxis> axes_;
+  std::size_t masters_;
+  std::vector<MotionAxis> motion_;
+  std::vector<std::size_t> order_;  // of the steps: leaders first
+};
+
+}  // namespace jounce

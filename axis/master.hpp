@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "jounce/axis/ring.hpp"
+#include "jounce/axis/tracker.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// What axes follow: where a master is in each cycle. Another axis's setpoint is one too; the machine
+/// hands that over itself.
+///
+///     ExternalMaster line({.velocity = 3, .acceleration = 20});     // m/s, m/s^2
+///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});   // communication thread
+///     const Jet x = line.at(tick * period);                                 // the cycle's
+///     if (std::isnan(x[0])) ...                                             // none, or lost
+class Master {
+ public:
+  Master() = default;
+  virtual ~Master() = default;
+  Master(const Master&) = delete;
+  Master& operator=(const Master&) = delete;
+
+  /// [x, x', x'', x'''] at `time`, s, which ascends; m, m/s, ... x is NaN where the master is lost.
+  /// Neither allocates nor waits nor throws.
+  virtual Jet at(double time) noexcept = 0;
+};
+
+/// A virtual master: a table over time from `start` on; before it stands at its first point, after its
+/// end at the last, or repeats, as the table says.
+class TableMaster final : public Master {
+ public:
+  /// Throws InputError "axis" for a table that is not over time.
+  explicit TableMaster(std::shared_ptr<const Table> table, double start = 0);
+  Jet at(double time) noexcept override;
+
+ private:
+  std::shared_ptr<const Table> table_;
+  double start_;
+};
+
+/// An encoder that the cycle reads itself: noise and quantisation are filtered (tracker.hpp).
+class EncoderMaster final : public Master {
+ public:
+  explicit EncoderMaster(const TrackerSpec& spec) : tracked_(spec) {}
+  /// Of this cycle, m, before at(); NaN, or none for too long: lost.
+  void read(double time, double position) noexcept { tracked_.see(time, position); }
+  Jet at(double time) noexcept override { return tracked_.at(time); }
+
+ private:
+  Tracked tracked_;
+};
+
+/// A position that comes from elsewhere, with the sender's time.
+struct MasterSample {
+  std::int64_t stamp_ns = 0;  ///< when it was there, by the sender's clock
+  std::int32_t clock = 0;     ///< another number: another clock, or another epoch of it
+  double received = 0;        ///< s, by the clock of at(): when it came
+  double position = 0;        ///< m
+  bool valid = true;          ///< the sender knows it; otherwise it says that it does not
+};
+
+/// The sender's clock seen from here, without a round trip. received - stamp is the offset of the
+/// clocks plus the time a sample was under way, so its least value of late is the offset and the least
+/// such time: jitter only ever adds. Of two halves of a window, the least of each is kept, and the
+/// estimate moves towards it by `slew` at most, so that it never steps the master (but at first, and
+/// where both clocks cannot be the ones they were: beyond `step`).
+///
+///     (1)  offset = least of received - stamp over window/2 to window
+///
+/// What every sample needs at least is not seen: give it as TrackerSpec::latency, if it is known.
+struct ClockOffset {
+  double window = 10;  ///< s: long enough for one quick sample, short against the drift of quartz
+  double slew = 1e-3;  ///< s/s; quartz drifts by less than 1e-4
+  double step = 0.25;  ///< s
+  double offset = 0;   ///< s, of stamp - base
+  std::int64_t base = 0;  ///< ns: the first stamp, from which the others are told
+  bool known = false;
+
+  /// The sample's time by our clock, s. False in `same`: begun afresh.
+  double local(const MasterSample& sample, bool& same) noexcept;
+
+  std::int32_t clock = 0;
+  double least_before = 0, least_now = 0;  ///< of both halves
+  double half_since = 0, last = 0;         ///< s
+};
+
+/// An external master, over a bus. Samples come late, jitter, are lost and doubled; the master is
+/// extrapolated within its limits, and lost when nothing was heard for `longest_age`.
+class ExternalMaster final : public Master {
+ public:
+  explicit ExternalMaster(const TrackerSpec& spec) : tracked_(spec) {}
+  /// The communication thread's; false where the cycle has not taken the last 64.
+  bool receive(const MasterSample& sample) noexcept { return samples_.push(sample); }
+  /// The cycle's.
+  Jet at(double time) noexcept override;
+
+  [[nodiscard]] const ClockOffset& clock() const { return clock_; }
+
+ private:
+  Ring<MasterSample, 64> samples_;
+  ClockOffset clock_;
+  Tracked tracked_;
+};
+
+}  // namespace jounce

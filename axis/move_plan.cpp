@@ -1,0 +1,107 @@
+#include "jounce/axis/move_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jounce {
+namespace {
+
+/// One number of the dynamics against its limit; 0 becomes the limit.
+std::optional<Refusal> fill(double& value, double limit, Cause cause) {
+  if (!(value >= 0) || std::isinf(value)) return Refusal{Cause::no_value, value, 0, 0};
+  if (value > limit) return Refusal{cause, value, limit, 0};
+  if (value == 0) value = limit;
+  return std::nullopt;
+}
+
+std::optional<Refusal> fill(MoveDynamics& d, double velocity, double acceleration,
+                            double deceleration, double jerk) {
+  for (const auto& refused : {fill(d.velocity, velocity, Cause::velocity_limit),
+                              fill(d.acceleration, acceleration, Cause::acceleration_limit),
+                              fill(d.deceleration, deceleration, Cause::acceleration_limit),
+                              fill(d.jerk, jerk, Cause::jerk_limit)})
+    if (refused) return refused;
+  return std::nullopt;
+}
+
+/// The position range, widened to where the axis is: from outside it may come back.
+void keep_range(Bounds& bounds, double position, const Limits& limits) {
+  if (limits.position_min) bounds.position_min = std::min(*limits.position_min, position);
+  if (limits.position_max) bounds.position_max = std::max(*limits.position_max, position);
+}
+
+/// Where it would come to rest, braking with `deceleration`; the jerk does not matter for a sign.
+double stopping_point(const MotionState& from, const MoveDynamics& d) {
+  return from.position + from.velocity * std::abs(from.velocity) / (2 * d.deceleration);
+}
+
+Bounds towards(const MotionState& from, double target, const MoveDynamics& d, double velocity) {
+  Bounds bounds = within(velocity, d.acceleration, d.jerk);
+  (target >= stopping_point(from, d) ? bounds.acceleration_min : bounds.acceleration_max) =
+      target >= stopping_point(from, d) ? -d.deceleration : d.deceleration;
+  return bounds;
+}
+
+/// Until an axis accelerates no more its velocity changes by a^2 / (2j). A jerk that is too low for
+/// that to stay within the limit, or for a stop not to turn round, is raised, at most to that of a
+/// stop: the axis's limits go first.
+double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& config) {
+  const auto& [p, v, a] = from;
+  const double along = std::copysign(v, v * a);  // > 0: it speeds up
+  const bool braking = goal.kind == Goal::Kind::rest && along < 0;
+  const double room = braking ? -along : std::max(*config.limits.velocity - along, 0.0);
+  const double most = config.limits.jerk ? config.stop_jerk : Bounds::none;
+  if (a == 0) return goal.dynamics.jerk;
+  return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
+}
+
+/// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
+/// the lesser of both where it turns round.
+double change_of_velocity(double from, double to, const MoveDynamics& d) {
+  if (from * to < 0) return std::min(d.acceleration, d.deceleration);
+  return std::abs(to) > std::abs(from) ? d.acceleration : d.deceleration;
+}
+
+}  // namespace
+
+std::optional<Refusal> fill(MoveDynamics& d, const AxisConfig& config) noexcept {
+  const Limits& most = config.limits;
+  return fill(d, *most.velocity, *most.acceleration, *most.acceleration,
+              most.jerk.value_or(Bounds::none));
+}
+
+std::optional<Refusal> fill_stop(MoveDynamics& d, const AxisConfig& config) noexcept {
+  return fill(d, *config.limits.velocity, config.stop_acceleration, config.stop_acceleration,
+              config.limits.jerk ? config.stop_jerk : Bounds::none);
+}
+
+std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
+                            const AxisConfig& config) noexcept {
+  MoveDynamics d = goal.dynamics;
+  d.jerk = jerk_for(from, goal, config);
+  const double most = *config.limits.velocity;
+  if (goal.kind == Goal::Kind::position && factor > 0) {
+    Bounds bounds = towards(from, goal.value, d, std::min(d.velocity * factor, most));
+    keep_range(bounds, from.position, config.limits);
+    const Move move = move_to(from, {goal.value, 0, 0}, bounds);
+    return move ? std::optional(move.profile) : std::nullopt;
+  }
+  const double velocity =
+      goal.kind == Goal::Kind::velocity ? std::clamp(goal.value * factor, -most, most) : 0;
+  const Move move = move_velocity(
+      from, velocity, within(Bounds::none, change_of_velocity(from.velocity, velocity, d), d.jerk));
+  return move ? std::optional(move.profile) : std::nullopt;
+}
+
+std::optional<double> target_of(double position, Direction direction, const MotionState& from,
+                                const MoveDynamics& d, const AxisConfig& config) noexcept {
+  if (config.modulo == 0) return position;
+  // Beyond that modulo_target() could not count the turns.
+  if (!(std::abs(from.position) < 0x1p50 * config.modulo)) return std::nullopt;
+  const Bounds bounds = within(d.velocity, std::min(d.acceleration, d.deceleration), d.jerk);
+  const ModuloTarget target = modulo_target(from, position, direction, config.modulo, bounds);
+  if (target.status != MoveStatus::ok) return std::nullopt;
+  return target.position;
+}
+
+}  // namespace jounce

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/cause.hpp"
+#include "jounce/axis/command.hpp"
+#include "jounce/profiles/move.hpp"
+
+namespace jounce {
+
+/// What a planned move is to come to, and how: the moves of PLCopen as one noun.
+struct Goal {
+  enum class Kind : std::uint8_t {
+    rest,      ///< MC_Stop, MC_Halt
+    position,  ///< MC_MoveAbsolute, Relative, Additive
+    velocity,  ///< MC_MoveVelocity, and what CamOut and GearOut leave
+  };
+  Kind kind = Kind::rest;
+  double value = 0;            ///< u (of a modulo axis not reduced), or u/s, signed
+  MoveDynamics dynamics = {};  ///< as within_limits() leaves it
+};
+
+/// Fills in what is 0 with the limits of the axis (an infinite jerk where it has none), in place.
+/// What is negative, not finite or beyond a limit is refused (PMC600 errors 201, 226, 301).
+std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
+
+/// As `fill`, with the limits of a stop: its deceleration and jerk may be what the axis stops with.
+std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
+
+/// The move to the goal from any state, at `factor` times its velocity (0: to rest); the fastest
+/// that keeps the dynamics and the position range. Nothing where there is none. While it slows down
+/// it does so with `deceleration`; an axis that has to turn round brakes with `acceleration`.
+///
+///     Goal goal{Goal::Kind::position, 6000, dynamics};
+///     if (const auto profile = plan(now, goal, 1, config)) ...
+std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
+                            const AxisConfig& config) noexcept;
+
+/// Where a move to `position` goes on this axis: there, or on a modulo axis the way asked for from
+/// the state it is in. Nothing where there is no such way.
+std::optional<double> target_of(double position, Direction direction, const MotionState& from,
+                                const MoveDynamics& dynamics, const AxisConfig& config) noexcept;
+
+}  // namespace jounce

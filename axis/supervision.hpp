@@ -1,0 +1,42 @@
+#pragma once
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/cause.hpp"
+#include "jounce/axis/inputs.hpp"
+
+namespace jounce {
+
+/// The windows of an axis around its setpoint: the following error's (Googol GT_SetPosErr, Agito
+/// MaxPosErr, HMPL GetPosErr) and that of the position reached (GT_SetAxisBand, InTargetTol). A
+/// step each tick; a drive that does not tell its position breaks nothing and is in no window.
+///
+///     Supervision windows;
+///     const bool lost = windows.too_far(set - actual, dt, config);
+///     const bool there = windows.settled(set - actual, at_rest, dt, config);
+class Supervision {
+ public:
+  /// Whether |error| has been above `following_error` for more than `following_time`.
+  bool too_far(double error, double dt, const AxisConfig& config) noexcept;
+  /// Whether the axis is at rest and |error| has been within `in_position` for `in_position_time`;
+  /// cleared at once on violation or motion.
+  bool settled(double error, bool at_rest, double dt, const AxisConfig& config) noexcept;
+  void reset() noexcept { *this = {}; }
+
+ private:
+  double outside_ = 0;  // s
+  double inside_ = 0;   // s
+};
+
+/// What the drive and the watchdog say of an axis that is enabled: a fault, or none.
+Cause check_inputs(const Inputs& inputs) noexcept;
+
+/// What the axis does about a fault.
+enum class Reaction : std::uint8_t {
+  freeze,        ///< the setpoint stays where it is, at once
+  brake,         ///< a stop by a move of its own from the last good setpoint
+  stop_on_path,  ///< a stop on the path where there is one, else as brake
+  power_off,     ///< frozen, and the drive is told to let go
+};
+Reaction reaction_to(Cause fault) noexcept;
+
+}  // namespace jounce

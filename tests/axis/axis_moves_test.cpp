@@ -1,0 +1,291 @@
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+
+#include "axis/tables.hpp"
+
+// The moves of PLCopen by the examples of the PMC600 manual, volume 4 (1.2 and 5.2.2, 5.2.4).
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+const AxisConfig pulses{.limits = limits(1e5, 1e6)};
+const MoveDynamics brisk{.velocity = 3000, .acceleration = 10'000, .deceleration = 10'000};
+
+struct Moves : Bench {
+  explicit Moves(const AxisConfig& config = pulses) : Bench(config) { tell(Kind::enable); }
+
+  Tick move(Kind kind, double position, const MoveDynamics& dynamics = brisk) {
+    const Tick now = step({.kind = kind, .position = position, .dynamics = dynamics});
+    EXPECT_FALSE(now.refused) << now.refused->text();
+    return now;
+  }
+  /// Steps to the end of the motion, keeping every tick.
+  const Tick& finish() {
+    do ticks.push_back(step());
+    while (ticks.back().state != State::standstill && ticks.size() < 100'000);
+    return ticks.back();
+  }
+  /// Steps until this holds.
+  template <class Condition>
+  Tick until(Condition condition) {
+    do ticks.push_back(step());
+    while (!condition(ticks.back()) && ticks.size() < 100'000);
+    return ticks.back();
+  }
+  std::vector<Tick> ticks;
+};
+
+Cause refusal(const Tick& tick) {
+  return tick.refused ? tick.refused->cause : Cause::none;
+}
+
+// 1.2, Fig. 1.4 and 1.5: of two commands the last one wins. Here they are a tick apart.
+TEST(AxisMoves, TheLastCommandWins) {
+  Moves same;
+  same.move(Kind::move_absolute, 1000);
+  same.move(Kind::move_absolute, 2234);
+  EXPECT_EQ(same.finish().position, 2234);
+  Moves different;
+  different.move(Kind::move_velocity, 1);
+  different.move(Kind::move_absolute, -5000);
+  EXPECT_EQ(different.finish().position, -5000);
+}
+
+// Fig. 5.6: after Done; and in the constant phase of the first, which is then never stopped at.
+TEST(AxisMoves, Figure56AbsoluteAfterAbsolute) {
+  Moves after;
+  after.move(Kind::move_absolute, 6000);
+  EXPECT_EQ(after.finish().position, 6000);
+  EXPECT_EQ(after.ticks.back().finished, 1U);
+  after.move(Kind::move_absolute, 10'000);
+  EXPECT_EQ(after.finish().position, 10'000);
+
+  Moves instead;
+  instead.move(Kind::move_absolute, 6000);
+  instead.until([](const Tick& t) { return t.velocity == 3000; });
+  EXPECT_EQ(instead.move(Kind::move_absolute, 10'000).reason, Cause::replaced);
+  while (instead.ticks.back().position < 9000) {
+    instead.ticks.push_back(instead.step());
+    ASSERT_NEAR(instead.ticks.back().velocity, 3000, 1e-9);
+  }
+  EXPECT_EQ(instead.finish().position, 10'000);
+  EXPECT_EQ(instead.ticks.back().finished, 1U);
+}
+
+// Fig. 5.7: the second relative move counts from where the first was interrupted.
+TEST(AxisMoves, Figure57RelativeAfterRelative) {
+  Moves after;
+  after.move(Kind::move_relative, 6000);
+  after.finish();
+  after.move(Kind::move_relative, 4000);
+  EXPECT_EQ(after.finish().position, 10'000);
+
+  Moves instead;
+  instead.move(Kind::move_relative, 6000, {.velocity = 2500, .acceleration = 10'000});
+  const Tick at = instead.until([](const Tick& t) { return t.position >= 3250; });
+  instead.move(Kind::move_relative, 4000);
+  EXPECT_DOUBLE_EQ(instead.finish().position, at.position + 4000);
+  EXPECT_NEAR(at.position, 3250, 2.5);  // a tick's way
+}
+
+// Fig. 5.8: from 3000 to 2000, once the first is in velocity and before it is.
+TEST(AxisMoves, Figure58VelocityAfterVelocity) {
+  for (const double when : {3000.0, 2500.0}) {
+    Moves moves;
+    EXPECT_EQ(moves.move(Kind::move_velocity, 1).state, State::continuous_motion);
+    moves.until([&](const Tick& t) { return t.velocity >= when; });
+    moves.move(Kind::move_velocity, 1, {.velocity = 2000, .deceleration = 10'000});
+    const Tick slow = moves.run(1000);
+    EXPECT_EQ(slow.velocity, 2000);
+    EXPECT_EQ(slow.state, State::continuous_motion);
+    const Tick later = moves.run(5000);
+    EXPECT_NEAR(later.position - slow.position, 10'000, 1e-8);
+  }
+}
+
+// Fig. 5.9: nothing interrupts a stop.
+TEST(AxisMoves, Figure59StopLocks) {
+  Moves moves;
+  moves.move(Kind::move_velocity, 1);
+  moves.run(1000);
+  Tick tick = moves.step({.kind = Kind::stop, .dynamics = {.deceleration = 10'000}});
+  EXPECT_EQ(tick.state, State::stopping);
+  for (const Kind kind : {Kind::move_absolute, Kind::move_velocity, Kind::halt, Kind::hold})
+    EXPECT_EQ(refusal(moves.tell(kind)), Cause::stopping);
+  EXPECT_NEAR(moves.until([](const Tick& t) { return t.velocity == 0; }).velocity, 0, 1e-12);
+  tick = moves.step();
+  EXPECT_EQ(tick.state, State::standstill);
+  EXPECT_EQ(tick.reason, Cause::stopped);
+  EXPECT_EQ(tick.stopped, 1U);
+}
+
+// Fig. 5.10: a halt may be interrupted before zero; the axis speeds up from there.
+TEST(AxisMoves, Figure510HaltMayBeInterrupted) {
+  Moves moves;
+  moves.move(Kind::move_velocity, 1);
+  moves.run(1000);
+  moves.step({.kind = Kind::halt, .dynamics = {.deceleration = 10'000}});
+  const Tick slow = moves.until([](const Tick& t) { return t.velocity < 1500; });
+  EXPECT_GT(slow.velocity, 0);
+  EXPECT_GT(moves.move(Kind::move_velocity, 1).velocity, slow.velocity);
+  EXPECT_EQ(moves.run(1000).velocity, 3000);
+  moves.tell(Kind::halt);
+  moves.run(1000);
+  const Tick rest = moves.step();
+  EXPECT_EQ(rest.state, State::standstill);
+  EXPECT_EQ(rest.reason, Cause::halted);
+}
+
+// Fig. 5.11: 6000 and an additive 4000, after Done and from 4000 on: both end at 10000.
+TEST(AxisMoves, Figure511AdditiveKeepsTheTarget) {
+  Moves after;
+  after.move(Kind::move_absolute, 6000);
+  after.finish();
+  after.move(Kind::move_additive, 4000);
+  EXPECT_EQ(after.finish().position, 10'000);
+  Moves during;
+  during.move(Kind::move_absolute, 6000);
+  during.until([](const Tick& t) { return t.position >= 4000; });
+  during.move(Kind::move_additive, 4000);
+  EXPECT_EQ(during.finish().position, 10'000);
+  // After a velocity command: the distance, then rest.
+  Moves velocity;
+  velocity.move(Kind::move_velocity, 1);
+  const double from = velocity.run(1000).position;
+  velocity.move(Kind::move_additive, 4000);
+  EXPECT_DOUBLE_EQ(velocity.finish().position, from + 4000);
+}
+
+// Fig. 5.12: a superimposed move leaves the one below alone; the velocities add up meanwhile.
+TEST(AxisMoves, Figure512SuperimposedAddsUp) {
+  const MoveDynamics above{.velocity = 500, .acceleration = 5000, .deceleration = 5000};
+  Moves moves;
+  moves.move(Kind::move_relative, 6000);
+  moves.until([](const Tick& t) { return t.velocity == 3000; });
+  EXPECT_EQ(moves.move(Kind::move_superimposed, 1000, above).state, State::discrete_motion);
+  EXPECT_EQ(moves.run(500).velocity, 3500);
+  EXPECT_NEAR(moves.finish().position, 7000, 1e-9);
+  EXPECT_EQ(moves.ticks.back().reason, Cause::none);
+
+  // Begun late it outlasts the other one, and runs on alone at its own velocity.
+  Moves late;
+  late.move(Kind::move_relative, 6000);
+  late.until([](const Tick& t) { return t.position > 5700; });
+  late.move(Kind::move_superimposed, 1000, above);
+  const Tick alone = late.until([](const Tick& t) { return t.velocity <= 500; });
+  EXPECT_EQ(alone.state, State::discrete_motion);
+  EXPECT_NEAR(late.run(500).velocity, 500, 1e-9);
+  EXPECT_NEAR(late.finish().position, 7000, 1e-9);
+}
+
+// Fig. 5.16: 50000 at 10000 with 1e5; at 2 s to 100000 at 20000 with 2e5: at 19500 then, and at the
+// target after 6.0875 s.
+TEST(AxisMoves, Figure516ChangesTargetAndVelocity) {
+  Moves moves;
+  moves.move(Kind::move_absolute, 50'000,
+             {.velocity = 10'000, .acceleration = 1e5, .deceleration = 1e5});
+  const std::int64_t start = moves.tick;
+  EXPECT_NEAR(moves.run(2000).position, 19'500, 1e-8);
+  moves.move(Kind::move_absolute, 100'000,
+             {.velocity = 20'000, .acceleration = 2e5, .deceleration = 2e5});
+  EXPECT_EQ(moves.finish().position, 100'000);
+  EXPECT_EQ(moves.tick - start, 6088);  // the first tick after it
+}
+
+// Fig. 5.17: +10000, at 2 s -20000: it turns round.
+TEST(AxisMoves, Figure517TurnsRound) {
+  Moves moves;
+  const MoveDynamics forth{.velocity = 10'000, .acceleration = 1e5, .deceleration = 1e5};
+  const MoveDynamics back{.velocity = 20'000, .acceleration = 1e5, .deceleration = 1e5};
+  moves.move(Kind::move_velocity, 1, forth);
+  EXPECT_EQ(moves.run(2000).velocity, 10'000);
+  moves.move(Kind::move_velocity, -1, back);
+  EXPECT_EQ(moves.run(301).velocity, -20'000);
+}
+
+TEST(AxisMoves, ZeroIsTheLimitAndBeyondItIsRefused) {
+  Moves moves;
+  moves.move(Kind::move_velocity, -1, {});
+  EXPECT_EQ(moves.run(200).velocity, -1e5);
+  const auto refused = [&](const MoveDynamics& d, double to = 1) {
+    return refusal(moves.step({.kind = Kind::move_absolute, .position = to, .dynamics = d}));
+  };
+  EXPECT_EQ(refused({.velocity = 1.1e5}), Cause::velocity_limit);
+  EXPECT_EQ(refused({.acceleration = 1.1e6}), Cause::acceleration_limit);
+  EXPECT_EQ(refused({.deceleration = 1.1e6}), Cause::acceleration_limit);
+  EXPECT_EQ(refused({.velocity = -1}), Cause::no_value);
+  EXPECT_EQ(refused({.jerk = NAN}), Cause::no_value);
+  EXPECT_EQ(refused({}, NAN), Cause::no_value);
+  EXPECT_EQ(moves.step().velocity, -1e5) << "refused commands change nothing";
+}
+
+TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {
+  Moves moves;
+  moves.move(Kind::move_absolute, 10'000);
+  moves.run(1000);
+  moves.step({.kind = Kind::override_, .factor = 0.5});
+  EXPECT_EQ(moves.run(500).velocity, 1500);
+  moves.tell(Kind::hold);
+  Tick held = moves.run(500);
+  EXPECT_EQ(held.velocity, 0);
+  EXPECT_EQ(held.state, State::discrete_motion);
+  EXPECT_EQ(moves.run(500).position, held.position);
+  moves.tell(Kind::resume);
+  EXPECT_EQ(moves.run(500).velocity, 1500);
+  moves.step({.kind = Kind::override_, .factor = 1});
+  EXPECT_EQ(moves.finish().position, 10'000);
+  EXPECT_EQ(moves.ticks.back().finished, 1U);
+  EXPECT_EQ(refusal(moves.step({.kind = Kind::override_, .factor = 2.01})), Cause::no_value);
+}
+
+TEST(AxisMoves, AModuloAxisGoesTheWayThatIsAskedFor) {
+  AxisConfig config{.limits = limits(720, 7200), .modulo = 360};
+  const auto end = [&](double from, double to, Direction direction) {
+    config.position = from;
+    Moves moves(config);
+    moves.step({.kind = Kind::move_absolute, .position = to, .direction = direction});
+    return moves.finish().position;
+  };
+  EXPECT_NEAR(end(350, 10, Direction::shortest), 370, 1e-9);
+  EXPECT_NEAR(end(350, 10, Direction::negative), 10, 1e-9);
+  EXPECT_NEAR(end(10, 350, Direction::positive), 350, 1e-9);
+  EXPECT_NEAR(end(10, 350, Direction::shortest), -10, 1e-9);
+}
+
+TEST(AxisMoves, AMoveTakesOverFromATableWithoutALeap) {
+  Job job(1, trapezoid_table(50, 10, 20, 20));
+  Bench bench({.limits = limits(10, 20)});
+  bench.tell(Kind::enable);
+  bench.arm(job);
+  bench.tell(Kind::start);
+  Tick last = bench.run(250);  // 5 u/s, 20 u/s^2
+  Tick tick = bench.step({.kind = Kind::move_absolute, .position = -1});
+  EXPECT_EQ(tick.handed_back[0], &job);
+  while (tick.state == State::discrete_motion) {
+    ASSERT_LE(std::abs(tick.velocity - last.velocity), 0.02 * (1 + 1e-9));
+    ASSERT_NEAR(tick.position - last.position, (tick.velocity + last.velocity) / 2e3, 1e-5);
+    last = tick;
+    tick = bench.step();
+  }
+  EXPECT_EQ(tick.position, -1);
+}
+
+TEST(AxisMoves, TargetsBeyondTheRangeAreRefused) {
+  AxisConfig config = pulses;
+  config.limits.position_max = 5000;
+  Moves moves(config);
+  const Tick tick = moves.step({.kind = Kind::move_absolute, .position = 5001});
+  EXPECT_EQ(refusal(tick), Cause::position_limit);
+  EXPECT_EQ(tick.refused->limit, 5000);
+  moves.move(Kind::move_absolute, 5000);
+  EXPECT_EQ(moves.finish().position, 5000);
+}
+
+}  // namespace
+}  // namespace jounce

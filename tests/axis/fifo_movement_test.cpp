@@ -1,0 +1,405 @@
+#include "jounce/axis/fifo_movement.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/gear/follow.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/googol_pt.hpp"
+
+#include "axis/live.hpp"
+#include "axis/tables.hpp"
+#include "gear/follow_tables.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using googol::push;
+
+Bench moving(FifoPath& path, const AxisConfig& config) {
+  Bench bench(config);
+  bench.tell(Kind::enable);
+  EXPECT_FALSE(bench.step({.kind = Kind::arm, .movement = &path}).refused);
+  EXPECT_FALSE(bench.tell(Kind::start).refused);
+  return bench;
+}
+
+const AxisConfig fast{.limits = limits(1e5, 1e9)};
+
+// Googol manual 7.4, example 7-3: increments 1024/2048/1024 pulses of 1024 ms each.
+TEST(FifoPath, PlaysExample73) {
+  const std::vector<PtPoint> points{{1.024, 1024}, {2.048, 3072}, {3.072, 4096}};
+  FifoPath path(3, {.stream = false});
+  for (const PtPoint& p : points) ASSERT_EQ(push(path.fifos(), 0, p), RowRule::none);
+  Bench bench = moving(path, {.limits = limits(2000.001, 1954)});
+  const Trajectory whole = pt<OverTime>(points);
+  for (int k = 1; k < 3072; ++k) {
+    const Tick now = bench.step();
+    ASSERT_EQ(now.state, State::discrete_motion);
+    const Jet expected = whole.jet(k * 1e-3);
+    ASSERT_NEAR(now.position, expected[0], 1e-11) << k;
+    ASSERT_NEAR(now.velocity, expected[1], 1e-9) << k;
+    if (k == 1024) {
+      EXPECT_NEAR(now.velocity, 2000, 1e-9) << "notes: end velocities 2, 2, 0 pulse/ms";
+    }
+  }
+  const Tick end = bench.step();
+  EXPECT_EQ(end.position, 4096);
+  EXPECT_EQ(end.state, State::standstill);
+  EXPECT_EQ(end.finished, 1U);
+  EXPECT_EQ(path.fifos().passes(), 1);
+}
+
+TEST(FifoPath, TablesAreKeptAndPlayedAgainInLoops) {
+  FifoPath path(3, {.stream = false, .loops = 3});
+  for (const int fifo : {0, 1})
+    for (const PtPoint& p : {PtPoint{0.128, 64}, {0.256, 0, PtType::stop}})
+      ASSERT_EQ(push(path.fifos(), fifo, p), RowRule::none);
+  Bench bench = moving(path, {.limits = limits(1001, 1.1e6)});
+  bench.run(700);
+  EXPECT_EQ(path.fifos().passes(), 2);
+  EXPECT_FALSE(path.fifos().clear(0)) << "in use";
+  EXPECT_TRUE(path.fifos().clear(1)) << "the idle one, while moving";
+  Tick now = bench.run(68);
+  EXPECT_EQ(now.state, State::standstill);
+  EXPECT_EQ(now.position, 0);
+  path.fifos().set_loops(0);
+  bench.step({.kind = Kind::arm, .movement = &path});
+  bench.tell(Kind::start);
+  now = bench.run(100 * 256 + 64);
+  EXPECT_NEAR(now.position, 16, 1e-9);
+  EXPECT_EQ(now.state, State::discrete_motion);
+  EXPECT_EQ(path.fifos().passes(), 100);
+}
+
+/// Example 7-4: v = 50 sin(2 pi t), 16 ms steps, trapezoid rule, a STOP in the last 8 ms of each of
+/// two loops; the manual's pi. Here in s.
+std::vector<PtPoint> example_7_4() {
+  const double pi = 3.1415926;
+  std::vector<PtPoint> points;
+  for (int loop = 1; loop <= 2; ++loop) {
+    double position = 0;
+    double before = 0;
+    for (int k = 1; k * 16 < 1000; ++k) {
+      const double v = 50 * std::sin(2 * pi * k * 0.016);
+      position += (before + v) * 8;
+      before = v;
+      points.push_back({(1000.0 * (loop - 1) + 16 * k) / 1000, position});
+    }
+    points.push_back({1.0 * loop, 0, PtType::stop});
+  }
+  return points;
+}
+
+// 126 segments through 2 x 32 slots: push while there is space, start when there is none, refill.
+TEST(FifoPath, PlaysExample74ThroughTwoFifosOf32) {
+  const auto points = example_7_4();
+  const auto rows = rows_of(points);
+  ASSERT_EQ(rows.size(), 126U);
+  FifoPath path(4, {.each = 32});
+  std::size_t pushed = 0;
+  const auto refill = [&] {
+    const std::size_t before = pushed;
+    while (pushed < rows.size() && path.fifos().push(0, rows[pushed]) == RowRule::none) ++pushed;
+    return pushed - before;
+  };
+  EXPECT_EQ(refill(), 64U) << "both are full";
+  EXPECT_EQ(path.fifos().push(0, rows[pushed]), RowRule::full);
+  Bench bench = moving(path, {.limits = limits(50100, 1e7)});
+  const Trajectory whole = pt<OverTime>(points);
+  std::vector<std::size_t> refills;
+  Tick now;
+  for (int k = 1; k < 2000; ++k) {
+    now = bench.step();
+    ASSERT_EQ(now.state, State::discrete_motion) << k << " " << name(now.fault);
+    ASSERT_NEAR(now.position, whole.jet(k * 1e-3)[0], 1e-9) << k;
+    if (k == 240) {
+      EXPECT_NEAR(now.position, 7451.79, 5e-3) << "notes: the 15th segment's end";
+      EXPECT_NEAR(now.velocity, 49901.3, 5e-2);
+    }
+    if (k == 496) {
+      EXPECT_NEAR(now.position, 15899.5772, 5e-5) << "notes: the greatest";
+    }
+    if (const std::size_t n = refill(); n > 0) refills.push_back(n);
+  }
+  EXPECT_EQ(refills, (std::vector<std::size_t>{32, 30})) << "space comes back in blocks of a FIFO";
+  now = bench.step();
+  EXPECT_EQ(now.state, State::standstill);
+  EXPECT_EQ(now.position, 0);
+}
+
+TEST(FifoPath, IsTheTableToTheLastBit) {
+  const TablePtr table = trapezoid_table(50, 10, 20, 20);
+  FifoPath path(1, {.each = 2, .from = start_of(*table)});
+  for (const SegmentRow& row : rows_of(*table)) ASSERT_EQ(path.fifos().push(0, row), RowRule::none);
+  Bench bench = moving(path, {.limits = limits(10, 20)});
+  for (int k = 1; k < 5500; ++k) {
+    const Tick now = bench.step();
+    const Jet expected = table->jet(k * 1e6 / 1e9);
+    ASSERT_EQ(now.position, expected[0]) << k;
+    ASSERT_EQ(now.velocity, expected[1]) << k;
+    ASSERT_EQ(now.acceleration, expected[2]) << k;
+  }
+}
+
+/// Straight on at 10 u/s, in rows of 0.1 s, after a second of speeding up.
+std::vector<SegmentRow> straight(int rows) {
+  std::vector<SegmentRow> all{{.x_end = 1, .p_end = 5, .v_start = 0}};
+  for (int i = 1; i < rows; ++i)
+    all.push_back(
+        {.x_end = 1 + 0.1 * i, .p_end = 5.0 + i, .v_start = 10, .v_end = 10, .degree = 3});
+  return all;
+}
+
+TEST(FifoPath, SaysHowMuchIsKnownAndThatMoreIsToCome) {
+  FifoPath path(1, {.each = 100, .limits = row_limits({.limits = limits(10, 20)})});
+  for (const SegmentRow& row : straight(11)) ASSERT_EQ(path.fifos().push(0, row), RowRule::none);
+  EXPECT_EQ(path.known(), 2);
+  EXPECT_TRUE(path.growing());
+  EXPECT_NEAR(path.peaks().velocity, 10, 1e-12);
+  EXPECT_EQ(path.peaks().acceleration, 20) << "the limit: more is to come";
+  ASSERT_EQ(path.begin({7, 0, 0}, {}), Cause::none);
+  EXPECT_EQ(path.at({1, 1e-3, {}}).slave[0], 12);
+  EXPECT_EQ(path.progress(), Progress::running);
+  EXPECT_EQ(path.known(), 2);
+  EXPECT_EQ(path.fifos().push(0, {.x_end = 3, .p_end = 10, .v_end = 0, .last = true}),
+            RowRule::velocity_step)
+      << "it would begin at -10";
+  EXPECT_EQ(path.fifos().push(0, {.x_end = 3, .p_end = 20, .v_end = 0, .last = true}),
+            RowRule::none);
+  EXPECT_FALSE(path.growing());
+  EXPECT_EQ(path.at({3, 1e-3, {}}).slave[0], 27);
+  EXPECT_EQ(path.progress(), Progress::done);
+}
+
+// The axis stops on the path, within its limits, on what is known; and goes on when more is.
+TEST(FifoPath, ThatStarvesIsStoppedOnItsPathAndResumes) {
+  const AxisConfig config{.limits = limits(10, 20)};
+  FifoPath path(1, {.each = 100, .limits = row_limits(config)});
+  const auto rows = straight(21);
+  for (std::size_t i = 0; i < 11; ++i) ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+  Bench bench = moving(path, config);
+  Tick now;
+  const auto run = [&](int ticks) {
+    for (int k = 0; k < ticks; ++k) {
+      const double before = now.velocity;
+      now = bench.step();
+      ASSERT_LE(std::abs(now.velocity - before), 0.04 + 1e-9) << now.tick;
+      ASSERT_LE(std::abs(now.velocity), 10 + 1e-9);
+    }
+  };
+  run(3000);
+  EXPECT_EQ(now.fault, Cause::underrun);
+  EXPECT_EQ(now.velocity, 0);
+  EXPECT_LT(now.position, 15) << "what was known";
+  EXPECT_GT(now.position, 10);
+  for (std::size_t i = 11; i < rows.size(); ++i)
+    ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+  ASSERT_EQ(path.fifos().push(0, {.x_end = 4, .p_end = 30, .v_end = 0, .last = true}),
+            RowRule::none);
+  EXPECT_FALSE(bench.tell(Kind::reset).refused);
+  EXPECT_FALSE(bench.tell(Kind::resume).refused);
+  run(5000);
+  EXPECT_EQ(now.state, State::standstill);
+  EXPECT_NEAR(now.position, 30, 1e-12);
+  EXPECT_EQ(now.fault, Cause::none);
+}
+
+TEST(FifoPath, ThatRunsDryKeepsItsLastSetpoint) {
+  FifoPath path(1, {.each = 100});
+  for (const SegmentRow& row : straight(2)) path.fifos().push(0, row);
+  ASSERT_EQ(path.begin({0, 0, 0}, {}), Cause::none);
+  EXPECT_NEAR(path.at({1.1, 1e-3, {}}).slave[1], 10, 1e-12) << "to the very end of what is known";
+  EXPECT_EQ(path.progress(), Progress::running);
+  const Setpoint last = path.at({1.101, 1e-3, {}});
+  EXPECT_EQ(path.progress(), Progress::broken);
+  EXPECT_EQ(path.cause(), Cause::underrun);
+  EXPECT_EQ(last.slave[0], 6);
+}
+
+TEST(FifoPath, RefusesWhatCannotBegin) {
+  const auto refused = [](FifoPath& path, const MotionState& axis) {
+    const auto refusal = path.admit(fast, axis);
+    return refusal ? refusal->cause : Cause::none;
+  };
+  FifoPath empty(1, {});
+  EXPECT_EQ(refused(empty, {}), Cause::no_movement);
+  EXPECT_EQ(empty.begin({}, {}), Cause::no_movement);
+  FifoPath path(1, {.from = RowStart{0, 3}});
+  path.fifos().push(0, {.x_end = 1, .p_end = 3, .degree = 1});
+  EXPECT_EQ(refused(path, {3, 0, 0}), Cause::none);
+  EXPECT_EQ(refused(path, {3.1, 0, 0}), Cause::start_position);
+  EXPECT_EQ(path.begin({3.1, 0, 0}, {}), Cause::start_position);
+  EXPECT_EQ(refused(path, {3, 2e6, 0}), Cause::start_velocity);
+  path.fifos().push(0, {.x_end = 2, .p_end = 3e6, .degree = 1});
+  EXPECT_EQ(refused(path, {3, 0, 0}), Cause::velocity_limit);
+  EXPECT_THROW(FifoPath(1, {.each = 0}), InputError);
+  EXPECT_THROW(FifoPath(1, {.from = RowStart{NAN, 0}}), InputError);
+}
+
+// ---- follow --------------------------------------------------------------------------------------
+
+/// Ramps of the master by `acceleration` to `velocity`, from 0; then steady.
+std::function<Jet(double)> speeding_up(double velocity, double acceleration) {
+  return [=](double t) -> Jet {
+    const double T = velocity / acceleration;
+    if (t < T) return {acceleration * t * t / 2, acceleration * t, acceleration, 0};
+    return {velocity * (t - T / 2), velocity, 0, 0};
+  };
+}
+
+// Fig. 7-13: the event at master 1000, a ramp to ratio 1 by 1500, the sync point at 2250.
+TEST(FifoFollow, PlaysFig713) {
+  FifoFollow follow(1, {.stream = false}, {.event = {FollowEvent::pass, 1000}});
+  push(follow.fifos(), 0, {500, 250});
+  push(follow.fifos(), 0, {1250, 1000});
+  Follower slave{follow, steady(500)};  // pulse/s: 0.5 a tick
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  EXPECT_EQ(slave.run(2000).slave[0], 0) << "stands on it, and has not left it";
+  EXPECT_EQ(follow.progress(), Progress::waiting);
+  slave.step();
+  EXPECT_EQ(follow.progress(), Progress::running);
+  EXPECT_NEAR(slave.run(999).slave[0], 250, 1e-9) << "at master 1500: stated";
+  EXPECT_NEAR(slave.run(1).slave[1], 500, 1e-9) << "ratio 1";
+  EXPECT_NEAR(slave.run(1498).slave[0], 999.5, 1e-9) << "at master 2249.5";
+  EXPECT_NEAR(slave.run(1).slave[0], 999.5, 1e-9);
+  EXPECT_EQ(follow.progress(), Progress::broken) << "the table ends at ratio 1, at speed";
+  EXPECT_EQ(follow.cause(), Cause::underrun);
+}
+
+// Example 7-7: PASS at 50000 of a master that speeds up by 1 pulse/ms^2 to 50 pulse/ms.
+TEST(FifoFollow, PlaysExample77) {
+  FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0},
+                    {.event = {FollowEvent::pass, 50000}});
+  const FollowTable table = testing::example_7_7();
+  for (const PtPoint& p : table.segments) push(follow.fifos(), 0, p);
+  const auto master = speeding_up(50e3, 1e6);
+  Follower slave{follow, master};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  const Cam exact = ::jounce::follow(FollowSpec{{table}}).cam;
+  EXPECT_EQ(slave.run(1024).slave[0], 0);
+  EXPECT_EQ(follow.progress(), Progress::waiting);
+  double peak = 0;
+  for (int k = 1025; k < 1025 + 5 * 1200; ++k) {
+    const Setpoint now = slave.step();
+    const double gone = master(k * 1e-3)[0] - 50000;  // trigger: 1025 ms
+    ASSERT_NEAR(now.slave[0], gone > 0 ? exact.jet(gone)[0] : 0, 1e-6) << k;
+    peak = std::max(peak, now.slave[1]);
+  }
+  EXPECT_NEAR(peak, 50e3, 1e-6) << "notes: peak 50 pulse/ms";
+  EXPECT_NEAR(slave.step().slave[0], 5 * 40000, 1e-6) << "notes: 40000 pulses each 1200 ms";
+}
+
+// Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle for ever.
+TEST(FifoFollow, PlaysExample76) {
+  FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
+  push(follow.fifos(), 0, {5000, 2500});
+  const FollowTable cycle = testing::shear_cycle();
+  for (const PtPoint& p : cycle.segments) push(follow.fifos(), 1, p);
+  Follower slave{follow, steady(10000)};
+  ASSERT_EQ(slave.begin({100, 0, 0}), Cause::none);
+  ASSERT_TRUE(follow.fifos().queue_switch());
+  const Cam exact = ::jounce::follow(FollowSpec{{{{{5000, 2500}}}, cycle}}).cam;
+  for (int k = 1; k < 1500; ++k) {
+    const Setpoint now = slave.step();
+    ASSERT_NEAR(now.slave[0], 100 + exact.jet(10.0 * k)[0], 1e-9) << k;
+  }
+  EXPECT_EQ(follow.fifos().space(0), 16U) << "switched";
+  EXPECT_NEAR(slave.run(1).slave[1], 10000, 1e-6) << "notes: from ratio 1 to ratio 1";
+  EXPECT_NEAR(slave.run(500).slave[1], 6000, 1e-6) << "0.6 in the middle of the cycle";
+  EXPECT_NEAR(slave.run(7 * 1000).slave[1], 6000, 1e-6) << "in every cycle";
+}
+
+// Example 7-8: 802 segments in dynamic memory.
+TEST(FifoFollow, PlaysExample78) {
+  FifoFollow follow(1, {.each = 1000, .stream = false, .total = 1000});
+  const FollowTable table = testing::example_7_8();
+  for (const PtPoint& p : table.segments) ASSERT_EQ(push(follow.fifos(), 0, p), RowRule::none);
+  EXPECT_EQ(follow.fifos().space(1), 198U) << "of 1000 in both";
+  const Cam exact = ::jounce::follow({{table}}).cam;
+  Follower slave{follow, steady(50e3)};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  for (int k = 1; k < 2400; ++k) {
+    const Setpoint now = slave.step();
+    ASSERT_NEAR(now.slave[0], exact.jet(50.0 * k)[0], 1e-9) << k;
+    if (50 * k > 20000 && 50 * k < 100000) {
+      ASSERT_NEAR(now.slave[1], 50e3, 1e-6) << "ratio 1";
+    }
+  }
+  EXPECT_NEAR(slave.step().slave[0], 100000, 1e-9);
+  EXPECT_EQ(follow.progress(), Progress::done);
+}
+
+// Example 7-9: the old table for ever; bridge; the new table, from 0.6 to 0.6.
+TEST(FifoFollow, PlaysExample79) {
+  FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
+  for (const PtPoint& p : testing::old_7_9().segments) push(follow.fifos(), 0, p);
+  Follower slave{follow, steady(50e3)};  // 50 pulse/ms: 1200 ms a pass
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  slave.run(1400);
+  for (const PtPoint& p : testing::bridge_7_9().segments) push(follow.fifos(), 1, p);
+  EXPECT_FALSE(follow.fifos().clear(0));
+  ASSERT_TRUE(follow.fifos().queue_switch());
+  EXPECT_EQ(push(follow.fifos(), 0, {1e6, 0}), RowRule::in_use) << "it is about to be emptied";
+  EXPECT_FALSE(follow.fifos().clear(1)) << "it is what comes next";
+  EXPECT_NEAR(slave.run(1000).slave[0], 80000, 1e-9) << "two passes, to the end";
+  slave.run(1);
+  EXPECT_EQ(follow.fifos().space(0), 16U) << "how users see the switch";
+  for (const PtPoint& p : testing::new_7_9().segments) push(follow.fifos(), 0, p);
+  ASSERT_TRUE(follow.fifos().queue_switch());
+  slave.run(1198);
+  double least = 1e9;
+  double most = 0;
+  for (int k = 0; k < 3 * 1200; ++k) {
+    const Jet now = slave.step().slave;
+    least = std::min(least, now[1]);
+    most = std::max(most, now[1]);
+  }
+  EXPECT_NEAR(least, 30e3, 150) << "notes: oscillates between 30 and 50 pulse/ms";
+  EXPECT_NEAR(most, 50e3, 1e-6);
+  EXPECT_NEAR(slave.run(1).slave[0], 80000 + 46000 + 3 * 52000, 1e-6);
+}
+
+TEST(FifoFollow, ALostMasterBreaksIt) {
+  for (const double nowhere : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    FifoFollow follow(1, {.stream = false, .loops = 0});
+    push(follow.fifos(), 0, {100, 50, PtType::even});
+    double master = 0;
+    Follower slave{follow, [&](double) { return Jet{master, 1000, 0, 0}; }};
+    ASSERT_EQ(slave.begin({7, 0, 0}), Cause::none);
+    master = 1;
+    EXPECT_EQ(slave.step().slave[0], 7.5);
+    master = nowhere;
+    EXPECT_EQ(slave.step().slave[0], 7.5);
+    EXPECT_EQ(follow.progress(), Progress::broken);
+    EXPECT_EQ(follow.cause(), Cause::master_lost);
+    EXPECT_EQ(slave.begin({7, 0, 0}), Cause::no_master_input);
+  }
+}
+
+// What is played depends on the number that the axis is told, not on when a row came.
+TEST(FifoPath, RowsOfAGreaterNumberAreNotThereYet) {
+  FifoPath path(1, {.each = 4});
+  SegmentFifos& fifos = path.fifos();
+  path.see(0);
+  fifos.stamp(1);
+  ASSERT_EQ(fifos.push(0, {.x_end = 1, .p_end = 1, .degree = 1}), RowRule::none);
+  EXPECT_EQ(path.begin({}, {}), Cause::no_movement);
+  path.see(1);
+  ASSERT_EQ(path.begin({}, {}), Cause::none);
+  EXPECT_EQ(path.known(), 1);
+  fifos.stamp(2);
+  ASSERT_EQ(fifos.push(0, {.x_end = 2, .p_end = 2, .degree = 1, .last = true}), RowRule::none);
+  EXPECT_EQ(path.known(), 1);
+  EXPECT_TRUE(path.growing());
+  path.see(2);
+  EXPECT_EQ(path.known(), 2);
+  EXPECT_FALSE(path.growing());
+}
+
+}  // namespace
+}  // namespace jounce

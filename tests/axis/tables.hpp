@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/job.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce::test {
+
+using TablePtr = std::shared_ptr<const Table>;
+
+inline TablePtr table(Axis axis, Rule rule, Outside outside, Columns columns) {
+  return std::make_shared<const Table>(axis, rule, outside, std::move(columns));
+}
+
+/// PMC600 manual Fig. 6.14: 360 by 232 pulses, quintics, periodic.
+inline TablePtr pmc600_cam() {
+  return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+               {{0, 75, 200, 280, 360},
+                {0, 100, 225, 100, 0},
+                {0, 1, 1, 0.01739120485, 0},
+                {0, 0, 0, 0, 0}});
+}
+
+/// A master at constant velocity.
+inline TablePtr constant_master(double distance, double velocity) {
+  return table(Axis::time, Rule::linear, Outside::hold,
+               {{0, distance / velocity}, {0, distance}, {}, {}});
+}
+
+/// The trapezoid from rest to rest, exactly: cubics hold its parabolas.
+inline TablePtr trapezoid_table(double distance, double v, double a, double d,
+                                Outside outside = Outside::hold) {
+  const double ta = v / a;
+  const double td = v / d;
+  const double tc = (distance - v * (ta + td) / 2) / v;
+  return table(Axis::time, Rule::cubic_hermite, outside,
+               {{0, ta, ta + tc, ta + tc + td},
+                {0, v * ta / 2, v * ta / 2 + v * tc, distance},
+                {0, v, v, 0},
+                {}});
+}
+
+/// There and back by the 3-4-5 polynomial, `reach` in T/2 each way.
+inline TablePtr there_and_back(double from, double reach, double T, Outside outside) {
+  return table(Axis::time, Rule::quintic_hermite, outside,
+               {{0, T / 2, T}, {from, from + reach, from}, {0, 0, 0}, {0, 0, 0}});
+}
+
+inline Limits limits(double velocity, double acceleration) {
+  Limits limits;
+  limits.velocity = velocity;
+  limits.acceleration = acceleration;
+  return limits;
+}
+
+inline Limits limits(double velocity, double acceleration, double jerk) {
+  Limits with_jerk = limits(velocity, acceleration);
+  with_jerk.jerk = jerk;
+  return with_jerk;
+}
+
+/// An axis with its tick counter.
+struct Bench {
+  explicit Bench(const AxisConfig& config, const AxisSwitches& switches = {})
+      : axis(config, switches) {}
+
+  Tick step(const Command& command = {}, const Inputs& inputs = {}) {
+    return axis.step(++tick, command, inputs);
+  }
+  Tick tell(Command::Kind kind) { return step({.kind = kind}); }
+  Tick arm(Job& job) { return step({.kind = Command::Kind::arm, .movement = &job}); }
+  Tick run(std::int64_t ticks) {
+    Tick last;
+    for (std::int64_t i = 0; i < ticks; ++i) last = step();
+    return last;
+  }
+
+  MotionAxis axis;
+  std::int64_t tick = -1;
+};
+
+using Kind = Command::Kind;
+
+}  // namespace jounce::test
