@@ -7,7 +7,7 @@
 #include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "tables.hpp"
+#include "axis/tables.hpp"
 
 namespace jounce {
 namespace {
