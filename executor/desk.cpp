@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <utility>
 #include <variant>
 
-#include "jounce/axis/live_cam.hpp"
 #include "jounce/executor/events.hpp"
 #include "jounce/executor/orders.hpp"
 #include "jounce/executor/recorder.hpp"
@@ -43,10 +41,11 @@ Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t 
       mail_(*post.mail[axis]),
       vitals_(post.vitals),
       worker_(worker),
+      outbox_(mail_),
       queues_(mail_.rows, recorded_rows()) {
   if (options_.log) log_.emplace(*options_.log, options_.units);
-  if (options_.enable) order({.kind = Kind::enable});
-  flush();
+  if (options_.enable) outbox_.order({.kind = Kind::enable});
+  outbox_.flush();
 }
 
 void Desk::turn() {
@@ -56,14 +55,14 @@ void Desk::turn() {
   take_answers();
   take_ticks();  // the later: the tick of every answer is there to be taken
   queues_.report(last_, receiver_);
-  flush();
+  outbox_.flush();
 }
 
 void Desk::retire() {
   retired_ = true;
   clear_outbox();
-  order({.kind = Kind::stop});
-  flush();
+  outbox_.order({.kind = Kind::stop});
+  outbox_.flush();
 }
 
 void Desk::close() {
@@ -99,34 +98,6 @@ double Desk::next_rest() const {
                                      : playing->second.made.last.value_or(last_.position);
 }
 
-/// The tables as a movement; none where they do not make one.
-Desk::Made Desk::make(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
-                      double position) {
-  const double tick = static_cast<double>(period) * 1e-9;
-  try {
-    if (arm.mode == wire::ArmMode::follow_input) {
-      const RecordedJob job{.id = id, .live = true, .tick = tick, .coupling = arm.coupling};
-      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling),
-              .source = Source{job, arm.slave}};
-    }
-    auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
-                                                  arm.coupling, position)
-                          : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
-    Made made{.movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
-    made.source = Source{{.id = id, .tick = tick}, arm.master.value_or(arm.slave)};
-    if (arm.master) {
-      made.source->cam = arm.slave;
-      made.source->job.coupling = arm.coupling;
-      made.source->job.position = position;
-    }
-    return made;
-  } catch (const InputError&) {
-    return {};
-  } catch (const std::bad_alloc&) {
-    return {};
-  }
-}
-
 void Desk::handle(const ArmRequested& arm) {
   if (crowded(arm.session, arm.command)) return;
   if (const auto refusal = unfit(arm))
@@ -142,7 +113,7 @@ void Desk::build(const ArmRequested& arm) {
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
   auto now = [arm, id, period = options_.axis.period, position = next_rest()] {
-    return make(arm, id, period, position);
+    return made_of(arm, id, period, position);
   };
   if (knots > options_.build_apart)
     building_.emplace(Building{arm, worker_.ask(std::move(now))});
@@ -169,19 +140,19 @@ void Desk::arm(const Request& request, Made made, const Sha256& hash) {
     const MotionState at{.position = adopts ? *made.first : last_.position};
     if (const auto refusal = made.movement->admit(options_.axis, at))
       return answer(request, refusal);
-    order({.kind = Kind::reset});
+    outbox_.order({.kind = Kind::reset});
     if (last_.job != 0)
-      order({.kind = Kind::stop});  // what an underrun has left is not gone on with
+      outbox_.order({.kind = Kind::stop});  // what an underrun has left is not gone on with
   }
-  if (adopts && !moving()) order({.kind = Kind::set_position, .position = *made.first});
+  if (adopts && !moving()) outbox_.order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
-  order({.kind = Kind::arm, .movement = made.movement.get()}, request);
+  outbox_.order({.kind = Kind::arm, .movement = made.movement.get()}, request);
   const std::uint64_t id = made.movement->id();
   movements_[id] = {std::move(made), hash};
 }
 
 /// Before the axis is told of it.
-void Desk::record(const Source& source) {
+void Desk::record(const MadeFrom& source) {
   RecordedJob job = source.job;
   job.axis = axis_;
   options_.recorder->job(job, source.time, source.cam ? &*source.cam : nullptr);
@@ -190,17 +161,17 @@ void Desk::record(const Source& source) {
 void Desk::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
   motion_session_ = start.session;
-  order({.kind = Kind::start,
-         .start_at = static_cast<StartAt>(start.when),
-         .at = start.tick,
-         .position = start.position},
-        {start.session, start.command, Kind::start});
+  outbox_.order({.kind = Kind::start,
+                 .start_at = static_cast<StartAt>(start.when),
+                 .at = start.tick,
+                 .position = start.position},
+                {start.session, start.command, Kind::start});
 }
 
 void Desk::handle(const StopRequested& stop) {
   clear_outbox();
   const Kind kind = stop.mode == wire::StopMode::abort ? Kind::abort : Kind::stop;
-  order({.kind = kind}, {stop.session, stop.command, kind});
+  outbox_.order({.kind = kind}, {stop.session, stop.command, kind});
 }
 
 void Desk::handle(const SessionEnded& ended) {
@@ -212,7 +183,7 @@ void Desk::handle(const SessionEnded& ended) {
   const bool its_motion = ended.session == motion_session_;
   const bool stops = silent && its_motion && options_.stop_when_silent;
   const Kind kind = stops ? Kind::stop : Kind::disarm;
-  if (outbox_.empty() || outbox_.back().kind != kind) order({.kind = kind});
+  if (outbox_.last() != kind) outbox_.order({.kind = kind});
 }
 
 void Desk::handle(const OrderRequested& requested) {
@@ -226,14 +197,14 @@ void Desk::handle(const OrderRequested& requested) {
     return decline(requested, "this executor obeys orders at once, not at a tick");
   if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (moves(request.kind)) motion_session_ = requested.session;
-  if (command) return order(*command, request);
+  if (command) return outbox_.order(*command, request);
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});
   try {
     const std::uint64_t id = ++numbers_;
     Made gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
     record_gear(requested, id);
-    order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
+    outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
     decline(requested, error.what());
@@ -270,7 +241,7 @@ void Desk::handle_queue_order(const OrderRequested& requested) {
 
 /// Refused where more waits than any streamer needs: the axis takes one command a tick.
 bool Desk::crowded(std::int64_t session, std::int32_t command) {
-  if (outbox_.size() < most_waiting) return false;
+  if (!outbox_.full()) return false;
   receiver_.refuse(session, command, "more commands wait already than the axis takes",
                    static_cast<std::int32_t>(Cause::no_value));
   return true;
@@ -305,21 +276,9 @@ void Desk::handle(const RowsArrived& arrived) {
   queues_.take(arrived, receiver_);
 }
 
-/// A stop goes ahead of whatever has not reached the axis yet, and makes it void; but not what ends
-/// more than it does.
 void Desk::clear_outbox() {
   drop_builds();
-  std::deque<Command> kept;
-  for (const Command& command : outbox_) {
-    const bool again = !kept.empty() && kept.back().kind == command.kind;
-    if ((command.kind == Kind::abort || command.kind == Kind::disable) && !again) {
-      kept.push_back(command);
-      continue;
-    }
-    if (command.movement != nullptr) movements_.erase(command.movement->id());
-    unanswered_.erase(command.id);
-  }
-  outbox_ = std::move(kept);
+  for (const std::uint64_t movement : outbox_.clear()) movements_.erase(movement);
 }
 
 void Desk::drop_builds() {
@@ -329,32 +288,10 @@ void Desk::drop_builds() {
 
 // ---- the axis ----------------------------------------------------------------------------------
 
-void Desk::order(Command command) {
-  command.id = ++numbers_;
-  outbox_.push_back(command);
-}
-
-/// An order that somebody waits for.
-void Desk::order(const Command& command, const Request& request) {
-  order(command);
-  unanswered_[numbers_] = request;
-}
-
-void Desk::flush() {
-  for (; !outbox_.empty() && under_way_ < Mail::most_commands; outbox_.pop_front()) {
-    mail_.commands.push(outbox_.front());
-    ++under_way_;
-  }
-}
-
 void Desk::take_answers() {
-  for (Answer from_axis; mail_.answers.pop(from_axis);) {
-    if (from_axis.id != 0) --under_way_;
-    if (const auto it = unanswered_.find(from_axis.id); it != unanswered_.end()) {
-      answer(it->second, from_axis.refused);
-      unanswered_.erase(it);
-    }
-    for (const Movement* movement : from_axis.handed_back) {
+  while (const auto reply = outbox_.take_answer()) {
+    if (reply->request) answer(*reply->request, reply->refused);
+    for (const Movement* movement : reply->handed_back) {
       if (movement == nullptr) continue;
       queues_.handed_back(movement->id());
       movements_.erase(movement->id());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -12,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/job.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/log.hpp"
+#include "jounce/executor/made.hpp"
+#include "jounce/executor/outbox.hpp"
 #include "jounce/executor/queues.hpp"
-#include "jounce/executor/record.hpp"
 #include "jounce/executor/worker.hpp"
 #include "jounce/stream/receiver.hpp"
 
@@ -65,7 +64,7 @@ class Desk {
   [[nodiscard]] const Tick& last() const { return last_; }
   [[nodiscard]] bool moving() const { return in_motion(last_); }
   /// At rest, and no command is on its way that could change that.
-  [[nodiscard]] bool settled() const { return !moving() && outbox_.empty() && under_way_ == 0; }
+  [[nodiscard]] bool settled() const { return !moving() && outbox_.idle(); }
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
   /// The log ended before the run did.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
@@ -75,26 +74,7 @@ class Desk {
   [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
  private:
-  static constexpr std::size_t most_waiting = 64;  // commands, for the axis
-
-  struct Request {
-    std::int64_t session = 0;
-    std::int32_t command = 0;
-    Command::Kind kind = Command::Kind::none;
-  };
-  /// What a job was made from, for the record.
-  struct Source {
-    RecordedJob job;
-    StoredTable time;
-    std::optional<StoredTable> cam = {};
-  };
-  /// A movement as it was made of tables, with where it begins and ends, u, if that is known.
-  struct Made {
-    std::shared_ptr<Movement> movement = {};
-    std::optional<double> first = {};
-    std::optional<double> last = {};
-    std::optional<Source> source = {};
-  };
+  using Request = Outbox::Request;
   struct Kept {
     Made made;
     Sha256 hash{};
@@ -118,20 +98,16 @@ class Desk {
   void decline(const OrderRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
   void record_gear(const OrderRequested& requested, std::uint64_t id);
-  static Made make(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
   void build(const ArmRequested& arm);
   void take_built();
   void arm(const Request& request, Made made, const Sha256& hash);
-  void record(const Source& source);
+  void record(const MadeFrom& source);
   [[nodiscard]] Queues::Record recorded_rows() const;
   void drop_builds();
 
-  void order(Command command);
-  void order(const Command& command, const Request& request);
   void clear_outbox();
-  void flush();
   void take_answers();
   void answer(const Request& request, const std::optional<Refusal>& refused);
   void take_ticks();
@@ -146,16 +122,14 @@ class Desk {
   Vitals& vitals_;
   Worker& worker_;
   std::optional<TickLog> log_;
-  std::deque<Command> outbox_;
-  std::map<std::uint64_t, Request> unanswered_;  // by the command's number
-  std::map<std::uint64_t, Kept> movements_;      // by the movement's
+  Outbox outbox_;
+  std::map<std::uint64_t, Kept> movements_;  // by the movement's
   Queues queues_;
   std::vector<wire::Event> events_;
   std::int64_t event_count_ = 0;
   std::optional<Building> building_;      // one at a time
   std::optional<ArmRequested> next_arm_;  // came while another was built; the newest
-  std::uint64_t numbers_ = 0;
-  std::size_t under_way_ = 0;
+  std::uint64_t numbers_ = 0;             // of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;

@@ -1,0 +1,175 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "jounce/executor/record.hpp"
+#include "jounce/profiles/error.hpp"
+
+/// What the record's types of executor/lcm have in common with ours, one list of fields a type, for both
+/// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a function of one's own compares.
+namespace jounce::record_fields {
+
+/// f(name, ours, theirs) for every field.
+template <class Ours, class Theirs, class F>
+void each_input(Ours& c, Theirs& w, F f) {
+  f("id", c.command.id, w.id);
+  f("movement", c.movement, w.movement);
+  f("command", c.command.kind, w.command);
+  f("start_at", c.command.start_at, w.start_at);
+  f("at", c.command.at, w.at);
+  f("command_position", c.command.position, w.command_position);
+  f("relative", c.command.relative, w.relative);
+  f("factor", c.command.factor, w.factor);
+  f("move_velocity", c.command.dynamics.velocity, w.move_velocity);
+  f("move_acceleration", c.command.dynamics.acceleration, w.move_acceleration);
+  f("move_deceleration", c.command.dynamics.deceleration, w.move_deceleration);
+  f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
+  f("direction", c.command.direction, w.direction);
+  for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
+  f("drive_position", c.inputs.feedback.position, w.drive_position);
+  f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
+  f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
+  f("drive_ready", c.inputs.feedback.ready, w.drive_ready);
+  f("drive_fault", c.inputs.feedback.fault, w.drive_fault);
+  f("positive_switch", c.inputs.positive_switch, w.positive_switch);
+  f("negative_switch", c.inputs.negative_switch, w.negative_switch);
+  f("watchdog", c.inputs.watchdog, w.watchdog);
+  f("rows", c.inputs.rows, w.rows);
+}
+
+template <class TickOfOurs, class RefusalOfOurs, class Theirs, class F>
+void each_output(TickOfOurs& t, RefusalOfOurs& refused, Theirs& w, F f) {
+  f("tick", t.tick, w.tick);
+  f("time", t.time, w.time);
+  f("state", t.state, w.state);
+  f("position", t.position, w.position);
+  f("velocity", t.velocity, w.velocity);
+  f("acceleration", t.acceleration, w.acceleration);
+  f("master", t.master, w.master);
+  f("master_velocity", t.master_velocity, w.master_velocity);
+  f("job", t.job, w.job);
+  f("armed", t.armed, w.armed);
+  f("waiting", t.waiting, w.waiting);
+  f("progress", t.progress, w.progress);
+  f("fault", t.fault, w.fault);
+  f("skipped", t.skipped, w.skipped);
+  f("finished", t.finished, w.finished);
+  f("stopped", t.stopped, w.stopped);
+  f("reason", t.reason, w.reason);
+  f("override", t.override_, w.override_factor);
+  f("rate", t.rate, w.rate);
+  f("power", t.power, w.power);
+  f("offset", t.offset, w.offset);
+  f("actual_position", t.actual_position, w.actual_position);
+  f("following_error", t.following_error, w.following_error);
+  f("torque", t.torque, w.torque);
+  f("in_position", t.in_position, w.in_position);
+  f("outputs", t.switches.outputs, w.outputs);
+  f("refused", refused.cause, w.refused);
+  f("refused_value", refused.value, w.refused_value);
+  f("refused_limit", refused.limit, w.refused_limit);
+  f("refused_where", refused.where, w.refused_where);
+}
+
+template <class Ours, class Theirs, class F>
+void each_number(Ours& c, Theirs& w, F f) {
+  f("period", c.period, w.period);
+  f("longest_gap", c.longest_gap, w.longest_gap);
+  f("position", c.position, w.position);
+  f("position_min", c.limits.position_min, w.position_min);
+  f("position_max", c.limits.position_max, w.position_max);
+  f("velocity", c.limits.velocity, w.velocity);
+  f("acceleration", c.limits.acceleration, w.acceleration);
+  f("jerk", c.limits.jerk, w.jerk);
+  f("stop_acceleration", c.stop_acceleration, w.stop_acceleration);
+  f("stop_jerk", c.stop_jerk, w.stop_jerk);
+  f("abort_acceleration", c.abort_acceleration, w.abort_acceleration);
+  f("limit_acceleration", c.limit_acceleration, w.limit_acceleration);
+  f("modulo", c.modulo, w.modulo);
+  f("following_error", c.following_error, w.following_error);
+  f("following_time", c.following_time, w.following_time);
+  f("in_position", c.in_position, w.in_position);
+  f("in_position_time", c.in_position_time, w.in_position_time);
+}
+
+template <class Ours, class Theirs, class F>
+void each_coupling(Ours& c, Theirs& w, F f) {
+  f("start", c.start, w.start);
+  f("master_absolute", c.master_absolute, w.master_absolute);
+  f("slave_absolute", c.slave_absolute, w.slave_absolute);
+  f("master_scaling", c.master_scaling, w.master_scaling);
+  f("master_offset", c.master_offset, w.master_offset);
+  f("slave_scaling", c.slave_scaling, w.slave_scaling);
+  f("slave_offset", c.slave_offset, w.slave_offset);
+  f("velocity_diff", c.velocity_diff, w.velocity_diff);
+  f("acceleration", c.acceleration, w.acceleration);
+  f("deceleration", c.deceleration, w.deceleration);
+  f("jerk", c.jerk, w.jerk);
+  f("distance", c.distance, w.distance);
+  f("slave_period", c.slave_period, w.slave_period);
+  f("master_jump", c.master_jump, w.master_jump);
+}
+
+/// The enumerators that a record may hold.
+template <class Enum>
+constexpr int count_of = 0;
+template <>
+constexpr int count_of<State> = static_cast<int>(states);
+template <>
+constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
+template <>
+constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
+template <>
+constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
+template <>
+constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
+template <>
+constexpr int count_of<Cause> = 256;
+template <>
+constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
+template <>
+constexpr int count_of<Axis> = 2;
+template <>
+constexpr int count_of<Rule> = 3;
+template <>
+constexpr int count_of<Outside> = 4;
+template <>
+constexpr int count_of<wire::QueueMode> = 2;
+template <>
+constexpr int count_of<wire::QueueEvent> = 3;
+template <>
+constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::begin) + 1;
+template <>
+constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
+
+/// Ours to theirs.
+struct Put {
+  template <class Ours, class Theirs>
+  void operator()(const char* /*name*/, const Ours& ours, Theirs& theirs) const {
+    theirs = static_cast<Theirs>(ours);
+  }
+  void operator()(const char* /*name*/, const std::optional<double>& ours, double& theirs) const {
+    theirs = ours.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+/// Theirs to ours. Throws InputError(field, value, rule) for what no enumerator is.
+struct Get {
+  template <class Ours, class Theirs>
+  void operator()(const char* name, Ours& ours, const Theirs& theirs) const {
+    if constexpr (std::is_enum_v<Ours>)
+      if (theirs < (std::is_same_v<Ours, Direction> ? -1 : 0) || theirs >= count_of<Ours>)
+        throw InputError(name, std::to_string(theirs), "is no value of this field");
+    ours = static_cast<Ours>(theirs);
+  }
+  void operator()(const char* /*name*/, std::optional<double>& ours, double theirs) const {
+    ours.reset();
+    if (!std::isnan(theirs)) ours = theirs;
+  }
+};
+
+}  // namespace jounce::record_fields
