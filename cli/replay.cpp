@@ -73,11 +73,12 @@ Figure figure_of(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
       figure.title +=
           std::string(": ") + name(ticks[i].fault) + " at tick " + std::to_string(ticks[i].tick);
     }
-  figure.panels = {{.y_label = "position [" + u + "]", .series = {set, actual}},
-                   {.y_label = "velocity [" + u + "/s]", .series = {velocity}}};
   const auto told = [](const Series& s) {
     return std::any_of(s.y.begin(), s.y.end(), [](double y) { return y == y; });
   };
+  figure.panels = {{.y_label = "position [" + u + "]", .series = {set}},
+                   {.y_label = "velocity [" + u + "/s]", .series = {velocity}}};
+  if (told(actual)) figure.panels[0].series.push_back(actual);
   if (told(error))
     figure.panels.push_back({.y_label = "following error [" + u + "]", .series = {error}});
   if (told(torque)) figure.panels.push_back({.y_label = "torque [rated]", .series = {torque}});

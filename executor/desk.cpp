@@ -113,7 +113,7 @@ void Desk::build(const ArmRequested& arm) {
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
   auto now = [arm, id, period = options_.axis.period, position = next_rest()] {
-    return made_of(arm, id, period, position);
+    return movement_of(arm, id, period, position);
   };
   if (knots > options_.build_apart)
     building_.emplace(Building{arm, worker_.ask(std::move(now))});
@@ -126,13 +126,13 @@ void Desk::take_built() {
   if (!building_ || building_->made.wait_for(0s) != std::future_status::ready) return;
   Building built = std::move(*building_);
   building_.reset();
-  Made made = built.made.get();
+  MadeMovement made = built.made.get();
   const Request request{built.arm.session, built.arm.command, Kind::arm};
   if (!built.void_) arm(request, std::move(made), built.arm.slave.hash);
   if (const auto next = std::exchange(next_arm_, std::nullopt)) build(*next);
 }
 
-void Desk::arm(const Request& request, Made made, const Sha256& hash) {
+void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash) {
   if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
   const bool adopts = options_.adopt_start && made.first.has_value();
   if (last_.fault != Cause::none && request.session != fault_session_) {
@@ -202,7 +202,7 @@ void Desk::handle(const OrderRequested& requested) {
     return answer(request, Refusal{.cause = Cause::no_master_input});
   try {
     const std::uint64_t id = ++numbers_;
-    Made gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
+    MadeMovement gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
     record_gear(requested, id);
     outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
     movements_[id] = {std::move(gear), {}};

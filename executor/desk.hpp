@@ -13,7 +13,7 @@
 
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/log.hpp"
-#include "jounce/executor/made.hpp"
+#include "jounce/executor/made_movement.hpp"
 #include "jounce/executor/outbox.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/worker.hpp"
@@ -76,12 +76,12 @@ class Desk {
  private:
   using Request = Outbox::Request;
   struct Kept {
-    Made made;
+    MadeMovement made;
     Sha256 hash{};
   };
   struct Building {
     ArmRequested arm;
-    std::future<Made> made;
+    std::future<MadeMovement> made;
     bool void_ = false;  // a stop came, or the session's end: nobody wants it any more
   };
 
@@ -102,7 +102,7 @@ class Desk {
   [[nodiscard]] double next_rest() const;
   void build(const ArmRequested& arm);
   void take_built();
-  void arm(const Request& request, Made made, const Sha256& hash);
+  void arm(const Request& request, MadeMovement made, const Sha256& hash);
   void record(const MadeFrom& source);
   [[nodiscard]] Queues::Record recorded_rows() const;
   void drop_builds();

@@ -39,6 +39,7 @@ ordered_json facts(const wire::Status& s) {
           {"outputs", s.outputs},
           {"late", s.late_ticks},
           {"lateness", s.lateness},
+          {"computing", s.computing},
           {"finished", s.finished},
           {"stopped", s.stopped}};
 }

@@ -28,9 +28,9 @@ def move_to(position):
     press("move")
 
 
-def inked():
-    """Whether the plot of the position has pixels in the line's colour."""
-    return """(() => { const c = document.querySelector('canvas');
+def inked(canvas="canvas"):
+    """Whether a plot, that of the position, has pixels in the line's colour."""
+    return f"(() => {{ const c = document.querySelector('{canvas}');" + """
       const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
       let n = 0;
       for (let i = 0; i < d.length; i += 4) n += d[i + 3] > 128 && d[i + 2] - d[i] > 80;
@@ -47,6 +47,9 @@ def test():
     assert not browser.run("document.querySelector('[data-is=fault]').checkVisibility()")
     shows("motions", "1 done, 0 stopped")
     browser.wait_for(inked())
+    browser.wait_for(inked("canvas[data-bins=computing]"))
+    told = "document.querySelector('[data-cycle=computing]').textContent"
+    assert browser.run(f"/^computed: half within [0-9]+ µs, 99.9 % within .* µs$/.test({told})")
     press("disable", yes=False)
     shows("state", "standstill")
     slider = "document.querySelector('[data-is=slider]')"

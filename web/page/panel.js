@@ -179,9 +179,54 @@ function draw(canvas, samples, column) {
   ink.stroke();
 }
 
+/// The upper end of the bin, in us, in which this share of all is reached; bin k ends at 2^k us.
+function within(counts, share) {
+  const all = counts.reduce((sum, n) => sum + n, 0);
+  let seen = 0;
+  const bin = counts.findIndex((n) => (seen += n) >= share * all);
+  return bin === counts.length - 1 ? `over ${2 ** (bin - 1)}` : 2 ** bin;
+}
+
+/// One cycle for all axes: any of them tells it.
+function showCycle(axis) {
+  const section = document.getElementById('cycle');
+  section.hidden = !axis || axis.heard === null;
+  if (section.hidden) return;
+  const part = (name) => section.querySelector(`[data-cycle=${name}]`);
+  part('facts').textContent = `every ${number(axis.cycle_ms, 'ms')}, ${axis.late} late by a period or more`;
+  for (const [name, what] of [['lateness', 'woken late'], ['computing', 'computed']]) {
+    part(name).textContent = `${what}: half within ${within(axis[name], 0.5)} µs, 99.9 % within ${within(axis[name], 0.999)} µs`;
+    section.querySelector(`canvas[data-bins=${name}]`).counts = axis[name];
+  }
+}
+
+/// Bars of a histogram; heights by the logarithm, so that one cycle in a million is seen.
+function drawBins(canvas) {
+  const counts = canvas.counts, box = canvas.getBoundingClientRect(), scale = devicePixelRatio || 1;
+  if (!counts || box.width === 0) return;
+  canvas.width = box.width * scale;
+  canvas.height = box.height * scale;
+  const ink = canvas.getContext('2d'), css = getComputedStyle(document.documentElement);
+  ink.scale(scale, scale);
+  ink.font = '11px system-ui,sans-serif';
+  const bottom = box.height - 18, wide = box.width / counts.length;
+  const most = Math.log10(1 + Math.max(10, ...counts));
+  ink.textBaseline = 'top';
+  ink.textAlign = 'right';
+  counts.forEach((n, bin) => {
+    ink.fillStyle = css.getPropertyValue('--one');
+    const high = Math.log10(1 + n) / most * (bottom - 6);
+    ink.fillRect(bin * wide + 1, bottom - high, wide - 2, high);
+    ink.fillStyle = css.getPropertyValue('--soft');
+    if (bin % 3 === 0) ink.fillText(bin === counts.length - 1 ? 'more' : bin < 10 ? `${2 ** bin} µs` : `${Math.round(2 ** bin / 1000)} ms`, Math.max(26, (bin + 1) * wide), bottom + 4);
+  });
+  ink.fillRect(0, bottom, box.width, 1);
+}
+
 function paint() {
+  for (const canvas of document.querySelectorAll('canvas[data-bins]')) drawBins(canvas);
   for (const view of axes.values())
-    for (const canvas of view.element.querySelectorAll('canvas'))
+    for (const canvas of view.element.querySelectorAll('canvas[data-plot]'))
       draw(canvas, view.samples, Number(canvas.dataset.plot));
   dirty = false;
 }
@@ -196,6 +241,8 @@ events.onerror = () => {
   for (const view of axes.values()) view.element.classList.add('silent');
 };
 events.onmessage = (event) => {
-  for (const axis of JSON.parse(event.data).axes) show(axis);
+  const told = JSON.parse(event.data).axes;
+  told.forEach(show);
+  showCycle(told.find((axis) => axis.heard !== null));
   if (!dirty) { dirty = true; requestAnimationFrame(paint); }
 };

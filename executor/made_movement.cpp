@@ -1,4 +1,4 @@
-#include "jounce/executor/made.hpp"
+#include "jounce/executor/made_movement.hpp"
 
 #include <new>
 
@@ -8,7 +8,8 @@
 
 namespace jounce {
 
-Made made_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position) {
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
+                         double position) {
   const double tick = static_cast<double>(period) * 1e-9;
   try {
     if (arm.mode == wire::ArmMode::follow_input) {
@@ -19,7 +20,8 @@ Made made_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period, dou
     auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
                                                   arm.coupling, position)
                           : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
-    Made made{.movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
+    MadeMovement made{
+        .movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
     made.source = MadeFrom{{.id = id, .tick = tick}, arm.master.value_or(arm.slave)};
     if (arm.master) {
       made.source->cam = arm.slave;

@@ -18,7 +18,7 @@ struct MadeFrom {
 };
 
 /// A movement as it was made of tables, with where it begins and ends, u, if that is known.
-struct Made {
+struct MadeMovement {
   std::shared_ptr<Movement> movement = {};
   std::optional<double> first = {};
   std::optional<double> last = {};
@@ -27,6 +27,7 @@ struct Made {
 
 /// The movement that an arm asks for, for an axis with this period, ns, that stands at `position`, u, when
 /// it begins; none where the tables do not make one. Takes as long as the tables are large.
-Made made_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period, double position);
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
+                         double position);
 
 }  // namespace jounce
