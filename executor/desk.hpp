@@ -64,7 +64,9 @@ class Desk {
   [[nodiscard]] const Tick& last() const { return last_; }
   [[nodiscard]] bool moving() const { return in_motion(last_); }
   /// At rest, and no command is on its way that could change that.
-  [[nodiscard]] bool settled() const { return !moving() && outbox_.idle(); }
+  [[nodiscard]] bool settled() const { return !moving() && !busy(); }
+  /// A command is on its way, whose answer comes with one of the next cycles.
+  [[nodiscard]] bool busy() const { return !outbox_.idle(); }
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
   /// The log ended before the run did.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }

@@ -26,6 +26,7 @@ std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
 Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
                        Clock clock)
     : vitals_(post.vitals),
+      a_while_(axes.front().axis.period / 4),
       clock_(clock),
       pump_(link, receivers_of(axes), random_id(), std::move(clock)),
       recorder_(axes.front().recorder) {
@@ -41,12 +42,13 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
 
 void Dispatcher::turn(Nanos timeout) {
   vitals_.alive.fetch_add(1, std::memory_order_relaxed);
-  pump_.run(timeout);
+  pump_.run(busy() ? std::min(timeout, a_while_) : timeout);
   for (std::size_t i = 0; i < desks_.size(); ++i) {
     desks_[i].turn();
     for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
     if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
   }
+  pump_.answer();  // what the axes have just said: who waits for it loses no turn
   if (recorder_ != nullptr) recorder_->turn();
 }
 
@@ -71,6 +73,10 @@ bool Dispatcher::settled() const {
 
 bool Dispatcher::owned() const {
   return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.owned(); });
+}
+
+bool Dispatcher::busy() const {
+  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.busy(); });
 }
 
 /// At once, and again with the next status: one of the two may be lost on its way.

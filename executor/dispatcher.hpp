@@ -40,10 +40,12 @@ class Dispatcher {
   [[nodiscard]] bool owned() const;    ///< any of them
 
  private:
+  [[nodiscard]] bool busy() const;
   void publish(std::size_t axis);
   void announce(const wire::Event& event, std::size_t axis);
 
   Vitals& vitals_;
+  Nanos a_while_;  // a part of a cycle: the longest wait while an axis's answer is due
   Clock clock_;
   ReceiverPump pump_;
   std::deque<Desk> desks_;

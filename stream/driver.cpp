@@ -183,6 +183,10 @@ ReceiverPump::ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& 
 
 void ReceiverPump::run(Nanos timeout) {
   drain(link_, timeout, key_, rejects_, [&](const wire::Message& message) { take(message); });
+  answer();
+}
+
+void ReceiverPump::answer() {
   for (Receiver& receiver : receivers_)
     for (const auto& message : receiver.poll(clock_())) send_message(link_, message, key_);
 }

@@ -107,6 +107,8 @@ class ReceiverPump {
   /// Takes in what waits, waiting for the first at most `timeout`, and sends the answers. Takes as
   /// long as hashing does when a table is complete: a second for some hundred megabytes.
   void run(Nanos timeout);
+  /// Sends the answers that there are by now.
+  void answer();
   /// Fills in boot and what was rejected.
   void publish(wire::Status status, std::size_t axis = 0);
   /// Fills in boot.

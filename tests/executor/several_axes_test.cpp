@@ -9,6 +9,7 @@
 #include "jounce/executor/events.hpp"
 #include "jounce/stream/driver.hpp"
 #include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/sender.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
@@ -129,7 +130,7 @@ TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
 }
 
 // Arm and start that have reached the axis's mail are a first tick of motion two cycles later.
-TEST(SeveralAxes, FromArmToTheFirstTickAreTwoCycles) {
+TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
   Site site;
   site.advance(10ms);
   Job job(77, there_and_back(0, 1, 1, Outside::hold));
@@ -143,6 +144,35 @@ TEST(SeveralAxes, FromArmToTheFirstTickAreTwoCycles) {
   }
   EXPECT_EQ(last.job, 77U);
   EXPECT_EQ(last.state, State::discrete_motion);
+}
+
+// The same from the wire on, where a message comes between two cycles: the arm goes out after one, its
+// answer and the start after the next, and the one after that is the first tick of motion.
+TEST(SeveralAxes, FromTheArmOnTheWireToTheFirstTickAreTwoCycles) {
+  Site site;
+  const StreamPlan plan{.executor = "knife",
+                        .tables = {{*there_and_back(0, 1, 1, Outside::hold), over_time}},
+                        .goal = StreamGoal::download};
+  Sender sender(plan, 4711);
+  Rejects rejects;
+  const auto talk = [&] {
+    while (const auto message = next_message(site.link, 0ns, rejects))
+      sender.receive(*message, site.clock());
+    for (const auto& message : sender.poll(site.clock())) send_message(site.link, message);
+    site.dispatcher.turn(0ns);
+  };
+  for (int turn = 0; turn < 100 && !sender.at_goal(); ++turn) talk();
+  ASSERT_TRUE(sender.at_goal()) << sender.outcome().reason;
+  sender.raise(StreamGoal::start);
+  std::int64_t asked = 0, tick = 0, moving = 0;
+  for (; moving == 0 && tick < 50; ++tick) {
+    talk();
+    site.cycle.once();
+    site.dispatcher.turn(0ns);
+    if (asked == 0) asked = site.dispatcher.last(1).tick;
+    if (site.dispatcher.last(1).job != 0) moving = site.dispatcher.last(1).tick;
+  }
+  EXPECT_EQ(moving - asked + 1, 2);
 }
 
 }  // namespace
