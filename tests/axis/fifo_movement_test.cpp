@@ -13,6 +13,7 @@
 #include "axis/live.hpp"
 #include "axis/tables.hpp"
 #include "gear/follow_tables.hpp"
+#include "support/googol_7_4.hpp"
 
 namespace jounce {
 namespace {
@@ -76,28 +77,9 @@ TEST(FifoPath, TablesAreKeptAndPlayedAgainInLoops) {
   EXPECT_EQ(path.fifos().passes(), 100);
 }
 
-/// Example 7-4: v = 50 sin(2 pi t), 16 ms steps, trapezoid rule, a STOP in the last 8 ms of each of
-/// two loops; the manual's pi. Here in s.
-std::vector<PtPoint> example_7_4() {
-  const double pi = 3.1415926;
-  std::vector<PtPoint> points;
-  for (int loop = 1; loop <= 2; ++loop) {
-    double position = 0;
-    double before = 0;
-    for (int k = 1; k * 16 < 1000; ++k) {
-      const double v = 50 * std::sin(2 * pi * k * 0.016);
-      position += (before + v) * 8;
-      before = v;
-      points.push_back({(1000.0 * (loop - 1) + 16 * k) / 1000, position});
-    }
-    points.push_back({1.0 * loop, 0, PtType::stop});
-  }
-  return points;
-}
-
 // 126 segments through 2 x 32 slots: push while there is space, start when there is none, refill.
 TEST(FifoPath, PlaysExample74ThroughTwoFifosOf32) {
-  const auto points = example_7_4();
+  const auto points = example_7_4(1000);
   const auto rows = rows_of(points);
   ASSERT_EQ(rows.size(), 126U);
   FifoPath path(4, {.each = 32});

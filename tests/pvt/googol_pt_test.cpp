@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/googol_7_4.hpp"
 #include "support/random.hpp"
 
 namespace jounce::googol {
@@ -13,27 +14,8 @@ namespace {
 
 using State = SegmentFifos::State;
 
-/// Example 7-4: v = 50 sin(2 pi t), 16 ms steps, trapezoid rule, a STOP at the end of each of two
-/// loops' last 8 ms; the manual's pi.
-std::vector<PtPoint> example_7_4() {
-  const double pi = 3.1415926;
-  std::vector<PtPoint> points;
-  for (int loop = 1; loop <= 2; ++loop) {
-    double position = 0;
-    double before = 0;
-    for (int k = 1; k * 16 < 1000; ++k) {
-      const double v = 50 * std::sin(2 * pi * k * 0.016);
-      position += (before + v) * 8;
-      before = v;
-      points.push_back({1000.0 * (loop - 1) + 16 * k, position});
-    }
-    points.push_back({1000.0 * loop, 0, PtType::stop});
-  }
-  return points;
-}
-
 TEST(GoogolPt, Example74IsTheNotesTable) {
-  const auto points = example_7_4();
+  const auto points = test::example_7_4(1);
   ASSERT_EQ(points.size(), 126U);
   EXPECT_NEAR(points[0].position, 40.1447, 5e-5);
   EXPECT_NEAR(points[14].position, 7451.79, 5e-3);
@@ -48,7 +30,7 @@ TEST(GoogolPt, Example74IsTheNotesTable) {
 
 /// The reference flow of 7-4: push while there is space, start when there is none, go on pushing.
 TEST(GoogolPt, Example74StreamsThroughTwoFifosToTheLastBit) {
-  const auto points = example_7_4();
+  const auto points = test::example_7_4(1);
   const Trajectory whole = pt<OverTime>(points);
   PtFifos axis;
   ASSERT_EQ(axis.prf_pt(PtMode::dynamic), Refusal::none);
@@ -77,7 +59,7 @@ TEST(GoogolPt, Example74StreamsThroughTwoFifosToTheLastBit) {
 }
 
 TEST(GoogolPt, AnUnderrunIsACutOff) {
-  const auto points = example_7_4();
+  const auto points = test::example_7_4(1);
   PtFifos axis;
   axis.prf_pt(PtMode::dynamic);
   for (std::size_t i = 0; i < 20; ++i) axis.pt_data(points[i], 0);
