@@ -1,6 +1,8 @@
 #include "jounce/validate/detail/exact_path.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,19 @@ std::vector<double> frequencies(const Segment& f) {
   for (int i = 0; i < f.sines; ++i)
     found.push_back(f.sine[static_cast<std::size_t>(i)].angle / f.length);
   return found;
+}
+
+/// How many of the times from the first on follow one another by `step`, as well as times can say.
+int equally_spaced(std::span<const double> times, double step, double end) {
+  const double first = times[0];
+  int count = 1;
+  for (; count < Ladder::block && static_cast<std::size_t>(count) < times.size(); ++count) {
+    const double t = times[static_cast<std::size_t>(count)];
+    const double slack = 1e-12 * step + 2 * std::numeric_limits<double>::epsilon() *
+                                            std::max(std::abs(t), std::abs(first));
+    if (!(t < end) || std::abs(t - first - count * step) > slack) break;
+  }
+  return count;
 }
 
 }  // namespace
@@ -57,40 +72,53 @@ void ExactPath::leave() {
   before_ = {r[0], r[1]};
 }
 
-Eigen::MatrixXd ExactPath::at(std::span<const double> times) {
-  Eigen::MatrixXd found(system_.outputs(), static_cast<Eigen::Index>(times.size()));
+void ExactPath::read(std::span<const double> times, double begin, double u, double* found) {
+  const auto count = static_cast<int>(times.size());
+  const auto outputs = static_cast<std::size_t>(system_.outputs());
+  ladder_->read_ahead(z_, count, ahead_.data());
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    std::copy_n(ahead_.data() + at * outputs, outputs, found + at * (outputs + 1));
+    const double here = i == 0 ? u : times[at] - begin;
+    found[at * (outputs + 1) + outputs] = value(*segment_, std::min(1.0, here / segment_->length));
+  }
+}
+
+ExactPath::Whole ExactPath::along(std::span<const double> times, Eigen::MatrixXd& found) {
+  Whole whole;
   const std::size_t count = reference_.segments().size();
   const auto breaks = reference_.breaks();
   std::size_t next = 0;
+  found.resize(system_.outputs() + 1, static_cast<Eigen::Index>(times.size()));
+  ahead_.resize(static_cast<std::size_t>(Ladder::block * system_.outputs()));
   begin();
-  for (std::size_t i = 0; i <= count && next < times.size(); ++i) {
+  for (std::size_t i = 0; i <= count; ++i) {
     enter(segment(i));
+    const bool rests = i == count;
+    if (rests) whole.state = z_.head(system_.states());
+    const double end = rests ? std::numeric_limits<double>::infinity() : breaks[i + 1];
+    double* square = rests ? nullptr : &whole.square;
     double u = 0;
-    for (; next < times.size() && (i == count || times[next] < breaks[i + 1]); ++next) {
-      u += ladder_->advance(z_, times[next] - breaks[i] - u);
-      ladder_->place(*segment_, i == count ? 0 : u, z_);
-      ladder_->read(z_, found.col(static_cast<Eigen::Index>(next)).data());
+    while (next < times.size() && times[next] < end) {
+      u += ladder_->advance(z_, times[next] - breaks[i] - u, square);
+      ladder_->place(*segment_, rests ? 0 : u, z_);
+      const int together = equally_spaced(times.subspan(next), ladder_->step(), end);
+      read(times.subspan(next, static_cast<std::size_t>(together)), breaks[i], rests ? 0 : u,
+           found.col(static_cast<Eigen::Index>(next)).data());
+      next += static_cast<std::size_t>(together);
     }
-    if (i == count) break;
-    ladder_->advance(z_, segment_->length - u);
+    if (rests) break;
+    ladder_->advance(z_, segment_->length - u, square);
+    ladder_->place(*segment_, segment_->length, z_);
+    whole.output = ladder_->outputs() * z_;
     leave();
   }
-  return found;
+  return whole;
 }
 
 ExactPath::Whole ExactPath::whole() {
-  Whole whole;
-  begin();
-  for (const Segment& f : reference_.segments()) {
-    enter(f);
-    ladder_->advance(z_, f.length, 0, whole.square);
-    ladder_->place(f, f.length, z_);
-    leave();
-  }
-  whole.output = ladder_->outputs() * z_;
-  enter(standstill_);
-  whole.state = z_.head(system_.states());
-  return whole;
+  Eigen::MatrixXd none;
+  return along({}, none);
 }
 
 }  // namespace jounce::detail

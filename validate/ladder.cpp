@@ -18,12 +18,16 @@
 //
 //     (6)  exp(M 2 h) = exp(M h)^2
 //
-// The integral of an output's square, q = a row of [C, D G], goes the same way (Van Loan, eq. 1.4):
+// The integral of two outputs' product, p and q being rows of [C, D G], goes the same way (Van Loan, eq. 1.4):
 //
-//     (7)  integral of (q z)^2 over t = z(0)' W(t) z(0)
+//     (7)  integral of (p z) (q z) over t = z(0)' W(t) z(0)
 //     (8)  W(2 t) = W(t) + exp(M t)' W(t) exp(M t)
 //     (9)  q exp(M u) z = sum of v_k (u / h)^k,  v_k = q (M h)^k z / k!,
-//          whose square integrates to  u sum of v_i v_j (u / h)^(i+j) / (i + j + 1)
+//          whose product with another integrates to  u sum of v_i w_j (u / h)^(i+j) / (i + j + 1)
+//
+// Outputs at equal steps s = h 2^j come of one product for all of a block, which doubles as well:
+//
+//     (10) O_1 = [C, D G],  O_2m = (O_m; O_m exp(M m s)),  (y(t), y(t + s), ..., y(t + (m - 1) s)) = O_m z(t)
 
 #include "jounce/validate/detail/ladder.hpp"
 
@@ -34,6 +38,7 @@
 #include <utility>
 
 #include "jounce/validate/detail/exponential.hpp"
+#include "jounce/validate/detail/small_product.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -67,19 +72,14 @@ struct Chain {
   }
 };
 
-/// The first `rows` of y = p z. Plain loops: at these sizes a
-/// general product costs more in preparation than in work.
-void multiply(const Eigen::MatrixXd& p, const Eigen::VectorXd& z, Eigen::Index rows, double* y) {
-  std::fill_n(y, rows, 0.0);
-  for (Eigen::Index k = 0; k < p.cols(); ++k) {
-    const double* column = p.data() + k * p.rows();
-    const double factor = z[k];
-    for (Eigen::Index i = 0; i < rows; ++i) y[i] += column[i] * factor;
-  }
-}
-
 double frequency(const Segment& f, int sine) {
   return f.sine[static_cast<std::size_t>(sine)].angle / f.length;
+}
+
+double dot(const Eigen::MatrixXd& rows, Eigen::Index row, const Eigen::VectorXd& z) {
+  double sum = 0;
+  for (Eigen::Index k = 0; k < rows.cols(); ++k) sum += rows(row, k) * z(k);
+  return sum;
 }
 
 /// How many terms of the series of exp(M t) count, where the norm of M t is at most `size`.
@@ -96,7 +96,8 @@ Ladder::Ladder(const LinearSystem& system, int degree, std::vector<double> frequ
     : states_(system.states()),
       degree_(std::max(2, degree)),
       frequencies_(std::move(frequencies)),
-      h_(step) {
+      h_(step),
+      step_(step) {
   assert(step > 0);
   const Chain chain(degree_, frequencies_);
   const Eigen::Index size = states_ + chain.n.rows();
@@ -110,7 +111,8 @@ Ladder::Ladder(const LinearSystem& system, int degree, std::vector<double> frequ
   double fastest = rate(system);
   for (const double o : frequencies_) fastest = std::max(fastest, std::abs(o));
   if (fastest * h_ > reach)
-    h_ = std::ldexp(h_, -static_cast<int>(std::ceil(std::log2(fastest * h_ / reach))));
+    step_rung_ = static_cast<std::size_t>(std::ceil(std::log2(fastest * h_ / reach)));
+  h_ = std::ldexp(h_, -static_cast<int>(step_rung_));
   term_.resize(size);
   next_.resize(size);
 }
@@ -144,85 +146,107 @@ void Ladder::place(const Segment& f, double u, Eigen::VectorXd& z) const {
 
 const Eigen::MatrixXd& Ladder::rung(std::size_t j) {
   if (rungs_.empty()) rungs_.push_back(exponential_series(m_ * h_));
-  while (rungs_.size() <= j) rungs_.push_back(rungs_.back() * rungs_.back());  // (6)
+  while (rungs_.size() <= j) rungs_.push_back(product(rungs_.back(), rungs_.back()));  // (6)
   return rungs_[j];
 }
 
-const Eigen::MatrixXd& Ladder::square(std::size_t j, Eigen::Index output) {
-  if (squares_.empty()) {
-    Eigen::MatrixXd v(m_.rows(), terms);  // (9), for every z at once
-    v.col(0) = outputs_.row(output).transpose();
-    for (int k = 1; k < terms; ++k) v.col(k).noalias() = m_.transpose() * v.col(k - 1) * (h_ / k);
+/// (9), for every z at once: column k is v_k.
+Eigen::MatrixXd Ladder::series(Eigen::Index output) const {
+  Eigen::MatrixXd v(m_.rows(), terms);
+  v.col(0) = outputs_.row(output).transpose();
+  for (int k = 1; k < terms; ++k)
+    for (Eigen::Index j = 0; j < m_.cols(); ++j) v(j, k) = (h_ / k) * m_.col(j).dot(v.col(k - 1));
+  return v;
+}
+
+const Eigen::MatrixXd& Ladder::integral(std::size_t j, Eigen::Index a, Eigen::Index b) {
+  std::vector<Eigen::MatrixXd>& known = integrals_[{a, b}];
+  if (known.empty()) {
     Eigen::MatrixXd weight(terms, terms);
     for (int i = 0; i < terms; ++i)
       for (int k = 0; k < terms; ++k) weight(i, k) = h_ / (i + k + 1);
-    squares_.emplace_back(v * weight * v.transpose());
+    known.push_back(product(product(series(a), weight), series(b).transpose()));
   }
-  while (squares_.size() <= j) {
-    const Eigen::MatrixXd& w = squares_.back();
-    const Eigen::MatrixXd& p = rung(squares_.size() - 1);
-    squares_.emplace_back(w + p.transpose() * w * p);  // (8)
+  while (known.size() <= j) {
+    const Eigen::MatrixXd& w = known.back();
+    const Eigen::MatrixXd& p = rung(known.size() - 1);
+    known.push_back(w + product(p.transpose(), product(w, p)));  // (8)
   }
-  return squares_[j];
+  return known[j];
 }
 
 void Ladder::read(const Eigen::VectorXd& z, double* y) const {
-  multiply(outputs_, z, outputs_.rows(), y);
+  multiply(outputs_, z.data(), outputs_.rows(), y);
 }
 
-void Ladder::rest(Eigen::VectorXd& z, double time) const {
+const Eigen::MatrixXd& Ladder::ahead() {
+  if (ahead_.size() > 0) return ahead_;
+  ahead_ = outputs_;
+  for (std::size_t j = 0; 1 << j < block; ++j) {  // (10)
+    const Eigen::MatrixXd later = product(ahead_, rung(step_rung_ + j));
+    Eigen::MatrixXd both(2 * later.rows(), later.cols());
+    both << ahead_, later;
+    ahead_.swap(both);
+  }
+  return ahead_;
+}
+
+void Ladder::read_ahead(const Eigen::VectorXd& z, int count, double* y) {
+  assert(count >= 1 && count <= block);
+  multiply(ahead(), z.data(), count * outputs_.rows(), y);
+}
+
+/// M z: of its lower part only what (2) has there.
+void Ladder::derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) const {
+  multiply(m_, z.data(), states_, by_time.data());
+  const Eigen::Index sines = states_ + degree_ + 1;
+  by_time(states_) = 0;
+  for (Eigen::Index k = states_ + 1; k + 1 < sines; ++k) by_time(k) = z(k + 1);
+  by_time(sines - 1) = 0;
+  for (std::size_t i = 0; i < frequencies_.size(); ++i) {
+    const Eigen::Index s = sines + 2 * static_cast<Eigen::Index>(i);
+    by_time(s) = frequencies_[i] * z(s + 1);
+    by_time(s + 1) = -frequencies_[i] * z(s);
+  }
+}
+
+void Ladder::rest(Eigen::VectorXd& z, double time, double* square) {
   const int count = terms_of(reach * std::abs(time) / h_);
-  term_ = z;
-  for (int k = 1; k < count; ++k) {
-    multiply(m_, term_, m_.rows(), next_.data());
-    term_ = (time / k) * next_;
-    z += term_;
-  }
-}
-
-double Ladder::rest_square(const Eigen::VectorXd& z, double time, Eigen::Index output) const {
   std::array<double, terms> v{};  // (9)
-  Eigen::VectorXd term = z;
-  for (int k = 0; k < terms; ++k) {
-    v[static_cast<std::size_t>(k)] = outputs_.row(output).dot(term);
-    term = (m_ * term * (time / (k + 1))).eval();
+  term_ = z;
+  for (int k = 0; k < count; ++k) {
+    if (k > 0) {
+      derivative(term_, next_);
+      term_ = (time / k) * next_;
+      z += term_;
+    }
+    if (square != nullptr) v[static_cast<std::size_t>(k)] = dot(outputs_, 0, term_);
   }
+  if (square == nullptr) return;
   double sum = 0;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    for (std::size_t k = 0; k < v.size(); ++k) sum += v[i] * v[k] / static_cast<double>(i + k + 1);
-  return time * sum;
+  const auto used = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < used; ++i)
+    for (std::size_t k = 0; k < used; ++k) sum += v[i] * v[k] / static_cast<double>(i + k + 1);
+  *square += time * sum;
 }
 
-double Ladder::advance(Eigen::VectorXd& z, double time) {
+double Ladder::advance(Eigen::VectorXd& z, double time, double* square) {
   const double whole = std::nearbyint(time / h_);
   const double left = time - whole * h_;
   const bool exactly = std::abs(left) <= 1e-12 * time;
   auto digits = static_cast<unsigned long long>(whole);
   for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
     if ((digits & 1U) == 0) continue;
-    const bool last = exactly && digits == 1;  // the reference need not follow
-    multiply(rung(j), z, last ? states_ : z.size(), term_.data());
+    if (square != nullptr) *square += form(integral(j, 0, 0), z);  // (7)
+    const bool last = exactly && digits == 1;                      // the reference need not follow
+    multiply(rung(j), z.data(), last ? states_ : z.size(), term_.data());
     if (last)
       z.head(states_) = term_.head(states_);
     else
       z.swap(term_);
   }
   if (exactly) return whole * h_;
-  rest(z, left);
-  return time;
-}
-
-double Ladder::advance(Eigen::VectorXd& z, double time, Eigen::Index output, double& sum) {
-  const double whole = std::nearbyint(time / h_);
-  const double left = time - whole * h_;
-  auto digits = static_cast<unsigned long long>(whole);
-  for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
-    if ((digits & 1U) == 0) continue;
-    sum += z.dot(square(j, output) * z);  // (7)
-    z = (rung(j) * z).eval();
-  }
-  sum += rest_square(z, left, output);
-  rest(z, left);
+  rest(z, left, square);
   return time;
 }
 

@@ -47,18 +47,16 @@ double radians_per_unit(const Drive& drive) {
   return 2 * std::numbers::pi / drive.position_per_rev;
 }
 
-DriveSample sample(const Trajectory& reference, const Drive& drive, double t,
-                   const Eigen::Ref<const Eigen::VectorXd>& y) {
-  const double unit = 1 / radians_per_unit(drive);
-  const double r = reference.jet(std::min(t, reference.end()),
-                                 t < reference.end() ? Side::right : Side::left)[0];
+/// Of a column of ExactPath::along().
+DriveSample sample(double t, double unit, const double* y) {
+  const double r = y[detail::drive_rows];
   return {t,
           r,
-          r + unit * y(detail::motor_row),
-          r + unit * y(detail::load_row),
-          y(detail::torque_row),
-          -unit * y(detail::motor_row),
-          y(detail::velocity_row)};
+          r + unit * y[detail::motor_row],
+          r + unit * y[detail::load_row],
+          y[detail::torque_row],
+          -unit * y[detail::motor_row],
+          y[detail::velocity_row]};
 }
 
 ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
@@ -67,13 +65,14 @@ ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
   ExactPath path(system, reference, spacing(times, reference.length()),
                  detail::equilibrium(system));
   ExactRun run;
-  const Eigen::MatrixXd outputs = path.at(times);
+  Eigen::MatrixXd outputs;
+  const ExactPath::Whole whole = path.along(times, outputs);
   run.samples.reserve(times.size());
+  const double unit = 1 / radians_per_unit(drive);
   for (std::size_t i = 0; i < times.size(); ++i)
-    run.samples.push_back(sample(reference, drive, times[i], outputs.col(static_cast<Index>(i))));
-  const ExactPath::Whole whole = path.whole();
+    run.samples.push_back(sample(times[i], unit, outputs.col(static_cast<Index>(i)).data()));
   run.rms_torque = std::sqrt(std::max(0.0, whole.square) / reference.length());
-  run.end_following_error = -whole.output(detail::motor_row) / radians_per_unit(drive);
+  run.end_following_error = -whole.output(detail::motor_row) * unit;
   return run;
 }
 

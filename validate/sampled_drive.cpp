@@ -83,7 +83,7 @@ class SampledRun {
   void go_to(double t, bool within) {
     const double step = t - reference_.start() - gone_;
     if (step <= 0) return;
-    gone_ += within ? ladder_.advance(z_, step, torque_row, square_) : ladder_.advance(z_, step);
+    gone_ += ladder_.advance(z_, step, within ? &square_ : nullptr);  // torque_row is the first
   }
 
   [[nodiscard]] Jet reference_at(double t) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <span>
+#include <vector>
 
 #include "jounce/profiles/curve.hpp"
 #include "jounce/validate/detail/ladder.hpp"
@@ -19,9 +20,6 @@ class ExactPath {
   ExactPath(const LinearSystem& system, const Trajectory& reference, double step,
             Eigen::VectorXd rest);
 
-  /// The outputs at ascending times, none before the reference's start, one column a time.
-  Eigen::MatrixXd at(std::span<const double> times);
-
   /// The reference as a whole.
   struct Whole {
     double square = 0;       ///< integral of the first output, squared
@@ -29,8 +27,13 @@ class ExactPath {
     Eigen::VectorXd state;   ///< there, met by the standstill that follows
   };
   Whole whole();
+  /// The same, and the outputs at ascending times, none before the reference's start, one column a time; below
+  /// them the reference's position.
+  Whole along(std::span<const double> times, Eigen::MatrixXd& found);
 
  private:
+  /// The columns of `found` for times equally spaced, from z_ on, the first at u of the segment that begins there.
+  void read(std::span<const double> times, double begin, double u, double* found);
   void begin();
   /// Takes x, the head of z_, into the next segment, with the steps of the reference.
   void enter(const Segment& f);
@@ -49,6 +52,7 @@ class ExactPath {
   Ladder* ladder_ = nullptr;
   const Segment* segment_ = nullptr;
   Eigen::VectorXd z_;
+  std::vector<double> ahead_;
   std::array<double, 2> before_{};  // position and velocity of the reference before the break
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <span>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,40 +27,49 @@ class Ladder {
   [[nodiscard]] bool takes(const Segment& f) const;
 
   [[nodiscard]] Eigen::Index states() const { return states_; }
+  [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(m_.rows()); }
 
   /// Puts the segment's reference at u (0 to its length) into the lower part of z.
   void place(const Segment& f, double u, Eigen::VectorXd& z) const;
 
   /// The system's part of z after a time; the reference's part must be placed anew. Returns the time
-  /// really gone, which differs from what was asked by rounding at most.
-  double advance(Eigen::VectorXd& z, double time);
-
-  /// The same, and the integral of (row `output` of y)^2 over that time added to `sum`. The output
-  /// must be the same in every call.
-  double advance(Eigen::VectorXd& z, double time, Eigen::Index output, double& sum);
+  /// really gone, which differs from what was asked by rounding at most. The integral of the first
+  /// output's square over that time is added to `square`, if there is one.
+  double advance(Eigen::VectorXd& z, double time, double* square = nullptr);
 
   [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z
   /// The same, into as many numbers as there are outputs.
   void read(const Eigen::VectorXd& z, double* y) const;
 
+  /// How many instants are read ahead at most.
+  static constexpr int block = 32;
+  /// The outputs at z and at the next instants, `step` apart, `count` in all (1 to block): so many times
+  /// as many numbers as there are outputs, one instant behind the other.
+  void read_ahead(const Eigen::VectorXd& z, int count, double* y);
+
  private:
   [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
-  [[nodiscard]] const Eigen::MatrixXd& square(std::size_t j, Eigen::Index output);
-  void rest(Eigen::VectorXd& z, double time) const;
-  [[nodiscard]] double rest_square(const Eigen::VectorXd& z, double time,
-                                   Eigen::Index output) const;
+  [[nodiscard]] const Eigen::MatrixXd& ahead();
+  /// W of (7) for outputs a and b over h 2^j.
+  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
+  [[nodiscard]] Eigen::MatrixXd series(Eigen::Index output) const;
+  void derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) const;
+  void rest(Eigen::VectorXd& z, double time, double* square);
 
   Eigen::Index states_;
   int degree_;
   std::vector<double> frequencies_;
   double h_;
+  double step_;
+  std::size_t step_rung_ = 0;  // step_ = h_ 2^step_rung_
   Eigen::MatrixXd m_;
   Eigen::MatrixXd outputs_;
+  Eigen::MatrixXd ahead_;
   std::vector<Eigen::MatrixXd> rungs_;
-  std::vector<Eigen::MatrixXd> squares_;
-  mutable Eigen::VectorXd term_;
-  mutable Eigen::VectorXd next_;
+  std::map<std::pair<Eigen::Index, Eigen::Index>, std::vector<Eigen::MatrixXd>> integrals_;
+  Eigen::VectorXd term_;
+  Eigen::VectorXd next_;
 };
 
 }  // namespace jounce::detail
