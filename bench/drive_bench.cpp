@@ -114,17 +114,29 @@ BENCHMARK_CAPTURE(exact_second, two_mass_s_curve, s_curve_second(), servo_400w()
 BENCHMARK_CAPTURE(exact_second, sampled_1ms_s_curve, s_curve_second(), sampled(1e-3))
     ->Unit(benchmark::kMicrosecond);
 
+/// All figures of the same second, certified.
+void exact_figures_of_a_second(benchmark::State& state, const Trajectory& move,
+                               const Drive& drive) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(exact_through(move, drive, {.settle = 1 - move.length()}));
+}
+BENCHMARK_CAPTURE(exact_figures_of_a_second, two_mass_trapezoid, trapezoid_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exact_figures_of_a_second, two_mass_s_curve, s_curve_second(), servo_400w())
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exact_figures_of_a_second, four_mass_s_curve, s_curve_second(), four_masses())
+    ->Unit(benchmark::kMicrosecond);
+
 /// A thousand axes whose load is off by up to 10 %, on two threads.
-void monte_carlo(benchmark::State& state) {
-  const Trajectory move = s_curve_second();
+template <class Residual>
+void monte_carlo(benchmark::State& state, const Residual& residual_of) {
   constexpr int cases = 1000;
   std::vector<double> residual(cases);
   const auto part = [&](int first) {
     for (int i = first; i < cases; i += 2) {
       Drive drive = servo_400w();
       drive.train[0].inertia *= 0.9 + 0.2 * i / cases;
-      residual[static_cast<std::size_t>(i)] =
-          drive_through(move, drive, {.settle = 1 - move.length()}).residual.value;
+      residual[static_cast<std::size_t>(i)] = residual_of(drive);
     }
   };
   for (auto _ : state) {
@@ -134,7 +146,26 @@ void monte_carlo(benchmark::State& state) {
     benchmark::DoNotOptimize(residual.data());
   }
 }
-BENCHMARK(monte_carlo)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+void monte_carlo_by_integration(benchmark::State& state) {
+  const Trajectory move = s_curve_second();
+  monte_carlo(state, [&](const Drive& drive) {
+    return drive_through(move, drive, {.settle = 1 - move.length()}).residual.value;
+  });
+}
+BENCHMARK(monte_carlo_by_integration)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+/// As over_tolerances() does it.
+void monte_carlo_exact(benchmark::State& state) {
+  const Trajectory move = s_curve_second();
+  monte_carlo(state, [&](const Drive& drive) {
+    return exact_through(move, drive, {.settle = 1 - move.length()})->residual.value;
+  });
+}
+BENCHMARK(monte_carlo_exact)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace jounce

@@ -38,31 +38,20 @@ using Eigen::MatrixXd;
 
 constexpr int first = 4;
 constexpr std::size_t levels = 6;
-constexpr Index demand_row = drive_rows;
 constexpr Index missing = LinearSystem::inputs;  // column of g
 
-/// The system with T_d as one more output, and T_l - T_d as one more input.
+/// The system with T_l - T_d as one more input.
 LinearSystem with_limit(const Drive& drive) {
-  LinearSystem s = drive_system(drive);
-  const bool lag = drive.motor.current_lag > 0;
-  const double tau = drive.motor.current_lag;
+  LinearSystem s = watched_drive(drive);
+  const double lag = drive.motor.current_lag;
   const LinearSystem open = open_drive(drive);
-  const Index n = (open.states() - (lag ? 2 : 1)) / 2;  // bodies
-  s.c.conservativeResize(drive_rows + 1, Eigen::NoChange);
-  s.d.conservativeResize(drive_rows + 1, Eigen::NoChange);
+  const Index n = (open.states() - (lag > 0 ? 2 : 1)) / 2;  // bodies
   s.b.conservativeResize(Eigen::NoChange, missing + 1);
   s.b.col(missing).setZero();
-  if (lag) {  // T' = (T_d - T) / tau is a row of the system
-    const Index last = s.states() - 1;
-    s.c.row(demand_row) = tau * s.a.row(last);
-    s.c(demand_row, last) += 1;
-    s.d.row(demand_row) = tau * s.b.row(last).head(missing);
-    s.b(last, missing) = 1 / tau;
-  } else {
-    s.c.row(demand_row) = s.c.row(torque_row);
-    s.d.row(demand_row) = s.d.row(torque_row);
+  if (lag > 0)  // T' = (T_d - T) / tau is a row of the system
+    s.b(s.states() - 1, missing) = 1 / lag;
+  else
     s.b(n, missing) = open.a(n, open.states() - 1);
-  }
   if (drive.controller.integral_time > 0) s.b(2 * n, missing) = 1 / drive.controller.integral_time;
   return balanced(s);
 }
@@ -91,16 +80,13 @@ ContinuousStepper::ContinuousStepper(const Drive& drive, double period)
     : period_(period), lag_(drive.motor.current_lag > 0), limits_(drive) {
   const LinearSystem s = with_limit(drive);
   states_ = static_cast<std::size_t>(s.states());
-  MatrixXd outputs(drive_rows + 1, s.states() + LinearSystem::inputs);
+  MatrixXd outputs(watched_rows, s.states() + LinearSystem::inputs);
   outputs << s.c, s.d;
   outputs_ = flat(outputs);
-  const Motor& motor = drive.motor;
-  const bool weakens = motor.max_velocity > 0;
-  const double slope =
-      weakens ? motor.torque_limit / (motor.max_velocity - motor.rated_velocity) : 0;
+  const double slope = torque_slope(drive.motor);
   const Eigen::VectorXd g = s.b.col(missing);
   for (std::size_t which = free; which < systems; ++which) {
-    if (which == weakened && !weakens) continue;
+    if (which == weakened && slope == 0) continue;
     const double share = which == free ? 0 : 1;
     const double k = which == weakened ? slope : 0;
     const MatrixXd a = s.a - g * (share * s.c.row(demand_row) + k * s.c.row(velocity_row));
@@ -140,7 +126,7 @@ ContinuousStepper::Inputs ContinuousStepper::inputs(double t) const {
 
 double ContinuousStepper::row(const Matrix& rows, std::size_t which, const std::vector<double>& x,
                               const Inputs& w) const {
-  constexpr std::size_t height = drive_rows + 1;
+  constexpr std::size_t height = watched_rows;
   double sum = 0;
   for (std::size_t k = 0; k < states_; ++k) sum += rows[k * height + which] * x[k];
   for (std::size_t k = 0; k < LinearSystem::inputs; ++k)
@@ -161,7 +147,7 @@ ContinuousStepper::Hold ContinuousStepper::hold(const std::vector<double>& x,
   if (sign * asked <= sign * limit) return {};  // (2)
   if (limit == 0 || !limits_.weakened(sign, speed)) return {limited, limit};
   const Motor& m = limits_.drive().motor;
-  return {weakened, sign * m.torque_limit * m.max_velocity / (m.max_velocity - m.rated_velocity)};
+  return {weakened, sign * torque_slope(m) * m.max_velocity};
 }
 
 /// The limit that the torque is beyond.

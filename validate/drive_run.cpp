@@ -21,6 +21,7 @@
 
 #include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_model.hpp"
+#include "jounce/validate/detail/heat.hpp"
 #include "jounce/validate/detail/observer.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/sampled_controller.hpp"
@@ -184,8 +185,7 @@ class Run {
     accept(result.integration);
     if (model_.mode().torque != 0) saturation_.back().to = result.integration.reached;
     result.rms_torque = rms_torque_;
-    const double constant = model_.drive().motor.torque_constant;
-    if (constant > 0) result.rms_current = rms_torque_ / constant;
+    add_current(result, model_.drive().motor, solver_.state()[model_.torque_squared()]);
     result.end_following_error = end_following_error_;
     result.saturation = std::move(saturation_);
     result.impacts = switches_.impacts();

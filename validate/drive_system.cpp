@@ -12,6 +12,8 @@
 //          q_1' = q_2 / D,  q_2' = (T_c - 6 q_2 - 12 q_1) / D,  T_d = T_c - 12 q_2
 //     (7)  pendulum of share s on the last mass, inertia J:
 //          its body has s J, the mass (1 - s) J;  c = s J (2 pi f)^2,  d = 2 D s J 2 pi f
+//     (9)  within its limits, driving or braking: |T_d| <= T_max, and |T_d + k w_0| <= k w_max with
+//          k = T_max / (w_max - w_rated), the line on which the limit falls to nothing at w_max
 
 #include "jounce/validate/detail/drive_system.hpp"
 
@@ -186,6 +188,36 @@ LinearSystem drive_system(const Drive& drive) {
   }
   add_bodies(s, chain, torque, radians);
   add_outputs(s, chain, torque, radians);
+  return s;
+}
+
+double torque_slope(const Motor& m) {
+  return m.max_velocity > 0 ? m.torque_limit / (m.max_velocity - m.rated_velocity) : 0;
+}
+
+LinearSystem watched_drive(const Drive& drive) {
+  LinearSystem s = drive_system(drive);
+  const Chain chain = chain_of(drive);
+  const auto load = static_cast<Index>(chain.load);
+  const Index last = s.states() - 1;
+  s.c.conservativeResize(watched_rows, Eigen::NoChange);
+  s.d.conservativeResize(watched_rows, Eigen::NoChange);
+  s.c.bottomRows(watched_rows - drive_rows).setZero();
+  s.d.bottomRows(watched_rows - drive_rows).setZero();
+  s.c(load_velocity_row, static_cast<Index>(chain.bodies.size()) + load) = 1;
+  if (drive.pendulum) {
+    s.c(swing_row, load + 1) = 1;
+    s.c(swing_row, load) = -1;
+  }
+  s.c.row(demand_row) = s.c.row(torque_row);
+  s.d.row(demand_row) = s.d.row(torque_row);
+  if (const double lag = drive.motor.current_lag; lag > 0) {  // (4), solved for T_d
+    s.c.row(demand_row) += lag * s.a.row(last);
+    s.d.row(demand_row) += lag * s.b.row(last);
+  }
+  const double k = torque_slope(drive.motor);
+  s.c.row(envelope_row) = s.c.row(demand_row) + k * s.c.row(velocity_row);  // (9)
+  s.d.row(envelope_row) = s.d.row(demand_row) + k * s.d.row(velocity_row);
   return s;
 }
 

@@ -55,7 +55,8 @@ void ExactPath::begin() {
   before_ = {evaluate(segment(0), 0)[0], 0};
 }
 
-void ExactPath::enter(const Segment& f) {
+const Segment& ExactPath::enter(std::size_t i) {
+  const Segment& f = segment(i);
   const Jet r = evaluate(f, 0);
   ladder_ = &ladder_for(f);
   segment_ = &f;
@@ -65,6 +66,7 @@ void ExactPath::enter(const Segment& f) {
                              (r[1] - before_[1]) * system_.follows_velocity;
   z_.swap(z);
   ladder_->place(f, 0, z_);
+  return f;
 }
 
 void ExactPath::leave() {
@@ -93,14 +95,14 @@ ExactPath::Whole ExactPath::along(std::span<const double> times, Eigen::MatrixXd
   ahead_.resize(static_cast<std::size_t>(Ladder::block * system_.outputs()));
   begin();
   for (std::size_t i = 0; i <= count; ++i) {
-    enter(segment(i));
+    enter(i);
     const bool rests = i == count;
     if (rests) whole.state = z_.head(system_.states());
     const double end = rests ? std::numeric_limits<double>::infinity() : breaks[i + 1];
-    double* square = rests ? nullptr : &whole.square;
+    ProductIntegral square;  // of the first output
     double u = 0;
     while (next < times.size() && times[next] < end) {
-      u += ladder_->advance(z_, times[next] - breaks[i] - u, square);
+      u += ladder_->advance(z_, times[next] - breaks[i] - u, std::span(&square, rests ? 0 : 1));
       ladder_->place(*segment_, rests ? 0 : u, z_);
       const int together = equally_spaced(times.subspan(next), ladder_->step(), end);
       read(times.subspan(next, static_cast<std::size_t>(together)), breaks[i], rests ? 0 : u,
@@ -108,8 +110,9 @@ ExactPath::Whole ExactPath::along(std::span<const double> times, Eigen::MatrixXd
       next += static_cast<std::size_t>(together);
     }
     if (rests) break;
-    ladder_->advance(z_, segment_->length - u, square);
+    ladder_->advance(z_, segment_->length - u, std::span(&square, rests ? 0 : 1));
     ladder_->place(*segment_, segment_->length, z_);
+    whole.square += square.sum;
     whole.output = ladder_->outputs() * z_;
     leave();
   }

@@ -45,6 +45,7 @@ namespace {
 
 constexpr double reach = exponential_reach;  // norm of M h below
 constexpr int terms = exponential_terms;
+constexpr std::size_t most_products = 2;
 
 /// (2) and (3), the polynomial's part first.
 struct Chain {
@@ -210,9 +211,10 @@ void Ladder::derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) cons
   }
 }
 
-void Ladder::rest(Eigen::VectorXd& z, double time, double* square) {
+void Ladder::rest(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products) {
+  assert(products.size() <= most_products);
   const int count = terms_of(reach * std::abs(time) / h_);
-  std::array<double, terms> v{};  // (9)
+  std::array<std::array<std::array<double, terms>, 2>, most_products> v;  // (9); filled up to count
   term_ = z;
   for (int k = 0; k < count; ++k) {
     if (k > 0) {
@@ -220,25 +222,48 @@ void Ladder::rest(Eigen::VectorXd& z, double time, double* square) {
       term_ = (time / k) * next_;
       z += term_;
     }
-    if (square != nullptr) v[static_cast<std::size_t>(k)] = dot(outputs_, 0, term_);
+    for (std::size_t i = 0; i < products.size(); ++i) {
+      v[i][0][static_cast<std::size_t>(k)] = dot(outputs_, products[i].a, term_);
+      v[i][1][static_cast<std::size_t>(k)] = dot(outputs_, products[i].b, term_);
+    }
   }
-  if (square == nullptr) return;
-  double sum = 0;
   const auto used = static_cast<std::size_t>(count);
-  for (std::size_t i = 0; i < used; ++i)
-    for (std::size_t k = 0; k < used; ++k) sum += v[i] * v[k] / static_cast<double>(i + k + 1);
-  *square += time * sum;
+  for (std::size_t p = 0; p < products.size(); ++p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < used; ++i)
+      for (std::size_t k = 0; k < used; ++k)
+        sum += v[p][0][i] * v[p][1][k] / static_cast<double>(i + k + 1);
+    products[p].sum += time * sum;
+  }
 }
 
-double Ladder::advance(Eigen::VectorXd& z, double time, double* square) {
+Segment Ladder::polynomial(const Eigen::VectorXd& z, Eigen::Index row, double time) {
+  Segment f;
+  f.length = time;
+  f.degree = Segment::max_degree;
+  term_ = z;
+  f.c[0] = dot(outputs_, row, term_);
+  for (int k = 1; k <= f.degree; ++k) {
+    derivative(term_, next_);
+    term_ = (time / k) * next_;
+    f.c[static_cast<std::size_t>(k)] = dot(outputs_, row, term_);
+  }
+  return f;
+}
+
+Eigen::MatrixXd Ladder::greatest() const {
+  return exponential_series(m_.cwiseAbs() * h_);
+}
+
+double Ladder::advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products) {
   const double whole = std::nearbyint(time / h_);
   const double left = time - whole * h_;
   const bool exactly = std::abs(left) <= 1e-12 * time;
   auto digits = static_cast<unsigned long long>(whole);
   for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
     if ((digits & 1U) == 0) continue;
-    if (square != nullptr) *square += form(integral(j, 0, 0), z);  // (7)
-    const bool last = exactly && digits == 1;                      // the reference need not follow
+    for (ProductIntegral& p : products) p.sum += form(integral(j, p.a, p.b), z);  // (7)
+    const bool last = exactly && digits == 1;  // the reference need not follow
     multiply(rung(j), z.data(), last ? states_ : z.size(), term_.data());
     if (last)
       z.head(states_) = term_.head(states_);
@@ -246,7 +271,7 @@ double Ladder::advance(Eigen::VectorXd& z, double time, double* square) {
       z.swap(term_);
   }
   if (exactly) return whole * h_;
-  rest(z, left, square);
+  rest(z, left, products);
   return time;
 }
 

@@ -12,6 +12,7 @@ Observer::Observer(const DriveModel& model, const DriveOptions& options, double 
     : model_(model),
       options_(options),
       origin_(origin),
+      heat_(model.drive().motor),
       spacing_(options.samples > 1 ? duration / static_cast<double>(options.samples - 1) : 0),
       scratch_(model.size()) {
   found_.samples.reserve(options.samples);
@@ -66,21 +67,12 @@ void Observer::step(const Solver& solver, const Piece& reference) {
   }
   const double squared = solver.state()[model_.torque_squared()];
   const double work = solver.state()[model_.work()];
-  heat(2 * h, squared - torque_squared_, p[2].time);
+  raise(found_.i2t, heat_.after(2 * h, squared - torque_squared_), p[2].time);
   power(p, work - work_);
   torque_squared_ = squared;
   work_ = work;
   last_ = p[2];
   sample(solver, reference);
-}
-
-/// h' = (T^2 / rated^2 - h) / tau over a step, T^2 being its mean there.
-void Observer::heat(double dt, double squared, double time) {
-  const Motor& m = model_.drive().motor;
-  if (m.thermal_time == 0) return;
-  const double to = squared / (dt * m.rated_torque * m.rated_torque);
-  heat_ += (to - heat_) * -std::expm1(-dt / m.thermal_time);
-  raise(found_.i2t, heat_, time);
 }
 
 /// Work of a step, which the parabola of power through three points divides where it changes sign.
@@ -161,23 +153,10 @@ void Observer::settling(const Solver& solver, const Piece& reference, const Poin
 }
 
 void Observer::swing(const Point& a, const Point& b) {
-  speed_ = std::max(speed_, std::abs(a.load_speed));
+  swings_.see(a.load_speed);
   if ((a.load_speed < 0) == (b.load_speed < 0)) return;
   const double part = a.load_speed / (a.load_speed - b.load_speed);
-  zeros_.push_back({a.time + part * (b.time - a.time), speed_});
-  speed_ = 0;
-}
-
-double Observer::frequency(double noise) const {
-  if (zeros_.empty()) return 0;
-  // The swing before the first zero began before the watch: only what lies between zeros counts.
-  double fastest = 0;
-  for (std::size_t i = 1; i < zeros_.size(); ++i) fastest = std::max(fastest, zeros_[i].speed);
-  const double least = std::max(noise, 0.01 * fastest);
-  std::size_t swings = 0;
-  while (swings + 1 < zeros_.size() && zeros_[swings + 1].speed >= least) ++swings;
-  if (swings < 2) return 0;
-  return static_cast<double>(swings) / (2 * (zeros_[swings].time - zeros_[0].time));
+  swings_.zero(a.time + part * (b.time - a.time));
 }
 
 void Observer::sample(const Solver& solver, const Piece& reference) {
@@ -193,13 +172,8 @@ void Observer::sample(const Solver& solver, const Piece& reference) {
 }
 
 void Observer::finish(double noise, DriveResult& result) {
-  const Motor& m = model_.drive().motor;
-  found_.residual_frequency = frequency(noise);
+  found_.residual_frequency = swings_.frequency(noise);
   if (settling_ && options_.limits.settling_band) found_.settling_time = inside_;
-  if (m.torque_constant > 0) {
-    found_.current = {found_.torque.value / m.torque_constant, found_.torque.where};
-    found_.energy.copper = torque_squared_ * m.resistance / (m.torque_constant * m.torque_constant);
-  }
   result = std::move(found_);
 }
 

@@ -83,7 +83,7 @@ class SampledRun {
   void go_to(double t, bool within) {
     const double step = t - reference_.start() - gone_;
     if (step <= 0) return;
-    gone_ += ladder_.advance(z_, step, within ? &square_ : nullptr);  // torque_row is the first
+    gone_ += ladder_.advance(z_, step, std::span(&square_, within ? 1 : 0));
   }
 
   [[nodiscard]] Jet reference_at(double t) const {
@@ -121,7 +121,7 @@ class SampledRun {
   }
 
   void finish() {
-    run_.rms_torque = std::sqrt(std::max(0.0, square_) / reference_.length());
+    run_.rms_torque = std::sqrt(std::max(0.0, square_.sum) / reference_.length());
     run_.end_following_error = end_position() - origin_ - output(motor_row) / radians_;
   }
 
@@ -147,7 +147,7 @@ class SampledRun {
   double origin_;
   double slack_;
   double gone_ = 0;
-  double square_ = 0;
+  ProductIntegral square_{torque_row, torque_row};
   double readings_ = 0;  // made so far
   double given_ = 0;     // commands given out so far
   double angle_ = 0;

@@ -31,14 +31,22 @@ class ExactPath {
   /// them the reference's position.
   Whole along(std::span<const double> times, Eigen::MatrixXd& found);
 
+  // Step by step: begin(), then enter(i), move state() with ladder(), leave() for each segment, and enter() with their
+  // number for the standstill after the last.
+
+  void begin();
+  /// Takes the system into segment i, with the steps of the reference.
+  const Segment& enter(std::size_t i);
+  /// What the reference is at the segment's end, for the next to step from.
+  void leave();
+  /// Whether it was the standstill that was entered last.
+  [[nodiscard]] bool rests() const { return segment_ == &standstill_; }
+  [[nodiscard]] Ladder& ladder() { return *ladder_; }
+  [[nodiscard]] Eigen::VectorXd& state() { return z_; }  ///< with the reference's part
+
  private:
   /// The columns of `found` for times equally spaced, from z_ on, the first at u of the segment that begins there.
   void read(std::span<const double> times, double begin, double u, double* found);
-  void begin();
-  /// Takes x, the head of z_, into the next segment, with the steps of the reference.
-  void enter(const Segment& f);
-  /// What the reference is at the segment's end, for the next to step from.
-  void leave();
   Ladder& ladder_for(const Segment& f);
   [[nodiscard]] const Segment& segment(std::size_t i) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,13 @@
 #include "jounce/validate/detail/linear_system.hpp"
 
 namespace jounce::detail {
+
+/// The integral of the product of two outputs.
+struct ProductIntegral {
+  Eigen::Index a = 0;
+  Eigen::Index b = 0;
+  double sum = 0;
+};
 
 /// A linear system together with all references of one kind: polynomials up to a degree, and sines
 /// of given angular frequencies. Such a reference is itself the output of an autonomous linear
@@ -30,13 +38,25 @@ class Ladder {
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(m_.rows()); }
 
+  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return m_; }
+  /// h: the norm of the system's part of M h is at most 1/2.
+  [[nodiscard]] double shortest() const { return h_; }
+  /// exp(M h 2^j).
+  [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
+  /// W of (7) for outputs a and b over h 2^j.
+  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
+  /// exp(|M| h), entry by entry no less than |exp(M u)| for any u in [0, h].
+  [[nodiscard]] Eigen::MatrixXd greatest() const;
+  /// Output `row` over a time no longer than `shortest()` from z on, as a polynomial.
+  [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row, double time);
+
   /// Puts the segment's reference at u (0 to its length) into the lower part of z.
   void place(const Segment& f, double u, Eigen::VectorXd& z) const;
 
   /// The system's part of z after a time; the reference's part must be placed anew. Returns the time
-  /// really gone, which differs from what was asked by rounding at most. The integral of the first
-  /// output's square over that time is added to `square`, if there is one.
-  double advance(Eigen::VectorXd& z, double time, double* square = nullptr);
+  /// really gone, which differs from what was asked by rounding at most. Integrals over that time of
+  /// products of outputs, two at most, are added to their sums.
+  double advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products = {});
 
   [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z
   /// The same, into as many numbers as there are outputs.
@@ -49,13 +69,10 @@ class Ladder {
   void read_ahead(const Eigen::VectorXd& z, int count, double* y);
 
  private:
-  [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
   [[nodiscard]] const Eigen::MatrixXd& ahead();
-  /// W of (7) for outputs a and b over h 2^j.
-  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
   [[nodiscard]] Eigen::MatrixXd series(Eigen::Index output) const;
   void derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) const;
-  void rest(Eigen::VectorXd& z, double time, double* square);
+  void rest(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products);
 
   Eigen::Index states_;
   int degree_;

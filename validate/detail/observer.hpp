@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "jounce/validate/detail/drive_model.hpp"
+#include "jounce/validate/detail/heat.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/solver.hpp"
+#include "jounce/validate/detail/swings.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce::detail {
@@ -41,11 +43,6 @@ class Observer {
     double reference;
   };
   using Points = std::array<Point, 3>;  ///< beginning, middle and end of a step
-  /// A zero of the load's velocity, and the greatest speed since the one before.
-  struct Zero {
-    double time;
-    double speed;
-  };
 
   [[nodiscard]] Point point(const double* y, const Piece& reference, double t) const;
   [[nodiscard]] Point between(const Solver& solver, const Piece& reference, double t);
@@ -55,14 +52,13 @@ class Observer {
                                 Outside outside);
   void beyond(const Solver& solver, const Piece& reference, const Points& p);
   void settling(const Solver& solver, const Piece& reference, const Points& p);
-  void heat(double dt, double squared, double time);
   void power(const Points& p, double done);
-  [[nodiscard]] double frequency(double noise) const;
   void sample(const Solver& solver, const Piece& reference);
 
   const DriveModel& model_;
   const DriveOptions& options_;
   double origin_;
+  Heat heat_;
   double spacing_;
   std::vector<double> scratch_;
   bool settling_ = false;
@@ -70,13 +66,11 @@ class Observer {
   DriveResult found_;
   double torque_squared_ = 0;  ///< integrals up to the last step
   double work_ = 0;
-  std::optional<Point> last_ = {};  ///< where the last step ended,
-  long restarts_ = -1;              ///< unless the solver began anew there
-  double heat_ = 0;
+  std::optional<Point> last_ = {};    ///< where the last step ended,
+  long restarts_ = -1;                ///< unless the solver began anew there
   bool beyond_ = false;               ///< the limit of the following error, at the last point
   std::optional<double> inside_ = 0;  ///< since when, after the end; none: outside of the band
-  std::vector<Zero> zeros_;
-  double speed_ = 0;
+  Swings swings_;
 };
 
 }  // namespace jounce::detail

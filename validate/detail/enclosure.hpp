@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "jounce/profiles/segment.hpp"
+#include "jounce/validate/detail/ladder.hpp"
+
+namespace jounce::detail {
+
+/// A stretch of the way of a linear system: its state at the beginning, its outputs at both ends, and a
+/// bound of each output's second derivative in between.
+struct Stretch {
+  double time = 0;  ///< of its beginning
+  double length = 0;
+  Eigen::VectorXd z;
+  Eigen::VectorXd begin;  ///< outputs
+  Eigen::VectorXd end;
+  Eigen::VectorXd bend;
+
+  /// How far an output goes from its chord at the most: (1) of enclosure.cpp.
+  [[nodiscard]] double slack(Eigen::Index row) const { return length * length / 8 * bend(row); }
+  /// No magnitude of the output is greater.
+  [[nodiscard]] double most(Eigen::Index row) const {
+    return std::max(std::abs(begin(row)), std::abs(end(row))) + slack(row);
+  }
+  /// None is less; 0 where it may go through zero.
+  [[nodiscard]] double least(Eigen::Index row) const {
+    if ((begin(row) < 0) != (end(row) < 0)) return 0;
+    return std::max(0.0, std::min(std::abs(begin(row)), std::abs(end(row))) - slack(row));
+  }
+};
+
+/// Where the outputs of a ladder's system go between two instants, certified: no more than a bound says,
+/// and over a short time a polynomial that is exact to rounding. Derivation: enclosure.cpp.
+class Enclosure {
+ public:
+  /// Of stretches of `longest()` at most. The ladder must outlive it.
+  explicit Enclosure(Ladder& ladder);
+
+  [[nodiscard]] double longest() const { return longest_; }
+  /// The rung that goes as far.
+  [[nodiscard]] std::size_t level() const { return level_; }
+
+  /// Second derivatives' bounds over `longest()` from z on, one an output.
+  void bend(const Eigen::VectorXd& z, double* found);
+
+  /// Divides a stretch until `open(stretch)` is false for a part, which `done(part)` is told, or the part is
+  /// short enough to be a polynomial: `leaf(part)`. In the order of time.
+  template <class Open, class Done, class Leaf>
+  void search(const Stretch& s, const Open& open, const Done& done, const Leaf& leaf) {
+    if (!open(s)) return done(s);
+    if (s.length <= ladder_->shortest() * (1 + 1e-12)) return leaf(s);
+    const auto [first, second] = halves(s);
+    search(first, open, done, leaf);
+    search(second, open, done, leaf);
+  }
+
+  /// An output over a stretch that search() calls short enough, exact within 1e-12 of its terms.
+  [[nodiscard]] Segment polynomial(const Stretch& s, Eigen::Index row) {
+    return ladder_->polynomial(s.z, row, s.length);
+  }
+
+ private:
+  struct Halves {
+    Stretch first;
+    Stretch second;
+  };
+  [[nodiscard]] Halves halves(const Stretch& s);
+
+  Ladder* ladder_;
+  std::size_t level_;
+  double longest_;
+  Eigen::MatrixXd twice_;   // M^2
+  Eigen::MatrixXd reach_;   // G of (3)
+  Eigen::VectorXd second_;  // M^2 z
+};
+
+}  // namespace jounce::detail
