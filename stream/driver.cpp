@@ -192,6 +192,11 @@ void ReceiverPump::answer() {
 }
 
 void ReceiverPump::take(const wire::Message& message) {
+  if (const auto* const master = std::get_if<wire::Master>(&message.body)) {
+    for (const auto& [name, take] : masters_)
+      if (name == message.executor) take(*master);
+    return;
+  }
   const auto found = std::lower_bound(
       by_name_.begin(), by_name_.end(), message.executor,
       [](const auto& entry, const std::string& name) { return entry.first < name; });
@@ -210,6 +215,16 @@ void ReceiverPump::publish(wire::Status status, std::size_t axis) {
 void ReceiverPump::announce(wire::Event event, std::size_t axis) {
   event.boot = receivers_[axis].boot();
   send_message(link_, {receivers_[axis].executor(), 0, event}, key_);
+}
+
+void ReceiverPump::publish_master(wire::MasterStatus status, std::size_t axis) {
+  status.boot = receivers_[axis].boot();
+  send_message(link_, {receivers_[axis].executor(), 0, status}, key_);
+}
+
+void ReceiverPump::hear(const std::string& master, std::function<void(const wire::Master&)> take) {
+  link_.subscribe(wire::channel(master, wire::Lane::master), queue_capacity);
+  masters_.emplace_back(master, std::move(take));
 }
 
 }  // namespace jounce

@@ -113,6 +113,10 @@ class ReceiverPump {
   void publish(wire::Status status, std::size_t axis = 0);
   /// Fills in boot.
   void announce(wire::Event event, std::size_t axis = 0);
+  void publish_master(wire::MasterStatus status, std::size_t axis = 0);
+
+  /// Subscribes to what says where the master of this name is, and hands each of it to `take`.
+  void hear(const std::string& master, std::function<void(const wire::Master&)> take);
 
   [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
   [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
@@ -125,6 +129,7 @@ class ReceiverPump {
   std::optional<wire::Key> key_;                            // of all axes
   std::deque<Receiver> receivers_;                          // in the order of the options
   std::vector<std::pair<std::string, Receiver*>> by_name_;  // sorted
+  std::vector<std::pair<std::string, std::function<void(const wire::Master&)>>> masters_;
   Clock clock_;
   Rejects rejects_;
 };

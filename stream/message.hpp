@@ -257,18 +257,35 @@ struct Event {
 struct Master {
   std::int64_t seq = 0;               ///< rising
   std::int64_t stamp_ns = 0;          ///< when it was there, on the sender's clock; rising
-  std::int32_t clock = 0;             ///< another number: another clock, or another epoch
+  std::int32_t clock = 0;             ///< a later clock, or epoch of it, has a greater number
   bool valid = false;                 ///< otherwise it is lost, or its position unknown
-  double position = 0;                ///< the unit that its followers count in
-  double velocity = Status::unknown;  ///< that unit per second; NaN: not known
+  double position = 0;                ///< finite
+  double velocity = Status::unknown;  ///< per second; NaN: not known
+  std::string unit{};                 ///< of the position; not empty
+};
+
+/// What an executor sees of a master; Message::executor is an axis that follows it, or else the
+/// machine's first one.
+struct MasterStatus {
+  std::int64_t boot = 0;  ///< as in Ack
+  std::string master{};   ///< its name, as an executor's
+  std::string unit{};     ///< of the position; not empty
+  std::int64_t tick = 0;  ///< the cycle that saw it so
+  bool lost = true;       ///< there is none, or no longer: position and velocity are NaN
+  double position = Status::unknown;
+  double velocity = Status::unknown;  ///< per second
+  double age_s = Status::unknown;     ///< since it was measured; NaN: never; 0: it is computed
+  std::int64_t taken = 0;             ///< samples from the bus that counted
+  std::int64_t refused = 0;           ///< and that did not: old, repeated, in another unit
 };
 
 using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Order,
-                          Queue, Rows, QueueAck, Master, Event>;
+                          Queue, Rows, QueueAck, Master, Event, MasterStatus>;
 
 struct Message {
-  std::string executor;      ///< 1 to 23 of A-Z a-z 0-9 _ -
-  std::int64_t session = 0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event)
+  std::string executor;  ///< 1 to 23 of A-Z a-z 0-9 _ -
+  std::int64_t session =
+      0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event, MasterStatus)
   Body body;
   /// From an executor: what commands must carry from now on. To it: what it said last, 0 at first.
   std::int64_t challenge = 0;

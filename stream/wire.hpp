@@ -47,6 +47,7 @@ enum class Lane {
   status,   ///< Status: from the executor; only the newest counts
   master,   ///< Master: to all executors that follow it, under the master's name
   event,    ///< Event: from the executor
+  masters,  ///< MasterStatus: from the executor; only the newest of each master counts
 };
 Lane lane(const Body& body);
 

@@ -11,6 +11,7 @@
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
 #include "jounce_lcm/order_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
@@ -41,6 +42,7 @@ void put(const Rows& from, jounce_lcm::rows_t& to);
 void put(const QueueAck& from, jounce_lcm::queue_ack_t& to);
 void put(const Master& from, jounce_lcm::master_t& to);
 void put(const Event& from, jounce_lcm::event_t& to);
+void put(const MasterStatus& from, jounce_lcm::master_status_t& to);
 
 // False where a field is out of its range.
 bool get(const jounce_lcm::header_t& from, Header& to);
@@ -58,6 +60,7 @@ bool get(const jounce_lcm::rows_t& from, Rows& to);
 bool get(const jounce_lcm::queue_ack_t& from, QueueAck& to);
 bool get(const jounce_lcm::master_t& from, Master& to);
 bool get(const jounce_lcm::event_t& from, Event& to);
+bool get(const jounce_lcm::master_status_t& from, MasterStatus& to);
 
 template <class Body>
 struct LcmOf;
@@ -91,5 +94,7 @@ template <>
 struct LcmOf<Master> : std::type_identity<jounce_lcm::master_t> {};
 template <>
 struct LcmOf<Event> : std::type_identity<jounce_lcm::event_t> {};
+template <>
+struct LcmOf<MasterStatus> : std::type_identity<jounce_lcm::master_status_t> {};
 
 }  // namespace jounce::wire

@@ -104,6 +104,7 @@ void put(const Master& from, jounce_lcm::master_t& to) {
   to.valid = from.valid ? 1 : 0;
   to.position = from.position;
   to.velocity = from.velocity;
+  put_unit("unit", from.unit, to.unit);
 }
 
 bool get(const jounce_lcm::master_t& from, Master& to) {
@@ -113,7 +114,36 @@ bool get(const jounce_lcm::master_t& from, Master& to) {
   to.position = from.position;
   to.velocity = from.velocity;
   return to.seq >= 0 && to.clock >= 0 && get_flag(from.valid, to.valid) &&
-         std::isfinite(to.position) && !std::isinf(to.velocity);
+         std::isfinite(to.position) && !std::isinf(to.velocity) &&
+         get_text(from.unit, unit_bytes, to.unit) && !to.unit.empty();
+}
+
+void put(const MasterStatus& from, jounce_lcm::master_status_t& to) {
+  to.boot = from.boot;
+  put_text(from.master, to.master, executor_bytes);
+  put_unit("unit", from.unit, to.unit);
+  to.tick = from.tick;
+  to.lost = from.lost ? 1 : 0;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  to.age_s = from.age_s;
+  to.taken = from.taken;
+  to.refused = from.refused;
+}
+
+bool get(const jounce_lcm::master_status_t& from, MasterStatus& to) {
+  to.boot = from.boot;
+  to.tick = from.tick;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  to.age_s = from.age_s;
+  to.taken = from.taken;
+  to.refused = from.refused;
+  return to.boot >= 1 && get_text(from.master, executor_bytes, to.master) &&
+         is_executor_name(to.master) && get_text(from.unit, unit_bytes, to.unit) &&
+         !to.unit.empty() && to.tick >= 0 && get_flag(from.lost, to.lost) &&
+         std::isfinite(to.position) != to.lost && std::isfinite(to.velocity) != to.lost &&
+         !(to.age_s < 0) && !std::isinf(to.age_s) && to.taken >= 0 && to.refused >= 0;
 }
 
 void put(const Order& from, jounce_lcm::order_t& to) {

@@ -99,8 +99,9 @@ inline std::vector<wire::Message> samples() {
                       322,
                       "row 323"},
        203},
-      {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25}},
+      {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25, "mm"}},
       {name, 0, wire::Event{983, 44, wire::EventKind::track, 31, true, 5000, 0.000412, 88.5}, 204},
+      {name, 0, wire::MasterStatus{983, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
   };
 }
 
@@ -172,7 +173,11 @@ struct Text {
            m.space[1], m.played, name(m.progress), name(m.refusal), m.row, m.reason);
   }
   void operator()(const wire::Master& m) {
-    fields("master", m.seq, m.stamp_ns, m.clock, m.valid, m.position, m.velocity);
+    fields("master", m.seq, m.stamp_ns, m.clock, m.valid, m.position, m.velocity, m.unit);
+  }
+  void operator()(const wire::MasterStatus& m) {
+    fields("master_status", m.boot, m.master, m.unit, m.tick, m.lost, m.position, m.velocity,
+           m.age_s, m.taken, m.refused);
   }
   void operator()(const wire::Event& m) {
     fields("event", m.boot, m.count, name(m.kind), m.number, m.on, m.tick, m.offset_s, m.position);

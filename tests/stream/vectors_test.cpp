@@ -115,9 +115,11 @@ std::vector<Message> messages() {
                           wire::Refusal::bad_row,
                           322,
                           "row 323"}),
-      {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25}},
+      {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25, "mm"}},
       {"feeder", 0, wire::Event{77, 44, wire::EventKind::track, 31, true, 5000, 0.000412, 88.5},
        55},
+      {"feeder", 0,
+       wire::MasterStatus{77, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
   };
 }
 

@@ -22,6 +22,7 @@
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
+#include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
 #include "jounce_lcm/order_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
@@ -82,7 +83,8 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
   expect_type<jounce_lcm::header_t>(0x9fc49f7d772b88e7, 159);
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
-  expect_type<jounce_lcm::master_t>(0xfe62429950f7a0ba, 113);
+  expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
+  expect_type<jounce_lcm::master_t>(0x8eeae70736c030f7, 129);
   expect_type<jounce_lcm::order_t>(0x14c25ba1d776c25f, 153);
   expect_type<jounce_lcm::queue_ack_t>(0x2f7fa95bf3bd3320, 298);
   expect_type<jounce_lcm::queue_t>(0xabdb97cce44174e8, 136);
@@ -112,6 +114,7 @@ TEST(Wire, IsDocumented) {
   EXPECT_TRUE(is_documented<jounce_lcm::event_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::master_status_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::master_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::order_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::queue_ack_t>(page));
