@@ -22,6 +22,11 @@ Jet TableMaster::at(double time) noexcept {
   return {table_->jet(table_->end(), Side::left)[0], 0, 0, 0};
 }
 
+Jet EncoderMaster::at(double time) noexcept {
+  if (position_) tracked_.see(time, position_());
+  return tracked_.at(time);
+}
+
 double ClockOffset::local(const MasterSample& sample, bool& same) noexcept {
   if (!known || sample.clock != clock) base = sample.stamp_ns;
   const double stamp = static_cast<double>(sample.stamp_ns - base) / 1e9;

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "jounce/axis/ring.hpp"
 #include "jounce/axis/tracker.hpp"
@@ -26,6 +30,17 @@ class Master {
   /// [x, x', x'', x'''] at `time`, s, which ascends; m, m/s, ... x is NaN where the master is lost.
   /// Neither allocates nor waits nor throws.
   virtual Jet at(double time) noexcept = 0;
+  /// How long ago it was measured, s; NaN: never; 0: it is computed.
+  [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
+};
+
+/// What a cycle saw of a master.
+struct MasterSight {
+  std::int64_t tick = -1;
+  Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< as Master::at()
+  double age = std::numeric_limits<double>::quiet_NaN();         ///< as Master::age()
+
+  [[nodiscard]] bool lost() const { return std::isnan(at[0]); }
 };
 
 /// A virtual master: a table over time from `start` on; before it stands at its first point, after its
@@ -44,12 +59,17 @@ class TableMaster final : public Master {
 /// An encoder that the cycle reads itself: noise and quantisation are filtered (tracker.hpp).
 class EncoderMaster final : public Master {
  public:
-  explicit EncoderMaster(const TrackerSpec& spec) : tracked_(spec) {}
+  /// `position`: asked in each at() where the encoder is, m; NaN, for too long: lost. Like at() it
+  /// neither allocates nor waits nor throws. Without it somebody calls read().
+  explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
+      : position_(std::move(position)), tracked_(spec) {}
   /// Of this cycle, m, before at(); NaN, or none for too long: lost.
   void read(double time, double position) noexcept { tracked_.see(time, position); }
-  Jet at(double time) noexcept override { return tracked_.at(time); }
+  Jet at(double time) noexcept override;
+  [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
 
  private:
+  std::function<double()> position_;
   Tracked tracked_;
 };
 
@@ -96,6 +116,7 @@ class ExternalMaster final : public Master {
   bool receive(const MasterSample& sample) noexcept { return samples_.push(sample); }
   /// The cycle's.
   Jet at(double time) noexcept override;
+  [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
 
   [[nodiscard]] const ClockOffset& clock() const { return clock_; }
 

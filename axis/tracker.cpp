@@ -102,6 +102,7 @@ void Tracked::see(double time, double position) noexcept {
   const bool jumped = std::abs(position - target(time - spec_.latency)[0]) > spec_.jump;
   if (estimate_.count > 0 && (stale || jumped)) lose();
   estimate_ = corrected(estimate_, spec_, time, position);
+  seen_ = time;
 }
 
 void Tracked::lose() noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "jounce/profiles/jet.hpp"
 
@@ -60,12 +61,15 @@ class Tracked {
   Jet at(double time) noexcept;
 
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
+  /// s: when it was seen last; also after it was lost. NaN: never.
+  [[nodiscard]] double seen() const { return seen_; }
 
  private:
   [[nodiscard]] Jet target(double time) const;
   void follow(const Jet& target, double dt);
 
   TrackerSpec spec_;
+  double seen_ = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate_;
   bool following_ = false;  // the output is one
   double time_ = 0;         // of the output

@@ -42,8 +42,12 @@ Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options)
       post_(post),
       options_(std::move(options)),
       images_(machine.size()),
+      sights_(machine.masters()),
+      masters_(machine.masters()),
       start_(pacer.now()) {
-  assert(post.mail.size() == machine.size());
+  assert(post.mail.size() == machine.size() && post.masters.size() == machine.masters());
+  assert(options_.masters.size() == machine.masters());
+  post.vitals.start.store(start_, std::memory_order_release);
   options_.drives.resize(machine.size());
 }
 
@@ -55,7 +59,8 @@ void Cycle::once() {
   const std::int64_t missed = std::max<std::int64_t>((woken - due) / period, 0);
   const std::int64_t tick = next_ + missed;
   read();
-  machine_.step(tick, images_);
+  look(tick);
+  machine_.step(tick, images_, masters_);
   write();
   account(woken - due, missed, woken);
   next_ = tick + 1;
@@ -72,7 +77,20 @@ void Cycle::read() {
   }
 }
 
+/// After the drives have spoken: some masters are encoders on them.
+void Cycle::look(std::int64_t tick) {
+  const double time = static_cast<double>(tick * machine_.period()) * 1e-9;
+  for (std::size_t m = 0; m < sights_.size(); ++m) {
+    Master& master = *options_.masters[m];
+    masters_[m] = master.at(time);
+    sights_[m] = {.tick = tick, .at = masters_[m], .age = master.age(time)};
+    post_.masters[m]->write(sights_[m]);
+  }
+}
+
 void Cycle::write() {
+  for (std::size_t m = 0; m < sights_.size() && options_.tape != nullptr; ++m)
+    options_.tape->add(m, sights_[m]);
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const AxisImage& image = images_[i];
     if (AxisDrive* const drive = options_.drives[i])

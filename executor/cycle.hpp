@@ -3,13 +3,16 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "jounce/axis/machine.hpp"
+#include "jounce/axis/master.hpp"
 #include "jounce/axis/ring.hpp"
 #include "jounce/drive/drive.hpp"
+#include "jounce/drive/seqlock.hpp"
 #include "jounce/executor/histogram.hpp"
 
 namespace jounce {
@@ -57,18 +60,26 @@ struct Mail {
 
 /// What the two threads let each other know of themselves.
 struct Vitals {
+  static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
+  std::atomic<std::int64_t> start{
+      not_started};                     ///< ns, by the pacer's clock: the instant of tick 0
   std::atomic<std::uint64_t> alive{0};  ///< counted up by who communicates, as a sign of life
   std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
   Histogram lateness;                   ///< of waking up: from the instant of the tick
   Histogram computing;                  ///< from waking up until the setpoints are given out
 };
 
-/// The post of a whole machine: a Mail for each axis, and the vitals.
+/// The post of a whole machine: a Mail for each axis, what was seen last of each master, and the vitals.
 struct Post {
-  explicit Post(std::size_t axes) : mail(axes) {
+  explicit Post(std::size_t axes, std::size_t of_masters = 0) : mail(axes), masters(of_masters) {
     for (auto& one : mail) one = std::make_unique<Mail>();
+    for (auto& one : masters) {
+      one = std::make_unique<Seqlock<MasterSight>>();
+      one->write({});
+    }
   }
   std::vector<std::unique_ptr<Mail>> mail;
+  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;
   Vitals vitals;
 };
 
@@ -87,12 +98,13 @@ class Tape;
 /// What a cycle runs with besides the machine; all of it must outlive the cycle.
 struct CycleOptions {
   std::vector<AxisDrive*> drives = {};  ///< one an axis, or null; empty: no axis has one
+  std::vector<Master*> masters = {};    ///< as many as the machine has
   std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
   Tape* tape = nullptr;                 ///< of what is recorded; null: nothing is
 };
 
 /// The real-time loop: waits for the next instant, reads what the axes are told and what their
-/// drives say, steps the machine once, gives the setpoints to the drives, and posts what was said.
+/// drives say, asks the masters where they are at that instant (in s since tick 0), steps the machine once, gives the setpoints to the drives, and posts what was said.
 ///
 ///     Post post(machine.size());
 ///     Cycle cycle(machine, pacer, post);
@@ -117,6 +129,7 @@ class Cycle {
 
  private:
   void read();
+  void look(std::int64_t tick);
   void write();
   [[nodiscard]] bool silent();
   void account(std::int64_t delay, std::int64_t missed, std::int64_t woken);
@@ -126,6 +139,8 @@ class Cycle {
   Post& post_;
   CycleOptions options_;
   std::vector<AxisImage> images_;
+  std::vector<MasterSight> sights_;
+  std::vector<Jet> masters_;      // of the sights
   std::uint64_t alive_ = 0;       // the last sign of life that was seen
   std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;

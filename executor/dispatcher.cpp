@@ -14,6 +14,15 @@ std::vector<ReceiverOptions> receivers_of(const std::vector<ExecutorOptions>& ax
   return receivers;
 }
 
+MasterDesk::Options masters_of(const std::vector<ExecutorOptions>& axes,
+                               std::vector<MachineMaster> masters) {
+  MasterDesk::Options options{.masters = std::move(masters),
+                              .keyed = axes.front().receiver.key.has_value(),
+                              .notify = axes.front().notify};
+  for (const auto& axis : axes) options.follows.push_back(axis.follow);
+  return options;
+}
+
 }  // namespace
 
 std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
@@ -24,11 +33,12 @@ std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
 }
 
 Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
-                       Clock clock)
+                       Clock clock, std::vector<MachineMaster> masters)
     : vitals_(post.vitals),
       a_while_(axes.front().axis.period / 4),
-      clock_(clock),
-      pump_(link, receivers_of(axes), random_id(), std::move(clock)),
+      clock_(std::move(clock)),
+      pump_(link, receivers_of(axes), random_id(), clock_),
+      masters_(masters_of(axes, std::move(masters)), pump_, post, clock_),
       recorder_(axes.front().recorder) {
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -43,6 +53,7 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
 void Dispatcher::turn(Nanos timeout) {
   vitals_.alive.fetch_add(1, std::memory_order_relaxed);
   pump_.run(busy() ? std::min(timeout, a_while_) : timeout);
+  masters_.turn();
   for (std::size_t i = 0; i < desks_.size(); ++i) {
     desks_[i].turn();
     for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
@@ -87,6 +98,7 @@ void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
 
 void Dispatcher::publish(std::size_t axis) {
   pump_.publish(desks_[axis].status(), axis);
+  masters_.publish(axis);
   const auto repeat = [&](const auto& entry) {
     if (entry.first != axis) return false;
     pump_.announce(entry.second, axis);

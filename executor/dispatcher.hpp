@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/executor/desk.hpp"
+#include "jounce/executor/masters.hpp"
 #include "jounce/stream/driver.hpp"
 
 namespace jounce {
@@ -21,7 +22,7 @@ class Dispatcher {
   /// `axes` as in the machine; `link` and `post` must outlive it. Throws InputError,
   /// std::system_error for a log.
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
-             Clock clock = steady_now);
+             Clock clock = steady_now, std::vector<MachineMaster> masters = {});
 
   /// Does what there is to do, waiting for the link at most `timeout`, and gives a sign of life.
   void turn(Nanos timeout);
@@ -32,6 +33,7 @@ class Dispatcher {
   /// Writes what is left into the logs, and closes them.
   void close();
 
+  [[nodiscard]] const MasterDesk& masters() const { return masters_; }
   [[nodiscard]] const Desk& desk(std::size_t axis = 0) const { return desks_[axis]; }
   [[nodiscard]] std::size_t size() const { return desks_.size(); }
   [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return desks_[axis].last(); }
@@ -48,6 +50,7 @@ class Dispatcher {
   Nanos a_while_;  // a part of a cycle: the longest wait while an axis's answer is due
   Clock clock_;
   ReceiverPump pump_;
+  MasterDesk masters_;
   std::deque<Desk> desks_;
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // when each axis's status was

@@ -14,8 +14,10 @@
 #include "jounce_record/gear_t.hpp"
 #include "jounce_record/job_t.hpp"
 #include "jounce_record/lost_t.hpp"
+#include "jounce_record/master_t.hpp"
 #include "jounce_record/queue_t.hpp"
 #include "jounce_record/rows_t.hpp"
+#include "jounce_record/sight_t.hpp"
 #include "jounce_record/table_t.hpp"
 
 namespace jounce {
@@ -251,9 +253,41 @@ RecordedRows ours(const rows_t& w) {
   return r;
 }
 
+master_t on_wire(const RecordedMaster& m) {
+  master_t w{};
+  w.master = static_cast<std::int16_t>(m.master);
+  put_text(m.name, w.name);
+  put_text(m.unit, w.unit);
+  w.followers = static_cast<std::int64_t>(m.followers);
+  return w;
+}
+
+RecordedMaster ours(const master_t& w) {
+  return {.master = static_cast<std::size_t>(w.master),
+          .name = get_text(w.name),
+          .unit = get_text(w.unit),
+          .followers = static_cast<std::uint64_t>(w.followers)};
+}
+
+sight_t on_wire(const RecordedSight& s) {
+  sight_t w{};
+  w.master = static_cast<std::int16_t>(s.master);
+  w.tick = s.sight.tick;
+  std::copy(s.sight.at.begin(), s.sight.at.end(), w.at);
+  w.age = s.sight.age;
+  return w;
+}
+
+RecordedSight ours(const sight_t& w) {
+  RecordedSight s{.master = static_cast<std::size_t>(w.master),
+                  .sight = {.tick = w.tick, .age = w.age}};
+  std::copy(std::begin(w.at), std::end(w.at), s.sight.at.begin());
+  return s;
+}
+
 constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
-    "JOUNCE.axis", "JOUNCE.table", "JOUNCE.job",  "JOUNCE.cycle",
-    "JOUNCE.lost", "JOUNCE.queue", "JOUNCE.rows", "JOUNCE.gear"};
+    "JOUNCE.axis",  "JOUNCE.table", "JOUNCE.job",  "JOUNCE.cycle",  "JOUNCE.lost",
+    "JOUNCE.queue", "JOUNCE.rows",  "JOUNCE.gear", "JOUNCE.master", "JOUNCE.sight"};
 
 template <class Wire>
 std::string bytes_of(const Wire& w) {
@@ -272,10 +306,11 @@ RecordEvent event_of(std::string_view channel, std::string_view bytes) {
   return ours(w);
 }
 
-std::int16_t axis_of(const RecordEvent& event) {
+std::int16_t number_of(const RecordEvent& event) {
   return std::visit(
       [](const auto& e) -> std::int16_t {
         if constexpr (requires { e.axis; }) return static_cast<std::int16_t>(e.axis);
+        if constexpr (requires { e.master; }) return static_cast<std::int16_t>(e.master);
         return 0;
       },
       event);
@@ -296,11 +331,12 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
   if (it == channels.end()) return std::nullopt;
   using Decode = RecordEvent (*)(std::string_view, std::string_view);
   constexpr std::array<Decode, channels.size()> decoders{
-      event_of<axis_t>, event_of<table_t>, event_of<job_t>,  event_of<cycle_t>,
-      event_of<lost_t>, event_of<queue_t>, event_of<rows_t>, event_of<gear_t>};
+      event_of<axis_t>,   event_of<table_t>, event_of<job_t>,  event_of<cycle_t>,
+      event_of<lost_t>,   event_of<queue_t>, event_of<rows_t>, event_of<gear_t>,
+      event_of<master_t>, event_of<sight_t>};
   RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
-  if (axis_of(event) < 0)
-    throw InputError("axis", std::to_string(axis_of(event)), "must not be negative");
+  if (number_of(event) < 0)
+    throw InputError("axis or master", std::to_string(number_of(event)), "must not be negative");
   return event;
 }
 

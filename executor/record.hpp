@@ -10,6 +10,7 @@
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/job.hpp"
+#include "jounce/axis/master.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/io/hash.hpp"
 
@@ -86,13 +87,28 @@ struct RecordedCycle {
   Tick tick = {};
 };
 
+/// A master that the machine was started with; comes after the axes.
+struct RecordedMaster {
+  std::size_t master = 0;  ///< counted from 0
+  std::string name = {};
+  std::string unit = {};
+  std::uint64_t followers = 0;  ///< bit i: axis i follows it
+};
+
+/// What a cycle saw of a master, before the axes of the same tick.
+struct RecordedSight {
+  std::size_t master = 0;
+  MasterSight sight = {};
+};
+
 /// Cycles that are missing here.
 struct RecordedLoss {
   std::int64_t cycles = 0;
 };
 
-using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
-                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear>;
+using RecordEvent =
+    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
+                 RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight>;
 
 /// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
 std::string_view channel_of(const RecordEvent& event);

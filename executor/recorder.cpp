@@ -30,17 +30,31 @@ std::vector<double> part(const std::vector<double>& column, std::size_t first, s
 
 void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
                const Tick& tick) noexcept {
-  Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick},
-            .lost_before = lost_};
+  Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick}};
   // By its number: the movement may be gone when the other thread looks.
   if (command.movement != nullptr) item.cycle.movement = command.movement->id();
   item.cycle.command.movement = nullptr;
   item.cycle.tick.handed_back = {};
+  push(item);
+}
+
+void Tape::add(std::size_t master, const MasterSight& sight) noexcept {
+  Item item{.sight = {.master = master, .sight = sight}, .is_sight = true};
+  push(item);
+}
+
+void Tape::push(Item& item) noexcept {
+  item.lost_before = lost_;
   lost_ = items_.push(item) ? 0 : lost_ + 1;
 }
 
-Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape)
-    : options_(std::move(options)), axes_(std::move(axes)), tape_(tape), boxes_(axes_.size()) {
+Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
+                   std::vector<RecordedMaster> masters)
+    : options_(std::move(options)),
+      axes_(std::move(axes)),
+      masters_(std::move(masters)),
+      tape_(tape),
+      boxes_(axes_.size() + masters_.size()) {
   if (options_.black_box && options_.black_box_cycles == 0)
     throw InputError("black_box_cycles", "0", "must be at least 1");
   if (!options_.log) return;
@@ -50,6 +64,7 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape
   if (!file_)
     throw std::system_error(errno, std::generic_category(), "cannot write " + part_.string());
   for (const RecordedAxis& axis : axes_) write(axis, 0);
+  for (const RecordedMaster& master : masters_) write(master, 0);
 }
 
 Recorder::~Recorder() {
@@ -90,17 +105,25 @@ void Recorder::write(const StoredTable& stored) {
 
 void Recorder::turn() {
   for (Tape::Item item; tape_.items_.pop(item);) {
-    const RecordedCycle& cycle = item.cycle;
-    now_ = static_cast<std::int64_t>(cycle.tick.time * 1e6);
+    now_ = item.is_sight ? item.sight.sight.tick * axes_.front().config.period / 1000
+                         : static_cast<std::int64_t>(item.cycle.tick.time * 1e6);
     if (item.lost_before > 0) {
       if (lost_ == 0 && options_.notify) options_.notify("cycles are missing from the record");
       lost_ += item.lost_before;
       write(RecordedLoss{item.lost_before}, now_);
     }
-    const std::string data = encoded(cycle);
-    write(channel_of(cycle), data, now_);
-    if (options_.black_box && cycle.axis < boxes_.size()) keep(cycle, data, now_);
+    take(item);
   }
+}
+
+void Recorder::take(const Tape::Item& item) {
+  const RecordEvent event = item.is_sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);
+  const std::string data = encoded(event);
+  write(channel_of(event), data, now_);
+  const std::size_t box = item.is_sight ? item.sight.master : masters_.size() + item.cycle.axis;
+  if (!options_.black_box || box >= boxes_.size()) return;
+  keep(boxes_[box], data, now_);
+  if (!item.is_sight) watch(boxes_[box], item.cycle);
 }
 
 void Recorder::close() {
@@ -145,9 +168,7 @@ void Recorder::fail(const std::string& what) {
 
 // ---- black box ------------------------------------------------------------------------------------
 
-void Recorder::keep(const RecordedCycle& cycle, const std::string& data,
-                    std::int64_t microseconds) {
-  Box& box = boxes_[cycle.axis];
+void Recorder::keep(Box& box, const std::string& data, std::int64_t microseconds) {
   if (box.kept.size() < options_.black_box_cycles) {
     box.kept.push_back(data);
     box.microseconds.push_back(microseconds);
@@ -156,6 +177,9 @@ void Recorder::keep(const RecordedCycle& cycle, const std::string& data,
     box.microseconds[box.count % box.kept.size()] = microseconds;
   }
   ++box.count;
+}
+
+void Recorder::watch(Box& box, const RecordedCycle& cycle) {
   const bool failed = cycle.tick.fault != Cause::none && box.fault == Cause::none;
   box.fault = cycle.tick.fault;
   if (failed) write_black_box();
@@ -168,22 +192,28 @@ void Recorder::write_black_box() {
     axis.whole = false;
     detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
   }
+  for (const RecordedMaster& master : masters_)
+    detail::append(bytes, number++, 0, channel_of(master), encoded(master));
   struct Entry {
     std::int64_t microseconds;
+    std::string_view channel;
     const std::string* data;
   };
   std::vector<Entry> entries;
-  for (const Box& box : boxes_) {
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    const Box& box = boxes_[b];
+    const std::string_view channel =
+        b < masters_.size() ? channel_of(RecordedSight{}) : channel_of(RecordedCycle{});
     const std::size_t oldest = box.count > box.kept.size() ? box.count % box.kept.size() : 0;
     for (std::size_t i = 0; i < box.kept.size(); ++i) {
       const std::size_t k = (oldest + i) % box.kept.size();
-      entries.push_back({box.microseconds[k], &box.kept[k]});
+      entries.push_back({box.microseconds[k], channel, &box.kept[k]});
     }
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.microseconds < b.microseconds; });
   for (const Entry& e : entries)
-    detail::append(bytes, number++, e.microseconds, channel_of(RecordedCycle{}), *e.data);
+    detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
   try {
     write_file(options_.black_box->string(), bytes);
     if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());

@@ -28,13 +28,18 @@ class Tape {
   /// Neither allocates nor waits; a cycle that finds no room is lost and counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
+  /// What the step saw of a master; before its axes.
+  void add(std::size_t master, const MasterSight& sight) noexcept;
 
  private:
   friend class Recorder;
   struct Item {
-    RecordedCycle cycle;
+    RecordedCycle cycle = {};  // one of the two
+    RecordedSight sight = {};
+    bool is_sight = false;
     std::int64_t lost_before = 0;
   };
+  void push(Item& item) noexcept;
 
   Ring<Item, capacity> items_;
   std::int64_t lost_ = 0;  // since the last item that found room; of the cyclic thread
@@ -66,7 +71,8 @@ struct RecorderOptions {
 class Recorder {
  public:
   /// Throws InputError for a black box of 0 cycles, std::system_error where the log cannot be made.
-  Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape);
+  Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
+           std::vector<RecordedMaster> masters = {});
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -85,7 +91,7 @@ class Recorder {
   [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< cycles
 
  private:
-  /// The last encoded cycles of one axis.
+  /// The last encoded cycles of one axis, or sights of one master.
   struct Box {
     std::vector<std::string> kept;
     std::vector<std::int64_t> microseconds;
@@ -97,12 +103,15 @@ class Recorder {
   void write(std::string_view channel, const std::string& data, std::int64_t microseconds);
   void write(const StoredTable& table);
   void flush();
-  void keep(const RecordedCycle& cycle, const std::string& data, std::int64_t microseconds);
+  void keep(Box& box, const std::string& data, std::int64_t microseconds);
+  void watch(Box& box, const RecordedCycle& cycle);
+  void take(const Tape::Item& item);
   void write_black_box();
   void fail(const std::string& what);
 
   RecorderOptions options_;
   std::vector<RecordedAxis> axes_;
+  std::vector<RecordedMaster> masters_;
   Tape& tape_;
   std::filesystem::path part_;
   std::ofstream file_;
@@ -110,7 +119,7 @@ class Recorder {
   std::int64_t number_ = 0;
   std::int64_t now_ = 0;  // us
   std::set<Sha256> tables_;
-  std::vector<Box> boxes_;
+  std::vector<Box> boxes_;  // of the masters, then of the axes
   std::string trouble_;
   std::int64_t lost_ = 0;
 };

@@ -1,5 +1,7 @@
 #include "jounce/executor/replay.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <deque>
 #include <map>
 #include <memory>
@@ -17,6 +19,10 @@ std::string of_axis(std::size_t axis, std::int64_t tick) {
   return "axis " + std::to_string(axis + 1) + ", tick " + std::to_string(tick);
 }
 
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 /// A table whose parts come one after another.
 struct Growing {
   Units units;
@@ -26,7 +32,9 @@ struct Growing {
 
 class Replayer {
  public:
-  explicit Replayer(const std::function<void(const RecordedCycle&)>& watch) : watch_(watch) {}
+  Replayer(const std::function<void(const RecordedCycle&)>& watch,
+           const std::function<void(const RecordedSight&)>& watch_master)
+      : watch_(watch), watch_master_(watch_master) {}
 
   void take(const RecordedAxis& axis) {
     if (axis.axis != result_.axes.size())
@@ -81,6 +89,22 @@ class Replayer {
     if (!ended_) handed_over_[rows.axis].push_back(rows.what);
   }
 
+  void take(const RecordedMaster& master) {
+    if (master.master != result_.masters.size())
+      throw InputError("master", std::to_string(master.master + 1),
+                       "does not follow the ones before");
+    result_.masters.push_back(master);
+    sights_.emplace_back();
+  }
+
+  void take(const RecordedSight& seen) {
+    if (seen.master >= sights_.size())
+      throw InputError("master", std::to_string(seen.master + 1),
+                       "was not recorded when the machine started");
+    sights_[seen.master] = seen.sight;
+    if (watch_master_) watch_master_(seen);
+  }
+
   void take(const RecordedLoss& loss) {
     end(std::to_string(loss.cycles) + " cycles found no room on their way into the record" +
         after());
@@ -123,15 +147,30 @@ class Replayer {
       throw InputError("tick", std::to_string(cycle.tick.tick),
                        "must be greater than the one before, and not negative");
     last->second = cycle.tick.tick;
+    if (const auto what = other_master(cycle)) return differ(cycle, *what);
     const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
     ++result_.compared;
     for (const Movement* movement : now.handed_back)
       if (movement != nullptr) drop({cycle.axis, movement->id()});
     const bool switches = !result_.axes[cycle.axis].switches;
-    if (const auto what = first_difference(cycle.tick, now, switches)) {
-      result_.difference = Replay::Difference{cycle.axis, cycle.tick.tick, *what};
-      ended_ = true;
+    if (const auto what = first_difference(cycle.tick, now, switches)) differ(cycle, *what);
+  }
+
+  void differ(const RecordedCycle& cycle, const TickDifference& what) {
+    result_.difference = Replay::Difference{cycle.axis, cycle.tick.tick, what};
+    ended_ = true;
+  }
+
+  /// Where a follower saw its master otherwise than the cycle did.
+  [[nodiscard]] std::optional<TickDifference> other_master(const RecordedCycle& cycle) const {
+    for (std::size_t m = 0; m < sights_.size(); ++m) {
+      if ((result_.masters[m].followers >> cycle.axis & 1U) == 0) continue;
+      const Jet& own = cycle.inputs.master;
+      const bool same = sights_[m].tick == cycle.tick.tick &&
+                        std::equal(own.begin(), own.end(), sights_[m].at.begin(), same_bits);
+      if (!same) return TickDifference{"live_master", own[0], sights_[m].at[0]};
     }
+    return std::nullopt;
   }
 
   using Key = std::pair<std::size_t, std::uint64_t>;  // axis, and the movement's number
@@ -182,7 +221,9 @@ class Replayer {
   }
 
   const std::function<void(const RecordedCycle&)>& watch_;
+  const std::function<void(const RecordedSight&)>& watch_master_;
   Replay result_;
+  std::vector<MasterSight> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
   std::map<Sha256, Growing> growing_;
@@ -196,9 +237,10 @@ class Replayer {
 }  // namespace
 
 Replay replay(std::istream& in, const std::string& name,
-              const std::function<void(const RecordedCycle&)>& watch) {
+              const std::function<void(const RecordedCycle&)>& watch,
+              const std::function<void(const RecordedSight&)>& watch_master) {
   detail::LcmLogReader reader(in, name);
-  Replayer replayer(watch);
+  Replayer replayer(watch, watch_master);
   while (const auto event = reader.next()) {
     try {
       if (const auto record = decoded(event->channel, event->data))

@@ -22,6 +22,7 @@ struct Replay {
   };
 
   std::vector<RecordedAxis> axes = {};
+  std::vector<RecordedMaster> masters = {};
   std::int64_t cycles = 0;    ///< in the record, of all axes together
   std::int64_t compared = 0;  ///< of them executed again
   std::optional<Difference> difference = {};
@@ -41,6 +42,9 @@ struct Replay {
 ///     const Replay r = replay(file, "run.lcmlog");
 ///     if (r.difference) std::cerr << r.difference->what.field;
 ///
+/// That every follower saw its master as the record has it is compared, too ("live_master"). The masters
+/// themselves are not executed again: what they are made from came from outside.
+///
 /// `watch` is called with every cycle of the record, also after a difference and of a black box, which begins in
 /// the middle of a run and cannot be executed again. A record is read as a stream: its length does not matter.
 ///
@@ -50,6 +54,7 @@ struct Replay {
 /// Throws InputError, with the event's number and place, for what is no LCM log, a damaged one, one without our
 /// events, tables that do not have their hash, and an axis that cannot be configured as recorded.
 Replay replay(std::istream& in, const std::string& name,
-              const std::function<void(const RecordedCycle&)>& watch = {});
+              const std::function<void(const RecordedCycle&)>& watch = {},
+              const std::function<void(const RecordedSight&)>& watch_master = {});
 
 }  // namespace jounce

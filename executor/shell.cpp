@@ -51,11 +51,9 @@ class SignalWatch {
 /// The cyclic thread. Joined by its destructor at the latest.
 class CyclicThread {
  public:
-  CyclicThread(Machine& machine, std::vector<AxisDrive*> drives, Tape* tape, Post& post,
-               const RunOptions& run)
+  CyclicThread(Machine& machine, CycleOptions options, Post& post, const RunOptions& run)
       : machine_(machine),
-        drives_(std::move(drives)),
-        tape_(tape),
+        options_(std::move(options)),
         thread_([this, &post, run] { this->run(post, run); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
@@ -74,15 +72,14 @@ class CyclicThread {
   void run(Post& post, const RunOptions& run) {
     realtime_.set_value(make_realtime(run.realtime));
     const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
-    Cycle cycle(machine_, pacer_, post,
-                {.drives = drives_, .patience = static_cast<std::int64_t>(cycles), .tape = tape_});
+    options_.patience = static_cast<std::int64_t>(cycles);
+    Cycle cycle(machine_, pacer_, post, options_);
     while (running_) cycle.once();
     counts_ = cycle.counts();
   }
 
   Machine& machine_;
-  std::vector<AxisDrive*> drives_;
-  Tape* tape_;
+  CycleOptions options_;
   MonotonicPacer pacer_;
   std::promise<std::string> realtime_;
   std::atomic<bool> running_{true};
@@ -151,10 +148,22 @@ void stop_alone(Post& post) {
   }
 }
 
-std::vector<AxisDrive*> drives_of(const std::vector<ExecutorOptions>& axes) {
-  std::vector<AxisDrive*> drives;
-  for (const auto& axis : axes) drives.push_back(axis.drive.get());
-  return drives;
+CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions& run, Tape* tape) {
+  CycleOptions options{.tape = tape};
+  for (const auto& axis : axes) options.drives.push_back(axis.drive.get());
+  for (const auto& master : run.masters) options.masters.push_back(master.source.get());
+  return options;
+}
+
+std::vector<RecordedMaster> recorded(const std::vector<MachineMaster>& masters,
+                                     const std::vector<ExecutorOptions>& axes) {
+  std::vector<RecordedMaster> recorded;
+  for (const auto& master : masters)
+    recorded.push_back({.master = recorded.size(), .name = master.name, .unit = master.unit});
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i].follow.what == Follow::What::master)
+      recorded[axes[i].follow.index].followers |= std::uint64_t{1} << i;
+  return recorded;
 }
 
 /// The record of a run, if there is to be one, and the tape to it.
@@ -162,18 +171,20 @@ struct Recording {
   std::unique_ptr<Tape> tape = {};
   std::unique_ptr<Recorder> recorder = {};
 
-  Recording(RecorderOptions options, const std::vector<ExecutorOptions>& axes) {
+  Recording(const RunOptions& run, const std::vector<ExecutorOptions>& axes) {
+    RecorderOptions options = run.record;
     if (!options.log && !options.black_box) return;
     if (!options.notify) options.notify = axes.front().notify;
-    std::vector<RecordedAxis> recorded;
+    std::vector<RecordedAxis> of_axes;
     for (const auto& axis : axes)
-      recorded.push_back({.axis = recorded.size(),
-                          .name = axis.receiver.executor,
-                          .units = axis.units,
-                          .config = resolved(axis.axis),
-                          .switches = !axis.switches.table.switches.empty()});
+      of_axes.push_back({.axis = of_axes.size(),
+                         .name = axis.receiver.executor,
+                         .units = axis.units,
+                         .config = resolved(axis.axis),
+                         .switches = !axis.switches.table.switches.empty()});
     tape = std::make_unique<Tape>();
-    recorder = std::make_unique<Recorder>(std::move(options), std::move(recorded), *tape);
+    recorder = std::make_unique<Recorder>(std::move(options), std::move(of_axes), *tape,
+                                          recorded(run.masters, axes));
   }
 };
 
@@ -194,12 +205,12 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   const Deadline deadline(run);
   const SignalWatch watch;
   std::vector<ExecutorOptions> axes = of_axes;
-  const Recording recording(run.record, axes);
+  const Recording recording(run, axes);
   for (auto& axis : axes) axis.recorder = recording.recorder.get();
-  Machine machine(machine_of(axes));
-  Post post(machine.size());
-  Dispatcher dispatcher(link, axes, post);
-  CyclicThread cyclic(machine, drives_of(axes), recording.tape.get(), post, run);
+  Machine machine(machine_of(axes), run.masters.size());
+  Post post(machine.size(), machine.masters());
+  Dispatcher dispatcher(link, axes, post, steady_now, run.masters);
+  CyclicThread cyclic(machine, cycle_of(axes, run, recording.tape.get()), post, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);

@@ -14,6 +14,8 @@ namespace jounce {
 /// How run_executor() runs.
 struct RunOptions {
   std::optional<double> seconds{};  ///< > 0; without it until a signal
+  std::vector<MachineMaster> masters =
+      {};                  ///< that axes follow; their notices go to the first axis's
   bool once = false;       ///< until a motion has ended, in whatever way, and all axes rest
   Realtime realtime = {};  ///< of the cyclic thread
   /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/axis/master.hpp"
+#include "jounce/executor/cycle.hpp"
+#include "jounce/stream/driver.hpp"
+#include "jounce/stream/master_intake.hpp"
+
+namespace jounce {
+
+/// A master of a machine, as its executor is given it. Follow::index counts these.
+struct MachineMaster {
+  std::string name;  ///< an ExternalMaster hears what is said on the channel of this name
+  std::string unit;  ///< in which it counts
+  std::shared_ptr<Master> source;
+};
+
+/// What the communication thread does for the masters: takes in what the link says of external ones, and
+/// says what the cycle sees of each.
+///
+///     MasterDesk masters({{"line", "mm", line}}, {0}, pump, post, clock);
+///     pump.run(2ms);                   // hands over to the cycle what came
+///     masters.turn();                  // notices that one was lost, or found
+///     masters.publish(axis);           // with the status of this axis
+class MasterDesk {
+ public:
+  struct Options {
+    std::vector<MachineMaster> masters = {};
+    std::vector<Follow> follows = {};  ///< of the axes: whose statuses say what of each master
+    bool keyed = false;                ///< see MasterIntake
+    std::function<void(const std::string& notice)> notify{};
+  };
+  /// Subscribes. `pump` and `post` must outlive it, and `clock` be the one of the cycle's pacer.
+  MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock);
+  MasterDesk(const MasterDesk&) = delete;  // the pump knows where it is
+  MasterDesk& operator=(const MasterDesk&) = delete;
+
+  void turn();
+  /// The masters that this axis follows; by the first axis also those that nobody follows.
+  void publish(std::size_t axis);
+
+  [[nodiscard]] std::size_t size() const { return desks_.size(); }
+  /// As the cycle saw it last.
+  [[nodiscard]] const MasterSight& last(std::size_t master) const { return desks_[master].last; }
+  [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
+
+ private:
+  struct One {
+    MachineMaster master;
+    std::optional<MasterIntake> intake = {};  // of an external one
+    MasterSight last = {};
+    bool was_there = false;
+    bool told_unit = false;
+    std::vector<bool> said_by = {};  // axes
+  };
+
+  void hear(One& one, ExternalMaster& master);
+  void compare(One& one, const MasterSight& now);
+
+  Options options_;
+  ReceiverPump& pump_;
+  Post& post_;
+  Clock clock_;
+  std::deque<One> desks_;
+};
+
+}  // namespace jounce
