@@ -43,7 +43,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   if (moving()) play();
   operate_switches();
   last_tick_ = tick;
-  last_master_ = inputs.master[0];
+  last_master_ = inputs_.master[0];
   now_.in_position =
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
@@ -53,7 +53,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
-  now_.override_ = on_path() ? std::min(factor_, highest_rate(peaks_, config_)) : factor_;
+  now_.override_ = on_path() ? granted(std::min(factor_, highest_rate(peaks_, config_))) : factor_;
   now_.rate = on_path() ? clock_.at(tick).rate : 1;
   return now_;
 }
@@ -211,7 +211,7 @@ bool MotionAxis::ready_to_swap() {
   peaks_ = {std::max(peaks_.velocity, next.velocity),
             std::max(peaks_.acceleration, next.acceleration), std::max(peaks_.jerk, next.jerk),
             std::max(peaks_.velocity_step, next.velocity_step)};
-  change_rate(wanted_rate());
+  change_rate(pending_->growing() ? std::min(granted_rate(), 1.0) : granted_rate());
   return true;
 }
 
@@ -275,7 +275,7 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
   origin_ = now_.tick;
   if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
   if (!live) {
-    const double rate = wanted_rate();
+    const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
     played_to_ = 0;
     // At full speed path time is bit for bit ticks * period since the tick of the start.
     if (start_at_ == StartAt::tick)
@@ -321,7 +321,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   if (!moving() || state_ == State::stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
-  if (ending == Ending::stop) state_ = State::stopping;
+  state_ = ending == Ending::stop ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;
@@ -329,7 +329,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
 
 void MotionAxis::hold(bool on) {
   if (base_ == Base::movement && !on_path()) return refuse(Cause::not_on_path);
-  if (ending_ != Ending::none) return;
+  if (ending_ != Ending::none) return refuse(Cause::halting);
   held_ = on;
   replan();
 }
@@ -343,7 +343,8 @@ void MotionAxis::set_override(double factor) {
 /// Agito StopRep: the stroke is finished, the next one does not begin.
 void MotionAxis::finish() {
   if (!on_path()) return refuse(Cause::not_on_path);
-  if (ending_ != Ending::none || !std::isinf(active_->known()) || active_->pass() <= 0) return;
+  if (ending_ != Ending::none) return refuse(Cause::halting);
+  if (!std::isinf(active_->known()) || active_->pass() <= 0) return;
   const auto end = active_->end();
   const double most = *config_.limits.acceleration * seconds(1);
   if (!end) return refuse(Cause::no_movement);
@@ -358,6 +359,8 @@ void MotionAxis::finish() {
 void MotionAxis::set_position(double position) {
   if (waiting_) return refuse(Cause::in_motion);
   if (!std::isfinite(position)) return refuse(Cause::no_value, position);
+  if (!(std::abs(position) <= furthest(config_)))
+    return refuse(Cause::position_limit, position, furthest(config_));
   now_.offset += position - now_.position;
   now_.position = position;
   if (switches_of_ == SwitchesOf::position) switches_.place();

@@ -128,6 +128,8 @@ class MotionAxis {
   void play();
   Cause advance(Setpoint& next);
   Cause advance_path(Setpoint& next);
+  void govern();
+  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
   [[nodiscard]] bool starves() const;
   void swap(double boundary, MotionState end);
   [[nodiscard]] bool swaps_at_master() const;
@@ -157,6 +159,8 @@ class MotionAxis {
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const;
   [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] double granted(double wanted) const;
+  [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
   [[nodiscard]] MotionState last() const;
   [[nodiscard]] std::optional<MotionState> expected_end() const;
   [[nodiscard]] Moment moment(double t) const;

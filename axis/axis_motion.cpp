@@ -12,9 +12,9 @@ namespace jounce {
 // ---- what it sees ------------------------------------------------------------------------------
 
 void MotionAxis::take(const Inputs& inputs) {
-  inputs_ = inputs;
-  now_.actual_position = inputs.feedback.position + now_.offset;
-  now_.torque = inputs.feedback.torque;
+  inputs_ = sound(inputs, config_);
+  now_.actual_position = inputs_.feedback.position + now_.offset;
+  now_.torque = inputs_.feedback.torque;
   // While nothing is commanded the axis is where the drive is: enabling it moves nothing.
   if (state_ == State::disabled && std::isfinite(now_.actual_position))
     now_.position = now_.actual_position;
@@ -87,6 +87,7 @@ Cause MotionAxis::advance_path(Setpoint& next) {
     swap(boundary_at_, *active_->end());
     time = clock_.at(now_.tick);
   }
+  govern();
   if (ending_ != Ending::fault && starves()) return Cause::underrun;
   if (active_->growing() && time.s > active_->known()) return Cause::jump;
   next = active_->at(moment(time.s));
@@ -100,6 +101,33 @@ Cause MotionAxis::advance_path(Setpoint& next) {
   joint_ = joint_ || active_->progress() == Progress::done;
   if (active_->progress() != Progress::broken) return Cause::none;
   return is_fault(active_->cause()) ? active_->cause() : Cause::jump;
+}
+
+/// Above full speed a growing path runs only while it could come back to full speed on what is
+/// known, and then to rest: supply that does not keep up makes it slower, and only at full speed is
+/// it an underrun. What was asked for, or half the way to it, or half of that, is granted where half
+/// as much again is known, so that it does not tremble.
+void MotionAxis::govern() {
+  if (factor_ <= 1 || wanted_rate() <= 1) return;
+  if (!active_->growing()) {
+    change_rate(granted_rate());
+    return;
+  }
+  const double rate = clock_.target();
+  if (rate > 1 && !knows(now_.tick + 1, 1, 1)) change_rate(1);
+  if (rate < 1 || !clock_.steady(now_.tick)) return;
+  constexpr double least = 1.0 / 64;
+  for (double more = wanted_rate(); more - rate > least; more = (more + rate) / 2)
+    if (knows(now_.tick, more, 1.5)) {
+      change_rate(more);
+      return;
+    }
+}
+
+/// Whether so many times the way is known that a run at `rate` takes to rest by way of full speed.
+bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
+  const double way = clock_.way_by(tick, rate, slope_to(rate));
+  return active_->known() >= clock_.at(tick).s + times * way + 1e-3 * seconds(1);  // rounding
 }
 
 /// Less is known of the path than a stop begun in the next tick would need.
@@ -127,7 +155,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
   shift_ = 0;
   peaks_ = active_->peaks();
   clock_.shift(boundary);
-  if (clock_.target() != wanted_rate()) change_rate(wanted_rate());
+  change_rate(granted_rate());
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
   has_master_ = active_->synchronized();
   if (switches_of_ == SwitchesOf::master) switches_.place();
@@ -361,7 +389,7 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
 /// The rate has changed: the path runs at another one, a move is planned anew.
 void MotionAxis::replan() {
   const bool done =
-      on_path() ? change_rate(wanted_rate()) : plan_from(bare_, emitted_, goal_, wanted_rate());
+      on_path() ? change_rate(granted_rate()) : plan_from(bare_, emitted_, goal_, wanted_rate());
   if (!done) refuse(Cause::no_such_move);
 }
 
@@ -422,6 +450,14 @@ bool MotionAxis::on_path() const {
 double MotionAxis::wanted_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
   return on_path() ? std::min(factor_, highest_rate(peaks_, config_)) : factor_;
+}
+
+/// What of it a path takes now: above full speed, one that grows has its rate from govern(), and what
+/// is about to be swapped for one comes back to full speed first.
+double MotionAxis::granted(double wanted) const {
+  if (!on_path() || wanted <= 1) return wanted;
+  if (waiting_ && pending_ && pending_->growing()) return 1;
+  return active_->growing() ? std::clamp(clock_.target(), 1.0, wanted) : wanted;
 }
 
 MotionState MotionAxis::last() const {

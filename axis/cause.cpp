@@ -64,6 +64,8 @@ constexpr std::array entries{
           "The speed on the path is being changed; ask again when that is over."},
     Entry{Cause::no_such_move, "no_such_move",
           "No move from the present state to that target keeps the limits."},
+    Entry{Cause::halting, "halting",
+          "A halt is under way: give it another motion, or wait for its end."},
     Entry{Cause::bad_table, "bad_table",
           "The tables do not make a motion: one over time is needed, or a master and a cam."},
     Entry{Cause::start_position, "start_position",

@@ -46,6 +46,7 @@ enum class Cause : std::uint8_t {
   direction_blocked = 33,
   rate_changing = 34,
   no_such_move = 35,
+  halting = 36,
 
   // Tables that were not admitted.
   bad_table = 40,

@@ -148,7 +148,7 @@ FifoFollow::FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& 
 }
 
 Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::finite(now.master)) return Cause::no_master_input;
+  if (!detail::usable(now.master)) return Cause::no_master_input;
   if (fresh_) fifos_.give_back();
   fresh_ = fifos_.take(first_.load());
   if (!fresh_) return Cause::no_movement;
@@ -163,7 +163,7 @@ Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
 Setpoint FifoFollow::at(const Moment& now) noexcept {
   if (progress_ >= Progress::done) return last_;
   fresh_ = false;
-  const bool lost = !detail::finite(now.master);
+  const bool lost = !detail::usable(now.master);
   if (!lost) {
     const Sample sample{now.t, now.master};
     const Jet f = step(run_, fifos_, before_, sample);

@@ -7,6 +7,9 @@
 
 namespace jounce {
 
+/// Numbers beyond this are none of a machine; move_to() has the same bound.
+inline constexpr double most_magnitude = 1e50;
+
 /// What a drive says in one cycle. NaN: it does not tell.
 struct Feedback {
   double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
@@ -16,7 +19,9 @@ struct Feedback {
   bool fault = false;  ///< it has failed (CiA 402: fault)
 };
 
-/// What an axis sees in one cycle besides commands.
+/// What an axis sees in one cycle besides commands. Whatever it is, the axis stays within its limits:
+/// a master with a number that is not finite or beyond 1e50 is lost, and a drive that reports one, or
+/// a position that the axis could not reach in 2^40 ticks, has failed (`drive_fault`).
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
   Feedback feedback = {};

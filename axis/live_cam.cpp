@@ -32,7 +32,7 @@ LiveCam::LiveCam(std::uint64_t id, std::shared_ptr<const Table> cam, const Coupl
       coupling_(table_->curve<OverMaster>(), spec) {}
 
 Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::finite(now.master)) return Cause::no_master_input;
+  if (!detail::usable(now.master)) return Cause::no_master_input;
   const Engagement in = engage(coupling_, axis, now.master, now.t);
   if (!in) return cause_of(in.status);
   const double near = 1e-9 * std::abs(coupling_.reach()[0]) + 1e-12 * std::abs(axis.position);
@@ -49,8 +49,8 @@ Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {
 Setpoint LiveCam::at(const Moment& now) noexcept {
   if (progress_ == Progress::broken) return last_;
   if (released_) return last_ = {last_.master, last_.master_velocity, point(*released_, now.t)};
+  if (!detail::usable(now.master)) return break_off(Cause::master_lost);
   const Stepped step = jounce::step(coupling_, engaged_, {now.t, now.master});
-  if (step.status == CouplingStatus::not_finite) return break_off(Cause::master_lost);
   if (step.released && step.jumped) return break_off(cause_of(step.status));
   engaged_ = step.engaged;
   released_ = step.released;

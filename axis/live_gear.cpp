@@ -13,8 +13,8 @@ Cause lost(Progress progress) {
   return progress == Progress::broken ? Cause::master_lost : Cause::none;
 }
 
-bool finite(const MotionState& s) {
-  return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.acceleration);
+bool usable(const MotionState& s) {
+  return detail::usable({s.position, s.velocity, s.acceleration, 0});
 }
 
 }  // namespace
@@ -22,10 +22,10 @@ bool finite(const MotionState& s) {
 LiveGear::LiveGear(std::uint64_t id, const GearInSpec& spec)
     : Movement(id, Course::live), spec_(spec), gear_(gear_in(spec, MotionState{}, Jet{}, 0)) {}
 
-// gear_in() throws for a bad spec, which the constructor has tried, for numbers that are not finite,
-// and for a velocity so far beyond the acceleration that the ramp would not be.
+// gear_in() throws for a bad spec, which the constructor has tried, and for numbers that would not
+// stay finite, which usable() keeps away.
 Cause LiveGear::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::finite(now.master) || !finite(axis)) return Cause::no_master_input;
+  if (!detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   try {
     gear_ = gear_in(spec_, axis, now.master, now.t);
   } catch (const InputError&) {
@@ -37,7 +37,7 @@ Cause LiveGear::begin(const MotionState& axis, const Moment& now) noexcept {
 }
 
 Setpoint LiveGear::at(const Moment& now) noexcept {
-  if (!detail::finite(now.master)) progress_ = Progress::broken;
+  if (!detail::usable(now.master)) progress_ = Progress::broken;
   if (progress_ == Progress::broken) return last_;
   progress_ = in_gear(gear_, now.t) ? Progress::running : Progress::engaging;
   return last_ = detail::setpoint(now.master, point(gear_, now.master, now.t));
@@ -54,7 +54,7 @@ LiveGearInPos::LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec)
 }
 
 Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::finite(now.master) || !finite(axis)) return Cause::no_master_input;
+  if (!detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   const double stroke = std::abs(gear_.slave_sync - gear_.slave_start);
   const double near = 1e-9 * stroke + 1e-12 * std::abs(gear_.slave_start);
   if (!(std::abs(axis.position - gear_.slave_start) <= near)) return Cause::start_position;
@@ -67,7 +67,7 @@ Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept 
 }
 
 Setpoint LiveGearInPos::at(const Moment& now) noexcept {
-  if (!detail::finite(now.master)) progress_ = Progress::broken;
+  if (!detail::usable(now.master)) progress_ = Progress::broken;
   if (progress_ == Progress::broken) return last_;
   const GearInPosStep done = step(gear_, state_, now.master);
   state_ = done.state;

@@ -20,7 +20,7 @@ class LiveGear final : public Movement {
   /// Throws InputError as gear_in() does.
   LiveGear(std::uint64_t id, const GearInSpec& spec);
 
-  /// no_master_input; no_ramp: numbers beyond 1e100.
+  /// no_master_input: no number, or beyond 1e50.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jounce/profiles/move.hpp"
 
@@ -101,6 +102,16 @@ double PathClock::way_to_rest(std::int64_t tick, double slope) const noexcept {
   if (target() == 0) return base_ + change_.end().position - now.s;
   const Move move = move_velocity({0, now.rate, now.rate_slope}, 0, rate_bounds(slope));
   return move ? move.profile.end().position : 0;
+}
+
+double PathClock::way_by(std::int64_t tick, double rate, double slope) const noexcept {
+  PathClock ahead = *this;
+  const double from = at(tick).s;
+  for (const double next : {rate, 1.0, 0.0}) {
+    if (!ahead.change(tick, next, slope)) return std::numeric_limits<double>::infinity();
+    tick += static_cast<std::int64_t>(std::ceil(ahead.length_ / seconds(period_)));
+  }
+  return ahead.at(tick).s - from;
 }
 
 Setpoint at_rate(const Setpoint& path, const PathTime& time) noexcept {

@@ -48,6 +48,9 @@ class PathClock {
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
   /// The path time that the change under way, or one begun now, still runs through until rest.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
+  /// The same of a run to `rate` first, from there to full speed, and then to rest, each as soon as
+  /// the one before is over; infinite where the slope is not > 0.
+  [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 
  private:
   [[nodiscard]] double since(std::int64_t tick) const noexcept;

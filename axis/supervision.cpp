@@ -1,6 +1,10 @@
 #include "jounce/axis/supervision.hpp"
 
 #include <cmath>
+#include <limits>
+#include <utility>
+
+#include "jounce/axis/detail/live.hpp"
 
 namespace jounce {
 
@@ -15,6 +19,25 @@ bool Supervision::settled(double error, bool at_rest, double dt,
   const bool inside = at_rest && config.in_position > 0 && std::abs(error) <= config.in_position;
   inside_ = inside ? inside_ + dt : 0;
   return inside && inside_ >= config.in_position_time;
+}
+
+double furthest(const AxisConfig& config) noexcept {
+  return 0x1p40 * *config.limits.velocity * static_cast<double>(config.period) * 1e-9;
+}
+
+Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept {
+  Inputs sound = inputs;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!detail::usable(sound.master)) sound.master = {unknown, 0, 0, 0};
+  Feedback& drive = sound.feedback;
+  for (auto [value, most] : {std::pair{&drive.position, furthest(config)},
+                             {&drive.velocity, most_magnitude},
+                             {&drive.torque, most_magnitude}}) {
+    if (std::isnan(*value) || std::abs(*value) <= most) continue;
+    *value = unknown;
+    drive.fault = true;
+  }
+  return sound;
 }
 
 Cause check_inputs(const Inputs& inputs) noexcept {

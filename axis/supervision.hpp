@@ -27,6 +27,14 @@ class Supervision {
   double inside_ = 0;   // s
 };
 
+/// The furthest position that an axis can count to, u: its way in 2^40 ticks at its velocity. Beyond
+/// that the way of one tick would be lost in rounding.
+double furthest(const AxisConfig& config) noexcept;
+
+/// The inputs without numbers that none can be: of a master, so that it is lost; of a drive, so that
+/// it has failed.
+Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept;
+
 /// What the drive and the watchdog say of an axis that is enabled: a fault, or none.
 Cause check_inputs(const Inputs& inputs) noexcept;
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/axis/inputs.hpp"
 #include "jounce/axis/movement.hpp"
 
 /// What movements behind a live master share.
 namespace jounce::detail {
 
-inline bool finite(const Jet& x) {
-  return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+/// Numbers that a master may have: finite, and small enough for their squares and quotients to be.
+inline bool usable(const Jet& x) {
+  return std::all_of(x.begin(), x.end(), [](double v) { return std::abs(v) <= most_magnitude; });
 }
 
 inline Setpoint setpoint(const Jet& master, const Jet& slave) {

@@ -92,7 +92,7 @@ TEST(LiveGear, ALostMasterBreaksIt) {
   EXPECT_EQ(gear.progress(), Progress::broken);
   EXPECT_EQ(gear.cause(), Cause::master_lost);
   EXPECT_EQ(slave.begin({}), Cause::no_master_input);
-  EXPECT_EQ(gear.begin({}, {0, 0, {0, 1e308, 0, 0}}), Cause::no_ramp);
+  EXPECT_EQ(gear.begin({}, {0, 0, {0, 1e308, 0, 0}}), Cause::no_master_input);
   EXPECT_THROW(LiveGear(1, {.denominator = 0, .acceleration = 1}), InputError);
   EXPECT_THROW(LiveGear(1, {}), InputError) << "no acceleration: PMC600 error 676";
 }
