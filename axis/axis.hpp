@@ -100,72 +100,82 @@ class MotionAxis {
   enum class Ending : std::uint8_t { none, stop, halt, fault };
   enum class Boundary : std::uint8_t { none, swap, finish };
 
-  // axis.cpp: what it is told
-  void obey(const Command& command);
-  void power(bool on);
-  void reset();
-  void arm(Movement* movement);
-  void disarm();
-  void start(const Command& command);
-  void start_at_end();
-  bool ready_to_swap();
-  void begin_due();
-  void begin_pending(const MotionState& from, double ahead);
-  void gear_in(Movement* movement);
-  void end_motion(Ending ending, const Command& command);
-  void set_position(double position);
-  void hold(bool on);
-  void set_override(double factor);
-  void finish();
-  void move(const Command& command);
-  void move_to(double position, const MoveDynamics& dynamics);
-  void superimpose(double distance, MoveDynamics dynamics);
-  void decouple();
-
-  // axis_motion.cpp: what it does
+  // axis.cpp: one tick
   void take(const Inputs& inputs);
   void watch();
   void play();
   Cause advance(Setpoint& next);
-  Cause advance_path(Setpoint& next);
-  void govern();
-  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
-  [[nodiscard]] bool starves() const;
-  void swap(double boundary, MotionState end);
-  [[nodiscard]] bool swaps_at_master() const;
-  [[nodiscard]] std::optional<double> passing(double to) const;
-  void swap_at_master(double s);
   void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   void give_out(const Setpoint& next);
-  void conclude();
-  void rest();
-  void freeze();
-  void fail(Cause cause);
-  void brake(double deceleration);
-  void leave();
-  void go(const Goal& goal, State state);
-  bool adopt(const Goal& goal, double factor);
-  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
-  void replan();
-  bool change_rate(double rate);
-  [[nodiscard]] double slope_to(double rate) const;
-  void drop_movement();
   void operate_switches();
-
+  void report();
   void hand_back(const Movement* movement);
   void refuse(Cause cause, double value = 0, double limit = 0);
   void drop(const Refusal& why);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const;
-  [[nodiscard]] double wanted_rate() const;
-  [[nodiscard]] double granted(double wanted) const;
-  [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
   [[nodiscard]] MotionState last() const;
-  [[nodiscard]] std::optional<MotionState> expected_end() const;
   [[nodiscard]] Moment moment(double t) const;
   [[nodiscard]] double seconds(std::int64_t ticks) const;
   [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
+
+  // axis_commands.cpp: what it is told
+  void obey(const Command& command);
+  void power(bool on);
+  void reset();
+  void set_position(double position);
+  void end_motion(Ending ending, const Command& command);
+  void hold(bool on);
+  void set_override(double factor);
+  void finish();
+
+  // axis_starts.cpp: its slots
+  void arm(Movement* movement);
+  void disarm();
+  void start(const Command& command);
+  void gear_in(Movement* movement);
+  void begin_due();
+  void begin_pending(const MotionState& from, double ahead);
+  [[nodiscard]] std::optional<MotionState> expected_end() const;
+
+  // axis_swap.cpp: from one path onto the next
+  void start_at_end();
+  bool ready_to_swap();
+  void swap(double boundary, MotionState end);
+  [[nodiscard]] bool swaps_at_master() const;
+  [[nodiscard]] std::optional<double> passing(double to) const;
+  void swap_at_master(double s);
+
+  // axis_path.cpp: the time of a path
+  Cause advance_path(Setpoint& next);
+  [[nodiscard]] bool starves() const;
+  void govern();
+  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
+  [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] double granted(double wanted) const;
+  [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
+  bool change_rate(double rate);
+  [[nodiscard]] double slope_to(double rate) const;
+  void replan();
+
+  // axis_moves.cpp: moves of its own
+  void move(const Command& command);
+  void move_to(double position, const MoveDynamics& dynamics);
+  void superimpose(double distance, MoveDynamics dynamics);
+  void decouple();
+  void go(const Goal& goal, State state);
+  bool adopt(const Goal& goal, double factor);
+  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
+  void brake(double deceleration);
+  void leave();
+
+  // axis_ends.cpp: how a motion ends
+  void conclude();
+  void rest();
+  void freeze();
+  void fail(Cause cause);
+  void drop_movement();
 
   AxisConfig config_;
   State state_ = State::disabled;

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// What an axis is told, one command a tick: where each goes, and those about power, counting, the speed
+// and the end of what moves.
+
+namespace jounce {
+
+using Kind = Command::Kind;
+
+void MotionAxis::obey(const Command& command) {
+  if (command.kind == Kind::none) return;
+  if (const Cause no = permitted(state_, command.kind); no != Cause::none) {
+    if (command.movement) hand_back(command.movement);
+    return refuse(no);
+  }
+  switch (command.kind) {
+    case Kind::none:
+      return;
+    case Kind::enable:
+      return power(true);
+    case Kind::disable:
+      return power(false);
+    case Kind::arm:
+      return arm(command.movement);
+    case Kind::disarm:
+      if (!waiting_) disarm();
+      return;
+    case Kind::start:
+      return start(command);
+    case Kind::stop:
+      return end_motion(Ending::stop, command);
+    case Kind::halt:
+      return end_motion(Ending::halt, command);
+    case Kind::abort:
+      return fail(Cause::aborted);
+    case Kind::reset:
+      return reset();
+    case Kind::set_position:
+      return set_position(command.position + (command.relative ? now_.position : 0));
+    case Kind::home:
+      set_position(command.position);
+      if (!now_.refused) state_ = State::homing;
+      return;
+    case Kind::hold:
+    case Kind::resume:
+      return hold(command.kind == Kind::hold);
+    case Kind::override_:
+      return set_override(command.factor);
+    case Kind::finish:
+      return finish();
+    case Kind::move_absolute:
+    case Kind::move_relative:
+    case Kind::move_additive:
+    case Kind::move_superimposed:
+    case Kind::move_velocity:
+      return move(command);
+    case Kind::gear_in:
+      return gear_in(command.movement);
+    case Kind::gear_out:
+    case Kind::cam_out:
+      return decouple();
+  }
+}
+
+// ---- power and place ---------------------------------------------------------------------------
+
+void MotionAxis::power(bool on) {
+  if (on && inputs_.feedback.fault) return refuse(Cause::drive_fault);
+  if (!on && moving() && state_ != State::error_stop) return fail(Cause::disabled_in_motion);
+  now_.power = on;
+  if (on) return;
+  disarm();
+  freeze();
+  state_ = State::disabled;
+}
+
+/// A path that an underrun stopped is still there, and at rest: it waits for a resume.
+void MotionAxis::reset() {
+  if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
+    return refuse(Cause::in_motion);
+  now_.fault = Cause::none;
+  if (state_ != State::error_stop) return;
+  ending_ = Ending::none;
+  held_ = moving();
+  state_ = !moving()                 ? State::standstill
+           : active_->synchronized() ? State::synchronized_motion
+                                     : State::discrete_motion;
+}
+
+void MotionAxis::set_position(double position) {
+  if (waiting_) return refuse(Cause::in_motion);
+  if (!std::isfinite(position)) return refuse(Cause::no_value, position);
+  if (!(std::abs(position) <= furthest(config_)))
+    return refuse(Cause::position_limit, position, furthest(config_));
+  now_.offset += position - now_.position;
+  now_.position = position;
+  if (switches_of_ == SwitchesOf::position) switches_.place();
+}
+
+// ---- faster, slower, and to an end -------------------------------------------------------------
+
+void MotionAxis::end_motion(Ending ending, const Command& command) {
+  MoveDynamics dynamics = command.dynamics;
+  now_.refused = ending == Ending::stop ? fill_stop(dynamics, config_) : fill(dynamics, config_);
+  if (now_.refused) return;
+  disarm();
+  if (!moving() || state_ == State::stopping) return;
+  boundary_ = Boundary::none;
+  ending_ = ending;
+  state_ = ending == Ending::stop ? State::stopping : State::discrete_motion;
+  if (on_path() && !lifting_ && change_rate(0)) return;
+  if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
+  now_.reason = Cause::none;
+}
+
+void MotionAxis::hold(bool on) {
+  if (base_ == Base::movement && !on_path()) return refuse(Cause::not_on_path);
+  if (ending_ != Ending::none) return refuse(Cause::halting);
+  held_ = on;
+  replan();
+}
+
+void MotionAxis::set_override(double factor) {
+  if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
+  factor_ = factor;
+  if (moving() && ending_ == Ending::none && (base_ == Base::move || on_path())) replan();
+}
+
+/// Agito StopRep: the stroke is finished, the next one does not begin.
+void MotionAxis::finish() {
+  if (!on_path()) return refuse(Cause::not_on_path);
+  if (ending_ != Ending::none) return refuse(Cause::halting);
+  if (!std::isinf(active_->known()) || active_->pass() <= 0) return;
+  const auto end = active_->end();
+  const double most = *config_.limits.acceleration * seconds(1);
+  if (!end) return refuse(Cause::no_movement);
+  if (std::abs(end->velocity) > most) return refuse(Cause::end_velocity, end->velocity, most);
+  disarm();
+  boundary_ = Boundary::finish;
+  boundary_at_ = active_->pass() * (std::floor(clock_.at(now_.tick).s / active_->pass()) + 1);
+}
+
+}  // namespace jounce

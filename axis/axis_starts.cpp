@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// The slots of an axis: a movement is armed, its start accepted, and begun when it is due.
+
+namespace jounce {
+
+void MotionAxis::arm(Movement* movement) {
+  if (!movement) return refuse(Cause::no_value);
+  const auto from = expected_end();
+  if (from)
+    now_.refused = movement->admit(config_, *from);
+  else if (movement->course() == Course::path)
+    refuse(Cause::in_motion);
+  // For a swap where the master passes a position: where the cam begins is looked at there.
+  if (now_.refused && on_path() && active_->synchronized() &&
+      (now_.refused->cause == Cause::start_position ||
+       now_.refused->cause == Cause::start_velocity))
+    now_.refused.reset();
+  if (now_.refused) return hand_back(movement);
+  disarm();
+  pending_ = movement;
+}
+
+/// Where what is under way will come to rest, or where a pass of it ends; nothing: nobody knows.
+std::optional<MotionState> MotionAxis::expected_end() const {
+  if (!moving()) return MotionState{now_.position, 0, 0};
+  const double above = shift_ + (lifting_ ? lift_.end().position : 0);
+  if (base_ == Base::move) {
+    if (goal_.kind == Goal::Kind::velocity) return std::nullopt;
+    const bool there = goal_.kind == Goal::Kind::position;
+    return MotionState{(there ? goal_.value : plan_.end().position) + above, 0, 0};
+  }
+  auto end = active_->end();
+  if (end) end->position += above;
+  return end;
+}
+
+void MotionAxis::disarm() {
+  if (pending_) hand_back(pending_);
+  pending_ = nullptr;
+  waiting_ = false;
+  if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
+}
+
+void MotionAxis::start(const Command& command) {
+  if (!pending_) return refuse(Cause::not_armed);
+  if (command.start_at == StartAt::end_of_table && moving()) return start_at_end();
+  if (command.start_at == StartAt::tick && command.at >= 0 && command.at < now_.tick)
+    return refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
+    return refuse(Cause::no_value, command.position);
+  const bool swaps = command.start_at == StartAt::master_position && on_path();
+  if (pending_->course() == Course::path && moving() && !swaps) return refuse(Cause::in_motion);
+  if (swaps && !ready_to_swap()) return;
+  if (!moving()) {
+    now_.refused = pending_->admit(config_, last());
+    const Cause no = pending_->begin(last(), moment(0));
+    if (no != Cause::none) now_.refused = now_.refused.value_or(Refusal{});
+    if (no != Cause::none) now_.refused->cause = no;
+    if (now_.refused) return;
+  }
+  waiting_ = true;
+  accepted_ = now_.tick;
+  start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
+  start_tick_ = std::max(command.at, now_.tick);
+  start_position_ = command.position;
+}
+
+void MotionAxis::gear_in(Movement* movement) {
+  if (!movement) return refuse(Cause::no_value);
+  if (movement->course() != Course::live) {
+    refuse(Cause::bad_table);
+    return hand_back(movement);
+  }
+  if (now_.refused = movement->admit(config_, last()); now_.refused) return hand_back(movement);
+  disarm();
+  pending_ = movement;
+  waiting_ = true;
+  accepted_ = now_.tick;
+  start_at_ = StartAt::tick;
+  start_tick_ = now_.tick;
+}
+
+/// Begins what waits, if this is its tick, or the master passes its position.
+void MotionAxis::begin_due() {
+  if (!waiting_ || start_at_ == StartAt::end_of_table) return;
+  const bool on_cam = on_path() && pending_->course() == Course::path;
+  if (start_at_ == StartAt::master_position && on_cam) return;  // swap_at_master()
+  double ahead = 0;
+  if (start_at_ == StartAt::tick) {
+    if (start_tick_ > now_.tick) return;
+    ahead = seconds(now_.tick - start_tick_);
+  } else {
+    const double before = last_master_ - start_position_;
+    const double after = inputs_.master[0] - start_position_;
+    if (!(before * after <= 0 && before != after)) return;
+    ahead = dt() * after / (after - before);
+  }
+  if (pending_->course() == Course::path && moving()) return drop({.cause = Cause::in_motion});
+  begin_pending(last(), ahead);
+}
+
+void MotionAxis::begin_pending(const MotionState& from, double ahead) {
+  const bool live = pending_->course() == Course::live;
+  MotionState state = from;
+  if (live && moving()) {  // where it would be by now
+    Setpoint next;
+    if (advance(next) != Cause::none) return disarm();
+    lift(next);
+    state = {next.slave[0], next.slave[1], next.slave[2]};
+  }
+  if (const Cause no = pending_->begin(state, moment(0)); no != Cause::none)
+    return drop({.cause = no, .value = state.position});
+  Movement* const next = pending_;
+  pending_ = nullptr;
+  waiting_ = false;
+  const bool was_moving = moving();
+  drop_movement();
+  active_ = next;
+  base_ = Base::movement;
+  ending_ = Ending::none;
+  held_ = lifting_ = false;
+  shift_ = 0;
+  joint_ = true;
+  peaks_ = active_->peaks();
+  origin_ = now_.tick;
+  if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  if (!live) {
+    const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
+    played_to_ = 0;
+    // At full speed path time is bit for bit ticks * period since the tick of the start.
+    if (start_at_ == StartAt::tick)
+      clock_.start(start_tick_, 0, rate);
+    else
+      clock_.start(now_.tick, ahead * rate, rate);
+  }
+  now_.reason = Cause::none;
+  state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  has_master_ = active_->synchronized();
+  if (switches_of_ == SwitchesOf::master) switches_.place();
+}
+
+}  // namespace jounce

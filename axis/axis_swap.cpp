@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// From one path onto the next without a stop: at the end of the one that is played, or of its pass, or
+// where its master passes a position.
+
+namespace jounce {
+
+/// A swap where the path, or its present pass, ends.
+void MotionAxis::start_at_end() {
+  const auto end = expected_end();
+  if (!on_path() || active_->pass() <= 0 || !end) return refuse(Cause::not_on_path);
+  if (now_.refused = pending_->admit(config_, *end); now_.refused) return;
+  if (!ready_to_swap()) return;
+  const double s = clock_.at(now_.tick).s;
+  const bool repeats = std::isinf(active_->known());
+  boundary_ = Boundary::swap;
+  boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
+  waiting_ = true;
+  accepted_ = now_.tick;
+  start_at_ = StartAt::end_of_table;
+}
+
+/// Until the swap the rate may only be what both paths take.
+bool MotionAxis::ready_to_swap() {
+  if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
+  if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
+  if (now_.refused) return false;
+  const Peaks next = pending_->peaks();
+  peaks_ = {std::max(peaks_.velocity, next.velocity),
+            std::max(peaks_.acceleration, next.acceleration), std::max(peaks_.jerk, next.jerk),
+            std::max(peaks_.velocity_step, next.velocity_step)};
+  change_rate(pending_->growing() ? std::min(granted_rate(), 1.0) : granted_rate());
+  return true;
+}
+
+/// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
+void MotionAxis::swap(double boundary, MotionState end) {
+  boundary_ = Boundary::none;
+  end.position += shift_;
+  if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
+    return drop({.cause = no, .value = end.position});
+  hand_back(active_);
+  active_ = pending_;
+  pending_ = nullptr;
+  waiting_ = false;
+  ++now_.finished;
+  joint_ = true;
+  shift_ = 0;
+  peaks_ = active_->peaks();
+  clock_.shift(boundary);
+  change_rate(granted_rate());
+  state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  has_master_ = active_->synchronized();
+  if (switches_of_ == SwitchesOf::master) switches_.place();
+}
+
+/// Whether what waits begins where the master of this path passes a position.
+bool MotionAxis::swaps_at_master() const {
+  return waiting_ && start_at_ == StartAt::master_position && active_->synchronized();
+}
+
+/// When the master passes that position on the way to path time `to`, by halving. Where a pass ends on
+/// the way the master leaps to its beginning: that passes nothing.
+std::optional<double> MotionAxis::passing(double to) const {
+  const auto beyond = [&](double s) { return active_->at(moment(s)).master - start_position_; };
+  const auto crossing = [&](double low, double high) -> std::optional<double> {
+    const double before = beyond(low);
+    const double after = beyond(high);
+    if (!(before * after <= 0 && before != after)) return std::nullopt;
+    if (before == 0) return low;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      ((beyond(middle) < 0) == (before < 0) ? low : high) = middle;
+    }
+    return high;
+  };
+  const double pass = active_->pass();
+  const double leap = pass * std::floor(to / pass);
+  if (!std::isinf(active_->known()) || !(leap > played_to_)) return crossing(played_to_, to);
+  const auto there = crossing(played_to_, std::nextafter(leap, 0));
+  return there ? there : crossing(leap, to);
+}
+
+/// The swap there, if both paths meet.
+void MotionAxis::swap_at_master(double s) {
+  const Jet& there = active_->at(moment(s)).slave;
+  const MotionState end{there[0], there[1], there[2]};
+  if (const auto no =
+          pending_->admit(config_, {end.position + shift_, end.velocity, end.acceleration}))
+    return drop(*no);
+  swap(s, end);
+}
+
+}  // namespace jounce
