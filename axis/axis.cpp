@@ -52,7 +52,7 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
-  now_.waiting = waiting_;
+  now_.waiting = waiting_ || next_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -115,12 +115,13 @@ void MotionAxis::play() {
 
 Cause MotionAxis::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
-  const double t = seconds(now_.tick - origin_);
   if (base_ == Base::movement) {
-    next = active_->at(moment(t));
+    next = active_->at(moment(seconds(now_.tick - origin_)));
     if (active_->progress() != Progress::broken) return Cause::none;
     return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
   }
+  if (passes() && plan_time() >= plan_.duration()) pass_target();
+  const double t = plan_time();
   const auto [p, v, a, j] = plan_.at(t);
   const double beyond = std::max(t - plan_.duration(), 0.0);  // at its last velocity
   next = {now_.master, 0, {p + v * beyond, v, a, j}};

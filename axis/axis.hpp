@@ -161,14 +161,25 @@ class MotionAxis {
 
   // axis_moves.cpp: moves of its own
   void move(const Command& command);
-  void move_to(double position, const MoveDynamics& dynamics);
+  [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
+                                               Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   void superimpose(double distance, MoveDynamics dynamics);
   void decouple();
-  void go(const Goal& goal, State state);
+  void go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
   void leave();
+  [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
+
+  // axis_buffer.cpp: the move after this one
+  void buffer(const Command& command);
+  [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
+  [[nodiscard]] bool passes() const { return next_ && base_ == Base::move && goal_.through != 0; }
+  void pass_target();
+  void begin_next();
+  void forget_next();
 
   // axis_ends.cpp: how a motion ends
   void conclude();
@@ -205,8 +216,10 @@ class MotionAxis {
   double boundary_at_ = 0;  // path time, s
   Goal goal_;               // of the move
   Profile plan_;
-  MotionState bare_;   // the last setpoint without what is superimposed
-  double factor_ = 1;  // override
+  double ahead_ = 0;             // s of it that were over at its origin
+  std::optional<Command> next_;  // the move that waits for the end of this motion
+  MotionState bare_;             // the last setpoint without what is superimposed
+  double factor_ = 1;            // override
   bool held_ = false;
 
   bool lifting_ = false;  // a superimposed move runs

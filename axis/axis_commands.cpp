@@ -27,6 +27,8 @@ void MotionAxis::obey(const Command& command) {
       return arm(command.movement);
     case Kind::disarm:
       if (!waiting_) disarm();
+      forget_next();
+      if (goal_.through != 0 && base_ == Base::move) replan();
       return;
     case Kind::start:
       return start(command);
@@ -73,6 +75,7 @@ void MotionAxis::power(bool on) {
   now_.power = on;
   if (on) return;
   disarm();
+  forget_next();
   freeze();
   state_ = State::disabled;
 }
@@ -107,6 +110,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   now_.refused = ending == Ending::stop ? fill_stop(dynamics, config_) : fill(dynamics, config_);
   if (now_.refused) return;
   disarm();
+  forget_next();
   if (!moving() || state_ == State::stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/axis/setpoint_check.hpp"
 
 // How a motion ends: at its end, by a stop, or in a fault.
 
@@ -8,9 +9,11 @@ namespace jounce {
 
 void MotionAxis::conclude() {
   if (base_ == Base::move) {
-    if (seconds(now_.tick - origin_) < plan_.duration()) return;
+    if (plan_time() < plan_.duration()) return;
     if (ending_ != Ending::none) return rest();
-    if (goal_.kind == Goal::Kind::position && wanted_rate() > 0) rest();
+    if (wanted_rate() == 0) return;
+    if (goal_.kind == Goal::Kind::position) return rest();
+    if (next_) begin_next();
     return;
   }
   if (!on_path()) {
@@ -45,8 +48,12 @@ void MotionAxis::rest() {
       goes_on ? lift_.end().position - lift_.at(seconds(now_.tick - lift_origin_)).position : 0;
   const MotionState from = last();
   const double target = now_.position + more;
+  const bool ended = ending_ != Ending::fault;
   freeze();
-  if (!goes_on) return;
+  if (!goes_on) {
+    if (next_ && ended) begin_next();
+    return;
+  }
   // What was superimposed runs on alone.
   base_ = Base::move;
   now_.velocity = from.velocity;
@@ -73,6 +80,7 @@ void MotionAxis::fail(Cause cause) {
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
   disarm();
+  forget_next();
   Reaction reaction = reaction_to(cause);
   if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
   if (reaction == Reaction::power_off) {
@@ -91,8 +99,10 @@ void MotionAxis::fail(Cause cause) {
   ending_ = Ending::fault;
   if (on_it && change_rate(0)) return;
   const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
+  // What replaced a move to a target may be told too late for the softer stop before a limit.
+  const bool in_time = limit && check_stopping(last(), config_) == Cause::none;
   brake(cause == Cause::aborted ? config_.abort_acceleration
-        : limit                 ? config_.limit_acceleration
+        : in_time               ? config_.limit_acceleration
                                 : config_.stop_acceleration);
 }
 

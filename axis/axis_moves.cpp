@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "jounce/axis/axis.hpp"
 
@@ -10,48 +11,58 @@ namespace jounce {
 using Kind = Command::Kind;
 
 void MotionAxis::move(const Command& command) {
-  MoveDynamics dynamics = command.dynamics;
-  const double value = command.position;
-  if (!std::isfinite(value)) return refuse(Cause::no_value, value);
-  const bool alone = !moving() || goal_.kind == Goal::Kind::velocity || base_ != Base::move;
   const bool under_way = moving() && ending_ == Ending::none;
-  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion)
-    return superimpose(value, dynamics);
-  if (now_.refused = fill(dynamics, config_); now_.refused) return;
-  switch (command.kind) {
-    case Kind::move_absolute: {
-      const auto target = target_of(value, command.direction, last(), dynamics, config_);
-      return target ? move_to(*target, dynamics) : refuse(Cause::no_such_move, value);
-    }
-    case Kind::move_additive:
-      return move_to((alone ? now_.position : goal_.value + shift_) + value, dynamics);
-    case Kind::move_velocity: {
-      const double velocity = std::copysign(dynamics.velocity, value);
-      if (value == 0) return refuse(Cause::no_value, value);
-      if (velocity > 0 ? inputs_.positive_switch : inputs_.negative_switch)
-        return refuse(Cause::direction_blocked, velocity);
-      return go({Goal::Kind::velocity, velocity, dynamics}, State::continuous_motion);
-    }
-    default:
-      return move_to(now_.position + value, dynamics);
+  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion) {
+    if (!std::isfinite(command.position)) return refuse(Cause::no_value, command.position);
+    return superimpose(command.position, command.dynamics);
   }
+  const bool buffers = command.kind == Kind::move_absolute || command.kind == Kind::move_relative ||
+                       command.kind == Kind::move_velocity;
+  if (buffers && command.buffer != BufferMode::aborting && moving()) return buffer(command);
+  Goal goal;
+  if (now_.refused = goal_of(command, last(), goal); !now_.refused) go(goal);
 }
 
-void MotionAxis::move_to(double position, const MoveDynamics& dynamics) {
+/// The goal of a move that begins in this state.
+std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionState& from,
+                                           Goal& goal) const {
+  const double value = command.position;
+  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0, 0};
+  MoveDynamics dynamics = command.dynamics;
+  if (const auto no = fill(dynamics, config_)) return no;
+  if (command.kind == Kind::move_velocity) {
+    const double velocity = std::copysign(dynamics.velocity, value);
+    if (value == 0) return Refusal{Cause::no_value, value, 0, 0};
+    goal = {Goal::Kind::velocity, velocity, dynamics};
+    const bool blocked = velocity > 0 ? inputs_.positive_switch : inputs_.negative_switch;
+    return blocked ? std::optional(Refusal{Cause::direction_blocked, velocity, 0, 0})
+                   : std::nullopt;
+  }
+  std::optional<double> target = from.position + value;
+  if (command.kind == Kind::move_absolute)
+    target = target_of(value, command.direction, from, dynamics, config_);
+  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
+  if (command.kind == Kind::move_additive && aimed) target = goal_.value + shift_ + value;
+  if (!target) return Refusal{Cause::no_such_move, value, 0, 0};
+  goal = {Goal::Kind::position, *target, dynamics};
+  return forbidden(*target, from.position);
+}
+
+/// Why no move may have this target.
+std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
   const auto& [low, high, v, a, j] = config_.limits;
-  if (low && position < *low) return refuse(Cause::position_limit, position, *low);
-  if (high && position > *high) return refuse(Cause::position_limit, position, *high);
-  if ((inputs_.positive_switch && position > now_.position) ||
-      (inputs_.negative_switch && position < now_.position))
-    return refuse(Cause::direction_blocked, position, now_.position);
-  go({Goal::Kind::position, position, dynamics}, State::discrete_motion);
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low, 0};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high, 0};
+  const bool blocked =
+      (inputs_.positive_switch && target > from) || (inputs_.negative_switch && target < from);
+  return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from, 0}) : std::nullopt;
 }
 
 /// A move on top of another one takes what that leaves of the velocity limit, and half of what it
 /// leaves of the stop limits: the other half is for a change of the rate below it.
 void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
   if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
-  if (boundary_ == Boundary::swap) return refuse(Cause::in_motion);
+  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
   Peaks below{std::abs(bare_.velocity), 0, 0};
   if (on_path()) {
     const double r = std::max(1.0, clock_.target());
@@ -101,14 +112,19 @@ void MotionAxis::decouple() {
 // ---- planning ----------------------------------------------------------------------------------
 
 /// A move takes the place of whatever moves the axis, and goes on from its last setpoint.
-void MotionAxis::go(const Goal& goal, State state) {
+void MotionAxis::go(const Goal& goal) {
   const bool was_moving = moving();
-  if (!adopt(goal, factor_)) return refuse(Cause::no_such_move, goal.value);
+  const auto waited = std::exchange(next_, std::nullopt);
+  if (!adopt(goal, factor_)) {
+    next_ = waited;
+    return refuse(Cause::no_such_move, goal.value);
+  }
+  if (waited) now_.dropped = Refusal{Cause::replaced, waited->position, 0, 0};
   held_ = false;
   if (!was_moving) begun_ = now_.tick;
   ending_ = Ending::none;
   now_.reason = was_moving ? Cause::replaced : Cause::none;
-  state_ = state;
+  state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
 }
 
 bool MotionAxis::adopt(const Goal& goal, double factor) {
@@ -124,11 +140,14 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
 
 bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goal& goal,
                            double factor) {
-  const auto profile = plan(from, goal, factor, config_);
+  Goal aim = goal;
+  aim.through = through(from, goal, factor);
+  const auto profile = plan(from, aim, factor, config_);
   if (!profile) return false;
   plan_ = *profile;
-  goal_ = goal;
+  goal_ = aim;
   origin_ = tick;
+  ahead_ = 0;
   return true;
 }
 

@@ -119,6 +119,7 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
   waiting_ = false;
   const bool was_moving = moving();
   drop_movement();
+  forget_next();
   active_ = next;
   base_ = Base::movement;
   ending_ = Ending::none;

@@ -66,6 +66,7 @@ constexpr std::array entries{
           "No move from the present state to that target keeps the limits."},
     Entry{Cause::halting, "halting",
           "A halt is under way: give it another motion, or wait for its end."},
+    Entry{Cause::buffer_full, "buffer_full", "A move waits already for the end of this motion."},
     Entry{Cause::bad_table, "bad_table",
           "The tables do not make a motion: one over time is needed, or a master and a cam."},
     Entry{Cause::start_position, "start_position",

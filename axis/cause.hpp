@@ -47,6 +47,7 @@ enum class Cause : std::uint8_t {
   rate_changing = 34,
   no_such_move = 35,
   halting = 36,
+  buffer_full = 37,
 
   // Tables that were not admitted.
   bad_table = 40,

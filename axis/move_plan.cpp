@@ -55,6 +55,38 @@ double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& con
   return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
 }
 
+/// Whether a motion goes one way only. Within a phase the velocity is extreme where a = 0.
+bool straight(const Profile& profile, double way) {
+  const double near =
+      1e-12 * (std::abs(profile.start().velocity) + std::abs(profile.end().velocity));
+  double t = 0;
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const auto [p, v, a, unused] = profile.at(t);
+    const auto [T, value] = profile.phase(i);
+    const double j = profile.order() == 3 ? value : 0;  // at() may still see the phase before
+    if (way * v < -near) return false;
+    if (j * a < 0 && std::abs(a) < std::abs(j) * T && way * (v - a * a / (2 * j)) < -near)
+      return false;
+    t += T;
+  }
+  return true;
+}
+
+double wanted_at_passing(double previous, double next, BufferMode mode) {
+  switch (mode) {
+    case BufferMode::aborting:
+    case BufferMode::buffered:
+      return 0;
+    case BufferMode::blending_previous:
+    case BufferMode::blending_high:
+      return previous;  // it is not faster than that before its target
+    case BufferMode::blending_low:
+    case BufferMode::blending_next:
+      break;
+  }
+  return std::min(previous, next);
+}
+
 /// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
 /// the lesser of both where it turns round.
 double change_of_velocity(double from, double to, const MoveDynamics& d) {
@@ -83,7 +115,7 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
   if (goal.kind == Goal::Kind::position && factor > 0) {
     Bounds bounds = towards(from, goal.value, d, std::min(d.velocity * factor, most));
     keep_range(bounds, from.position, config.limits);
-    const Move move = move_to(from, {goal.value, 0, 0}, bounds);
+    const Move move = move_to(from, {goal.value, goal.through, 0}, bounds);
     return move ? std::optional(move.profile) : std::nullopt;
   }
   const double velocity =
@@ -91,6 +123,32 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
   const Move move = move_velocity(
       from, velocity, within(Bounds::none, change_of_velocity(from.velocity, velocity, d), d.jerk));
   return move ? std::optional(move.profile) : std::nullopt;
+}
+
+double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
+                        BufferMode mode, double factor, const AxisConfig& config) noexcept {
+  if (goal.kind != Goal::Kind::position || !(factor > 0)) return 0;
+  const double way = goal.value < from.position ? -1 : 1;
+  const double on = next.kind == Goal::Kind::velocity ? next.value : next.value - goal.value;
+  if (!(way * on > 0)) return 0;
+  const auto fits = [&](double velocity) {
+    Goal first = goal;
+    first.through = way * velocity;
+    const auto to = plan(from, first, factor, config);
+    if (!to || !straight(*to, way)) return false;
+    const auto further = plan({goal.value, first.through, 0}, next, factor, config);
+    return further && straight(*further, way);
+  };
+  const double wanted =
+      std::min(factor * wanted_at_passing(goal.dynamics.velocity, next.dynamics.velocity, mode),
+               *config.limits.velocity);
+  if (wanted == 0 || fits(wanted)) return way * wanted;
+  double low = 0;
+  for (double high = wanted; high - low > 1e-6 * wanted;) {
+    const double middle = (low + high) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return way * low;
 }
 
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,

@@ -18,7 +18,8 @@ struct Goal {
   };
   Kind kind = Kind::rest;
   double value = 0;            ///< u (of a modulo axis not reduced), or u/s, signed
-  MoveDynamics dynamics = {};  ///< as within_limits() leaves it
+  MoveDynamics dynamics = {};  ///< as fill() leaves it
+  double through = 0;          ///< u/s, signed: the velocity at a position; 0: it ends there
 };
 
 /// Fills in what is 0 with the limits of the axis (an infinite jerk where it has none), in place.
@@ -36,6 +37,12 @@ std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& confi
 ///     if (const auto profile = plan(now, goal, 1, config)) ...
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept;
+
+/// The velocity, u/s and signed, at which a move may pass its target on the way to that of the next
+/// one: as the mode says, but at most its own, and so that neither move turns round (the greatest such
+/// velocity to 1e-6 of it). 0: it comes to rest there.
+double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
+                        BufferMode mode, double factor, const AxisConfig& config) noexcept;
 
 /// Where a move to `position` goes on this axis: there, or on a modulo axis the way asked for from
 /// the state it is in. Nothing where there is no such way.

@@ -153,6 +153,7 @@ Command AxisModel::random_command(testing::Random& random) {
     command.dynamics = {some(*config_.limits.velocity), some(*config_.limits.acceleration),
                         some(*config_.limits.acceleration), some(1e6)};
   command.direction = static_cast<Direction>(random.below(5) - 1);
+  if (random.below(3) == 0) command.buffer = static_cast<BufferMode>(random.below(6));
   return command;
 }
 

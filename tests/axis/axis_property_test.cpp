@@ -113,7 +113,7 @@ TEST(MotionAxisProperty, AMillionRandomInputs) {
         Cause::not_at_start, Cause::too_late, Cause::no_value, Cause::start_position,
         Cause::velocity_limit, Cause::acceleration_limit, Cause::synchronized, Cause::stopping,
         Cause::not_on_path, Cause::no_movement, Cause::not_synchronized, Cause::rate_changing,
-        Cause::position_limit})
+        Cause::position_limit, Cause::halting, Cause::buffer_full})
     EXPECT_EQ(refusals.count(cause), 1U) << name(cause);
 }
 

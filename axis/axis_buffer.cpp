@@ -1,0 +1,57 @@
+#include "jounce/axis/axis.hpp"
+
+// The move that waits for the end of the motion under way (BufferMode), and how it takes over: from
+// rest, or where the move before passes its target.
+
+namespace jounce {
+
+/// It is looked at where the motion will end, if that is known, and again when it begins.
+void MotionAxis::buffer(const Command& command) {
+  if (next_) return refuse(Cause::buffer_full);
+  if (base_ == Base::movement && !on_path()) return refuse(Cause::synchronized);
+  Goal goal;
+  if (now_.refused = goal_of(command, expected_end().value_or(last()), goal); now_.refused) return;
+  next_ = command;
+  if (base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
+}
+
+/// At which velocity a move to this goal passes it on to the next one.
+double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
+  if (!next_ || lifting_ || goal.kind != Goal::Kind::position) return 0;
+  Goal further;
+  if (goal_of(*next_, {goal.value, 0, 0}, further)) return 0;
+  return passing_velocity(from, goal, further, next_->buffer, factor, config_);
+}
+
+/// The target was passed since the tick before: the plan from there goes on at the very instant.
+void MotionAxis::pass_target() {
+  const double beyond = plan_time() - plan_.duration();
+  const MotionState there = plan_.end();
+  Goal goal;
+  const auto no = goal_of(*next_, {goal_.value, 0, 0}, goal);
+  next_.reset();
+  if (no || !plan_from(there, now_.tick, goal, factor_)) return fail(Cause::jump);
+  ahead_ = beyond;
+  ++now_.finished;
+  state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
+}
+
+/// What waited begins in the tick in which the motion before has ended.
+void MotionAxis::begin_next() {
+  const Command command = *next_;
+  next_.reset();
+  Goal goal;
+  if (const auto no = goal_of(command, last(), goal)) {
+    now_.dropped = no;
+    return;
+  }
+  go(goal);
+}
+
+/// Something else has taken its place.
+void MotionAxis::forget_next() {
+  if (next_) now_.dropped = Refusal{Cause::replaced, next_->position, 0, 0};
+  next_.reset();
+}
+
+}  // namespace jounce

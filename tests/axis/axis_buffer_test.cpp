@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+
+#include "axis/model_movements.hpp"
+#include "axis/tables.hpp"
+#include "support/random.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+Cause refusal(const Tick& tick) {
+  return tick.refused ? tick.refused->cause : Cause::none;
+}
+
+Command to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
+  return {.kind = Kind::move_absolute,
+          .position = position,
+          .dynamics = {.velocity = velocity},
+          .buffer = buffer};
+}
+
+constexpr double a = 1000;  // u/s^2, of every move here
+
+struct Two : Bench {
+  Two() : Bench({.limits = limits(200, a)}) { tell(Kind::enable); }
+  /// Until it rests; the ticks since the first move was told.
+  std::int64_t finish() {
+    const std::int64_t from = tick;
+    while (last.state != State::standstill && tick < from + 20000) last = step();
+    return last.tick;
+  }
+  Tick last{.state = State::discrete_motion};
+};
+
+/// Of a motion from v0 to v1 at `a`, both > 0: how long, and how far.
+double time_between(double v0, double v1) {
+  return std::abs(v1 - v0) / a;
+}
+double way_between(double v0, double v1) {
+  return std::abs(v1 * v1 - v0 * v0) / (2 * a);
+}
+
+// Buffered: the second move begins where the first has ended, at rest.
+TEST(AxisBuffer, ABufferedMoveBeginsWhereTheOneBeforeHasEnded) {
+  Two axis;
+  axis.step(to(50, 100));  // 0.1 s up, 40 u at 100, 0.1 s down: 0.6 s
+  EXPECT_EQ(refusal(axis.step(to(80, 100, BufferMode::buffered))), Cause::none);
+  Tick tick = axis.step();
+  EXPECT_TRUE(tick.waiting);
+  EXPECT_TRUE(in_motion(tick));
+  while (tick.finished == 0) tick = axis.step();
+  EXPECT_EQ(tick.position, 50);
+  EXPECT_EQ(tick.velocity, 0);
+  EXPECT_EQ(tick.state, State::discrete_motion) << "no standstill between";
+  EXPECT_FALSE(tick.waiting);
+  const std::int64_t there = tick.tick;
+  EXPECT_EQ(axis.finish(), there + 400) << "30 u: 0.1 s, 20 u, 0.1 s";
+  EXPECT_EQ(axis.last.position, 80);
+  EXPECT_EQ(axis.last.finished, 2U);
+}
+
+TEST(AxisBuffer, OneThatIsRelativeCountsFromThere) {
+  Two axis;
+  axis.step(to(50, 100));
+  axis.step({.kind = Kind::move_relative, .position = -20, .buffer = BufferMode::buffered});
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 30);
+  EXPECT_EQ(axis.last.finished, 2U);
+}
+
+TEST(AxisBuffer, AtStandstillItBeginsAtOnce) {
+  Two axis;
+  EXPECT_EQ(axis.step(to(50, 100, BufferMode::blending_next)).state, State::discrete_motion);
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 50);
+}
+
+/// Both moves' velocities, the mode, and the velocity at the first target.
+struct Blend {
+  BufferMode mode;
+  double first, second, through;
+};
+
+// The whole motion in closed form: to 100 u, through at the velocity asked for, to 200 u.
+TEST(AxisBuffer, BlendsAtTheVelocityOfItsMode) {
+  using Mode = BufferMode;
+  for (const Blend& b : {Blend{Mode::blending_low, 100, 50, 50},
+                         {Mode::blending_low, 50, 100, 50},
+                         {Mode::blending_previous, 100, 50, 100},
+                         {Mode::blending_previous, 50, 100, 50},
+                         {Mode::blending_next, 100, 50, 50},
+                         {Mode::blending_next, 50, 100, 50},
+                         {Mode::blending_high, 100, 50, 100},
+                         {Mode::blending_high, 50, 100, 50}}) {
+    Two axis;
+    const Tick told = axis.step(to(100, b.first));
+    ASSERT_EQ(refusal(axis.step(to(200, b.second, b.mode))), Cause::none);
+    const double cruise1 =
+        (100 - way_between(0, b.first) - way_between(b.first, b.through)) / b.first;
+    const double T1 = time_between(0, b.first) + cruise1 + time_between(b.first, b.through);
+    const double cruise2 =
+        (100 - way_between(b.through, b.second) - way_between(b.second, 0)) / b.second;
+    const double T2 = time_between(b.through, b.second) + cruise2 + time_between(b.second, 0);
+    double before = 0;
+    bool passed = false;
+    Tick tick;
+    const double begun = told.time;
+    while (!passed) {
+      tick = axis.step();
+      passed = tick.position >= 100;
+      if (!passed) before = tick.velocity;
+    }
+    EXPECT_EQ(tick.tick, static_cast<std::int64_t>(std::ceil((begun + T1) * 1e3 - 1e-6)));
+    EXPECT_LE(std::abs(before - b.through), a * 1e-3 + 1e-9);
+    EXPECT_LE(std::abs(tick.velocity - b.through), a * 1e-3 + 1e-9);
+    EXPECT_EQ(tick.finished, 1U);
+    const double since = tick.time - begun - T1;
+    const double up = b.second > b.through ? a : b.second < b.through ? -a : 0;
+    EXPECT_NEAR(tick.position, 100 + b.through * since + up * since * since / 2, 1e-9);
+    EXPECT_EQ(axis.finish(), static_cast<std::int64_t>(std::ceil((begun + T1 + T2) * 1e3 - 1e-6)));
+    EXPECT_EQ(axis.last.position, 200);
+    EXPECT_EQ(axis.last.finished, 2U);
+  }
+}
+
+// From where the next move could no longer stop in time it is as fast as it can be: v^2 = 2 a s.
+TEST(AxisBuffer, PassesNoFasterThanTheNextMoveCanTake) {
+  Two axis;
+  axis.step(to(100, 150));
+  axis.step(to(101, 150, BufferMode::blending_previous));
+  Tick before, tick;
+  for (tick = axis.step(); tick.position < 100; tick = axis.step()) before = tick;
+  const double through = std::sqrt(2 * a * 1);
+  EXPECT_NEAR(before.velocity, std::sqrt(through * through + 2 * a * (100 - before.position)),
+              1e-3);
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 101);
+}
+
+TEST(AxisBuffer, AMoveBackComesToRestFirst) {
+  Two axis;
+  axis.step(to(100, 100));
+  axis.step(to(20, 100, BufferMode::blending_high));
+  double furthest = 0;
+  while (axis.last.state != State::standstill) {
+    axis.last = axis.step();
+    furthest = std::max(furthest, axis.last.position);
+  }
+  EXPECT_EQ(furthest, 100);
+  EXPECT_EQ(axis.last.position, 20);
+}
+
+TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
+  Two axis;
+  axis.step(to(50, 100));
+  axis.step({.kind = Kind::move_velocity,
+             .position = 1,
+             .dynamics = {.velocity = 100},
+             .buffer = BufferMode::blending_previous});
+  Tick tick = axis.run(100);
+  for (int i = 0; i < 1000; ++i) {
+    tick = axis.step();
+    ASSERT_NEAR(tick.velocity, 100, 1e-9);
+  }
+  EXPECT_EQ(tick.state, State::continuous_motion);
+}
+
+// PLCopen: after MC_MoveVelocity the next begins when the velocity is reached.
+TEST(AxisBuffer, AfterAVelocityItBeginsWhenThatIsReached) {
+  Two axis;
+  axis.step({.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+  axis.step(to(500, 50, BufferMode::buffered));
+  Tick tick = axis.run(97);
+  EXPECT_EQ(tick.state, State::continuous_motion);
+  tick = axis.run(3);
+  EXPECT_EQ(tick.state, State::discrete_motion);
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 500);
+}
+
+TEST(AxisBuffer, AfterATableAndAfterAHaltTheyBeginAtItsEnd) {
+  Job job(1, trapezoid_table(50, 100, 900, 900));
+  Two axis;
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(50);
+  axis.step(to(80, 100, BufferMode::blending_high));
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 80);
+  EXPECT_EQ(axis.last.finished, 2U);
+
+  Two halted;
+  halted.step(to(100, 100));
+  halted.run(300);
+  halted.tell(Kind::halt);
+  EXPECT_EQ(refusal(halted.step(to(90, 100, BufferMode::buffered))), Cause::none);
+  halted.finish();
+  EXPECT_EQ(halted.last.position, 90);
+  EXPECT_EQ(halted.last.stopped, 1U);
+}
+
+TEST(AxisBuffer, OneWaitsAndAnotherIsRefused) {
+  Two axis;
+  axis.step(to(50, 100));
+  axis.step(to(80, 100, BufferMode::buffered));
+  EXPECT_EQ(refusal(axis.step(to(90, 100, BufferMode::buffered))), Cause::buffer_full);
+  axis.finish();
+  EXPECT_EQ(axis.last.position, 80);
+}
+
+TEST(AxisBuffer, WhatEndsTheMotionEndsWhatWaitsForIt) {
+  for (const Kind kind :
+       {Kind::stop, Kind::halt, Kind::abort, Kind::disable, Kind::disarm, Kind::move_absolute}) {
+    Two axis;
+    axis.step(to(50, 100));
+    axis.step(to(80, 100, BufferMode::blending_low));
+    axis.run(100);
+    Command command{.kind = kind, .position = 60};
+    const Tick tick = axis.step(command);
+    ASSERT_TRUE(tick.dropped) << name(kind);
+    EXPECT_EQ(tick.dropped->cause, Cause::replaced);
+    EXPECT_FALSE(axis.run(3000).waiting);
+    EXPECT_LT(axis.step().position, 60.5) << name(kind);
+  }
+}
+
+TEST(AxisBuffer, BehindALiveMasterThereIsNoEndToWaitFor) {
+  Gear gear(1, 1);
+  Two axis;
+  Inputs inputs;
+  inputs.master = {0, 0, 0, 0};
+  axis.step({.kind = Kind::gear_in, .movement = &gear}, inputs);
+  EXPECT_EQ(refusal(axis.step(to(80, 100, BufferMode::buffered), inputs)), Cause::synchronized);
+}
+
+// An override, a hold and a resume on the way change when, not where.
+TEST(AxisBuffer, AnOverrideAndAHoldKeepBothTargets) {
+  for (const BufferMode mode :
+       {BufferMode::buffered, BufferMode::blending_low, BufferMode::blending_previous})
+    for (int when = 100; when < 1800; when += 130) {
+      Two axis;
+      axis.step(to(100, 100));
+      axis.step(to(160, 80, mode));
+      axis.run(when);
+      axis.step({.kind = Kind::override_, .factor = 0.5});
+      axis.run(90);
+      axis.tell(Kind::hold);
+      axis.run(400);
+      axis.tell(Kind::resume);
+      axis.run(120);
+      axis.step({.kind = Kind::override_, .factor = 1.5});
+      axis.finish();
+      EXPECT_EQ(axis.last.position, 160) << when;
+      EXPECT_EQ(axis.last.finished, 2U) << when;
+    }
+}
+
+/// Any two moves the same way, with and without a jerk limit, told at any time on the way.
+TEST(AxisBuffer, WhateverTheMovesBothTargetsAreMetWithinTheLimits) {
+  testing::Random random(49);
+  for (int run = 0; run < 300; ++run) {
+    AxisConfig config{.limits = limits(200, 1000)};
+    if (run % 2 == 0) config.limits.jerk = 2e4;
+    Bench axis(config);
+    axis.tell(Kind::enable);
+    const double p1 = random.log_uniform(0.5, 100);
+    const double p2 = p1 + random.log_uniform(0.01, 100);
+    const double v1 = random.log_uniform(5, 200), v2 = random.log_uniform(5, 200);
+    const auto mode = static_cast<BufferMode>(1 + random.below(5));
+    axis.step(to(p1, v1));
+    axis.run(random.below(60));
+    Tick before = axis.step(to(p2, v2, mode));
+    const std::string told = std::to_string(run) + ": " + std::to_string(p1) + " at " +
+                             std::to_string(v1) + ", " + std::to_string(p2) + " at " +
+                             std::to_string(v2) + ", mode " +
+                             std::to_string(static_cast<int>(mode));
+    Tick tick = before;
+    for (int i = 0; i < 60000 && tick.state != State::standstill; ++i) {
+      tick = axis.step();
+      ASSERT_EQ(tick.fault, Cause::none) << told;
+      ASSERT_GE(tick.position, before.position - 1e-9) << told;
+      ASSERT_LE(std::abs(tick.acceleration), 1000 * (1 + 1e-9)) << told;
+      ASSERT_LE(std::abs(tick.velocity - before.velocity), 1 + 1e-7) << told;
+      const double most = tick.position <= p1 - 1e-9 ? v1 : std::max(v1, v2);
+      ASSERT_LE(tick.velocity, most * (1 + 1e-9)) << told;
+      ASSERT_LE(tick.position, p2 + 1e-9) << told;
+      before = tick;
+    }
+    EXPECT_EQ(tick.position, p2) << told;
+    EXPECT_EQ(tick.finished, 2U) << told;
+  }
+}
+
+}  // namespace
+}  // namespace jounce
