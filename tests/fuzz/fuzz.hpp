@@ -17,6 +17,11 @@ void session(Input input);    ///< a conversation with Receiver and Sender
 void table(Input input);      ///< table files: CSV, JSON, other makers' formats
 void spec(Input input);       ///< specs and drive files: TOML
 void recording(Input input);  ///< recordings and tick logs: CSV
+void points(Input input);     ///< points beside a spec: CSV
+void rows(Input input);       ///< a conversation with RowSender and Receiver; rows into FIFOs
+void key(Input input);        ///< key files; packets where a key is set
+void log(Input input);        ///< the record of a run: LCM logs, replayed
+void executor(Input input);   ///< what an owner can say to an executor, and what its axes do then
 
 /// Ends the process with these words: a promise was broken.
 [[noreturn]] void broken(const char* promise);

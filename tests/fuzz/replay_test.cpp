@@ -49,7 +49,10 @@ TEST_P(Replay, FindsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Replay,
                          testing::Values(Named{"wire", fuzz::wire}, Named{"session", fuzz::session},
-                                         Named{"table", fuzz::table}, Named{"spec", fuzz::spec},
+                                         Named{"rows", fuzz::rows}, Named{"key", fuzz::key},
+                                         Named{"executor", fuzz::executor}, Named{"log", fuzz::log},
+                                         Named{"table", fuzz::table}, Named{"points", fuzz::points},
+                                         Named{"spec", fuzz::spec},
                                          Named{"recording", fuzz::recording}),
                          [](const auto& each) { return each.param.name; });
 

@@ -21,7 +21,7 @@ class Conversation {
     switch (source.below(8)) {
       case 0:
       case 1:
-        hear(packet(source));
+        hear(packet(source), source.below(2) == 0);
         break;
       case 2:
         answer(source.below(2) == 0);
@@ -41,10 +41,12 @@ class Conversation {
   }
 
  private:
-  void hear(const wire::Bytes& bytes) {
-    const auto decoded = wire::decode(bytes);
-    const auto* const message = std::get_if<wire::Message>(&decoded);
+  /// A stranger, or one who knows what the executor said last.
+  void hear(const wire::Bytes& bytes, bool knows) {
+    auto decoded = wire::decode(bytes);
+    auto* const message = std::get_if<wire::Message>(&decoded);
     if (message == nullptr) return;
+    if (knows) message->challenge = receiver_.challenge();
     receiver_.receive(*message, now_);
     sender_.receive(*message, now_);
   }

@@ -1,5 +1,6 @@
 #include "jounce/io/spec.hpp"
 
+#include "jounce/io/machine_spec.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "fuzz/fuzz.hpp"
@@ -7,6 +8,11 @@
 namespace jounce::fuzz {
 
 void spec(Input input) {
+  try {
+    static_cast<void>(parse_machine(text_of(input), "fuzz"));
+  } catch (const InputError& error) {
+    require(error.what() != nullptr && *error.what() != '\0', "an error has words");
+  }
   try {
     const Spec read = parse_spec(text_of(input), "fuzz");
     static_cast<void>(read.parts());
