@@ -148,31 +148,26 @@ class Figures {
     const double size = std::abs(factor);
     const auto open = [&](const Stretch& part) {
       raise(peak, factor * part.begin(row), part.time);
-      return size * (part.most(row) - s.rounding(row)) > (1 + equal) * std::abs(peak.value);
+      return size * (part.bounds(row).most - s.rounding(row)) > (1 + equal) * std::abs(peak.value);
     };
     const auto leaf = [&](const Stretch& part) {
       const Range range = segment_range(way_.enclosure().polynomial(part, row), part.time,
                                         part.time + part.length, 0);
       for (const Extremum& e : {range.min, range.max}) raise(peak, factor * e.value, e.where);
     };
-    for (Index i = 0; i < s.count(); ++i) {
-      const double length = s.length(i);
-      const double most = std::max(std::abs(s.y(row, i)), std::abs(s.y(row, i + 1))) +
-                          length * length / 8 * s.bend(row, i) - s.rounding(row);
-      if (size * most > (1 + equal) * std::abs(peak.value))
+    for (Index i = 0; i < s.count(); ++i)
+      if (size * (s.bounds(i, row).most - s.rounding(row)) > (1 + equal) * std::abs(peak.value))
         way_.enclosure().search(
             s.stretch(i), open, [](const Stretch&) {}, leaf);
-    }
   }
 
   /// Tells `told(from, to, outside)` of all parts whether |output| is over a limit there.
   template <class Told>
   void excursions(const Steps& s, Index row, double limit, const Told& told) {
-    const auto open = [&](const Stretch& part) {
-      return part.most(row) > limit && !(part.least(row) > limit);
-    };
+    const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
+    const auto open = [&](const Stretch& part) { return either(part.bounds(row)); };
     const auto done = [&](const Stretch& part) {
-      told(part.time, part.time + part.length, part.least(row) > limit);
+      told(part.time, part.time + part.length, part.bounds(row).least > limit);
     };
     const auto leaf = [&](const Stretch& part) {
       const Segment f = way_.enclosure().polynomial(part, row);
@@ -181,7 +176,11 @@ class Figures {
         told(part.time + ends[k - 1] * part.length, part.time + ends[k] * part.length,
              std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
     };
-    for (Index i = 0; i < s.count(); ++i) way_.enclosure().search(s.stretch(i), open, done, leaf);
+    for (Index i = 0; i < s.count(); ++i)
+      if (const Bounds b = s.bounds(i, row); either(b))
+        way_.enclosure().search(s.stretch(i), open, done, leaf);
+      else
+        told(s.begin(i), s.begin(i + 1), b.least > limit);
   }
 
   void beyond(const Steps& s) {
@@ -209,7 +208,7 @@ class Figures {
   }
 
   void swings(const Steps& s) {
-    const auto open = [](const Stretch& part) { return part.least(load_velocity_row) == 0; };
+    const auto open = [](const Stretch& part) { return part.bounds(load_velocity_row).least == 0; };
     const auto done = [&](const Stretch& part) { swings_.see(part.end(load_velocity_row)); };
     const auto leaf = [&](const Stretch& part) {
       swings_.see(part.begin(load_velocity_row));
@@ -218,10 +217,9 @@ class Figures {
       done(part);
     };
     for (Index i = 0; i < s.count() && !faded_; ++i) {
-      const Stretch step = s.stretch(i);
-      faded_ = step.most(load_velocity_row) <=
-               std::max(fades_below * swings_.fastest(), s.rounding(load_velocity_row));
-      if (!faded_) way_.enclosure().search(step, open, done, leaf);
+      const Bounds b = s.bounds(i, load_velocity_row);
+      faded_ = b.most <= std::max(fades_below * swings_.fastest(), s.rounding(load_velocity_row));
+      if (!faded_) way_.enclosure().search(s.stretch(i), open, done, leaf);
     }
   }
 
@@ -232,13 +230,16 @@ class Figures {
   /// The work of step i, divided where the power changes its sign.
   void power(const Steps& s, Index i, double work) {
     const double all = found_.energy.driving + found_.energy.regenerated;
-    const auto open = [&](const Stretch& part) {
-      if (part.least(torque_row) > 0 && part.least(velocity_row) > 0) return false;
-      if (part.most(velocity_row) <= s.rounding(velocity_row)) return false;
-      return part.most(torque_row) * part.most(velocity_row) * part.length > equal * all;
+    const auto turns = [&](const Bounds& torque, const Bounds& speed, double length) {
+      if (torque.least > 0 && speed.least > 0) return false;
+      if (speed.most <= s.rounding(velocity_row)) return false;
+      return torque.most * speed.most * length > equal * all;
     };
-    const Stretch step = s.stretch(i);
-    if (!open(step)) return add_work(work);
+    const auto open = [&](const Stretch& part) {
+      return turns(part.bounds(torque_row), part.bounds(velocity_row), part.length);
+    };
+    if (!turns(s.bounds(i, torque_row), s.bounds(i, velocity_row), s.length(i)))
+      return add_work(work);
     const auto done = [&](const Stretch& part) {
       std::array product{ProductIntegral{torque_row, velocity_row, 0}};
       Eigen::VectorXd z = part.z;
@@ -252,7 +253,7 @@ class Figures {
       for (std::size_t k = 1; k < ends.size(); ++k)
         add_work(product_between(torque, speed, ends[k - 1], ends[k]));
     };
-    way_.enclosure().search(step, open, done, leaf);
+    way_.enclosure().search(s.stretch(i), open, done, leaf);
   }
 
   DriveResult finish() {

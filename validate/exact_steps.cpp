@@ -21,6 +21,12 @@ void ExactSteps::enter(std::size_t i, double begin) {
   gone_ = 0;
   Ladder& ladder = path_->ladder();
   enclosure_ = &enclosures_.try_emplace(&ladder, ladder).first->second;
+  const std::size_t level = enclosure_->level();
+  static_cast<void>(ladder.rung(level));  // made now, so that what is pointed to stays
+  whole_ = {nullptr, &ladder.integral(level, torque_row, torque_row),
+            &ladder.integral(level, torque_row, velocity_row)};
+  whole_.step = &ladder.rung(level);
+  next_.resize(path_->state().size());
 }
 
 const Steps* ExactSteps::next(double to) {
@@ -52,16 +58,23 @@ void ExactSteps::add(double length) {
   Eigen::VectorXd& z = path_->state();
   const Eigen::Index i = steps_.count();
   enclosure_->bend(z, steps_.bend.col(i).data());
-  std::array products{ProductIntegral{torque_row, torque_row, 0},
-                      ProductIntegral{torque_row, velocity_row, 0}};
-  ladder.advance(z, length, products);
+  if (length == enclosure_->longest()) {
+    steps_.squared.push_back(form(*whole_.squared, z));
+    steps_.work.push_back(form(*whole_.work, z));
+    multiply(*whole_.step, z.data(), ladder.states(), next_.data());
+    z.head(ladder.states()) = next_.head(ladder.states());
+  } else {
+    std::array products{ProductIntegral{torque_row, torque_row, 0},
+                        ProductIntegral{torque_row, velocity_row, 0}};
+    ladder.advance(z, length, products);
+    steps_.squared.push_back(products[0].sum);
+    steps_.work.push_back(products[1].sum);
+  }
   gone_ += length;
   ladder.place(*segment_, rests_ ? 0 : std::min(gone_, segment_->length), z);
   steps_.z.col(i + 1) = z;
   ladder.read(z, steps_.y.col(i + 1).data());
   steps_.time.push_back(begin_ + gone_);
-  steps_.squared.push_back(products[0].sum);
-  steps_.work.push_back(products[1].sum);
 }
 
 }  // namespace jounce::detail

@@ -259,7 +259,7 @@ TEST(ExactThrough, KnowsTheLimitAtHighSpeed) {
   drive.motor.rated_velocity = 10;
   drive.motor.max_velocity = 1000;
   EXPECT_TRUE(exact_through(move, drive));
-  drive.motor.max_velocity = 90;
+  drive.motor.max_velocity = 1.001 * std::abs(run(move, drive).velocity.value);
   const bool saturates = !drive_through(move, drive).saturation.empty();
   EXPECT_TRUE(saturates);
   EXPECT_EQ(exact_through(move, drive).has_value(), !saturates);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/linear_drive.hpp"
 
 #include "validate/references.hpp"
 
@@ -65,7 +66,7 @@ TEST(Tolerances, WorstCaseIsTheRunOfItsNumbers) {
   EXPECT_EQ(result.cases, 8u);
   EXPECT_TRUE(result.all_corners);
   EXPECT_EQ(result.failed, 0u);
-  const DriveResult nominal = drive_through(move, strong());
+  const DriveResult nominal = exact_through(move, strong()).value();
   const ToleranceSpread& torque = figure(result, "torque");
   EXPECT_EQ(torque.nominal, std::abs(nominal.torque.value));
   EXPECT_GT(torque.worst.value, torque.nominal);
@@ -78,7 +79,7 @@ TEST(Tolerances, WorstCaseIsTheRunOfItsNumbers) {
     drive.train[0].inertia = f.worst.numbers[0].second;
     drive.train[0].stiffness = f.worst.numbers[1].second;
     drive.controller.velocity_gain = f.worst.numbers[2].second;
-    const DriveResult again = drive_through(move, drive);
+    const DriveResult again = exact_through(move, drive).value();
     if (f.figure == "torque") {
       EXPECT_EQ(std::abs(again.torque.value), f.worst.value);
     }
@@ -189,6 +190,19 @@ TEST(Tolerances, RefusesWhatIsNoTolerance) {
             "tolerances.absolute");
   EXPECT_EQ(refused([](auto& s) { s.numbers.clear(); }), "tolerances.number = none");
   EXPECT_EQ(refused([](auto& s) { s.cases = 0; }), "tolerances.cases = 0");
+}
+
+TEST(Tolerances, IntegrateTheCasesThatMeetTheTorqueLimit) {
+  const Trajectory move = test::s_curve_move();
+  Drive drive = strong();
+  const double peak = std::abs(exact_through(move, drive).value().torque.value);
+  drive.motor.torque_limit = peak;  // of the nominal one: about half of the cases are beyond
+  const ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.1}}};
+  const ToleranceResult all = over_tolerances(move, drive, {}, spec);
+  EXPECT_EQ(all.cases, 2u);
+  EXPECT_EQ(all.saturated, 1u);
+  EXPECT_EQ(all.failed, 0u);
+  EXPECT_NEAR(figure(all, "torque").worst.value, peak, 1e-12);
 }
 
 }  // namespace

@@ -10,6 +10,20 @@
 
 namespace jounce::detail {
 
+/// Between which magnitudes an output stays.
+struct Bounds {
+  double least = 0;  ///< 0 where it may go through zero
+  double most = 0;
+};
+
+/// Of an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
+inline Bounds bounds_of(double begin, double end, double length, double bend) {
+  const double slack = length * length / 8 * bend;
+  const double near = std::min(std::abs(begin), std::abs(end));
+  return {(begin < 0) != (end < 0) ? 0 : std::max(0.0, near - slack),
+          std::max(std::abs(begin), std::abs(end)) + slack};
+}
+
 /// A stretch of the way of a linear system: its state at the beginning, its outputs at both ends, and a
 /// bound of each output's second derivative in between.
 struct Stretch {
@@ -20,16 +34,8 @@ struct Stretch {
   Eigen::VectorXd end;
   Eigen::VectorXd bend;
 
-  /// How far an output goes from its chord at the most: (1) of enclosure.cpp.
-  [[nodiscard]] double slack(Eigen::Index row) const { return length * length / 8 * bend(row); }
-  /// No magnitude of the output is greater.
-  [[nodiscard]] double most(Eigen::Index row) const {
-    return std::max(std::abs(begin(row)), std::abs(end(row))) + slack(row);
-  }
-  /// None is less; 0 where it may go through zero.
-  [[nodiscard]] double least(Eigen::Index row) const {
-    if ((begin(row) < 0) != (end(row) < 0)) return 0;
-    return std::max(0.0, std::min(std::abs(begin(row)), std::abs(end(row))) - slack(row));
+  [[nodiscard]] Bounds bounds(Eigen::Index row) const {
+    return bounds_of(begin(row), end(row), length, bend(row));
   }
 };
 

@@ -23,6 +23,9 @@ struct Steps {
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(squared.size()); }
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double length(Eigen::Index i) const { return begin(i + 1) - begin(i); }
+  [[nodiscard]] Bounds bounds(Eigen::Index i, Eigen::Index row) const {
+    return bounds_of(y(row, i), y(row, i + 1), length(i), bend(row, i));
+  }
   [[nodiscard]] Stretch stretch(Eigen::Index i) const {
     return {begin(i), length(i), z.col(i), y.col(i), y.col(i + 1), bend.col(i)};
   }
@@ -49,11 +52,18 @@ class ExactSteps {
   ExactPath* path_;
   const Segment* segment_ = nullptr;
   Enclosure* enclosure_ = nullptr;
+  /// Over a whole step: what is done thousands of times is looked up once.
+  struct Whole {
+    const Eigen::MatrixXd* step;
+    const Eigen::MatrixXd* squared;
+    const Eigen::MatrixXd* work;
+  } whole_{};
   double begin_ = 0;
   double gone_ = 0;
   bool rests_ = false;
   std::map<const Ladder*, Enclosure> enclosures_ = {};
   Steps steps_ = {};
+  Eigen::VectorXd next_ = {};
 };
 
 }  // namespace jounce::detail
