@@ -55,6 +55,7 @@ nlohmann::ordered_json json_of(const ExecutorSummary& summary) {
                     {"fault", name(axis.fault)},
                     {"position", axis.position}});
   return {{"axes", axes},
+          {"realtime", summary.realtime},
           {"ticks", summary.cycle.ticks},
           {"late", summary.cycle.late},
           {"skipped", summary.cycle.skipped},
