@@ -1,10 +1,11 @@
 #!/bin/sh
-# survive_in_namespace.sh WHAT JOUNCE EXAMPLE_DIR [FLOOD]: what real processes live through, over real
+# survive_in_namespace.sh WHAT JOUNCE EXAMPLE_DIR [HELPER]: what real processes live through, over real
 # multicast in a namespace of their own. WHAT is
 #     streamer   kill -9 of the streamer at many points of download, arm, start and play
 #     executor   kill -9 of the executor while it plays, and while it is sent a table
 #     flood      100 000 foreign and malformed messages a second while a table is sent and played
 #     disk       the disk of the log is full while a table is played
+#     clock      the wall clock of both sides steps by hours, twenty times a second
 set -eu
 . "$(dirname "$0")/namespace.sh"
 what=$1 jounce=$2 example=$3
@@ -104,6 +105,19 @@ flood)
   kill $flood
   wait $flood 2> /dev/null || true
   cat "$scratch/flood"
+  "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
+  check_log "$scratch/run.csv"
+  ;;
+clock)
+  export CLOCK_STEPS=$scratch/readings
+  LD_PRELOAD=$4 "$jounce" run "$example/axis.toml" --enable --log "$scratch/run.csv" --once --seconds 60 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 standstill
+  LD_PRELOAD=$4 "$jounce" stream "$example/cam.toml" --to feeder --inject-loss 0.1 || fail "the stream did not complete"
+  wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
+  [ "$(wc -l < "$scratch/readings")" = 2 ] || fail "the clock was not stepped on both sides"
+  grep -q "^0$" "$scratch/readings" && fail "nobody has read the clock that was stepped: $(cat "$scratch/readings")"
+  echo "wall clock read: $(tr '\n' ' ' < "$scratch/readings")times"
   "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
   check_log "$scratch/run.csv"
   ;;
