@@ -63,7 +63,7 @@ class Owned {
       case 3:
         return begin(source);
       case 4:
-        return pass(static_cast<int>(source.byte()));
+        return pass(static_cast<int>(source.below(64)));
       default:
         return order(source);
     }
@@ -153,7 +153,7 @@ class Owned {
     wire::Start start{.when = static_cast<wire::StartAt>(source.below(3))};
     if (start.when == wire::StartAt::master_position) start.position = value(source);
     send(start);
-    pass(1 + static_cast<int>(source.byte()));
+    pass(1 + static_cast<int>(source.below(64)));
   }
   void send(wire::Body body) {
     std::visit(
@@ -235,7 +235,7 @@ class Owned {
 void executor(Input input) {
   Source source(input);
   Owned owned;
-  for (int i = 0; i < 100 && !source.empty(); ++i) owned.turn(source);
+  for (int i = 0; i < 40 && !source.empty(); ++i) owned.turn(source);
 }
 
 }  // namespace jounce::fuzz
