@@ -97,7 +97,10 @@ void MotionAxis::fail(Cause cause) {
   const bool on_it = reaction == Reaction::stop_on_path && on_path() && !lifting_;
   boundary_ = Boundary::none;
   ending_ = Ending::fault;
-  if (on_it && change_rate(0)) return;
+  // In the last tick that was stepped, a stop begun in the one after fitted on what was known: after a late
+  // cycle it still begins there.
+  const std::int64_t from = cause == Cause::underrun ? emitted_ + 1 : now_.tick;
+  if (on_it && (clock_.target() == 0 || clock_.change(from, 0, slope_to(0)))) return;
   const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
   // What replaced a move to a target may be told too late for the softer stop before a limit.
   const bool in_time = limit && check_stopping(last(), config_) == Cause::none;

@@ -68,6 +68,7 @@ double PathClock::since(std::int64_t tick) const noexcept {
 
 bool PathClock::change(std::int64_t tick, double rate, double slope) noexcept {
   if (!(rate >= 0 && slope > 0)) return false;
+  tick = std::max(tick, origin_);
   const PathTime now = at(tick);
   const Move move = move_velocity({0, now.rate, now.rate_slope}, rate, rate_bounds(slope));
   if (!move) return false;

@@ -35,7 +35,8 @@ class PathClock {
 
   /// At that tick path time is s, and runs at that rate.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// From that tick on towards another rate. False, and nothing is changed, unless rate >= 0 and
+  /// From that tick on, or that of the change before, towards another rate. False, and nothing is
+  /// changed, unless rate >= 0 and
   /// slope > 0.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
   /// Path time counts from another zero: s becomes s - by.

@@ -191,6 +191,41 @@ TEST(FifoPath, ThatStarvesIsStoppedOnItsPathAndResumes) {
   EXPECT_EQ(now.fault, Cause::none);
 }
 
+// The cycle in which the rows run short wakes up late: the stop begins where it would have begun in time, so
+// that it still ends on the path, within the limits, and can be resumed.
+TEST(FifoPath, ThatStarvesInALateCycleStopsOnItsPathAsWell) {
+  const AxisConfig config{.limits = limits(10, 20)};
+  const auto rows = straight(21);
+  const auto begun = [&](FifoPath& path) {
+    for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+    return moving(path, config);
+  };
+  FifoPath in_time(1, {.each = 100, .limits = row_limits(config)});
+  Bench first = begun(in_time);
+  while (first.step().fault == Cause::none) ASSERT_LT(first.tick, 2000);
+  for (const std::int64_t skipped : {1, 2, 5, 20, 60})
+    for (std::int64_t last = first.tick - skipped - 1; last <= first.tick; ++last) {
+      SCOPED_TRACE(::testing::Message() << skipped << " left out after tick " << last);
+      FifoPath path(1, {.each = 100, .limits = row_limits(config)});
+      Bench bench = begun(path);
+      Tick now = bench.run(last - bench.tick);
+      bench.tick += skipped;
+      double before = now.velocity;
+      now = bench.step();
+      ASSERT_LE(std::abs(now.velocity - before), 0.04 * static_cast<double>(skipped + 1) + 1e-9);
+      while (now.velocity > 0) {
+        before = now.velocity;
+        now = bench.step();
+        ASSERT_LE(std::abs(now.velocity - before), 0.04 + 1e-9) << now.tick;
+      }
+      EXPECT_EQ(now.fault, Cause::underrun);
+      for (std::size_t i = 11; i < rows.size(); ++i)
+        ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
+      EXPECT_FALSE(bench.tell(Kind::reset).refused);
+      ASSERT_FALSE(bench.tell(Kind::resume).refused) << "it has left its path";
+    }
+}
+
 TEST(FifoPath, ThatRunsDryKeepsItsLastSetpoint) {
   FifoPath path(1, {.each = 100});
   for (const SegmentRow& row : straight(2)) path.fifos().push(0, row);
