@@ -8,11 +8,8 @@
 namespace jounce {
 
 EncoderReading::EncoderReading(const EncoderErrors& errors) : errors_(errors), state_(errors.seed) {
-  for (const auto& [key, value] :
-       {std::pair{"resolution", errors.resolution}, std::pair{"noise", errors.noise}}) {
-    require_finite(key, value);
-    if (value < 0) throw InputError(key, value, "must not be negative");
-  }
+  require_not_negative("resolution", errors.resolution);
+  require_not_negative("noise", errors.noise);
 }
 
 double EncoderReading::operator()(double position) noexcept {

@@ -195,6 +195,7 @@ void Desk::handle(const OrderRequested& requested) {
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
   if (requested.at >= 0)
     return decline(requested, "this executor obeys orders at once, not at a tick");
+  if (requested.kind == wire::OrderKind::start) return start_own(requested);
   if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (moves(request.kind)) motion_session_ = requested.session;
   if (command) return outbox_.order(*command, request);
@@ -209,6 +210,22 @@ void Desk::handle(const OrderRequested& requested) {
   } catch (const InputError& error) {
     decline(requested, error.what());
   }
+}
+
+/// The axis's own table, armed and started. It is accepted when it is armed: then nothing is in its way.
+void Desk::start_own(const OrderRequested& requested) {
+  if (!options_.table) return decline(requested, "it has no table of its own: stream one");
+  const Request request{requested.session, requested.command, Kind::arm};
+  if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  const ArmRequested own{.session = requested.session,
+                         .command = requested.command,
+                         .mode = wire::ArmMode::play,
+                         .slave = *options_.table,
+                         .master = {}};
+  motion_session_ = requested.session;
+  arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
+      options_.table->hash);
+  outbox_.order({.kind = Kind::start});
 }
 
 void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {

@@ -29,9 +29,10 @@ struct ExecutorOptions {
   AxisSwitches switches = {};
   Follow follow = {};                     ///< its live master
   std::shared_ptr<AxisDrive> drive = {};  ///< behind its setpoints; none: they are the end of it
-  Units units{};                 ///< of the axis: a table in another one is refused; empty: any
-  ReceiverOptions receiver{};    ///< with the axis's name
-  bool enable = true;            ///< at the start; otherwise it waits for an order
+  Units units{};               ///< of the axis: a table in another one is refused; empty: any
+  ReceiverOptions receiver{};  ///< with the axis's name
+  bool enable = true;          ///< at the start; otherwise it waits for an order
+  std::optional<StoredTable> table = {};  ///< over time, what the order `start` plays
   bool adopt_start = false;      ///< a table that is armed at standstill says where the axis stands
   bool stop_when_silent = true;  ///< a motion whose owner falls silent is stopped
   /// Tables of more knots become jobs in a thread of their own: a stop does not wait for them.
@@ -97,6 +98,7 @@ class Desk {
   void handle(const QueueOpened& opened);
   void handle(const RowsArrived& arrived);
   void handle_queue_order(const OrderRequested& requested);
+  void start_own(const OrderRequested& requested);
   void decline(const OrderRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
   void record_gear(const OrderRequested& requested, std::uint64_t id);

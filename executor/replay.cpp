@@ -93,7 +93,7 @@ class Replayer {
     if (master.master != result_.masters.size())
       throw InputError("master", std::to_string(master.master + 1),
                        "does not follow the ones before");
-    result_.masters.push_back(master);
+    result_.masters.push_back(Replay::Master{master});
     sights_.emplace_back();
   }
 
@@ -102,6 +102,8 @@ class Replayer {
       throw InputError("master", std::to_string(seen.master + 1),
                        "was not recorded when the machine started");
     sights_[seen.master] = seen.sight;
+    ++result_.masters[seen.master].cycles;
+    result_.masters[seen.master].lost += seen.sight.lost();
     if (watch_master_) watch_master_(seen);
   }
 

@@ -22,7 +22,12 @@ struct Replay {
   };
 
   std::vector<RecordedAxis> axes = {};
-  std::vector<RecordedMaster> masters = {};
+  /// What was seen of a master.
+  struct Master : RecordedMaster {
+    std::int64_t cycles = 0;
+    std::int64_t lost = 0;  ///< of these, without it
+  };
+  std::vector<Master> masters = {};
   std::int64_t cycles = 0;    ///< in the record, of all axes together
   std::int64_t compared = 0;  ///< of them executed again
   std::optional<Difference> difference = {};

@@ -47,6 +47,7 @@ constexpr Meaning meanings[] = {
     {"queue_switch", "cf", {"queue", "bank"}},
     {"queue_clear", "cfc", {"queue", "bank", "seq"}},
     {"queue_end", "c", {"queue"}},
+    {"start", "", {}},
 };
 static_assert(std::size(meanings) == order_kinds);
 

@@ -38,8 +38,9 @@ enum class OrderKind : std::int8_t {
   queue_switch = 18,       ///< [queue, bank] the other bank goes on where this one ends
   queue_clear = 19,        ///< [queue, bank, seq from which its messages count again]
   queue_end = 20,          ///< [queue] what is there is all: its last row ends the stream
+  start = 21,              ///< [] plays the table that the axis has of its own, from its beginning
 };
-inline constexpr int order_kinds = 21;
+inline constexpr int order_kinds = 22;
 
 struct Order {
   std::int32_t command = 0;  ///< as in Arm

@@ -52,7 +52,8 @@ std::vector<SwapPlan> legs_of(const StreamPlan& plan) {
                               .master = 1,
                               .mode = plan.mode,
                               .coupling = plan.coupling,
-                              .when = wire::StartAt::tick}};
+                              .when = plan.when,
+                              .position = plan.position}};
   legs.insert(legs.end(), plan.swaps.begin(), plan.swaps.end());
   return legs;
 }

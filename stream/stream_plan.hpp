@@ -34,6 +34,8 @@ struct StreamPlan {
   wire::ArmMode mode = wire::ArmMode::play;
   CouplingSpec coupling{};       ///< of a slave that follows a master, in s; without master_jump
   std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
+  wire::StartAt when = wire::StartAt::tick;  ///< or where the live master passes `position`
+  double position = 0;                       ///< of the master, m, with master_position
   std::vector<SwapPlan>
       swaps{};  ///< then, one after the other, once the one before has taken place
 };

@@ -266,6 +266,24 @@ TEST(EncoderMaster, FiltersNoiseAndQuantisation) {
   }
 }
 
+TEST(EncoderMaster, AsksWhereItIsInEveryCycleAndSaysHowOldThatIs) {
+  double truth = 0;
+  EncoderMaster master({.velocity = 3, .acceleration = 20, .time_constant = 10e-3, .order = 2},
+                       [&] { return truth; });
+  EXPECT_TRUE(std::isnan(master.age(0)));
+  for (int i = 0; i < 1000; ++i) {
+    truth = 1.5 * (i * h);
+    const Jet x = master.at(i * h);
+    EXPECT_EQ(master.age(i * h), 0);
+    if (i > 500) EXPECT_NEAR(x[0], truth, 1e-9);
+  }
+  truth = NAN;  // its drive has failed
+  int there = 0;
+  for (int i = 1000; i < 1300; ++i) there += !std::isnan(master.at(i * h)[0]);
+  EXPECT_NEAR(there, 100, 1) << "extrapolated for longest_age, then lost";
+  EXPECT_NEAR(master.age(1299 * h), 300 * h, 1e-12);
+}
+
 // The sender's clock is 1234.5 s ahead and 50 ppm fast; samples every 5 ms take 0.5 ms and an
 // exponential of 1 ms in the mean, overtake each other, and one in ten is lost.
 TEST(ExternalMaster, IsWhereItIsByOurClock) {

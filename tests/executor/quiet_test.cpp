@@ -1,11 +1,16 @@
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/axis/live_gear.hpp"
+#include "jounce/axis/master.hpp"
+#include "jounce/drive/encoder.hpp"
 #include "jounce/executor/cycle.hpp"
+#include "jounce/executor/recorder.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/hooks.hpp"
@@ -89,6 +94,54 @@ TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
   for (const State state : {State::disabled, State::standstill, State::discrete_motion,
                             State::synchronized_motion, State::stopping, State::error_stop})
     EXPECT_NE(std::count(states.begin(), states.end(), state), 0) << name(state);
+}
+
+// Followers of a line on the bus and of an encoder on the feeder's drive: through coming, going and another clock.
+TEST(Quiet, MastersFromOutsideMakeNoNoise) {
+  ExternalMaster line({.velocity = 10, .acceleration = 50});
+  auto drive = std::make_shared<ObservedDrive>(std::make_shared<NullDrive>());
+  EncoderReading reading({.resolution = 1e-4, .noise = 1e-5});
+  EncoderMaster encoder({.velocity = 10, .acceleration = 50},
+                        [&] { return reading(drive->position()); });
+  Machine machine(
+      {{.name = "knife", .config = config, .follow = {.what = Follow::What::master, .index = 0}},
+       {.name = "label", .config = config, .follow = {.what = Follow::What::master, .index = 1}}},
+      2);
+  VirtualPacer pacer;
+  Post post(2, 2);
+  const auto tape = std::make_unique<Tape>();
+  Cycle cycle(machine, pacer, post,
+              {.drives = {drive.get(), nullptr}, .masters = {&line, &encoder}, .tape = tape.get()});
+  LiveGear gear(1, {.numerator = 1, .denominator = 2, .acceleration = 10});
+  LiveGear other(2, {.numerator = 1, .denominator = 2, .acceleration = 10});
+  const auto run = [&](int cycles, std::int32_t clock, bool valid) {
+    Noise noise_of_cycles{};
+    for (int i = 0; i < cycles; ++i) {
+      const double now = static_cast<double>(pacer.now() - post.vitals.start) * 1e-9;
+      if (clock > 0)
+        line.receive({static_cast<std::int64_t>(now * 1e9), clock, now, 2 * now, valid});
+      const Noise before = noise();
+      cycle.once();
+      noise_of_cycles = noise() - before;
+      if (!(noise_of_cycles == Noise{})) return noise_of_cycles;
+    }
+    return noise_of_cycles;
+  };
+  for (std::size_t i = 0; i < 2; ++i) post.mail[i]->commands.push({.kind = Kind::enable});
+  EXPECT_EQ(run(200, 1, true), Noise{});
+  post.mail[0]->commands.push({.kind = Kind::gear_in, .id = 1, .movement = &gear});
+  post.mail[1]->commands.push({.kind = Kind::gear_in, .id = 1, .movement = &other});
+  EXPECT_EQ(run(1000, 1, true), Noise{});
+  EXPECT_FALSE(post.masters[0]->read()->lost());
+  EXPECT_FALSE(post.masters[1]->read()->lost());
+  EXPECT_EQ(run(200, 2, true), Noise{});
+  EXPECT_EQ(run(200, 2, false), Noise{});
+  EXPECT_TRUE(post.masters[0]->read()->lost());
+  EXPECT_EQ(run(500, 0, true), Noise{});
+  Tick last;
+  while (post.mail[0]->ticks.pop(last)) {
+  }
+  EXPECT_EQ(last.fault, Cause::master_lost);
 }
 
 TEST(Quiet, FullRingsAndAWatchdogAreNoReasonToMakeNoise) {
