@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "jounce/io/document.hpp"
+#include "jounce/io/machine_master.hpp"
 
 namespace jounce {
 
@@ -23,7 +24,7 @@ struct FollowWhom {
 ///     spec = "feeder.toml"
 ///     [[axis]]
 ///     spec = "knife.toml"
-///     follow = { axis = "feeder" }
+///     follow = { axis = "feeder" }      # or { master = "line" } with [master.line]
 struct MachineSpec {
   struct Axis {
     std::string spec = {};                  ///< its file; relative to the machine's own
@@ -32,6 +33,7 @@ struct MachineSpec {
   };
   Document document;
   std::vector<Axis> axes;
+  std::vector<MachineMasterSpec> masters = {};
 };
 
 /// Nothing where the file is a spec of another kind, or none. Throws InputError, placed, as

@@ -22,6 +22,8 @@ Drive read_model_file(TomlReader& table, const Units& units) {
   return spec.drive->drive;
 }
 
+}  // namespace
+
 AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units) {
   AxisDriveSpec::Shared shared{.name = table.text("name")};
   shared.increments_per_rev = table.number("increments_per_rev", "1");
@@ -34,8 +36,6 @@ AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units) {
   shared.silent_cycles = static_cast<int>(cycles);
   return shared;
 }
-
-}  // namespace
 
 std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units) {
   auto table = top.optional_table("drive");

@@ -39,6 +39,7 @@ void read_body(TomlReader& top, MachineSpec& machine) {
   (void)top.optional_text("name");
   const auto folder = std::filesystem::path(machine.document.name).parent_path();
   for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
+  machine.masters = detail::read_masters(top);
   if (machine.axes.empty())
     top.fail("axis", "", "is missing: a machine has an [[axis]] with a spec for each of its axes");
   top.finish();
@@ -63,7 +64,7 @@ std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
 }
 
 std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
-  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}}, .axes = {}};
+  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
   if (!is_machine(machine.document)) return std::nullopt;
   const toml::table root = detail::parse_toml(machine.document);
   TomlReader top(root, "", machine.document);

@@ -11,6 +11,9 @@ namespace jounce::detail {
 /// [drive] with what an axis's executor needs of it; also `spec`, `name` and so on.
 std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units);
 
+/// The keys of a drive behind shared memory.
+AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units);
+
 /// A [drive] of which its owner may have read keys of its own.
 DriveSpec read_drive_table(TomlReader& table, const Units& units);
 

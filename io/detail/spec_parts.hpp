@@ -64,6 +64,8 @@ Table read_knots(TomlReader& top, Spec& spec, Rule rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 /// [follow]: whom an axis follows.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
+/// [master.NAME]: the masters of a machine.
+std::vector<MachineMasterSpec> read_masters(TomlReader& top);
 
 /// [pt], [[point]].
 TimeTableSpec read_time_table(TomlReader& top, const Units& units);
