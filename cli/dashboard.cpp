@@ -212,6 +212,12 @@ std::vector<Span> queue_of(const wire::Status& s, bool ascii) {
           {fmt::format(" {} of {} rows", s.queue_rows, s.queue_capacity)}};
 }
 
+void add_masters(std::vector<Row>& rows, const Watched& axis, const View& view) {
+  for (const wire::MasterStatus& master : axis.masters)
+    rows.push_back(
+        line("master", {{said_of(master, view.ascii), master.lost ? Tone::wrong : Tone::plain}}));
+}
+
 /// The cycle and the link: what is late, what was refused.
 void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   rows.push_back(
@@ -235,6 +241,7 @@ std::vector<Row> details(const Watched& axis, const View& view) {
   rows.push_back(s.last_error == 0 ? line("fault", {{"none", Tone::faint}})
                                    : line("fault", {{words_of(s.last_error), Tone::wrong}}));
   add_motion(rows, s, view);
+  add_masters(rows, axis, view);
   const auto room = static_cast<std::size_t>(std::max(0, view.width - static_cast<int>(label)));
   rows.push_back(line("", {{sparkline(axis.trace, room, view.ascii), Tone::moves}}));
   rows.push_back(line("queue", queue_of(s, view.ascii)));
@@ -281,6 +288,32 @@ void hear(std::vector<Watched>& axes, const std::string& name, const wire::Statu
   axis.traced_at = now;
   axis.trace.push_back(status.slave_position);
   if (axis.trace.size() > Watched::traced) axis.trace.pop_front();
+}
+
+void hear(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master) {
+  const auto axis =
+      std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });
+  if (axis == axes.end() || !axis->status) return;
+  // An executor that was started again may have other masters.
+  std::erase_if(axis->masters, [&](const auto& m) { return m.boot != master.boot; });
+  auto& all = axis->masters;
+  const auto place = std::lower_bound(all.begin(), all.end(), master.master,
+                                      [](const auto& m, const auto& n) { return m.master < n; });
+  if (place != all.end() && place->master == master.master)
+    *place = master;
+  else
+    all.insert(place, master);
+}
+
+std::string said_of(const wire::MasterStatus& master, bool ascii) {
+  const std::string unit = harmless(master.unit, ascii);
+  const std::string age = std::isnan(master.age_s) ? std::string("never measured")
+                          : master.age_s == 0
+                              ? std::string("computed")
+                              : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
+  if (master.lost) return fmt::format("{} is lost, {}", master.master, age);
+  return fmt::format("{} {}, {}, {}", master.master, valued(master.position, unit),
+                     valued(master.velocity, unit + "/s"), age);
 }
 
 std::string sparkline(const std::deque<double>& values, std::size_t width, bool ascii) {

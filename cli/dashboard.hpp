@@ -27,11 +27,18 @@ struct Watched {
   Nanos heard{};                                      ///< when, on the monitor's clock
   std::deque<double> trace = {};                      ///< positions every 100 ms, the newest last
   Nanos traced_at{};                                  ///< when the newest of them was heard
+  std::vector<wire::MasterStatus> masters = {};       ///< what it says of each, by name
 };
 
 /// Takes a status in; an axis that is new comes to its place by name.
 void hear(std::vector<Watched>& axes, const std::string& name, const wire::Status& status,
           Nanos now);
+
+/// What an axis says of a master; before its first status nothing happens.
+void hear(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
+
+/// A master in a few words: where it is, how fast, how old; or that it is lost.
+std::string said_of(const wire::MasterStatus& master, bool ascii);
 
 /// How a text looks: what it means, not a colour.
 enum class Tone { plain, faint, strong, rests, moves, waits, wrong, chosen };

@@ -15,6 +15,7 @@
 #include "jounce/io/nearest.hpp"
 
 #include "axis_drive.hpp"
+#include "machine_masters.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -60,6 +61,11 @@ void say(const std::string& notice) {
   if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
 }
 
+std::function<void(const std::string&)> notice_of(const ExecutorOptions& axis, std::size_t axes) {
+  const std::string whose = axes == 1 ? "" : axis.receiver.executor + ": ";
+  return [whose](const std::string& notice) { say(whose + notice); };
+}
+
 ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
   ExecutorOptions executor;
   executor.axis = config_of(spec);
@@ -70,8 +76,6 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   executor.enable = options.enable;
   executor.build_apart = 2000;  // knots: about a millisecond
   if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);
-  const std::string whose = axes == 1 ? "" : spec.name + ": ";
-  executor.notify = [whose](const std::string& notice) { say(whose + notice); };
   (void)resolved(executor.axis);
   if (const auto drive = axis_drive(spec)) executor.drive = make_drive(*drive, executor.axis);
   return executor;
@@ -82,44 +86,48 @@ std::optional<FollowWhom> follow_of(const Spec& spec) {
   return axis == nullptr ? std::nullopt : axis->follow;
 }
 
-Follow resolved(const Read& axis, const std::vector<Read>& all) {
-  if (!axis.follow) return {};
-  const auto refuse = [&](const char* what, const std::string& value, const std::string& rule) {
-    throw axis.said_in->located(InputError(axis.key + what, value, rule));
-  };
-  const FollowWhom& whom = *axis.follow;
-  if (!whom.master.empty())
-    refuse("follow.master", whom.master,
-           "no master of this name: this program has none from outside");
+/// What can be followed, by name: in what it counts, and what following it is.
+struct Leader {
+  std::string name;
+  std::string unit;
+  Follow follow = {};
+};
+
+std::string meant(const std::string& name, const std::vector<Leader>& leaders, const char* else_) {
   std::vector<std::string> names;
-  for (const Read& one : all) names.push_back(one.spec.name);
-  const auto leader = std::find(names.begin(), names.end(), whom.axis);
-  if (leader == names.end()) {
-    const std::string near = nearest(whom.axis, names);
-    refuse("follow.axis", whom.axis,
-           "no axis of this name is run here" + (near.empty() ? std::string(": name its spec too")
-                                                              : ". Did you mean " + near + "?"));
-  }
-  const auto index = static_cast<std::size_t>(leader - names.begin());
-  const std::string& counts = all[index].spec.units.position;
-  if (!axis.spec.master_unit.empty() && axis.spec.master_unit != counts)
-    refuse("follow.axis", whom.axis,
-           "it counts in " + counts + ", and this axis's units.master is " + axis.spec.master_unit);
-  return {.what = whom.actual ? Follow::What::actual : Follow::What::setpoint, .index = index};
+  for (const Leader& leader : leaders) names.push_back(leader.name);
+  const std::string near = nearest(name, names);
+  return near.empty() ? else_ : ". Did you mean " + near + "?";
 }
 
-}  // namespace
-
-std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
-  if (axes == 1) return log;
-  std::filesystem::path path(log);
-  const std::string extension = path.extension().string();
-  return path.replace_extension("." + axis + extension).string();
+Follow resolved(const Read& axis, const std::vector<Leader>& axes,
+                const std::vector<Leader>& masters) {
+  if (!axis.follow) return {};
+  const FollowWhom& whom = *axis.follow;
+  const bool of_master = !whom.master.empty();
+  const std::string& name = of_master ? whom.master : whom.axis;
+  const std::vector<Leader>& leaders = of_master ? masters : axes;
+  const auto refuse = [&](const std::string& rule) {
+    throw axis.said_in->located(
+        InputError(axis.key + (of_master ? "follow.master" : "follow.axis"), name, rule));
+  };
+  const auto leader = std::find_if(leaders.begin(), leaders.end(),
+                                   [&](const Leader& one) { return one.name == name; });
+  if (leader == leaders.end() && of_master)
+    refuse("no master of this name is here" +
+           meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
+  if (leader == leaders.end())
+    refuse("no axis of this name is run here" + meant(name, leaders, ": name its spec too"));
+  if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
+    refuse("it counts in " + leader->unit + ", and this axis's units.master is " +
+           axis.spec.master_unit);
+  Follow follow = leader->follow;
+  if (whom.actual) follow.what = Follow::What::actual;
+  return follow;
 }
 
-std::vector<ExecutorOptions> axes_of(const MachineOptions& options) {
-  std::optional<MachineSpec> machine;
-  if (options.files.size() == 1) machine = read_machine(options.files.front());
+std::vector<Read> read_axes(const MachineOptions& options,
+                            const std::optional<MachineSpec>& machine) {
   std::vector<Read> read;
   if (machine) {
     for (const MachineSpec::Axis& axis : machine->axes) {
@@ -136,10 +144,27 @@ std::vector<ExecutorOptions> axes_of(const MachineOptions& options) {
     one.said_in = &one.spec.document;
     one.key.clear();
   }
-  std::vector<ExecutorOptions> axes;
+  return read;
+}
+
+}  // namespace
+
+std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
+  if (axes == 1) return log;
+  std::filesystem::path path(log);
+  const std::string extension = path.extension().string();
+  return path.replace_extension("." + axis + extension).string();
+}
+
+MachineParts parts_of(const MachineOptions& options) {
+  std::optional<MachineSpec> machine;
+  if (options.files.size() == 1) machine = read_machine(options.files.front());
+  const std::vector<Read> read = read_axes(options, machine);
+  MachineParts parts;
+  std::vector<Leader> axes;
   for (const Read& one : read) {
     try {
-      axes.push_back(executor_of(options, one.spec, read.size()));
+      parts.axes.push_back(executor_of(options, one.spec, read.size()));
     } catch (const InputError& error) {
       // The executor names its own fields, which the spec has in [axis].
       const std::string key = "axis." + error.key();
@@ -147,9 +172,18 @@ std::vector<ExecutorOptions> axes_of(const MachineOptions& options) {
                                           ? InputError(key, error.value(), error.rule())
                                           : error);
     }
-    axes.back().follow = resolved(one, read);
+    axes.push_back({one.spec.name,
+                    one.spec.units.position,
+                    {.what = Follow::What::setpoint, .index = axes.size()}});
   }
-  return axes;
+  std::vector<Leader> masters;
+  if (machine)
+    for (const MachineMasterSpec& spec : machine->masters)
+      masters.push_back({spec.name, spec.unit, add_machine_master(spec, machine->document, parts)});
+  for (std::size_t i = 0; i < read.size(); ++i)
+    parts.axes[i].follow = resolved(read[i], axes, masters);
+  for (auto& axis : parts.axes) axis.notify = notice_of(axis, parts.axes.size());
+  return parts;
 }
 
 }  // namespace jounce::cli

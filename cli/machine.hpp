@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "jounce/executor/desk.hpp"
+#include "jounce/executor/masters.hpp"
 
 namespace jounce::cli {
 
@@ -18,9 +19,14 @@ struct MachineOptions {
 /// The log of one axis: run.csv of one, run.feeder.csv, run.knife.csv of several.
 std::string log_of(const std::string& log, const std::string& axis, std::size_t axes);
 
-/// The axes of one executor, as their specs say. Throws InputError, with file, line and key where
-/// there is one: a file of another kind, a bad configuration, whom to follow that is not there, other
-/// units.
-std::vector<ExecutorOptions> axes_of(const MachineOptions& options);
+/// The axes and masters of one executor.
+struct MachineParts {
+  std::vector<ExecutorOptions> axes = {};  ///< masters that play a table are the last of them
+  std::vector<MachineMaster> masters = {};
+};
+
+/// As their specs say. Throws InputError, with file, line and key where there is one: a file of another
+/// kind, a bad configuration, whom to follow that is not there, other units.
+MachineParts parts_of(const MachineOptions& options);
 
 }  // namespace jounce::cli

@@ -64,7 +64,7 @@ int run(int argc, char** argv) {
   Work work;
   for (const auto add : {add_new, add_laws, add_design, add_check, add_optimize, add_sweep, add_validate,
                          add_identify, add_diff, add_convert, add_plot, add_map, add_events, add_contour,
-                         add_report, add_stream, add_run, add_replay, add_monitor, add_stop, add_order})
+                         add_report, add_stream, add_master, add_run, add_replay, add_monitor, add_stop, add_order})
     add(app, work);
   try {
     app.parse(argc, argv);

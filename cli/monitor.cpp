@@ -57,28 +57,48 @@ void print_json(const std::string& axis, const wire::Status& s) {
   std::fflush(stdout);
 }
 
+void print_line(const std::string& axis, const wire::MasterStatus& m) {
+  fmt::print("{:<12} master    tick {:<10} {}\n", axis, m.tick, said_of(m, true));
+  std::fflush(stdout);
+}
+
+void print_json(const std::string& axis, const wire::MasterStatus& m) {
+  const nlohmann::ordered_json line{
+      {"name", axis},     {"master_name", m.master}, {"unit", m.unit},         {"tick", m.tick},
+      {"lost", m.lost},   {"position", m.position},  {"velocity", m.velocity}, {"age", m.age_s},
+      {"taken", m.taken}, {"refused", m.refused}};
+  fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  std::fflush(stdout);
+}
+
 /// Hears the executors that are asked for.
 class Ear {
  public:
   explicit Ear(const Options& options) : options_(options), link_(options.link) {
     for (const std::string& name : options.executors) {
-      link_.transport().subscribe(wire::channel(name, wire::Lane::status), queue_capacity);
+      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+        link_.transport().subscribe(wire::channel(name, lane), queue_capacity);
       axes_.push_back({.name = name});
     }
-    if (options.executors.empty())
-      link_.transport().subscribe(wire::channel("*", wire::Lane::status), queue_capacity);
+    for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+      if (options.executors.empty())
+        link_.transport().subscribe(wire::channel("*", lane), queue_capacity);
   }
 
-  /// Hands each status that comes within a turn to `take`.
+  /// Hands each status that comes within a turn to `take`, of an axis and of a master.
   template <class Take>
   void listen(Take take) {
     const Nanos end = steady_now() + turn;
     for (Nanos left = turn; left > Nanos{}; left = end - steady_now()) {
       const auto message = next_message(link_.transport(), left, rejects_, link_.key());
-      const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
-      if (status == nullptr || !wanted(message->executor)) continue;
-      hear(axes_, message->executor, *status, steady_now());
-      take(message->executor, *status);
+      if (!message || !wanted(message->executor)) continue;
+      if (const auto* status = std::get_if<wire::Status>(&message->body)) {
+        hear(axes_, message->executor, *status, steady_now());
+        take(message->executor, *status);
+      } else if (const auto* master = std::get_if<wire::MasterStatus>(&message->body)) {
+        hear(axes_, message->executor, *master);
+        take(message->executor, *master);
+      }
     }
   }
 
@@ -127,7 +147,9 @@ int give_up(const std::string& who, const Options& options) {
 
 int print_all(Ear& ear, const Options& options) {
   while (ear.in_time()) {
-    ear.listen(options.json ? print_json : print_line);
+    ear.listen([&](const std::string& axis, const auto& status) {
+      options.json ? print_json(axis, status) : print_line(axis, status);
+    });
     if (const std::string who = ear.silent(); !who.empty()) return give_up(who, options);
   }
   return fine;
@@ -155,7 +177,7 @@ int watch(Ear& ear, const Options& options) {
     view.now = steady_now();
     terminal.measure(view);
     terminal.show(dashboard(ear.axes(), view));
-    ear.listen([](const std::string& /*name*/, const wire::Status& /*status*/) {});
+    ear.listen([](const std::string& /*name*/, const auto& /*status*/) {});
     while (const auto key = terminal.key()) {
       const Wish wish = press(view, ear.axes(), *key);
       if (wish == Wish::quit) return fine;

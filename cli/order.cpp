@@ -125,10 +125,10 @@ wire::Order order_of(const Options& options, const Units& units) {
     return {.kind = OrderKind::gear_in, .value = {numerator, denominator, a, d, j}};
   }
   const std::map<std::string, OrderKind> plain{
-      {"enable", OrderKind::enable},  {"disable", OrderKind::disable},
-      {"reset", OrderKind::reset},    {"hold", OrderKind::hold},
-      {"resume", OrderKind::resume},  {"gear-out", OrderKind::gear_out},
-      {"cam-out", OrderKind::cam_out}};
+      {"enable", OrderKind::enable}, {"disable", OrderKind::disable},
+      {"reset", OrderKind::reset},   {"hold", OrderKind::hold},
+      {"resume", OrderKind::resume}, {"gear-out", OrderKind::gear_out},
+      {"start", OrderKind::start},   {"cam-out", OrderKind::cam_out}};
   return {.kind = plain.at(what)};
 }
 
@@ -186,11 +186,12 @@ void add_order(CLI::App& app, Work& work) {
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
   verb->add_option("WHAT", options->what,
                    "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
-                   "set-position; gear-in, gear-out, cam-out")
+                   "set-position; gear-in, gear-out, cam-out; start, of the table that it has of "
+                   "its own")
       ->required()
-      ->check(
-          CLI::IsMember({"enable", "disable", "reset", "hold", "resume", "override", "move", "jog",
-                         "halt", "home", "set-position", "gear-in", "gear-out", "cam-out"}));
+      ->check(CLI::IsMember({"enable", "disable", "reset", "hold", "resume", "override", "move",
+                             "jog", "halt", "home", "set-position", "gear-in", "gear-out",
+                             "cam-out", "start"}));
   verb->add_option("VALUE", options->value,
                    "override's factor (50%), jog's velocity, home's and set-position's position, "
                    "gear-in's ratio (3:2)");

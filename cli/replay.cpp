@@ -98,6 +98,8 @@ RecordedAxis axis_of(const std::string& file, const std::string& wanted) {
 void print(const Replay& r, const std::string& file) {
   fmt::print("{}: {} {}, {} cycles, ticks {} to {}\n", file, r.axes.size(),
              r.axes.size() == 1 ? "axis" : "axes", r.cycles, r.first_tick.value_or(0), r.last_tick);
+  for (const Replay::Master& master : r.masters)
+    fmt::print("master {}: {} cycles, lost in {}\n", master.name, master.cycles, master.lost);
   if (r.difference) {
     const Replay::Difference& d = *r.difference;
     fmt::print("differs: axis {}, tick {}: {} is {} in the record, {} replayed\n",
@@ -115,6 +117,9 @@ nlohmann::ordered_json json_of(const Replay& r) {
   nlohmann::ordered_json document{{"axes", axes},           {"cycles", r.cycles},
                                   {"compared", r.compared}, {"same", r.same()},
                                   {"shorter", r.shorter},   {"last_tick", r.last_tick}};
+  for (const Replay::Master& master : r.masters)
+    document["masters"].push_back(
+        {{"name", master.name}, {"cycles", master.cycles}, {"lost", master.lost}});
   if (r.difference)
     document["difference"] = {{"axis", r.axes[r.difference->axis].name},
                               {"tick", r.difference->tick},

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -126,13 +127,15 @@ std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
 }
 
 int run(const Options& options) {
-  std::vector<ExecutorOptions> axes = axes_of(options.machine);
-  (void)Machine(machine_of(axes));
+  auto [axes, masters] = parts_of(options.machine);
+  (void)Machine(machine_of(axes), masters.size());
   for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto panel = panel_of(options, link, axes);
-  const ExecutorSummary summary = run_executor(link.transport(), axes, options.run);
+  RunOptions how = options.run;
+  how.masters = std::move(masters);
+  const ExecutorSummary summary = run_executor(link.transport(), axes, how);
   const int status = report(summary, options.json);
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
   if (!record_is_whole(summary)) return fault;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
@@ -21,6 +22,8 @@ struct Options {
   std::string axis;
   std::string to;
   std::string master;
+  bool live = false;
+  std::string start_at;
   LinkOptions link;
   std::vector<std::string> swaps;
   bool rolling = false;
@@ -39,6 +42,7 @@ SwapPlan add_file(StreamPlan& plan, const std::string& file, const Options& opti
   Input input = load(file, options.axis);
   const auto coupling = input.spec ? input.spec->coupling : std::nullopt;
   Tables tables = [&] {
+    if (options.live) return Tables{input.table, std::nullopt};
     if (options.master.empty()) return executor_tables(input);
     return Tables{input.table, read_table(options.master)};
   }();
@@ -49,15 +53,36 @@ SwapPlan add_file(StreamPlan& plan, const std::string& file, const Options& opti
     added.mode = wire::ArmMode::follow_table;
     added.coupling = coupling.value_or(CouplingSpec{});
   }
+  if (options.live) {
+    added.mode = wire::ArmMode::follow_input;
+    added.coupling = coupling.value_or(CouplingSpec{});
+  }
   return added;
 }
 
+/// --start-at, in the unit of the master.
+double start_of(const Options& options, const std::string& unit) {
+  try {
+    return quantity(options.start_at, unit);
+  } catch (const InputError& error) {
+    throw InputError("--start-at", options.start_at, error.rule());
+  }
+}
+
 StreamPlan plan_of(const Options& options) {
+  if (options.live && !options.master.empty())
+    throw InputError("--master", options.master, "with --live the axis has a master of its own");
+  if (!options.live && !options.start_at.empty())
+    throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
   StreamPlan plan;
   plan.executor = options.to;
   const SwapPlan first = add_file(plan, options.file, options);
   plan.mode = first.mode;
   plan.coupling = first.coupling;
+  if (!options.start_at.empty()) {
+    plan.when = wire::StartAt::master_position;
+    plan.position = start_of(options, plan.tables.front().units.x);
+  }
   for (const std::string& file : options.swaps) plan.swaps.push_back(add_file(plan, file, options));
   plan.goal = options.until == "download" ? StreamGoal::download
               : options.until == "arm"    ? StreamGoal::arm
@@ -92,9 +117,10 @@ int report(const StreamOutcome& outcome, const Options& options) {
 }
 
 RowPlan row_plan_of(const Options& options) {
-  if (!options.swaps.empty() || !options.master.empty() || options.until != "start") {
+  if (!options.swaps.empty() || !options.master.empty() || options.live ||
+      options.until != "start") {
     throw InputError("--rolling", "",
-                     "streams one table over time: without --swap, --master and --until");
+                     "streams one table over time: without --swap, --master, --live and --until");
   }
   Input input = load(options.file, options.axis);
   Tables tables = executor_tables(input);
@@ -172,12 +198,17 @@ void add_stream(CLI::App& app, Work& work) {
       app, "stream", "Send a table to an executor; nothing moves before all of it has arrived",
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
+      "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
       "jounce stream long.csv --to feeder --rolling             longer than its memory");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
   add_axis_option(verb, options->axis);
   verb->add_option("--to", options->to, "Name of the executor")->required();
   verb->add_option("--master", options->master,
                    "Table over time that drives a cam table; a cam spec has its own [master]");
+  verb->add_flag("--live", options->live,
+                 "The cam follows the axis's live master, as its executor is configured");
+  verb->add_option("--start-at", options->start_at,
+                   "With --live: begin where the master passes this position");
   verb->add_option("--swap", options->swaps,
                    "Table that takes over where the one before ends, in motion; may be repeated");
   verb->add_flag("--rolling", options->rolling,

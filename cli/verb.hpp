@@ -35,6 +35,7 @@ void add_map(CLI::App& app, Work& work);
 void add_events(CLI::App& app, Work& work);
 void add_report(CLI::App& app, Work& work);
 void add_stream(CLI::App& app, Work& work);
+void add_master(CLI::App& app, Work& work);
 void add_stop(CLI::App& app, Work& work);
 void add_order(CLI::App& app, Work& work);
 void add_run(CLI::App& app, Work& work);

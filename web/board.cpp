@@ -44,6 +44,11 @@ ordered_json facts(const wire::Status& s) {
           {"stopped", s.stopped}};
 }
 
+ordered_json facts(const wire::MasterStatus& m) {
+  return {{"name", m.master},       {"unit", m.unit},         {"lost", m.lost},
+          {"position", m.position}, {"velocity", m.velocity}, {"age_ms", 1e3 * m.age_s}};
+}
+
 }  // namespace
 
 Board::Board(std::vector<std::string> axes) {
@@ -65,6 +70,14 @@ void Board::take(const std::string& axis, const wire::Status& status, Nanos now)
   if (at->samples.size() > most_samples) at->samples.pop_front();
 }
 
+void Board::take(const std::string& axis, const wire::MasterStatus& master) {
+  for (AxisView& view : axes_) {
+    if (view.name != axis || view.status.boot != master.boot) continue;
+    std::erase_if(view.masters, [&](const auto& m) { return m.second.boot != master.boot; });
+    view.masters[master.master] = master;
+  }
+}
+
 std::string Board::json_since(std::int64_t& seen, Nanos now) const {
   ordered_json axes = ordered_json::array();
   for (const AxisView& view : axes_) {
@@ -73,6 +86,8 @@ std::string Board::json_since(std::int64_t& seen, Nanos now) const {
     axis["name"] = view.name;
     axis["heard"] = nullptr;
     if (heard) axis["heard"] = std::chrono::duration<double>(now - view.heard).count();
+    ordered_json& masters = axis["masters"] = ordered_json::array();
+    for (const auto& [name, master] : view.masters) masters.push_back(facts(master));
     ordered_json& samples = axis["samples"] = ordered_json::array();
     for (const Sample& s : view.samples)
       if (s.number > seen) samples.push_back({s.time, s.position, s.velocity, s.error});

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,13 @@ class Board {
   /// A status; of an axis that is not named, or as old as the one before: nothing happens.
   void take(const std::string& axis, const wire::Status& status, Nanos now);
 
+  /// What an axis says of a master.
+  void take(const std::string& axis, const wire::MasterStatus& master);
+
   /// All axes in JSON, with the samples of after `seen`, which is moved to the newest one. NaN
   /// becomes null. {"axes": [{"name", "state", "heard" (s since), "position", ..., "samples":
-  /// [[time s, position, velocity, following error], ...]}]}; time is tick * cycle.
+  /// [[time s, position, velocity, following error], ...], "masters": [{"name", "unit", "lost", "position",
+  /// "velocity", "age_ms"}]}]}; time is tick * cycle.
   [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
 
   [[nodiscard]] bool has(const std::string& axis) const;
@@ -45,6 +50,7 @@ class Board {
     wire::Status status{};
     Nanos heard{-1};
     std::deque<Sample> samples{};
+    std::map<std::string, wire::MasterStatus> masters{};  // by name
   };
 
   std::vector<AxisView> axes_;

@@ -35,7 +35,8 @@ struct Panel::Impl {
       : options(its_options), make_link(std::move(its_make_link)), board(options.axes) {
     ears = make_link();
     for (const std::string& axis : options.axes)
-      ears->subscribe(wire::channel(axis, wire::Lane::status), waiting_statuses);
+      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+        ears->subscribe(wire::channel(axis, lane), waiting_statuses);
     server.emplace(options.port, token,
                    Site{page(options.title), std::string(script()), style(),
                         [this](std::int64_t& seen) { return event(seen); },
@@ -54,10 +55,12 @@ struct Panel::Impl {
       Rejects rejects;
       while (running) {
         const auto message = next_message(*ears, turn, rejects, options.key);
-        const auto* const status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
-        if (status == nullptr) continue;
+        if (!message) continue;
         const std::scoped_lock lock(mutex);
-        board.take(message->executor, *status, steady_now());
+        if (const auto* const status = std::get_if<wire::Status>(&message->body))
+          board.take(message->executor, *status, steady_now());
+        else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
+          board.take(message->executor, *master);
       }
     } catch (const TransportError&) {
       // The page says of each axis for how long nothing was heard.

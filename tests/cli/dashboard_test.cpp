@@ -248,5 +248,26 @@ TEST(Terminal, ClearsWhatARowLeavesOver) {
             "\x1b[H\x1b[0ma\x1b[0m\x1b[K\r\n\x1b[0m\x1b[K\x1b[J");
 }
 
+TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
+  std::vector<Watched> axes;
+  const wire::MasterStatus there{7, "line", "mm", 10, false, 1234.5, 500, 0.0013, 12, 1};
+  hear(axes, "knife", there);
+  EXPECT_TRUE(axes.empty()) << "an axis is heard by its status";
+  wire::Status status = moving();
+  status.boot = 7;
+  hear(axes, "knife", status, 1s);
+  hear(axes, "knife", there);
+  const auto text = [&] {
+    std::string all;
+    for (const Row& row : dashboard(axes, {.height = 40, .now = 1s}))
+      for (const Span& span : row) all += span.text;
+    return all;
+  };
+  EXPECT_THAT(text(), HasSubstr("line 1234.5 mm, 500 mm/s, measured 1.3 ms ago"));
+  hear(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true});
+  EXPECT_THAT(text(), HasSubstr("line is lost, never measured"));
+  EXPECT_EQ(axes[0].masters.size(), 1U);
+}
+
 }  // namespace
 }  // namespace jounce::cli

@@ -104,5 +104,23 @@ TEST(Board, SaysAFaultWithNumberNameAndMeaning) {
   EXPECT_EQ(fault["meaning"], meaning(Cause::following_error));
 }
 
+TEST(Board, TellsTheMastersOfAnAxis) {
+  Board board({"knife"});
+  wire::Status status = at(10, 1.5);
+  status.boot = 5;
+  board.take("knife", status, 3s);
+  board.take("knife", wire::MasterStatus{5, "web", "mm", 10, true});
+  board.take("knife", wire::MasterStatus{5, "line", "mm", 10, false, 7.5, -2, 0.004, 12, 1});
+  board.take("knife", wire::MasterStatus{4, "old", "mm", 10, true});
+  std::int64_t seen = 0;
+  const json masters = next(board, seen, 5s)["axes"][0]["masters"];
+  ASSERT_EQ(masters.size(), 2U) << "nothing of another boot";
+  EXPECT_EQ(masters[0]["name"], "line");
+  EXPECT_EQ(masters[0]["position"], 7.5);
+  EXPECT_EQ(masters[0]["age_ms"], 4);
+  EXPECT_EQ(masters[1]["lost"], true);
+  EXPECT_EQ(masters[1]["position"], nullptr);
+}
+
 }  // namespace
 }  // namespace jounce::web

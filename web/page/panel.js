@@ -23,6 +23,11 @@ const number = (value, unit) => value === null || value === undefined ? '–'
   : `${Number(value.toPrecision(6)).toLocaleString('en', {maximumFractionDigits: 4, useGrouping: false})}${unit ? ' ' + unit : ''}`;
 const words = (text) => text.replaceAll('_', ' ');
 
+/// A master: where it is, how fast, how long ago that was measured.
+const wordsOf = (master) => master.lost ? `${master.name} is lost`
+  : `${master.name} ${number(master.position, master.unit)}, ${number(master.velocity, `${master.unit}/s`)}`
+    + (master.age_ms ? `, ${number(master.age_ms, 'ms')} old` : '');
+
 function say(text, ok) {
   const line = document.getElementById('said');
   line.textContent = text;
@@ -100,10 +105,10 @@ function show(axis) {
   parts.position.textContent = number(axis.position, unit);
   parts.velocity.textContent = number(axis.velocity, unit && `${unit}/s`);
   parts.error.textContent = number(axis.error, unit);
-  parts.master.textContent = number(axis.master);
+  parts.master.textContent = axis.masters.length ? axis.masters.map(wordsOf).join('; ') : number(axis.master);
   parts.queue.textContent = `${axis.queue} of ${axis.capacity}`;
   parts.level.value = axis.capacity ? axis.queue / axis.capacity : 0;
-  for (const [part, known] of [['error', axis.error !== null], ['master', axis.master !== null], ['queue', axis.capacity > 0]])
+  for (const [part, known] of [['error', axis.error !== null], ['master', axis.master !== null || axis.masters.length > 0], ['queue', axis.capacity > 0]])
     parts[part].closest('dl > div').hidden = !known;
   parts.late.textContent = axis.late;
   parts.motions.textContent = `${axis.finished} done, ${axis.stopped} stopped`;

@@ -1,0 +1,195 @@
+#include "jounce/axis/master.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/drive/encoder.hpp"
+#include "jounce/executor/cycle.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/driver.hpp"
+
+#include "interrupt.hpp"
+#include "link.hpp"
+#include "progress.hpp"
+#include "reference.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string axis;
+  std::string name;
+  LinkOptions link;
+  double rate = 1000;
+  double before = 1;
+  double after = 1;
+  std::optional<double> seconds;
+  EncoderErrors errors;
+  bool json = false;
+};
+
+/// A sender that begins later has a greater number: seconds of the clock on the wall, since 2020.
+std::int32_t epoch_now() {
+  constexpr std::int64_t since = 1577836800;
+  const auto now = static_cast<std::int64_t>(std::time(nullptr)) - since;
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(now, 0, std::numeric_limits<std::int32_t>::max()));
+}
+
+/// The motion in seconds, and how long it is said; without an end where it repeats.
+struct Play {
+  TableFile file;
+  double length = 0;
+};
+
+Play play_of(const Options& options) {
+  Tables tables = executor_tables(load(options.file, options.axis));
+  const Table& table = tables.slave.table;
+  if (tables.master || table.axis() != Axis::time)
+    throw InputError("FILE", options.file, "must be over time: a master is a function of it");
+  const bool endless = repeats(table.outside());
+  double length = options.before + options.after + table.end() - table.start();
+  if (endless) length = std::numeric_limits<double>::infinity();
+  return {std::move(tables.slave), options.seconds.value_or(length)};
+}
+
+struct Said {
+  std::int64_t samples = 0;
+  std::int64_t late = 0;  ///< instants that were left out
+  double seconds = 0;
+  double position = 0;
+};
+
+/// Says where the master is, at instants of its own clock.
+class Speaker {
+ public:
+  Speaker(const Options& options, Link& link, std::string unit)
+      : options_(options), link_(link), reading_(options.errors) {
+    said_.unit = std::move(unit);
+    said_.clock = epoch_now();
+  }
+
+  void say(std::int64_t instant, const Jet& x, bool valid) {
+    said_.seq = instant / 1000;  // rises, also from one sender on a machine to the next
+    said_.stamp_ns = instant;
+    said_.valid = valid;
+    said_.position = reading_(x[0]);
+    said_.velocity = x[1];
+    send_message(link_.transport(), {options_.name, 0, said_}, link_.key());
+  }
+
+ private:
+  const Options& options_;
+  Link& link_;
+  EncoderReading reading_;
+  wire::Master said_;
+};
+
+/// The last words: it is lost, a few times, for some may be.
+void leave(Speaker& speaker, Pacer& pacer, std::int64_t period, const Jet& x) {
+  const std::int64_t begin = pacer.now();
+  for (std::int64_t k = 0; k < 5; ++k) {
+    pacer.sleep_until(begin + k * period);
+    speaker.say(begin + k * period, x, false);
+  }
+}
+
+Said speak(const Play& play, const Options& options, Link& link) {
+  const auto period = static_cast<std::int64_t>(std::llround(1e9 / options.rate));
+  const auto table = std::make_shared<const Table>(play.file.table);
+  TableMaster master(table, options.before);
+  Speaker speaker(options, link, play.file.units.position);
+  MonotonicPacer pacer;
+  Progress progress("master " + options.name);
+  const Interrupt interrupt;  // says that the master is lost before the sender leaves
+  const std::int64_t begin = pacer.now();
+  Said said;
+  Jet x{};
+  for (std::int64_t k = 0;; ++k) {
+    pacer.sleep_until(begin + k * period);
+    const std::int64_t missed = std::max<std::int64_t>((pacer.now() - begin) / period - k, 0);
+    said.late += missed;  // one sample, where the time is: never a burst
+    k += missed;
+    const double t = static_cast<double>(k * period) * 1e-9;
+    if (interrupt.asked() || t > play.length) break;
+    x = master.at(t);
+    speaker.say(begin + k * period, x, true);
+    said = {said.samples + 1, said.late, t, x[0]};
+    const double share = std::isinf(play.length) ? 0 : t / play.length;
+    progress.show(share, fmt::format("{:.1f} s, at {:.6g} {}", t, x[0], play.file.units.position));
+  }
+  leave(speaker, pacer, period, x);
+  return said;
+}
+
+int report(const Said& said, const Options& options, const std::string& unit) {
+  if (options.json) {
+    const nlohmann::ordered_json document{{"name", options.name},      {"samples", said.samples},
+                                          {"late", said.late},         {"seconds", said.seconds},
+                                          {"position", said.position}, {"unit", unit}};
+    fmt::print("{}\n", document.dump(1));
+  } else {
+    fmt::print("{}: {} samples in {:.3f} s, {} instants left out; at {} {}\n", options.name,
+               said.samples, said.seconds, said.late, number(said.position), unit);
+  }
+  return fine;
+}
+
+int run(const Options& options) {
+  if (!wire::is_executor_name(options.name))
+    throw InputError("--as", options.name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  const Play play = play_of(options);
+  Link link(options.link);
+  return report(speak(play, options, link), options, play.file.units.position);
+}
+
+}  // namespace
+
+void add_master(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = add_verb(
+      app, "master", "Say on the bus where a master is, as a line would: to test without it",
+      "jounce master line.toml --as line\n"
+      "jounce master line.csv --as line --noise 0.02 --resolution 0.05\n"
+      "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");
+  verb->add_option("FILE", options->file, "Spec or table over time; - is standard input")
+      ->required();
+  add_axis_option(verb, options->axis);
+  verb->add_option("--as", options->name, "Name of the master")->required();
+  verb->add_option("--rate", options->rate, "Samples a second")
+      ->check(CLI::Range(1.0, 10000.0))
+      ->capture_default_str();
+  verb->add_option("--before", options->before, "Seconds for which it stands at the first point")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  verb->add_option("--after", options->after, "And at the last one, before it leaves")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  verb->add_option("--seconds", options->seconds,
+                   "End after so many seconds, wherever it is; a table that repeats has no end")
+      ->check(seconds_option());
+  verb->add_option("--noise", options->errors.noise,
+                   "White noise of the encoder, rms, in the table's unit")
+      ->check(CLI::Range(0.0, 1e9));
+  verb->add_option("--resolution", options->errors.resolution,
+                   "A count of the encoder, in the table's unit")
+      ->check(CLI::Range(0.0, 1e9));
+  verb->add_option("--noise-seed", options->errors.seed, "Of the noise")->capture_default_str();
+  add_link_options(*verb, options->link);
+  verb->add_flag("--json", options->json, "Summary for machines");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,21 @@
+#!/bin/sh
+# master_in_namespace.sh JOUNCE EXAMPLE_DIR FOLLOWS: the example over UDP, one in ten packets of the line lost; then
+# the line falls silent under a follower.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+"$1" design "$2/cam.toml" -o "$scratch/cam.csv"
+"$1" run "$2/machine.toml" --enable --record "$scratch/run.lcmlog" --seconds 11 2> "$scratch/said" &
+executor=$!
+"$1" master "$2/line.toml" --as line --before 3 --after 2 --inject-loss 0.1 --seed 5 > "$scratch/line" &
+line=$!
+sleep 1
+"$1" stream "$2/cam.toml" --to label --live --start-at 250 || { kill $executor $line; fail "the cam was not started"; }
+"$1" monitor label --seconds 3 --json > "$scratch/seen"
+grep -q '"master_name":"line".*"lost":false' "$scratch/seen" || fail "the monitor does not see the line"
+grep -q '"state":"synchronized_motion"' "$scratch/seen" || fail "the label does not follow"
+wait $line || fail "the sender ended badly"
+wait $executor && fail "a lost master is a fault, and the run said so with a status of 0"
+grep -q 'master line is lost' "$scratch/said" || fail "nobody said that the line was lost"
+grep -q 'master_lost' "$scratch/said" || fail "the label did not stop for it"
+"$1" replay "$scratch/run.lcmlog" || fail "the replay differs"
+"$3" "$scratch/run.lcmlog" "$scratch/cam.csv" label line || fail "another motion than the cam of the line"
