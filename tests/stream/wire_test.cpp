@@ -240,6 +240,33 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(wire::Ack{.boot = 1}, fields + 7, 0)), Reject::bad_field) << "boot 0";
 }
 
+TEST(Wire, RefusesMastersOutOfRange) {
+  constexpr std::size_t fields = 56;  // behind type and envelope
+  const wire::MasterStatus seen{1, "line", "mm", 5, false, 1, 2, 0.5, 3, 4};
+  EXPECT_EQ(reject(forged(seen, fields + 7, 0)), Reject::bad_field) << "boot 0";
+  EXPECT_EQ(reject(forged(seen, fields + 8, '.')), Reject::bad_field) << "a dot in its name";
+  EXPECT_EQ(reject(forged(seen, fields + 48, 0x80)), Reject::bad_field) << "tick < 0";
+  EXPECT_EQ(reject(forged(seen, fields + 56, 1)), Reject::bad_field) << "lost, with a position";
+  EXPECT_EQ(reject(forged(seen, fields + 73, 0xBF)), Reject::bad_field) << "age < 0";
+  EXPECT_EQ(reject(forged(seen, fields + 81, 0x80)), Reject::bad_field) << "taken < 0";
+  const auto said = [](const wire::Master& master) {
+    return wire::decode(wire::encode({"line", 0, master}));
+  };
+  const wire::Master good{1, 2, 3, true, 4, 5, "mm"};
+  EXPECT_TRUE(std::holds_alternative<Message>(said(good)));
+  for (const auto& break_it : std::vector<void (*)(wire::Master&)>{
+           [](wire::Master& m) { m.seq = -1; }, [](wire::Master& m) { m.clock = -1; },
+           [](wire::Master& m) { m.position = NAN; },
+           [](wire::Master& m) { m.velocity = INFINITY; },
+           [](wire::Master& m) { m.unit.clear(); }}) {
+    wire::Master bad = good;
+    break_it(bad);
+    const auto decoded = said(bad);
+    ASSERT_TRUE(std::holds_alternative<Reject>(decoded));
+    EXPECT_EQ(std::get<Reject>(decoded), Reject::bad_field);
+  }
+}
+
 TEST(Wire, OperatorsAndFreeAxesHaveNoSession) {
   for (const wire::Body& body : {wire::Body{wire::Stop{.command = 1}}, wire::Body{wire::Status{}},
                                  wire::Body{wire::Reply{.boot = 1, .command = 1}}})
