@@ -4,6 +4,7 @@
 
 #include "jounce/axis/movement.hpp"
 #include "jounce/profiles/modulo.hpp"
+#include "jounce/profiles/queue.hpp"
 
 namespace jounce {
 
@@ -20,18 +21,6 @@ enum class StartAt : std::uint8_t {
   tick,             ///< `at`
   end_of_table,     ///< where the table that is played ends, or its present pass: no stop between
   master_position,  ///< where the master passes `position`
-};
-
-/// When a move takes over from the motion before it (PLCopen BufferMode; PMC600 manual 5.2.2). Those
-/// that blend pass the target of the move before without a stop, at a velocity that neither move
-/// exceeds on its way: docs/executor/axis.md.
-enum class BufferMode : std::uint8_t {
-  aborting = 0,           ///< at once
-  buffered = 1,           ///< when that has come to its end; after a velocity, when it is reached
-  blending_low = 2,       ///< at its target: at the lower velocity of both moves
-  blending_previous = 3,  ///< at the velocity of the move before
-  blending_next = 4,      ///< at that of this one
-  blending_high = 5,      ///< at the higher one
 };
 
 /// What an axis is told. At most one command a tick; of several in a row the last one wins.
@@ -72,7 +61,8 @@ struct Command {
   double factor = 1;  ///< of override_, 0 to 2
   MoveDynamics dynamics = {};
   Direction direction = Direction::shortest;  ///< of a move on a modulo axis
-  BufferMode buffer = BufferMode::aborting;   ///< of move_absolute, move_relative, move_velocity
+  /// When a move takes over from the motion before it: docs/executor/axis.md.
+  BufferMode buffer = BufferMode::aborting;  ///< of move_absolute, move_relative, move_velocity
 };
 inline constexpr std::size_t command_kinds = 24;
 
