@@ -34,6 +34,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   for (Movement* const movement : {active_, pending_, command.movement})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
+  obey_due();
   obey(command);
   watch();
   begin_due();

@@ -122,6 +122,7 @@ class MotionAxis {
 
   // axis_commands.cpp: what it is told
   void obey(const Command& command);
+  void act(const Command& command);
   void power(bool on);
   void reset();
   void set_position(double position);
@@ -134,14 +135,18 @@ class MotionAxis {
   void arm(Movement* movement);
   void disarm();
   void start(const Command& command);
-  void gear_in(Movement* movement);
+  void gear_in(const Command& command);
   void begin_due();
   void begin_pending(const MotionState& from, double ahead);
   [[nodiscard]] std::optional<MotionState> expected_end() const;
+  [[nodiscard]] bool stands() const;
 
   // axis_swap.cpp: from one path onto the next
   void start_at_end();
   bool ready_to_swap();
+  [[nodiscard]] bool ends_somewhere() const;
+  void seek_boundary();
+  Cause swap_at_boundary();
   void swap(double boundary, MotionState end);
   [[nodiscard]] bool swaps_at_master() const;
   [[nodiscard]] std::optional<double> passing(double to) const;
@@ -173,7 +178,10 @@ class MotionAxis {
   void leave();
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
-  // axis_buffer.cpp: the move after this one
+  // axis_buffer.cpp: what waits for its tick, and the move after this one
+  void postpone(const Command& command);
+  void obey_due();
+  void forget_later();
   void buffer(const Command& command);
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
   [[nodiscard]] bool passes() const { return next_ && base_ == Base::move && goal_.through != 0; }
@@ -216,10 +224,11 @@ class MotionAxis {
   double boundary_at_ = 0;  // path time, s
   Goal goal_;               // of the move
   Profile plan_;
-  double ahead_ = 0;             // s of it that were over at its origin
-  std::optional<Command> next_;  // the move that waits for the end of this motion
-  MotionState bare_;             // the last setpoint without what is superimposed
-  double factor_ = 1;            // override
+  double ahead_ = 0;              // s of it that were over at its origin
+  std::optional<Command> next_;   // the move that waits for the end of this motion
+  std::optional<Command> later_;  // the one that waits for its tick
+  MotionState bare_;              // the last setpoint without what is superimposed
+  double factor_ = 1;             // override
   bool held_ = false;
 
   bool lifting_ = false;  // a superimposed move runs

@@ -1,9 +1,37 @@
 #include "jounce/axis/axis.hpp"
 
-// The move that waits for the end of the motion under way (BufferMode), and how it takes over: from
+// What waits: a command for its tick; and the move that waits for the end of the motion under way (BufferMode), and how it takes over: from
 // rest, or where the move before passes its target.
 
 namespace jounce {
+
+/// One command with a tick of its own waits for that. What it needs is looked at then.
+void MotionAxis::postpone(const Command& command) {
+  const auto at = static_cast<double>(command.at);
+  if (command.at < now_.tick) return refuse(Cause::too_late, at, static_cast<double>(now_.tick));
+  if (later_) return refuse(Cause::buffer_full, at, static_cast<double>(later_->at));
+  if (command.movement) {
+    refuse(Cause::no_value);
+    return hand_back(command.movement);
+  }
+  later_ = command;
+}
+
+/// In its tick, or the next one that is stepped, it is obeyed before the command of that tick.
+void MotionAxis::obey_due() {
+  if (!later_ || later_->at > now_.tick) return;
+  Command command = *later_;
+  later_.reset();
+  command.at = -1;
+  obey(command);
+  if (now_.refused) now_.dropped = now_.refused;  // nobody waits for its answer
+  now_.refused.reset();
+}
+
+void MotionAxis::forget_later() {
+  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0, 0};
+  later_.reset();
+}
 
 /// It is looked at where the motion will end, if that is known, and again when it begins.
 void MotionAxis::buffer(const Command& command) {

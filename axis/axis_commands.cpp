@@ -16,6 +16,12 @@ void MotionAxis::obey(const Command& command) {
     if (command.movement) hand_back(command.movement);
     return refuse(no);
   }
+  const bool has_own = command.kind == Kind::start || command.kind == Kind::gear_in;
+  if (command.at >= 0 && command.at != now_.tick && !has_own) return postpone(command);
+  act(command);
+}
+
+void MotionAxis::act(const Command& command) {
   switch (command.kind) {
     case Kind::none:
       return;
@@ -28,6 +34,7 @@ void MotionAxis::obey(const Command& command) {
     case Kind::disarm:
       if (!waiting_) disarm();
       forget_next();
+      forget_later();
       if (goal_.through != 0 && base_ == Base::move) replan();
       return;
     case Kind::start:
@@ -60,7 +67,7 @@ void MotionAxis::obey(const Command& command) {
     case Kind::move_velocity:
       return move(command);
     case Kind::gear_in:
-      return gear_in(command.movement);
+      return gear_in(command);
     case Kind::gear_out:
     case Kind::cam_out:
       return decouple();
@@ -76,6 +83,7 @@ void MotionAxis::power(bool on) {
   if (on) return;
   disarm();
   forget_next();
+  forget_later();
   freeze();
   state_ = State::disabled;
 }
@@ -111,6 +119,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   if (now_.refused) return;
   disarm();
   forget_next();
+  if (ending == Ending::stop) forget_later();
   if (!moving() || state_ == State::stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;

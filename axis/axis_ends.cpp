@@ -81,6 +81,7 @@ void MotionAxis::fail(Cause cause) {
   if (first && moving()) now_.reason = cause;
   disarm();
   forget_next();
+  forget_later();
   Reaction reaction = reaction_to(cause);
   if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
   if (reaction == Reaction::power_off) {

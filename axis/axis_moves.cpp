@@ -71,8 +71,10 @@ void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
              peaks_.jerk * r * r * r};
   } else if (base_ == Base::move) {
     const MoveDynamics& d = goal_.dynamics;
-    below = {std::max(below.velocity, d.velocity * std::max(1.0, factor_)),
-             std::max(d.acceleration, d.deceleration), d.jerk};
+    // What it was in the middle of when it was told may take it beyond its own dynamics.
+    const auto [low, high] = velocities(plan_);
+    below = {std::max({high, -low, d.velocity * std::max(1.0, factor_)}),
+             std::max({d.acceleration, d.deceleration, std::abs(bare_.acceleration)}), d.jerk};
   }
   AxisConfig left = config_;
   *left.limits.velocity -= below.velocity;
@@ -134,6 +136,7 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
   drop_movement();
   lifting_ = false;
   shift_ = 0;
+  bare_ = last();
   base_ = Base::move;
   return true;
 }

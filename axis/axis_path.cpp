@@ -10,13 +10,14 @@ namespace jounce {
 
 Cause MotionAxis::advance_path(Setpoint& next) {
   PathTime time = clock_.at(now_.tick);
+  seek_boundary();
   if (boundary_ != Boundary::none && time.s >= boundary_at_) {
     if (boundary_ == Boundary::finish) {
       joint_ = true;
       next = {now_.master, 0, {active_->end()->position, 0, 0, 0}};
       return Cause::none;
     }
-    swap(boundary_at_, *active_->end());
+    if (const Cause no = swap_at_boundary(); no != Cause::none) return no;
     time = clock_.at(now_.tick);
   }
   govern();

@@ -10,12 +10,14 @@ namespace jounce {
 void MotionAxis::arm(Movement* movement) {
   if (!movement) return refuse(Cause::no_value);
   const auto from = expected_end();
-  if (from)
-    now_.refused = movement->admit(config_, *from);
+  if (from || ends_somewhere())
+    now_.refused = movement->admit(config_, from.value_or(last()));
   else if (movement->course() == Course::path)
     refuse(Cause::in_motion);
-  // For a swap where the master passes a position: where the cam begins is looked at there.
-  if (now_.refused && on_path() && active_->synchronized() &&
+  if (now_.refused && stands()) now_.refused = movement->admit(config_, last());
+  // For a swap where the master passes a position, or where rows will end: where it begins is looked
+  // at there.
+  if (now_.refused && on_path() && (active_->synchronized() || ends_somewhere()) &&
       (now_.refused->cause == Cause::start_position ||
        now_.refused->cause == Cause::start_velocity))
     now_.refused.reset();
@@ -53,9 +55,10 @@ void MotionAxis::start(const Command& command) {
   if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
     return refuse(Cause::no_value, command.position);
   const bool swaps = command.start_at == StartAt::master_position && on_path();
-  if (pending_->course() == Course::path && moving() && !swaps) return refuse(Cause::in_motion);
+  const bool rests = !moving() || (stands() && !swaps);
+  if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
   if (swaps && !ready_to_swap()) return;
-  if (!moving()) {
+  if (rests) {
     now_.refused = pending_->admit(config_, last());
     const Cause no = pending_->begin(last(), moment(0));
     if (no != Cause::none) now_.refused = now_.refused.value_or(Refusal{});
@@ -69,19 +72,29 @@ void MotionAxis::start(const Command& command) {
   start_position_ = command.position;
 }
 
-void MotionAxis::gear_in(Movement* movement) {
+/// Held on its path, or stopped there by an underrun and reset: what is armed may begin from here.
+bool MotionAxis::stands() const {
+  return on_path() && !lifting_ && ending_ == Ending::none && clock_.target() == 0 &&
+         clock_.steady(now_.tick) && now_.velocity == 0;
+}
+
+void MotionAxis::gear_in(const Command& command) {
+  Movement* const movement = command.movement;
   if (!movement) return refuse(Cause::no_value);
   if (movement->course() != Course::live) {
     refuse(Cause::bad_table);
     return hand_back(movement);
   }
-  if (now_.refused = movement->admit(config_, last()); now_.refused) return hand_back(movement);
+  now_.refused = movement->admit(config_, last());
+  if (command.at >= 0 && command.at < now_.tick)
+    refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (now_.refused) return hand_back(movement);
   disarm();
   pending_ = movement;
   waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::tick;
-  start_tick_ = now_.tick;
+  start_tick_ = std::max(command.at, now_.tick);
 }
 
 /// Begins what waits, if this is its tick, or the master passes its position.
@@ -99,7 +112,8 @@ void MotionAxis::begin_due() {
     if (!(before * after <= 0 && before != after)) return;
     ahead = dt() * after / (after - before);
   }
-  if (pending_->course() == Course::path && moving()) return drop({.cause = Cause::in_motion});
+  if (pending_->course() == Course::path && moving() && !stands())
+    return drop({.cause = Cause::in_motion});
   begin_pending(last(), ahead);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jounce/axis/axis.hpp"
 
@@ -11,16 +12,45 @@ namespace jounce {
 /// A swap where the path, or its present pass, ends.
 void MotionAxis::start_at_end() {
   const auto end = expected_end();
-  if (!on_path() || active_->pass() <= 0 || !end) return refuse(Cause::not_on_path);
-  if (now_.refused = pending_->admit(config_, *end); now_.refused) return;
-  if (!ready_to_swap()) return;
+  if (!on_path() || !(end || ends_somewhere())) return refuse(Cause::not_on_path);
+  if (end) now_.refused = pending_->admit(config_, *end);
+  if (now_.refused || !ready_to_swap()) return;
   const double s = clock_.at(now_.tick).s;
   const bool repeats = std::isinf(active_->known());
   boundary_ = Boundary::swap;
   boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
+  if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
   waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
+}
+
+/// Rows end where the last of them does, at rest: which one that is may not be known yet.
+bool MotionAxis::ends_somewhere() const {
+  return on_path() && active_->pass() <= 0;
+}
+
+/// The boundary of what plays, as soon as it is known; until it is reached, rows may be added.
+void MotionAxis::seek_boundary() {
+  if (boundary_ == Boundary::swap && ends_somewhere() && !active_->growing())
+    boundary_at_ = active_->known();
+}
+
+/// What plays has come to its boundary. Where that was not known when the swap was told, whether
+/// both meet is looked at now; where they do not, what plays just ends.
+Cause MotionAxis::swap_at_boundary() {
+  if (!ends_somewhere()) {
+    swap(boundary_at_, *active_->end());
+    return Cause::none;
+  }
+  const Setpoint last = active_->at(moment(boundary_at_));
+  if (active_->progress() == Progress::broken) return active_->cause();
+  const MotionState end{last.slave[0] + shift_, 0, 0};
+  if (const auto no = pending_->admit(config_, end))
+    drop(*no);
+  else
+    swap(boundary_at_, {last.slave[0], 0, 0});
+  return Cause::none;
 }
 
 /// Until the swap the rate may only be what both paths take.

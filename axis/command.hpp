@@ -55,7 +55,7 @@ struct Command {
   std::uint64_t id = 0;          ///< the sender's, handed back with the answer
   Movement* movement = nullptr;  ///< must live until it is handed back
   StartAt start_at = StartAt::tick;
-  std::int64_t at = -1;  ///< tick; -1: in the step that gets the command
+  std::int64_t at = -1;  ///< tick; -1: in the step that gets the command. Arm knows no other
   double position = 0;   ///< u; a distance where a move is relative, m for a master
   bool relative = false;
   double factor = 1;  ///< of override_, 0 to 2

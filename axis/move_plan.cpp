@@ -55,21 +55,12 @@ double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& con
   return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
 }
 
-/// Whether a motion goes one way only. Within a phase the velocity is extreme where a = 0.
+/// Whether a motion goes one way only.
 bool straight(const Profile& profile, double way) {
   const double near =
       1e-12 * (std::abs(profile.start().velocity) + std::abs(profile.end().velocity));
-  double t = 0;
-  for (std::size_t i = 0; i < profile.phases(); ++i) {
-    const auto [p, v, a, unused] = profile.at(t);
-    const auto [T, value] = profile.phase(i);
-    const double j = profile.order() == 3 ? value : 0;  // at() may still see the phase before
-    if (way * v < -near) return false;
-    if (j * a < 0 && std::abs(a) < std::abs(j) * T && way * (v - a * a / (2 * j)) < -near)
-      return false;
-    t += T;
-  }
-  return true;
+  const auto [slowest, fastest] = velocities(profile);
+  return (way > 0 ? slowest : -fastest) >= -near;
 }
 
 double wanted_at_passing(double previous, double next, BufferMode mode) {
@@ -123,6 +114,25 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
   const Move move = move_velocity(
       from, velocity, within(Bounds::none, change_of_velocity(from.velocity, velocity, d), d.jerk));
   return move ? std::optional(move.profile) : std::nullopt;
+}
+
+std::array<double, 2> velocities(const Profile& profile) noexcept {
+  const double v0 = profile.start().velocity;
+  const double v1 = profile.end().velocity;
+  double low = std::min(v0, v1);
+  double high = std::max(v0, v1);
+  double t = 0;
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const auto [p, v, a, unused] = profile.at(t);
+    const auto [T, value] = profile.phase(i);
+    const double j = profile.order() == 3 ? value : 0;  // at() may still see the phase before
+    const bool turns = j * a < 0 && std::abs(a) < std::abs(j) * T;  // where a = 0
+    const double extreme = turns ? v - a * a / (2 * j) : v;
+    low = std::min({low, v, extreme});
+    high = std::max({high, v, extreme});
+    t += T;
+  }
+  return {low, high};
 }
 
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,

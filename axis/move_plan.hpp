@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
@@ -37,6 +38,9 @@ std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& confi
 ///     if (const auto profile = plan(now, goal, 1, config)) ...
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept;
+
+/// The lowest and the highest velocity of a motion, u/s, exactly.
+std::array<double, 2> velocities(const Profile& profile) noexcept;
 
 /// The velocity, u/s and signed, at which a move may pass its target on the way to that of the next
 /// one: as the mode says, but at most its own, and so that neither move turns round (the greatest such

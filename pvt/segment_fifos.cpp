@@ -95,6 +95,16 @@ RowRule SegmentFifos::push(int fifo, const SegmentRow& row) {
   return RowRule::none;
 }
 
+bool SegmentFifos::complete() {
+  if (!layout_.stream || !layout_.open) return false;
+  if (complete_.load()) return true;
+  const bool any = size(0) + size(1) > 0;
+  if (!any || !(tails_[0].rate == 0)) return false;
+  completed_at_.store(stamp_);
+  complete_.store(true);
+  return true;
+}
+
 void SegmentFifos::note(const RowPeaks& f) {
   const std::array now{f.velocity, f.acceleration, f.jerk,
                        std::isnan(f.velocity_step) ? 0 : f.velocity_step};

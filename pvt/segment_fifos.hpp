@@ -103,6 +103,9 @@ class SegmentFifos {
   RowRule push(int fifo, const SegmentRow& row);
   /// What push() would say.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
+  /// What was pushed of an open stream is all of it, as if its last row had said so. False where it is
+  /// none, has no rows, or does not end at rest.
+  bool complete();
   /// Empties a FIFO, or the whole stream; false, and nothing, where it is in use.
   bool clear(int fifo);
   /// Passes that a table is played; below 1: for ever. Counts at the end of a pass.

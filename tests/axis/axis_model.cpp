@@ -141,7 +141,13 @@ Command AxisModel::random_command(testing::Random& random) {
   if (command.kind == Kind::arm || command.kind == Kind::gear_in)
     if (random.below(20) != 0) command.movement = random_movement(random);
   command.start_at = static_cast<StartAt>(std::max(random.below(8) - 5, 0));
-  if (random.below(3) == 0) command.at = tick_ + random.below(22) - 2;
+  const bool later = command.kind == Kind::start || command.kind == Kind::gear_in ||
+                     command.kind == Kind::hold || command.kind == Kind::resume ||
+                     command.kind == Kind::override_ || command.kind == Kind::stop ||
+                     command.kind == Kind::halt || command.kind == Kind::move_relative ||
+                     command.kind == Kind::move_additive || command.kind == Kind::move_velocity ||
+                     command.kind == Kind::gear_out;
+  if (later && random.below(3) == 0) command.at = tick_ + random.below(22) - 2;
   command.position = random.below(50) == 0 ? NAN : random.uniform(-50, 50);
   if (command.kind == Kind::move_superimposed) command.position /= 10;
   if (command.start_at == StartAt::master_position)

@@ -1,0 +1,280 @@
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/fifo_movement.hpp"
+
+#include "axis/model_movements.hpp"
+#include "axis/tables.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+const AxisConfig wide{.limits = limits(1e3, 1e5)};
+
+Cause refusal(const Tick& tick) {
+  return tick.refused ? tick.refused->cause : Cause::none;
+}
+
+Cause dropped(const Tick& tick) {
+  return tick.dropped ? tick.dropped->cause : Cause::none;
+}
+
+// ---- orders at a tick ----------------------------------------------------------------------------
+
+TEST(AxisLater, ACommandWaitsForItsTick) {
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  EXPECT_EQ(refusal(axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10})),
+            Cause::none);
+  EXPECT_EQ(axis.run(48).state, State::standstill);
+  Tick tick = axis.step();
+  EXPECT_EQ(tick.tick, 50);
+  EXPECT_EQ(tick.state, State::discrete_motion);
+  EXPECT_EQ(axis.run(500).position, 10);
+}
+
+TEST(AxisLater, AsIfItHadComeInThatTick) {
+  const Command move{.kind = Kind::move_relative, .position = 10, .dynamics = {.velocity = 50}};
+  Bench now(wide), later(wide);
+  Command command = move;
+  command.at = 20;
+  now.tell(Kind::enable);
+  later.tell(Kind::enable);
+  later.step(command);
+  now.run(1);
+  for (int i = 2; i < 400; ++i) {
+    const Tick expected = i == 20 ? now.step(move) : now.step();
+    const Tick tick = later.step();
+    ASSERT_EQ(tick.position, expected.position) << i;
+    ASSERT_EQ(tick.velocity, expected.velocity) << i;
+  }
+}
+
+TEST(AxisLater, ATickThatIsLeftOutIsObeyedInTheNextOne) {
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::move_absolute, .at = 10, .position = 10});
+  axis.tick = 14;
+  EXPECT_EQ(axis.step().state, State::discrete_motion);
+}
+
+TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.run(10);
+  EXPECT_EQ(refusal(axis.step({.kind = Kind::hold, .at = 3})), Cause::no_movement);
+  EXPECT_EQ(refusal(axis.step({.kind = Kind::halt, .at = 3})), Cause::too_late);
+  axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
+  EXPECT_EQ(refusal(axis.step({.kind = Kind::halt, .at = 60})), Cause::buffer_full);
+}
+
+// Nobody waits for its answer any more: it is in what was dropped.
+TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::move_absolute, .at = 20, .position = 10});
+  axis.step({.kind = Kind::disable});
+  Bench other(wide);
+  other.tell(Kind::enable);
+  other.step({.kind = Kind::cam_out});
+  other.step({.kind = Kind::move_relative, .at = 5, .position = 1});
+  other.step({.kind = Kind::set_position, .position = 7});
+  const Tick tick = other.run(2);
+  EXPECT_EQ(tick.tick, 5);
+  EXPECT_EQ(dropped(tick), Cause::none);
+  Bench third({.limits = limits(1e3, 1e5)});
+  third.tell(Kind::enable);
+  third.step({.kind = Kind::hold, .at = 9});
+  third.step({.kind = Kind::override_, .at = 9, .factor = 7});
+  EXPECT_EQ(dropped(third.run(7)), Cause::no_value);
+}
+
+TEST(AxisLater, AStopAFaultAndADisableMakeItVoid) {
+  for (const Kind kind : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
+    Bench axis(wide);
+    axis.tell(Kind::enable);
+    axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
+    EXPECT_EQ(dropped(axis.tell(kind)), Cause::replaced) << name(kind);
+    EXPECT_EQ(axis.run(100).position, 0) << name(kind);
+  }
+}
+
+TEST(AxisLater, AGearGoesInAtItsTick) {
+  Gear gear(1, 1), late(2, 1);
+  Bench axis(wide);
+  Inputs inputs;
+  inputs.master = {0, 0, 0, 0};
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::gear_in, .movement = &gear, .at = 5}, inputs);
+  for (int i = 2; i < 5; ++i) EXPECT_EQ(axis.step({}, inputs).state, State::standstill);
+  EXPECT_EQ(axis.step({}, inputs).state, State::synchronized_motion);
+  const Tick tick = axis.step({.kind = Kind::gear_in, .movement = &late, .at = 5}, inputs);
+  EXPECT_EQ(refusal(tick), Cause::too_late);
+  EXPECT_EQ(tick.handed_back[0], &late);
+}
+
+// ---- swaps from rows and onto them ---------------------------------------------------------------
+
+/// A cubic from rest to rest.
+SegmentRow row(double x, double p, bool last = false) {
+  return {.x_end = x, .p_end = p, .v_start = 0, .v_end = 0, .degree = 3, .last = last};
+}
+
+const StartAt end = StartAt::end_of_table;
+
+struct Rows {
+  explicit Rows(std::uint64_t id) : path(id, {.each = 8, .limits = row_limits(wide)}) {}
+  void add(double x, double p, bool last = false) {
+    EXPECT_EQ(path.fifos().push(0, row(x, p, last)), RowRule::none);
+  }
+  FifoPath path;
+};
+
+TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
+  Rows rows(1);
+  rows.add(0.1, 5);
+  rows.add(0.2, 0);
+  Job job(2, there_and_back(3, 10, 0.5, Outside::hold));
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
+  ASSERT_EQ(refusal(axis.tell(Kind::start)), Cause::none);
+  axis.run(20);
+  ASSERT_EQ(refusal(axis.arm(job)), Cause::none) << "nobody knows yet where the rows end";
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  rows.add(0.3004, 3, true);  // between two ticks
+  Tick tick = axis.step();
+  while (tick.job == 1) {
+    ASSERT_EQ(tick.state, State::discrete_motion);
+    tick = axis.step();
+  }
+  EXPECT_EQ(tick.job, 2U);
+  EXPECT_EQ(tick.finished, 1U);
+  EXPECT_EQ(tick.position, job.at(0.001 - 0.0004).slave[0]) << "at the very instant";
+  tick = axis.run(600);
+  EXPECT_EQ(tick.position, 3);
+  EXPECT_EQ(tick.state, State::standstill);
+}
+
+TEST(AxisSwap, RowsThatEndElsewhereAreTheEnd) {
+  Rows rows(1);
+  rows.add(0.1, 5, true);
+  Job job(2, there_and_back(3, 10, 0.5, Outside::hold));
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::arm, .movement = &rows.path});
+  axis.tell(Kind::start);
+  axis.arm(job);
+  axis.step({.kind = Kind::start, .start_at = end});
+  Cause why = Cause::none;
+  for (int i = 0; i < 200; ++i) {
+    const Tick tick = axis.step();
+    if (tick.dropped) why = tick.dropped->cause;
+  }
+  EXPECT_EQ(why, Cause::start_position);
+  const Tick tick = axis.step();
+  EXPECT_EQ(tick.state, State::standstill);
+  EXPECT_EQ(tick.position, 5);
+  EXPECT_EQ(tick.fault, Cause::none);
+}
+
+TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
+  Job job(1, there_and_back(0, 10, 0.5, Outside::hold));
+  Rows first(2), second(3);
+  first.add(0.1, 5, true);
+  second.add(0.1, -2, true);
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(100);
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &first.path})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  Tick tick = axis.run(420);
+  EXPECT_EQ(tick.job, 2U);
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &second.path})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  tick = axis.run(300);
+  EXPECT_EQ(tick.position, 5 - 2) << "rows count from where the axis stands";
+  EXPECT_EQ(tick.finished, 3U);
+  EXPECT_EQ(tick.fault, Cause::none);
+}
+
+TEST(AxisSwap, OfAPathThatIsHeldAtOnce) {
+  Job job(1, there_and_back(0, 10, 0.5, Outside::wrap));
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(100);
+  axis.tell(Kind::hold);
+  const Tick held = axis.run(300);
+  ASSERT_EQ(held.velocity, 0);
+  Job next(2, there_and_back(held.position, 4, 0.5, Outside::hold));
+  ASSERT_EQ(refusal(axis.arm(next)), Cause::none);
+  Tick tick = axis.tell(Kind::start);
+  EXPECT_EQ(refusal(tick), Cause::none);
+  EXPECT_EQ(tick.job, 2U);
+  EXPECT_EQ(tick.handed_back[0], &job);
+  tick = axis.run(600);
+  EXPECT_EQ(tick.state, State::standstill);
+  EXPECT_DOUBLE_EQ(tick.position, held.position);
+}
+
+// ---- a stream that is declared complete ----------------------------------------------------------
+
+TEST(AxisLater, AStreamThatIsDeclaredCompleteEndsWithoutAnUnderrun) {
+  for (const bool declared : {true, false}) {
+    Rows rows(1);
+    rows.add(0.1, 5);
+    rows.add(0.2, 8);
+    Bench axis(wide);
+    axis.tell(Kind::enable);
+    axis.step({.kind = Kind::arm, .movement = &rows.path});
+    axis.tell(Kind::start);
+    axis.run(50);
+    if (declared) {
+      EXPECT_TRUE(rows.path.fifos().complete());
+      EXPECT_TRUE(rows.path.fifos().complete()) << "said twice";
+      EXPECT_EQ(rows.path.fifos().push(0, row(0.3, 9)), RowRule::after_last);
+    }
+    const Tick tick = axis.run(300);
+    EXPECT_EQ(tick.fault, declared ? Cause::none : Cause::underrun);
+    EXPECT_EQ(tick.state, declared ? State::standstill : State::error_stop);
+    if (declared) {
+      EXPECT_EQ(tick.position, 8);
+    }
+  }
+}
+
+TEST(AxisLater, AfterAnUnderrunItMayBeDeclaredCompleteAndResumed) {
+  Rows rows(1);
+  rows.add(0.1, 5);
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::arm, .movement = &rows.path});
+  axis.tell(Kind::start);
+  ASSERT_EQ(axis.run(300).fault, Cause::underrun);
+  EXPECT_TRUE(rows.path.fifos().complete());
+  axis.tell(Kind::reset);
+  axis.tell(Kind::resume);
+  const Tick tick = axis.run(300);
+  EXPECT_EQ(tick.position, 5);
+  EXPECT_EQ(tick.state, State::standstill);
+}
+
+TEST(AxisLater, WhatDoesNotEndAtRestIsNotComplete) {
+  Rows rows(1);
+  EXPECT_FALSE(rows.path.fifos().complete()) << "no rows";
+  EXPECT_EQ(
+      rows.path.fifos().push(0, {.x_end = 0.1, .p_end = 5, .v_start = 0, .v_end = 100, .degree = 3}),
+      RowRule::none);
+  EXPECT_FALSE(rows.path.fifos().complete());
+  FifoPath tables(2, {.stream = false});
+  EXPECT_FALSE(tables.fifos().complete());
+}
+
+}  // namespace
+}  // namespace jounce
