@@ -12,9 +12,9 @@ namespace {
 using namespace jounce;
 
 wire::Message full_chunk() {
-  std::vector<double> values(wire::chunk_values);
+  std::vector<double> values(4096);
   std::iota(values.begin(), values.end(), 0.5);
-  return {"feeder", 1, wire::Chunk{0, 0, 0, 400, 4, std::move(values)}, 1};
+  return {"feeder", 1, wire::Chunk{0, 0, 0, 1024, 4, std::move(values)}, 1};
 }
 
 std::optional<wire::Key> key_of(const benchmark::State& state) {

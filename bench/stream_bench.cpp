@@ -4,9 +4,10 @@
 //     bench_stream [KNOTS [ROUNDS]]
 //
 // Blind: the same messages, encoded beforehand, are published one after the other; the receiver only
-// counts. Its rate is what arrived, by the time between the first and the last arrival.
-// Transfer: stream_tables() from call to return, which has hashed, sent, confirmed and released; the
-// receiver has decoded, hashed and constructed the table. Bytes of knots by that time.
+// counts. Its rate is what arrived, by the time from the first call to the last arrival.
+// Transfer: stream_tables() from the call until the table is acknowledged as complete: hashed, sent,
+// confirmed; the receiver has decoded, hashed and constructed it. And until the session is released.
+// Bytes of knots by that time. Then what each side has computed a chunk, all threads and the kernel.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -97,7 +99,7 @@ struct Blind {
 
 Blind blind(const Table& table) {
   const StreamPlan::Item item{table, units};
-  const wire::Header header = header_of(item, 0);
+  const wire::Header header = header_of(item, 0, Pace{}.chunk);
   std::vector<wire::Bytes> packets;
   for (std::uint32_t seq = 0; seq < header.chunks; ++seq)
     packets.push_back(wire::encode({"bench", 1, chunk_of(table, header, seq)}));
@@ -108,58 +110,86 @@ Blind blind(const Table& table) {
     link.subscribe(channel, 1'000'000);
     tell(out, 0);
     double count = 0;
-    Nanos first{}, last{};
+    Nanos last{};
     while (!told(in)) {
       while (link.receive(1ms)) {
         last = steady_now();
-        if (count++ == 0) first = last;
+        ++count;
       }
     }
     tell(out, count);
-    tell(out, seconds(last - first));
+    tell(out, seconds(last));
   });
   LcmTransport link(url);
   static_cast<void>(child.number());
+  const Nanos begin = steady_now();
   for (const auto& packet : packets) link.send(channel, packet);
   usleep(200'000);
   child.end();
   const double count = child.number();
-  const double time = child.number();
+  const double time = child.number() - seconds(begin);
   const double bytes = static_cast<double>(bytes_of(header)) / header.chunks;
   return {count * bytes / time, count / header.chunks};
 }
 
+/// What this process has computed so far, s: all its threads, and the kernel for it.
+double computed() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto of = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return of(usage.ru_utime) + of(usage.ru_stime);
+}
+
 struct Transfer {
-  double rate = 0;
-  double resent = 0;  // share of the chunks
+  double complete = 0,
+         released = 0;  // bytes of knots per second, until acknowledged, until released
+  double resent = 0;    // share of the chunks
+  double sending = 0, receiving = 0;  // s computed a chunk
 };
 
-Transfer transfer(const Table& table) {
+Transfer transfer(const Table& table, bool hashed) {
   const Child child([&](int out, int in) {
     LcmTransport link(url);
     ReceiverPump pump(link, {.executor = "bench"}, random_id());
     tell(out, 0);
+    const double before = computed();
     while (!told(in)) {
       pump.run(2ms);
       while (pump.receiver().take_event()) {
       }
     }
+    tell(out, computed() - before);
   });
   LcmTransport link(url);
   static_cast<void>(child.number());
-  const StreamPlan plan{
-      .executor = "bench", .tables = {{table, units}}, .goal = StreamGoal::download};
-  const double bytes = static_cast<double>(bytes_of(header_of(plan.tables[0], 0)));
+  StreamPlan plan{.executor = "bench", .tables = {{table, units}}, .goal = StreamGoal::download};
+  const wire::Header header = header_of(plan.tables[0], 0);
+  const auto bytes = static_cast<double>(bytes_of(header));
+  if (hashed) plan.tables[0].hash = header.hash;
+  Nanos complete{};
+  StreamOptions options;
+  options.progress = [&](const StreamProgress& progress) {
+    if (complete == Nanos{} && progress.stage != StreamStage::downloading) complete = steady_now();
+  };
+  const double before = computed();
   const Nanos begin = steady_now();
-  const StreamOutcome outcome = stream_tables(link, plan);
-  const double time = seconds(steady_now() - begin);
+  const StreamOutcome outcome = stream_tables(link, std::move(plan), options);
+  const double released = seconds(steady_now() - begin);
+  const double sending = computed() - before;
   child.end();
+  const double receiving = child.number();
   if (!outcome.ok() || !outcome.downloaded) {
     std::printf("failed: %s\n", outcome.reason.c_str());
     std::exit(1);
   }
-  return {bytes / time, static_cast<double>(outcome.progress.resent) /
-                            static_cast<double>(outcome.progress.chunks)};
+  const auto chunks = static_cast<double>(outcome.progress.chunks);
+  return {.complete = bytes / seconds(complete - begin),
+          .released = bytes / released,
+          .resent = static_cast<double>(outcome.progress.resent) / chunks,
+          .sending = sending / chunks,
+          .receiving = receiving / chunks};
 }
 
 template <class Round>
@@ -170,20 +200,29 @@ double median(const std::vector<Round>& rounds, double Round::*member) {
   return values[values.size() / 2];
 }
 
+void print(const char* label, double delivered, const std::vector<Transfer>& transfers) {
+  const double rate = median(transfers, &Transfer::complete);
+  std::printf(
+      "  %s: %4.0f MB/s complete = %2.0f %%, %4.0f MB/s released, %.2f %% sent again; computed a "
+      "chunk: sender %.0f us, receiver %.0f us\n",
+      label, rate * 1e-6, 100 * rate / delivered, median(transfers, &Transfer::released) * 1e-6,
+      100 * median(transfers, &Transfer::resent), 1e6 * median(transfers, &Transfer::sending),
+      1e6 * median(transfers, &Transfer::receiving));
+}
+
 void run(const char* rule_name, const Table& table, int rounds) {
   std::vector<Blind> blinds;
-  std::vector<Transfer> transfers;
+  std::vector<Transfer> transfers, hashed;
   for (int i = 0; i < rounds; ++i) {
     blinds.push_back(blind(table));
-    transfers.push_back(transfer(table));
+    transfers.push_back(transfer(table, false));
+    hashed.push_back(transfer(table, true));
   }
   const double delivered = median(blinds, &Blind::rate);
-  const double rate = median(transfers, &Transfer::rate);
-  std::printf(
-      "%-16s %8zu knots: blind %5.0f MB/s delivered (%3.0f %% of it), transfer %5.0f MB/s "
-      "= %3.0f %%, all of it, %.2f %% sent again\n",
-      rule_name, table.size(), delivered * 1e-6, 100 * median(blinds, &Blind::share), rate * 1e-6,
-      100 * rate / delivered, 100 * median(transfers, &Transfer::resent));
+  std::printf("%s, %zu knots: blind %.0f MB/s delivered, %.0f %% of it\n", rule_name, table.size(),
+              delivered * 1e-6, 100 * median(blinds, &Blind::share));
+  print("transfer", delivered, transfers);
+  print("its hash known before", delivered, hashed);
   std::fflush(stdout);
 }
 

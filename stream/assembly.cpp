@@ -25,7 +25,7 @@ std::size_t bytes_of(const wire::Header& header) {
 }
 
 Assembly::Assembly(const wire::Header& header)
-    : header_(header), cut_(wire::cut(header.rule, header.knots)), arrived_(cut_.chunks) {
+    : header_(header), cut_(wire::cut(header)), arrived_(cut_.chunks) {
   assert(!contradiction(header));
   for (std::size_t i = 0; i < cut_.columns; ++i) in_order(columns_)[i]->reserve(header.knots);
 }

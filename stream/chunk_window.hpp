@@ -10,9 +10,10 @@
 namespace jounce {
 
 /// How a table's chunks are sent. The defaults suit a local network and Linux' default socket
-/// buffer, which 8 chunks fill.
+/// buffer, which 8 messages of 12.8 KB fill, or as many chunks as are as long.
 struct Pace {
-  std::uint32_t window = 8;                        ///< chunks under way, 1...64
+  std::uint32_t window = 8;    ///< messages of 12.8 KB under way, 1...64
+  std::uint32_t chunk = 4096;  ///< doubles of a chunk, 4...7680: longer ones cost less a byte
   Nanos resend = std::chrono::milliseconds(6);     ///< least time until a chunk is sent again
   Nanos slowest = std::chrono::milliseconds(100);  ///< most: it doubles while nothing arrives
   Nanos fast_resend =

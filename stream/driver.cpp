@@ -173,12 +173,15 @@ ReceiverPump::ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& 
                            std::int64_t boot, Clock clock)
     : link_(link), clock_(std::move(clock)) {
   for (const ReceiverOptions& one : options) {
-    by_name_.emplace_back(one.executor, &receivers_.emplace_back(one, boot));
+    by_name_.push_back({.name = one.executor,
+                        .receiver = &receivers_.emplace_back(one, boot),
+                        .half_a_window = one.credit * wire::message_values / 2});
     link_.subscribe(wire::channel(one.executor, wire::Lane::table), queue_capacity);
     link_.subscribe(wire::channel(one.executor, wire::Lane::command), queue_capacity);
   }
   if (!options.empty()) key_ = options.front().key;
-  std::sort(by_name_.begin(), by_name_.end());
+  std::sort(by_name_.begin(), by_name_.end(),
+            [](const Named& a, const Named& b) { return a.name < b.name; });
 }
 
 void ReceiverPump::run(Nanos timeout) {
@@ -187,21 +190,29 @@ void ReceiverPump::run(Nanos timeout) {
 }
 
 void ReceiverPump::answer() {
-  for (Receiver& receiver : receivers_)
-    for (const auto& message : receiver.poll(clock_())) send_message(link_, message, key_);
+  for (Named& each : by_name_) {
+    each.unanswered = 0;
+    for (const auto& message : each.receiver->poll(clock_())) send_message(link_, message, key_);
+  }
 }
 
+/// Half a window is answered at once, so that the streamer sends the next half meanwhile.
 void ReceiverPump::take(const wire::Message& message) {
   if (const auto* const master = std::get_if<wire::Master>(&message.body)) {
     for (const auto& [name, take] : masters_)
       if (name == message.executor) take(*master);
     return;
   }
-  const auto found = std::lower_bound(
-      by_name_.begin(), by_name_.end(), message.executor,
-      [](const auto& entry, const std::string& name) { return entry.first < name; });
-  if (found != by_name_.end() && found->first == message.executor)
-    found->second->receive(message, clock_());
+  const auto found =
+      std::lower_bound(by_name_.begin(), by_name_.end(), message.executor,
+                       [](const Named& each, const std::string& name) { return each.name < name; });
+  if (found == by_name_.end() || found->name != message.executor) return;
+  found->receiver->receive(message, clock_());
+  const auto* const chunk = std::get_if<wire::Chunk>(&message.body);
+  found->unanswered += chunk != nullptr ? chunk->values.size() : wire::message_values;
+  if (found->unanswered < found->half_a_window) return;
+  found->unanswered = 0;
+  for (const auto& reply : found->receiver->answers()) send_message(link_, reply, key_);
 }
 
 void ReceiverPump::publish(wire::Status status, std::size_t axis) {

@@ -123,12 +123,19 @@ class ReceiverPump {
   [[nodiscard]] const Rejects& rejects() const { return rejects_; }
 
  private:
+  struct Named {
+    std::string name;
+    Receiver* receiver;
+    std::size_t half_a_window;
+    std::size_t unanswered = 0;  // doubles since its last answers
+  };
+
   void take(const wire::Message& message);
 
   Transport& link_;
-  std::optional<wire::Key> key_;                            // of all axes
-  std::deque<Receiver> receivers_;                          // in the order of the options
-  std::vector<std::pair<std::string, Receiver*>> by_name_;  // sorted
+  std::optional<wire::Key> key_;    // of all axes
+  std::deque<Receiver> receivers_;  // in the order of the options
+  std::vector<Named> by_name_;      // sorted
   std::vector<std::pair<std::string, std::function<void(const wire::Master&)>>> masters_;
   Clock clock_;
   Rejects rejects_;

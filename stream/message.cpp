@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <iterator>
 
 namespace jounce::wire {
@@ -78,12 +79,25 @@ const char* name(EventKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-Cut cut(Rule rule, std::uint32_t knots) {
-  Cut result;
-  result.columns = rule == Rule::linear ? 2 : rule == Rule::cubic_hermite ? 3 : 4;
-  result.per_chunk = static_cast<std::uint32_t>(chunk_values) / result.columns;
-  result.chunks = knots / result.per_chunk + (knots % result.per_chunk != 0 ? 1 : 0);
-  return result;
+Cut cut(Rule rule, std::uint32_t knots, std::size_t values) {
+  const std::uint32_t columns = rule == Rule::linear ? 2 : rule == Rule::cubic_hermite ? 3 : 4;
+  Header header;
+  header.knots = knots;
+  header.columns = columns;
+  header.per_chunk = static_cast<std::uint32_t>(values) / columns;
+  return cut(header);
+}
+
+Cut cut(const Header& header) {
+  const auto [whole, rest] = std::div(std::int64_t{header.knots}, std::int64_t{header.per_chunk});
+  return {.columns = header.columns,
+          .per_chunk = header.per_chunk,
+          .chunks = static_cast<std::uint32_t>(whole + (rest > 0 ? 1 : 0))};
+}
+
+std::uint32_t Cut::chunks_for(std::uint32_t messages) const {
+  const std::size_t values = std::max(std::size_t{per_chunk} * columns, message_values);
+  return static_cast<std::uint32_t>((messages * message_values + values - 1) / values);
 }
 
 std::uint32_t Cut::knots_of(std::uint32_t seq, std::uint32_t knots) const {

@@ -20,11 +20,12 @@
 namespace jounce::wire {
 
 inline constexpr std::int32_t protocol_version = 2;
-inline constexpr std::size_t chunk_values = 1600;  ///< doubles a chunk can carry: 12.8 KB
-inline constexpr std::size_t executor_bytes = 24;  ///< of an executor's name, final zero included
-inline constexpr std::size_t unit_bytes = 16;      ///< of a unit, final zero included
-inline constexpr std::size_t reason_bytes = 160;   ///< of a reason in words, final zero included
-inline constexpr std::uint32_t most_tables = 64;   ///< of one session
+inline constexpr std::size_t chunk_values = 7680;    ///< doubles a chunk can carry: one datagram
+inline constexpr std::size_t message_values = 1600;  ///< doubles of a message that credit counts in
+inline constexpr std::size_t executor_bytes = 24;    ///< of an executor's name, final zero included
+inline constexpr std::size_t unit_bytes = 16;        ///< of a unit, final zero included
+inline constexpr std::size_t reason_bytes = 160;     ///< of a reason in words, final zero included
+inline constexpr std::uint32_t most_tables = 64;     ///< of one session
 
 /// What drives the slave.
 enum class ArmMode : std::int8_t {
@@ -117,16 +118,17 @@ struct Header {
   Rule rule = Rule::linear;
   Outside outside = Outside::refuse;
   Units units;
-  std::uint32_t knots = 0;    ///< >= 2
-  std::uint32_t columns = 0;  ///< 2...4, as the rule needs
-  std::uint32_t chunks = 0;   ///< ceil(knots / (chunk_values / columns))
+  std::uint32_t knots = 0;      ///< >= 2
+  std::uint32_t columns = 0;    ///< 2...4, as the rule needs
+  std::uint32_t per_chunk = 0;  ///< knots of a full chunk, 1...chunk_values / columns
+  std::uint32_t chunks = 0;     ///< ceil(knots / per_chunk)
 };
 
 /// Some knots, column after column: x of all, then p of all, ...
 struct Chunk {
   std::uint32_t table = 0;
   std::uint32_t seq = 0;         ///< 0...chunks - 1
-  std::uint32_t first_knot = 0;  ///< seq * (chunk_values / columns)
+  std::uint32_t first_knot = 0;  ///< seq * per_chunk
   std::uint32_t knots = 0;       ///< full but for the last chunk
   std::uint32_t columns = 0;
   std::vector<double> values{};  ///< knots * columns <= chunk_values
@@ -306,8 +308,13 @@ struct Cut {
 
   /// Knots of chunk `seq`.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
+  /// Chunks for which there is room where so many messages of message_values have it: 1 and more.
+  [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
-Cut cut(Rule rule, std::uint32_t knots);
+/// `values`: doubles of a full chunk, 4...chunk_values.
+Cut cut(Rule rule, std::uint32_t knots, std::size_t values = message_values);
+/// As its sender has cut it, per_chunk >= 1.
+Cut cut(const Header& header);
 
 /// Whether this is a name that an executor may have.
 bool is_executor_name(std::string_view name);

@@ -166,6 +166,10 @@ void Receiver::receive_operators(const wire::Message& message) {
 
 std::vector<wire::Message> Receiver::poll(Nanos now) {
   expire(now);
+  return answers();
+}
+
+std::vector<wire::Message> Receiver::answers() {
   for (auto& [table, slot] : slots_)
     if (std::exchange(slot.ack_due, false)) send(session_, ack(table, slot));
   for (auto& [index, queue] : queues_)
@@ -313,6 +317,7 @@ wire::Ack Receiver::ack(std::uint32_t table, const Slot& slot) const {
   if (slot.assembly) {
     ack.next = slot.assembly->next();
     ack.mask = slot.assembly->mask();
+    ack.credit = wire::cut(slot.header).chunks_for(options_.credit);
   } else if (slot.stored) {
     ack.next = slot.header.chunks;
   }

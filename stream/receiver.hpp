@@ -24,7 +24,8 @@ struct ReceiverOptions {
   std::uint32_t most_knots = 1U << 24U;             ///< of one table
   std::size_t memory = std::size_t{1} << 28U;       ///< bytes of all tables, complete or under way
   Nanos session_timeout = std::chrono::seconds(1);  ///< of silence, then the axis is free again
-  std::uint32_t credit = 8;  ///< chunks under way, 1...64; 8 fit a socket's default buffer
+  std::uint32_t credit =
+      8;  ///< messages of 12.8 KB under way, 1...64; 8 fit a socket's default buffer
   std::uint32_t most_rows = 1U << 20U;  ///< of one bank of a queue
   std::size_t most_queues = 4;          ///< of one session
   std::optional<wire::Key> key{};       ///< what commands must be signed with; none: anybody may
@@ -131,6 +132,8 @@ class Receiver {
   /// Ends a session that has been silent for too long, and answers what has arrived. Take in what
   /// waits on the link first, so that waiting is not taken for silence.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  /// The answers alone: for a streamer that should go on while more of the same is taken in.
+  [[nodiscard]] std::vector<wire::Message> answers();
 
   [[nodiscard]] std::optional<StreamEvent> take_event();
 

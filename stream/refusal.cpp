@@ -23,13 +23,17 @@ Refused contradiction(const wire::Header& header) {
   };
   if (header.table >= wire::most_tables) return bad("a session has at most 64 tables");
   if (header.knots < 2) return bad("a table needs at least 2 knots");
-  const wire::Cut cut = wire::cut(header.rule, header.knots);
-  if (header.columns != cut.columns) {
-    return bad(std::string("a ") + name(header.rule) + " table has " + std::to_string(cut.columns) +
+  const std::uint32_t columns = wire::cut(header.rule, header.knots).columns;
+  if (header.columns != columns) {
+    return bad(std::string("a ") + name(header.rule) + " table has " + std::to_string(columns) +
                " columns, not " + std::to_string(header.columns));
   }
-  if (header.chunks != cut.chunks) {
-    return bad(std::to_string(header.knots) + " knots are " + std::to_string(cut.chunks) +
+  if (header.per_chunk < 1 || header.per_chunk > wire::chunk_values / columns) {
+    return bad("a chunk has 1 to " + std::to_string(wire::chunk_values / columns) + " knots, not " +
+               std::to_string(header.per_chunk));
+  }
+  if (const std::uint32_t chunks = wire::cut(header).chunks; header.chunks != chunks) {
+    return bad(std::to_string(header.knots) + " knots are " + std::to_string(chunks) +
                " chunks, not " + std::to_string(header.chunks));
   }
   return {};

@@ -25,8 +25,13 @@ Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
   const std::uint32_t window = options_.pace.window;
   if (window < 1 || window > 64)
     throw InputError("window", std::to_string(window), "must be 1 to 64");
+  const std::uint32_t chunk = options_.pace.chunk;
+  if (chunk < 4 || chunk > wire::chunk_values) {
+    throw InputError("chunk", std::to_string(chunk),
+                     "must be 4 to " + std::to_string(wire::chunk_values));
+  }
   for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
-    headers_.push_back(header_of(plan_.tables[i], i));
+    headers_.push_back(header_of(plan_.tables[i], i, options_.pace.chunk));
     static_cast<void>(wire::encode({plan_.executor, session_, headers_[i]}));  // throws if it must
     outcome_.progress.chunks += headers_[i].chunks;
   }
@@ -152,7 +157,9 @@ void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
   if (ack.complete) return next_table(now);
   if (!window_) {
-    window_.emplace(headers_[table_].chunks, options_.pace);
+    Pace pace = options_.pace;
+    pace.window = wire::cut(headers_[table_]).chunks_for(pace.window);
+    window_.emplace(headers_[table_].chunks, pace);
     progressed_ = now;
   }
   if (window_->acknowledge(ack, now)) progressed_ = now;

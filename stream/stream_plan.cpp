@@ -58,25 +58,26 @@ std::vector<SwapPlan> legs_of(const StreamPlan& plan) {
   return legs;
 }
 
-wire::Header header_of(const StreamPlan::Item& item, std::size_t index) {
+wire::Header header_of(const StreamPlan::Item& item, std::size_t index, std::size_t values) {
   const Table& table = item.table;
   if (table.size() > std::numeric_limits<std::int32_t>::max())
     throw InputError("knots", std::to_string(table.size()), "must fit 31 bits");
   const auto knots = static_cast<std::uint32_t>(table.size());
-  const wire::Cut cut = wire::cut(table.rule(), knots);
+  const wire::Cut cut = wire::cut(table.rule(), knots, values);
   return {.table = static_cast<std::uint32_t>(index),
-          .hash = content_hash(table, item.units),
+          .hash = item.hash ? *item.hash : content_hash(table, item.units),
           .axis = table.axis(),
           .rule = table.rule(),
           .outside = table.outside(),
           .units = item.units,
           .knots = knots,
           .columns = cut.columns,
+          .per_chunk = cut.per_chunk,
           .chunks = cut.chunks};
 }
 
 wire::Chunk chunk_of(const Table& table, const wire::Header& header, std::uint32_t seq) {
-  const wire::Cut cut = wire::cut(header.rule, header.knots);
+  const wire::Cut cut = wire::cut(header);
   wire::Chunk chunk{.table = header.table,
                     .seq = seq,
                     .first_knot = seq * cut.per_chunk,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct StreamPlan {
   struct Item {
     Table table;
     Units units;
+    std::optional<Sha256> hash{};  ///< content_hash(table, units), where it is known already
   };
   std::string executor;      ///< its name
   std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
@@ -47,8 +49,10 @@ void require_valid(const StreamPlan& plan);
 /// All that the plan arms and starts: the first tables at their tick, then the swaps.
 std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
-/// What announces this table as number `index` of a session. Throws InputError for too many knots.
-wire::Header header_of(const StreamPlan::Item& item, std::size_t index);
+/// What announces this table as number `index` of a session, in chunks of up to so many doubles.
+/// Throws InputError for too many knots.
+wire::Header header_of(const StreamPlan::Item& item, std::size_t index,
+                       std::size_t values = wire::message_values);
 
 /// Chunk `seq` of the table with this header.
 wire::Chunk chunk_of(const Table& table, const wire::Header& header, std::uint32_t seq);

@@ -5,9 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/chunk_bytes.hpp"
 #include "jounce/stream/detail/fields.hpp"
 #include "jounce/stream/detail/lcm_body.hpp"
 #include "jounce/stream/detail/mac.hpp"
@@ -31,8 +32,7 @@ std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 std::uint32_t checksum(std::span<const std::byte> bytes) {
-  const auto* const data = reinterpret_cast<const Bytef*>(bytes.data());
-  return static_cast<std::uint32_t>(crc32(0, data, static_cast<uInt>(bytes.size())));
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
 }
 
 template <class Lcm>
@@ -41,10 +41,22 @@ std::size_t size_of() {
   return size;
 }
 
+template <class Lcm, class Body>
+Bytes encoded(const Lcm& lcm, const Body& body) {
+  if constexpr (std::is_same_v<Body, Chunk>) {
+    return chunk_bytes(lcm, body.values);
+  } else {
+    Bytes bytes(size_of<Lcm>());
+    [[maybe_unused]] const int written =
+        lcm.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    assert(written == static_cast<int>(bytes.size()));
+    return bytes;
+  }
+}
+
 template <class Body>
 Bytes encode_as(const Message& message, const Body& body, const std::optional<Key>& key) {
-  using Lcm = typename LcmOf<Body>::type;
-  Lcm lcm{};
+  typename LcmOf<Body>::type lcm{};
   lcm.envelope.magic = magic;
   lcm.envelope.version = protocol_version;
   put_text(message.executor, lcm.envelope.executor, executor_bytes);
@@ -52,9 +64,7 @@ Bytes encode_as(const Message& message, const Body& body, const std::optional<Ke
   lcm.envelope.challenge = message.challenge;
   put(body, lcm);
 
-  Bytes bytes(size_of<Lcm>());
-  [[maybe_unused]] const int written = lcm.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  assert(written == static_cast<int>(bytes.size()));
+  Bytes bytes = encoded(lcm, body);
   const std::size_t end = bytes.size() - checksum_bytes;
   const std::size_t signed_end = end - mac_bytes;
   write_mac(std::span(bytes).first(signed_end), key, bytes.data() + signed_end);
@@ -77,23 +87,35 @@ bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   return envelope.session > 0 || (may_have_none && envelope.session == 0);
 }
 
+/// A type has one length; a chunk that of its count.
+template <class Body>
+bool has_length(std::span<const std::byte> bytes) {
+  if constexpr (std::is_same_v<Body, Chunk>) return has_chunk_length(bytes);
+  return bytes.size() == size_of<typename LcmOf<Body>::type>();
+}
+
+template <class Lcm, class Body>
+bool decoded(std::span<const std::byte> bytes, Lcm& lcm, Body& body) {
+  if constexpr (std::is_same_v<Body, Chunk>) return read_chunk(bytes, lcm, body.values);
+  return lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())) >= 0;
+}
+
 /// Length, checksum, mac, then the fields, of bytes whose type is known. The generated decoder sees
 /// nothing that is not whole and authentic.
 template <class Body>
 std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes,
                                         const std::optional<Key>& key) {
-  using Lcm = typename LcmOf<Body>::type;
-  if (bytes.size() != size_of<Lcm>()) return Reject::wrong_length;
+  if (!has_length<Body>(bytes)) return Reject::wrong_length;
   const std::size_t end = bytes.size() - checksum_bytes;
   if (checksum(bytes.first(end)) != big_endian(bytes, end)) return Reject::wrong_checksum;
   const std::size_t signed_end = end - mac_bytes;
   if (!is_mac(bytes.first(signed_end), key, bytes.data() + signed_end))
     return Reject::not_authentic;
 
-  Lcm lcm{};
-  if (lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0) return Reject::wrong_length;
+  typename LcmOf<Body>::type lcm{};
   Message message;
   Body body;
+  if (!decoded(bytes, lcm, body)) return Reject::wrong_length;
   if (!get_text(lcm.envelope.executor, executor_bytes, message.executor) ||
       !is_executor_name(message.executor) || !is_session_of<Body>(lcm.envelope) || !get(lcm, body))
     return Reject::bad_field;

@@ -1,6 +1,5 @@
 #include "jounce/stream/detail/lcm_body.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -70,6 +69,7 @@ void put(const Header& from, jounce_lcm::header_t& to) {
   put_unit("unit of position", from.units.position, to.unit_position);
   to.knots = put_count("knots", from.knots);
   to.columns = put_count("columns", from.columns);
+  to.per_chunk = put_count("per_chunk", from.per_chunk);
   to.chunks = put_count("chunks", from.chunks);
 }
 
@@ -80,9 +80,10 @@ bool get(const jounce_lcm::header_t& from, Header& to) {
          get_text(from.unit_x, unit_bytes, to.units.x) &&
          get_text(from.unit_position, unit_bytes, to.units.position) &&
          get_count(from.knots, to.knots) && get_count(from.columns, to.columns) &&
-         get_count(from.chunks, to.chunks);
+         get_count(from.per_chunk, to.per_chunk) && get_count(from.chunks, to.chunks);
 }
 
+/// All but the values, which go straight onto the wire: see chunk_bytes.hpp.
 void put(const Chunk& from, jounce_lcm::chunk_t& to) {
   if (from.values.size() > chunk_values) {
     throw InputError("values", std::to_string(from.values.size()),
@@ -93,20 +94,13 @@ void put(const Chunk& from, jounce_lcm::chunk_t& to) {
   to.first_knot = put_count("first_knot", from.first_knot);
   to.knots = put_count("knots", from.knots);
   to.columns = put_count("columns", from.columns);
-  std::copy(from.values.begin(), from.values.end(), to.values);
 }
 
 bool get(const jounce_lcm::chunk_t& from, Chunk& to) {
-  if (!get_count(from.table, to.table) || to.table >= most_tables || !get_count(from.seq, to.seq) ||
-      !get_count(from.first_knot, to.first_knot) || !get_count(from.knots, to.knots) ||
-      !get_count(from.columns, to.columns))
-    return false;
-  if (to.columns < 2 || to.columns > 4 || to.knots < 1 || to.knots > chunk_values / to.columns)
-    return false;
-  const double* const end = from.values + std::size_t{to.knots} * to.columns;
-  to.values.assign(from.values, end);
-  return std::all_of(end, from.values + chunk_values,
-                     [](double unused) { return std::bit_cast<std::uint64_t>(unused) == 0; });
+  return get_count(from.table, to.table) && to.table < most_tables && get_count(from.seq, to.seq) &&
+         get_count(from.first_knot, to.first_knot) && get_count(from.knots, to.knots) &&
+         get_count(from.columns, to.columns) && to.columns >= 2 && to.columns <= 4 &&
+         to.knots >= 1 && to.values.size() == std::size_t{to.knots} * to.columns;
 }
 
 void put(const Arm& from, jounce_lcm::arm_t& to) {

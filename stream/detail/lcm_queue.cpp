@@ -90,7 +90,7 @@ bool get(const jounce_lcm::rows_t& from, Rows& to) {
     if (!get_row(value, row)) return false;
     value += columns;
   }
-  return std::all_of(value, from.values + chunk_values, is_zero);
+  return std::all_of(value, from.values + message_values, is_zero);
 }
 
 void put(const QueueAck& from, jounce_lcm::queue_ack_t& to) {

@@ -52,9 +52,9 @@ ROWS = f64(0.1, 2, 0, 40, 0, 0, 3, 0, 0.25, 9, 40, 0, 0, 0, 3, 1)
 BODIES = [
     # message, executor, session, challenge, fields in the order of the page
     ("header_t", "feeder", 11, 99, i32(3) + HASH + i8(1, 2, 2) + text("deg", 16) + text("mm", 16)
-     + i32(401, 4, 2)),
-    ("chunk_t", "feeder", 11, 99, i32(3, 1, 400, 1, 4) + f64(360, 0.5, -0.25, 0.125)
-     + bytes(8 * 1596)),
+     + i32(401, 4, 400, 2)),
+    ("chunk_t", "feeder", 11, 99, i32(3, 1, 400, 1, 4, 4)
+     + f64(360, 0.5, -0.25, 0.125)),
     ("arm_t", "feeder", 11, 99, i32(1) + i8(2) + HASH + HASH[::-1] + COUPLING + i32(0) + i8(0)),
     ("start_t", "feeder", 11, 99, i32(2) + i64(-1) + i8(2) + f64(90.5)),
     ("stop_t", "feeder", 0, 0, i32(123456789) + i8(1)),

@@ -63,6 +63,7 @@ inline std::vector<wire::Message> messages_of(const Table& table, std::int64_t s
                                    .units = move_units,
                                    .knots = knots,
                                    .columns = cut.columns,
+                                   .per_chunk = cut.per_chunk,
                                    .chunks = cut.chunks}});
   const auto& [x, p, v, a] = table.columns();
   for (std::uint32_t seq = 0; seq < cut.chunks; ++seq) {

@@ -174,6 +174,29 @@ TEST_F(ReceiverTest, RefusesAHeaderThatContradictsItself) {
   EXPECT_EQ(receiver.store().bytes(), 0U);
 }
 
+TEST_F(ReceiverTest, RefusesAChunkOfNoKnotsOrTooMany) {
+  wire::Header header = std::get<wire::Header>(download[0].body);
+  for (const std::uint32_t per_chunk : {0U, 1U + 7680 / 3, UINT32_MAX / 2}) {
+    ++header.table;
+    header.per_chunk = per_chunk;
+    put(1, header);
+    EXPECT_EQ(answer<wire::Ack>().refusal, Refusal::bad_header);
+  }
+}
+
+TEST_F(ReceiverTest, GivesCreditByLength) {
+  put(test::messages_of(test::sine_table(10'000), 1)[0]);
+  EXPECT_EQ(answer<wire::Ack>().credit, 8U);
+  wire::Header header =
+      std::get<wire::Header>(test::messages_of(test::sine_table(10'000), 1)[0].body);
+  header.table = 1;
+  header.hash[0] ^= 1;
+  header.per_chunk = 4096 / 3;
+  header.chunks = wire::cut(header).chunks;
+  put(1, header);
+  EXPECT_EQ(answer<wire::Ack>().credit, 4U);
+}
+
 TEST_F(ReceiverTest, RefusesAnotherTableUnderAnIndexInUse) {
   put(download[0]);
   static_cast<void>(receiver.poll(now));

@@ -31,8 +31,16 @@ inline std::vector<wire::Message> samples() {
   const std::string name = "feeder_2-B";
   return {
       {name, 11,
-       wire::Header{
-           3, one, Axis::master, Rule::quintic_hermite, Outside::wrap, {"deg", "µm"}, 1000, 4, 5}},
+       wire::Header{3,
+                    one,
+                    Axis::master,
+                    Rule::quintic_hermite,
+                    Outside::wrap,
+                    {"deg", "µm"},
+                    1000,
+                    4,
+                    250,
+                    5}},
       {name, 12, wire::Chunk{4, 1, 533, 533, 3, values}},
       {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two, coupling}},
       {name, 13, wire::Arm{.command = 3, .mode = wire::ArmMode::queue, .queue = 65, .bank = 1}},
@@ -116,7 +124,7 @@ struct Text {
   }
   void operator()(const wire::Header& m) {
     fields("header", m.table, hex(m.hash), name(m.axis), name(m.rule), name(m.outside), m.units.x,
-           m.units.position, m.knots, m.columns, m.chunks);
+           m.units.position, m.knots, m.columns, m.per_chunk, m.chunks);
   }
   void operator()(const wire::Chunk& m) {
     fields("chunk", m.table, m.seq, m.first_knot, m.knots, m.columns);

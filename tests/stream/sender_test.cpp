@@ -38,7 +38,7 @@ class SenderTest : public testing::Test {
 
   Nanos now{};
   Table table = test::sine_table(1000);
-  Sender sender{test::plan_of(table), 1};
+  Sender sender{test::plan_of(table), 1, {.pace = {.chunk = 1600}}};
 };
 
 TEST_F(SenderTest, AnnouncesSendsArmsStartsHoldsReleases) {

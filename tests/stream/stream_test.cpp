@@ -67,6 +67,18 @@ TEST(Stream, SendsATableThatIsThereOnlyByName) {
   EXPECT_LT(world.now - first, first / 2);
 }
 
+TEST(Stream, TakesTheCallersWordForTheHashButTheExecutorDoesNot) {
+  World world;
+  StreamPlan plan = plan_of(sine_table(3000));
+  plan.tables[0].hash = content_hash(plan.tables[0].table, plan.tables[0].units);
+  EXPECT_TRUE(world.stream(plan).ok());
+  expect_stored(world, plan.tables[0].table);
+  (*plan.tables[0].hash)[31] ^= 1;
+  const StreamOutcome outcome = world.stream(plan, 2);
+  EXPECT_EQ(outcome.refusal, wire::Refusal::hash_mismatch) << outcome.reason;
+  EXPECT_FALSE(outcome.armed);
+}
+
 TEST(Stream, BringsCamAndMaster) {
   World world;
   StreamPlan plan{
@@ -99,7 +111,9 @@ TEST_P(StreamOverABadLink, LosesNothing) {
     spec.seed = seed;
     LossyTransport bad(world.link, spec, world.clock);
     const Table table = sine_table(30'000, Rule::quintic_hermite);
-    const StreamOutcome outcome = stream_tables(bad, plan_of(table), {}, world.clock, 1);
+    StreamOptions many_chunks;
+    many_chunks.sender.pace.chunk = 1600;
+    const StreamOutcome outcome = stream_tables(bad, plan_of(table), many_chunks, world.clock, 1);
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_whole_run(outcome, world, table);
     if (spec.lost > 0) {

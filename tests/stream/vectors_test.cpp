@@ -92,7 +92,7 @@ std::vector<Message> messages() {
   const auto ours = [](wire::Body body) { return Message{"feeder", 11, std::move(body), 99}; };
   return {
       ours(wire::Header{3, hash, Axis::master, Rule::quintic_hermite, Outside::wrap, units, 401, 4,
-                        2}),
+                        400, 2}),
       ours(wire::Chunk{3, 1, 400, 1, 4, {360, 0.5, -0.25, 0.125}}),
       ours(wire::Arm{1, wire::ArmMode::follow_table, hash, reversed, coupling}),
       ours(wire::Start{2, -1, wire::StartAt::master_position, 90.5}),

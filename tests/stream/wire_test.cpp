@@ -79,9 +79,9 @@ void expect_type(std::uint64_t hash, int length) {
 TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::ack_t>(0xa889f6c49213c772, 266);
   expect_type<jounce_lcm::arm_t>(0xd6f67fae0eb39669, 233);
-  expect_type<jounce_lcm::chunk_t>(0x14eebb0b60956fec, 12896);
+  expect_type<jounce_lcm::chunk_t>(0x15e7a1ad123b3fb0, 100);
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
-  expect_type<jounce_lcm::header_t>(0x9fc49f7d772b88e7, 159);
+  expect_type<jounce_lcm::header_t>(0x38846353a6819b65, 163);
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
   expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
   expect_type<jounce_lcm::master_t>(0x8eeae70736c030f7, 129);
@@ -174,6 +174,33 @@ TEST(Wire, DoublesComeBackBitByBit) {
   EXPECT_EQ(std::memcmp(values.data(), odd.data(), odd.size() * sizeof(double)), 0);
 }
 
+TEST(Wire, AChunkIsAsLongAsItsCountSays) {
+  const auto chunk = [](std::uint32_t knots) {
+    const std::vector<double> values(std::size_t{knots} * 4, 0.5);
+    return wire::encode({"a", 1, wire::Chunk{.knots = knots, .columns = 4, .values = values}});
+  };
+  EXPECT_EQ(chunk(1).size(), 100U + 4 * 8);
+  const Bytes longest = chunk(wire::chunk_values / 4);
+  EXPECT_LE(longest.size(), 65'000U) << "one datagram";
+  EXPECT_TRUE(std::holds_alternative<Message>(wire::decode(longest)));
+  EXPECT_THROW(chunk(wire::chunk_values / 4 + 1), InputError);
+  // Whatever count it names, 76 bytes from its beginning, nothing of that length is taken.
+  for (const unsigned top : {0x00U, 0x10U, 0x7FU, 0x80U, 0xFFU}) {
+    Bytes bytes = chunk(2);
+    bytes[76] = static_cast<std::byte>(top);
+    bytes[78] = std::byte{1};
+    seal(bytes);
+    EXPECT_EQ(reject(bytes), Reject::wrong_length) << top;
+  }
+  Bytes torn = chunk(2);
+  torn.resize(99);
+  EXPECT_EQ(reject(torn), Reject::wrong_length);
+  Bytes other = chunk(2);
+  other[71] = std::byte{3};  // three knots
+  seal(other);
+  EXPECT_EQ(reject(other), Reject::bad_field);
+}
+
 TEST(Wire, NamesEachWayInWhichBytesAreNoMessage) {
   const Bytes good = wire::encode(test::samples().front());
   EXPECT_EQ(reject({}), Reject::too_short);
@@ -222,7 +249,6 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(chunk, fields + 15, 0)), Reject::bad_field) << "no knots";
   EXPECT_EQ(reject(forged(chunk, fields + 14, 0x04)), Reject::bad_field) << "1026 knots of 2";
   EXPECT_EQ(reject(forged(chunk, fields + 19, 5)), Reject::bad_field) << "5 columns";
-  EXPECT_EQ(reject(forged(chunk, fields + 20 + 5 * 8, 1)), Reject::bad_field) << "unused values";
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 3, 0)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 11, 0xFE)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field) << "queue 0";
@@ -281,7 +307,7 @@ TEST(Wire, RefusesToEncodeWhatDoesNotFit) {
   EXPECT_THROW(wire::encode({std::string(24, 'a'), 1, wire::Start{}}), InputError);
   EXPECT_THROW(wire::encode({"a", 1, units("sixteen letters!")}), InputError);
   EXPECT_THROW(wire::encode({"a", 1, units("m\n")}), InputError);
-  EXPECT_THROW(wire::encode({"a", 1, wire::Chunk{.values = std::vector<double>(1601)}}),
+  EXPECT_THROW(wire::encode({"a", 1, wire::Chunk{.values = std::vector<double>(wire::chunk_values + 1)}}),
                InputError);
   EXPECT_NO_THROW(wire::encode({std::string(23, 'a'), 1, units("fifteen letters")}));
 }
@@ -386,6 +412,15 @@ TEST(Wire, CutsATableIntoFullChunksAndARest) {
   EXPECT_EQ(wire::cut(Rule::linear, 1600).chunks, 2U);
   EXPECT_EQ(wire::cut(Rule::quintic_hermite, 401).chunks, 2U);
   EXPECT_EQ(wire::cut(Rule::quintic_hermite, 0).chunks, 0U);
+  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 8192, 4096).chunks, 8U);
+}
+
+TEST(Wire, LongChunksHaveRoomWhereAsManyBytesHadIt) {
+  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 16).chunks_for(8), 8U) << "short ones count as one";
+  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 1600).chunks_for(8), 8U);
+  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 4096).chunks_for(8), 4U);
+  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 7680).chunks_for(8), 2U);
+  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 7680).chunks_for(1), 1U);
 }
 
 }  // namespace
