@@ -166,7 +166,7 @@ Figure drive_figure(const Input& input, const std::string& which) {
     const DriveResult run = driven(input, 2001);
     figure = which == "response" ? response_figure(run, *input.drive, unit)
                                  : torque_speed_figure(run, input.drive->drive);
-    if (which == "response" && input.drive->settle > 0)
+    if (which == "response" && !input.drive->periodic && input.drive->settle > 0)
       figure.shades = {{duration(reference), run.samples.back().time, "standstill"}};
   }
   figure.title = input.name + ": " + figure.title;

@@ -63,10 +63,13 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
                    rounded(d.end_following_error), u));
   if (!spec.sync.empty())
     line(fmt::format("following error in sync {}", at(d.sync_following_error, u)));
-  line(fmt::format(
-      "residual vibration {} {}{}{}", rounded(d.residual.value), u,
-      d.residual_frequency > 0 ? fmt::format(" at {} Hz", rounded(d.residual_frequency)) : "",
-      settling_text(d, spec.limits, u)));
+  if (spec.periodic)
+    line("over one period of the steady state");
+  else
+    line(fmt::format(
+        "residual vibration {} {}{}{}", rounded(d.residual.value), u,
+        d.residual_frequency > 0 ? fmt::format(" at {} Hz", rounded(d.residual_frequency)) : "",
+        settling_text(d, spec.limits, u)));
   if (drive.pendulum) line(fmt::format("pendulum swings {}", at(d.swing, u)));
   line(energy_text(d, drive.motor));
   if (d.impacts > 0) line(fmt::format("backlash: a flank was met {} times", d.impacts));

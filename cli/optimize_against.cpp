@@ -24,7 +24,8 @@ Against against_of(const OptimizeOptions& options, const Spec& spec) {
   if (!spec.master)
     throw spec.document.located(
         InputError("master", "", "is missing: how fast the drive must follow"));
-  Against against{.drive = file.drive->drive, .settle = file.drive->settle};
+  Against against{
+      .drive = file.drive->drive, .settle = file.drive->settle, .periodic = file.drive->periodic};
   against.velocity = spec.master->velocity / conversion(spec.time_unit, "s");
   try {
     against.drive.position_per_rev *= conversion(file.units.position, spec.units.position);

@@ -41,6 +41,7 @@ std::string drive_text(const DriveSpec& spec, const Units& units, const std::str
                   Spec::version, units.position);
   text += fmt::format("\n[drive]\nposition_per_rev = {}  # {}/rev\nsettle = {}  # s\n",
                       number(drive.position_per_rev), units.position, number(spec.settle));
+  if (spec.periodic) text += "periodic = true\n";
   std::string part;
   for (const DriveNumber& n : numbers(drive)) {
     const auto dot = n.key.find('.');

@@ -68,11 +68,13 @@ struct DriveSpec {
   Drive drive;
   DriveLimits limits;
   double settle = 0.2;                           ///< s of standstill after the motion's end
+  bool periodic = false;                         ///< the motion repeats for ever: its steady state
   std::vector<Interval> sync = {};               ///< [[drive.sync]], s of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
-    return {.settle = settle, .samples = samples, .limits = limits, .sync = sync};
+    return {
+        .settle = settle, .samples = samples, .limits = limits, .sync = sync, .periodic = periodic};
   }
 };
 

@@ -149,6 +149,7 @@ DriveSpec read_drive_table(TomlReader& table, const Units& units) {
   spec.drive = read_model(table);
   read_drive_numbers(table, spec.drive, units);
   spec.settle = table.optional_number("settle", "s").value_or(spec.settle);
+  spec.periodic = table.optional_flag("periodic").value_or(false);
   spec.sync = read_drive_sync(table);
   spec.tolerances = read_tolerances(table, spec.drive);
   if (auto limits = table.optional_table("limits")) spec.limits = read_drive_limits(*limits, units);

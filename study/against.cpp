@@ -299,9 +299,16 @@ void require_valid(const CamShapeProblem& problem, const Against& against) {
   require_positive("velocity", against.velocity);
   require_not_negative("settle", against.settle);
   bool asked = false;
+  const auto look = [&](const ShapeFigure& figure) {
+    const auto drive = drive_figure(figure);
+    asked = asked || drive;
+    if (against.periodic && drive == DriveFigure::residual)
+      throw InputError("minimize", '"' + name(*drive) + '"',
+                       "is of a standstill after the cam, which a periodic one has not");
+  };
   for (const auto& stage : problem.minimize)
-    for (const WeightedFigure& m : stage) asked = asked || drive_figure(m.figure);
-  for (const Ceiling& c : problem.ceilings) asked = asked || drive_figure(c.figure);
+    for (const WeightedFigure& m : stage) look(m.figure);
+  for (const Ceiling& c : problem.ceilings) look(c.figure);
   if (!asked)
     throw InputError("minimize", "",
                      "names no figure of the drive, such as \"drive rms torque\": there is nothing "

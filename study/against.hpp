@@ -11,10 +11,11 @@ namespace jounce {
 
 /// The drive that a cam is optimised against, and how fast the master turns.
 struct Against {
-  Drive drive = {};     ///< position_per_rev in the slave's unit
-  double velocity = 0;  ///< of the master, units a second, > 0
-  double settle = 0.2;  ///< s of standstill after the cam's end: where the residual is looked at
-  int max_rounds = 8;   ///< of a drive that is not linear
+  Drive drive = {};       ///< position_per_rev in the slave's unit
+  double velocity = 0;    ///< of the master, units a second, > 0
+  double settle = 0.2;    ///< s of standstill after the cam's end: where the residual is looked at
+  bool periodic = false;  ///< the cam turns for ever: its steady state; then nothing of a residual
+  int max_rounds = 8;     ///< of a drive that is not linear
 };
 
 /// A figure of the drive along the whole cam, by drive_through().
@@ -37,7 +38,7 @@ struct AgainstOutcome {
 };
 
 /// Optimises the free shapes of a cam through a model of the drive that follows it, from rest at the cam's
-/// start, once, and then holds its end:
+/// start, once, and then holds its end; or, `periodic`, over one turn of the steady state (exact_period()):
 ///
 ///     CamShapeProblem problem{.cam = cam, .shapes = {{.segment = 1}}};
 ///     problem.minimize = {{{asked(DriveFigure::torque)}}};
@@ -50,6 +51,8 @@ struct AgainstOutcome {
 /// whose torque meets its limit, is solved by rounds around its own run (equation (2) in against.cpp);
 /// the slopes are those of the linear drive, so that what is found is better, not proven best. Either way
 /// both cams are integrated (drive_through) and that alone counts.
+///
+/// A periodic one needs a linear drive.
 ///
 /// Throws InputError as optimize_cam_shapes() and drive_through() do, for segments that are not one run
 /// within the cam, and where no figure is of the drive.

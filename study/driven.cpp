@@ -23,7 +23,7 @@ DriveResult driven(const Input& input, std::size_t samples) {
   for (Finding& finding : result.report.findings) {
     finding.axis = "drive";
     finding.where_unit = "s";
-    finding.unit = unit_of(finding.rule);
+    if (finding.unit.empty()) finding.unit = unit_of(finding.rule);
     if (finding.unit.empty()) finding.unit = input.labels.units.position;
   }
   return result;

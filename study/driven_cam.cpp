@@ -60,8 +60,10 @@ DrivenCam::DrivenCam(const CamShapeProblem& problem, const Against& against)
     if (made.origin[i] > problem.shapes.back().segment) after_.push_back(segment);
   }
   step_ = made.cam.length() / against.velocity / static_cast<double>(moving);
-  settling_ = static_cast<std::size_t>(
-      std::clamp(std::ceil(against.settle / step_), 1.0, static_cast<double>(most_settling)));
+  settling_ = against.periodic
+                  ? 0
+                  : static_cast<std::size_t>(std::clamp(std::ceil(against.settle / step_), 1.0,
+                                                        static_cast<double>(most_settling)));
 }
 
 Trajectory DrivenCam::over_time(const CamSpec& cam) const {
@@ -76,6 +78,12 @@ std::vector<double> DrivenCam::times() const {
   std::vector<double> times(moving + settling_ + 1);
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = step_ * static_cast<double>(i);
   return times;
+}
+
+std::vector<DriveSample> DrivenCam::samples(const Trajectory& motion,
+                                            const std::vector<double>& at) const {
+  return against_.periodic ? exact_period(motion, twin_, at).samples
+                           : exact_run(motion, twin_, at).samples;
 }
 
 std::vector<double> DrivenCam::weight_slopes(const CamSpec& cam) const {
@@ -121,18 +129,20 @@ std::function<std::vector<double>(const Trajectory& shape)> DrivenCam::response(
     for (const Segment& segment : shape.segments())
       segments.push_back(at_speed(segment, against_.velocity));
     segments.insert(segments.end(), after_.begin(), after_.end());
-    return list(figure, exact_run(Trajectory(std::move(segments)), twin_, at).samples, slopes);
+    return list(figure, samples(Trajectory(std::move(segments)), at), slopes);
   };
 }
 
 DriveResult DrivenCam::run(const CamSpec& cam) const {
-  return drive_through(over_time(cam), against_.drive, {.settle = against_.settle});
+  return drive_through(over_time(cam), against_.drive,
+                       {.settle = against_.settle, .periodic = against_.periodic});
 }
 
 DrivenCam::Lists DrivenCam::measured(const CamSpec& cam) const {
-  const DriveResult run =
-      drive_through(over_time(cam), against_.drive,
-                    {.settle = step_ * static_cast<double>(settling_), .samples = times().size()});
+  const DriveResult run = drive_through(over_time(cam), against_.drive,
+                                        {.settle = step_ * static_cast<double>(settling_),
+                                         .samples = times().size(),
+                                         .periodic = against_.periodic});
   Lists lists;
   if (run.integration.ok())
     for (const DriveFigure figure : all_drive_figures)
@@ -142,10 +152,9 @@ DrivenCam::Lists DrivenCam::measured(const CamSpec& cam) const {
 
 DrivenCam::Lists DrivenCam::linear(const CamSpec& cam, const std::vector<double>& slopes) const {
   const std::vector<double> at = times();
-  const ExactRun run = exact_run(over_time(cam), twin_, at);
+  const std::vector<DriveSample> run = samples(over_time(cam), at);
   Lists lists;
-  for (const DriveFigure figure : all_drive_figures)
-    lists[figure] = list(figure, run.samples, slopes);
+  for (const DriveFigure figure : all_drive_figures) lists[figure] = list(figure, run, slopes);
   return lists;
 }
 

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/detail/bodies.hpp"
+#include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_report.hpp"
 #include "jounce/validate/detail/drive_run.hpp"
+#include "jounce/validate/detail/periodic.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
 namespace jounce {
@@ -30,6 +36,12 @@ constexpr std::array<Limit, 10> every_limit{{
     {"settling_time", &DriveLimits::settling_time},
 }};
 
+constexpr std::array<Limit, 3> of_standstill{{
+    {"residual", &DriveLimits::residual},
+    {"settling_band", &DriveLimits::settling_band},
+    {"settling_time", &DriveLimits::settling_time},
+}};
+
 void require_options(const DriveOptions& options) {
   require_not_negative("settle", options.settle);
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-3))
@@ -42,6 +54,11 @@ void require_options(const DriveOptions& options) {
   if (options.limits.settling_time && !options.limits.settling_band)
     throw InputError("limits.settling_time", *options.limits.settling_time,
                      "needs a settling_band");
+  if (options.periodic)
+    for (const Limit& limit : of_standstill)
+      if (const auto& value = options.limits.*limit.value)
+        throw InputError(std::string("limits.") + limit.key, *value,
+                         "is of a standstill after the motion, which a periodic one has not");
   for (const Interval& sync : options.sync)
     if (!(sync.from < sync.to))
       throw InputError("sync.to", sync.to, "must be greater than from = " + number(sync.from));
@@ -63,6 +80,57 @@ void detail::require_within(const DriveOptions& options, double start, double en
                            " s, as must from");
 }
 
+namespace {
+
+/// How far from where the period began it ended.
+Finding periodic_of(const SignalView& period, const Drive& drive, const std::vector<double>& start,
+                    const std::vector<double>& end, double tolerance) {
+  const std::size_t angles = 2 * detail::bodies(drive).size();
+  double most = 0;
+  for (std::size_t i = 0; i < angles; i += 2) most = std::max(most, std::abs(end[i] - start[i]));
+  const double stroke = detail::scales(detail::pieces(period)).range;
+  Finding finding;
+  finding.rule = "drive/periodic";
+  finding.quantity = "disagreement";
+  finding.unit = "of the range";
+  finding.where = period.end();
+  finding.value = most * drive.position_per_rev / (2 * std::numbers::pi) / detail::usable(stroke);
+  finding.limit = 100 * tolerance;
+  finding.margin = (finding.limit - finding.value) / finding.limit;
+  finding.broken = !(finding.value <= finding.limit);
+  if (finding.broken)
+    finding.advice =
+        "a period does not end as it began: where the torque meets its limit, the steady state is "
+        "another";
+  return finding;
+}
+
+/// The run of one period of the steady state, with its own finding.
+DriveResult run_periodic(const SignalView& period, const Drive& drive, DriveOptions options) {
+  detail::require_steady(drive);
+  const std::optional<Trajectory> segments = period.trajectory();
+  if (!segments)
+    throw InputError(
+        "periodic", "true",
+        "needs a motion made of segments: a cam behind a master at a constant velocity");
+  options.settle = 0;
+  const std::vector<double> start = detail::periodic_model_start(*segments, drive);
+  detail::DriveRun run = detail::run(period, drive, options, start);
+  run.result.report = detail::drive_report(run.result, drive, options, period.end());
+  if (run.result.integration.ok())
+    run.result.report.findings.push_back(
+        periodic_of(period, drive, start, run.state, options.tolerance));
+  return std::move(run.result);
+}
+
+DriveResult run_once(const SignalView& reference, const Drive& drive, const DriveOptions& options) {
+  DriveResult result = detail::run(reference, drive, options).result;
+  result.report = detail::drive_report(result, drive, options, reference.end());
+  return result;
+}
+
+}  // namespace
+
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options) {
   require_valid(drive);
@@ -70,12 +138,12 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");
   detail::require_within(options, reference.start(), reference.end());
-  DriveResult result = detail::run(reference, drive, options);
-  result.report = detail::drive_report(result, drive, options, reference.end());
-  if (const auto exact = exact_opinion(reference, drive, result, options.tolerance)) {
+  DriveResult result = options.periodic ? run_periodic(reference, drive, options)
+                                        : run_once(reference, drive, options);
+  if (const auto exact =
+          exact_opinion(reference, drive, result, options.tolerance, options.periodic))
     result.report.findings.push_back(*exact);
-    sort(result.report);
-  }
+  sort(result.report);
   return result;
 }
 

@@ -147,6 +147,9 @@ struct DriveOptions {
   std::vector<Interval> sync = {};  ///< where following counts most; within the reference
   double tolerance = 1e-8;          ///< relative, of the integration, in [1e-12, 1e-3]
   long max_steps = 10'000'000;      ///< > 0
+  /// The reference is one period of a motion that repeats for ever, as a cam's behind a master that turns: the run is
+  /// one period of the steady state, without a standstill (`settle` is not used). For linear drives.
+  bool periodic = false;
 };
 
 /// The same for options that go with a valid drive: keys "settle", "limits.torque", ...
@@ -240,8 +243,13 @@ struct DriveResult {
 /// from parabolas through the solver's own steps: within 1e-4 of themselves. Frequency: from the
 /// zeros of the load's velocity, as long as they stand out by 1 % of its peak.
 ///
-/// Throws InputError for a drive, option or limit out of range, and for a Table over master
-/// position. An integration that fails is an outcome: see DriveResult::integration.
+/// `periodic`: from the exact steady state on (exact_period()), a period is integrated all the same; the finding
+/// "drive/periodic" says how far from where it began it ended, as a share of stroke or peak torque, and is broken
+/// beyond a hundred tolerances. Where the torque meets its limit that is so: the state began from is that of a
+/// stronger motor.
+///
+/// Throws InputError for a drive, option or limit out of range, for a Table over master
+/// position, and, if periodic, as exact_period() does and for a signal without segments. An integration that fails is an outcome: see DriveResult::integration.
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 

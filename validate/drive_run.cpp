@@ -33,7 +33,8 @@ namespace {
 
 class Run {
  public:
-  Run(const SignalView& reference, const Drive& drive, const DriveOptions& options)
+  Run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
+      const std::vector<double>& start)
       : options_(options),
         origin_(reference.start()),
         end_(reference.end()),
@@ -45,13 +46,14 @@ class Run {
         run_size_(model_, size_),
         switches_(model_, options.tolerance, run_size_.torque, run_size_.speed),
         piece_(pieces_.front()),
-        before_{pieces_.front().at(origin_)[0], 0, 0, 0},
-        solver_(ode(), settings(), 0, at_rest()),
+        before_(start.empty() ? Jet{pieces_.front().at(origin_)[0], 0, 0, 0}
+                              : pieces_.front().at(origin_)),
+        solver_(ode(), settings(), 0, start.empty() ? at_rest() : start),
         observer_(model_, options, origin_, end_ + options.settle - origin_) {
     if (model_.sampled()) sampled_.emplace(model_);
   }
 
-  DriveResult result() {
+  DriveRun result() {
     bool ok = true;
     for (auto piece = pieces_.begin(); ok && piece != pieces_.end(); ++piece) ok = follow(*piece);
     if (ok) finish_reference();
@@ -60,7 +62,8 @@ class Run {
       const SignalView standstill(standstill_);
       follow({&standstill, end_, end_ + options_.settle});
     }
-    return finish();
+    const auto state = solver_.state();
+    return {finish(), {state.begin(), state.end()}};
   }
 
  private:
@@ -229,8 +232,9 @@ class Run {
 
 }  // namespace
 
-DriveResult run(const SignalView& reference, const Drive& drive, const DriveOptions& options) {
-  return Run(reference, drive, options).result();
+DriveRun run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
+             const std::vector<double>& start) {
+  return Run(reference, drive, options, start).result();
 }
 
 }  // namespace jounce::detail

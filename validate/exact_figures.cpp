@@ -18,6 +18,7 @@
 #include "jounce/validate/detail/exact_steps.hpp"
 #include "jounce/validate/detail/heat.hpp"
 #include "jounce/validate/detail/peak.hpp"
+#include "jounce/validate/detail/periodic.hpp"
 #include "jounce/validate/detail/swings.hpp"
 
 namespace jounce::detail {
@@ -69,7 +70,8 @@ class Figures {
         options_(options),
         unit_(drive.position_per_rev / (2 * std::numbers::pi)),
         system_(balanced(watched_drive(drive))),
-        path_(system_, reference, reference.length(), equilibrium(system_)),
+        path_(system_, reference, reference.length(),
+              path_start(system_, reference, drive, options.periodic)),
         way_(path_),
         heat_(drive.motor) {
     for (const Interval& sync : options.sync) {
@@ -88,14 +90,15 @@ class Figures {
     }
     found_.rms_torque = std::sqrt(std::max(0.0, squared_) / reference_.length());
     found_.end_following_error = -unit_ * last_(motor_row);
-    rests_ = true;
+    rests_ = !options_.periodic;
     const double end = reference_.end();
-    if (options_.settle > 0 && !follow(breaks.size() - 1, end, end + options_.settle))
-      return std::nullopt;
+    if (settle() > 0 && !follow(breaks.size() - 1, end, end + settle())) return std::nullopt;
     return finish();
   }
 
  private:
+  [[nodiscard]] double settle() const { return options_.periodic ? 0 : options_.settle; }
+
   /// Nothing where the torque passes its limit.
   bool follow(std::size_t i, double begin, double end) {
     way_.enter(i, begin);
@@ -260,7 +263,7 @@ class Figures {
     found_.residual_frequency =
         swings_.frequency(options_.tolerance * std::abs(found_.velocity.value));
     if (rests_ && options_.limits.settling_band) found_.settling_time = inside_;
-    found_.integration.reached = reference_.end() + options_.settle;
+    found_.integration.reached = reference_.end() + settle();
     add_current(found_, drive_.motor, squared_);
     return std::move(found_);
   }

@@ -61,7 +61,7 @@ Peak worst(const DriveResult& run, const ExactRun& exact, const Trajectory& refe
 }  // namespace
 
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
-                                     const DriveResult& run, double tolerance) {
+                                     const DriveResult& run, double tolerance, bool periodic) {
   if (run.samples.empty() || !run.integration.ok() || !run.saturation.empty() ||
       nonlinearity(drive))
     return std::nullopt;
@@ -69,7 +69,9 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
   if (!exact) return std::nullopt;
   std::vector<double> times;
   for (const DriveSample& s : run.samples) times.push_back(s.time);
-  const Peak peak = worst(run, exact_run(*exact, drive, times), *exact, drive);
+  const ExactRun other =
+      periodic ? exact_period(*exact, drive, times) : exact_run(*exact, drive, times);
+  const Peak peak = worst(run, other, *exact, drive);
   Finding finding;
   finding.rule = "drive/exact";
   finding.quantity = "disagreement";

@@ -32,8 +32,8 @@ int equally_spaced(std::span<const double> times, double step, double end) {
 }  // namespace
 
 ExactPath::ExactPath(const LinearSystem& system, const Trajectory& reference, double step,
-                     Eigen::VectorXd rest)
-    : system_(system), reference_(reference), step_(step), rest_(std::move(rest)) {
+                     PathStart start)
+    : system_(system), reference_(reference), step_(step), start_(std::move(start)) {
   for (const Segment& f : reference.segments()) degree_ = std::max(degree_, f.degree);
   standstill_.c[0] = evaluate(reference.segments().back(), 1)[0];
 }
@@ -51,8 +51,8 @@ const Segment& ExactPath::segment(std::size_t i) const {
 
 void ExactPath::begin() {
   segment_ = nullptr;
-  z_ = rest_;
-  before_ = {evaluate(segment(0), 0)[0], 0};
+  z_ = start_.state;
+  before_ = {evaluate(segment(0), 0)[0], start_.velocity};
 }
 
 const Segment& ExactPath::enter(std::size_t i) {
@@ -114,6 +114,7 @@ ExactPath::Whole ExactPath::along(std::span<const double> times, Eigen::MatrixXd
     ladder_->place(*segment_, segment_->length, z_);
     whole.square += square.sum;
     whole.output = ladder_->outputs() * z_;
+    reached_ = z_.head(system_.states());
     leave();
   }
   return whole;

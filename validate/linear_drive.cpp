@@ -12,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/detail/drive_system.hpp"
 #include "jounce/validate/detail/exact_path.hpp"
+#include "jounce/validate/detail/periodic.hpp"
 #include "jounce/validate/detail/sampled_drive.hpp"
 
 namespace jounce {
@@ -60,10 +61,10 @@ DriveSample sample(double t, double unit, const double* y) {
 }
 
 ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
-                        std::span<const double> times) {
+                        std::span<const double> times, bool periodic = false) {
   const LinearSystem system = balanced(detail::drive_system(drive));
   ExactPath path(system, reference, spacing(times, reference.length()),
-                 detail::equilibrium(system));
+                 detail::path_start(system, reference, drive, periodic));
   ExactRun run;
   Eigen::MatrixXd outputs;
   const ExactPath::Whole whole = path.along(times, outputs);
@@ -170,11 +171,26 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
   return exact_run(reference.curve<OverTime>(), drive, times);
 }
 
+ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times) {
+  require_valid(drive);
+  detail::require_steady(drive);
+  require_times(times, period.start());
+  const double end = period.end();
+  if (!times.empty() && times.back() > end + 1e-12 * period.length())
+    throw InputError("times[" + std::to_string(times.size()) + "]", times.back(),
+                     "must not lie after the period's end " + number(end));
+  std::vector<double> within(times.begin(), times.end());
+  for (double& t : within) t = std::min(t, std::nextafter(end, period.start()));
+  ExactRun run = continuous_run(period, drive, within, true);
+  for (std::size_t i = 0; i < times.size(); ++i) run.samples[i].time = times[i];
+  return run;
+}
+
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive) {
   require_continuous(drive);
   const LinearSystem system = balanced(detail::drive_system(drive));
   const Eigen::VectorXd rest = detail::equilibrium(system);
-  ExactPath path(system, reference, reference.length(), rest);
+  ExactPath path(system, reference, reference.length(), {rest, 0});
   return modes_of(system, path.whole().state - rest, 1 / radians_per_unit(drive));
 }
 
@@ -186,13 +202,16 @@ std::vector<DriveMode> modes(const Drive& drive) {
 
 std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,
                                                                DriveOutput output,
-                                                               std::vector<double> times) {
+                                                               std::vector<double> times,
+                                                               bool periodic) {
   require_linear(drive);
+  if (periodic) detail::require_steady(drive);
   require_times(times, 0);
-  return [drive, output, times = std::move(times)](const Trajectory& reference) {
+  return [drive, output, times = std::move(times), periodic](const Trajectory& reference) {
     std::vector<double> at = times;
     for (double& t : at) t += reference.start();
-    const ExactRun run = exact_run(reference, drive, at);
+    const ExactRun run =
+        periodic ? exact_period(reference, drive, at) : exact_run(reference, drive, at);
     std::vector<double> values;
     values.reserve(run.samples.size());
     for (const DriveSample& s : run.samples) values.push_back(value_of(s, output));

@@ -55,6 +55,17 @@ struct ExactRun {
 ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times);
 ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times);
 
+/// The same for a reference that repeats for ever, as a cam does behind a master that turns: one period of the steady
+/// state, in which every period is like the one before. The position may advance over a period (a rotary
+/// slave); a step of velocity from the period's end to its start is met as such.
+///
+///     const ExactRun turn = exact_period(period, drive, times);    // times within the period
+///
+/// Exact as exact_run() is: the start is solved for, x(0) = (I - exp(A T))^-1 c, not waited for (periodic.cpp).
+/// The sample at the period's end is the limit from within. Throws InputError as exact_run(), for a controller with a cycle, for times after the period's end, and for
+/// loops that do not calm down.
+ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times);
+
 /// The run of drive_through() without an integrator, some ten times as fast: what a thousand cases of a
 /// linear drive are made of. Nothing where there is no such solution: for a drive that is not linear, a
 /// controller with a cycle, and where the torque asked for passes the motor's limit at any instant.
@@ -84,9 +95,10 @@ std::vector<DriveMode> modes(const Drive& drive);
 /// controller, which differentiates the angle, the share of torque is of what it makes of the stroke in a cycle). Broken
 /// beyond a hundred times the tolerance of the run. Nothing where there is none: for a drive that is
 /// not linear, a torque that met its limit, a signal without segments, an integration that failed, a
-/// run without samples.
+/// run without samples. `periodic`: whether the run was that of a period of the steady state.
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
-                                     const DriveResult& run, double tolerance = 1e-8);
+                                     const DriveResult& run, double tolerance = 1e-8,
+                                     bool periodic = false);
 
 /// What a response counts.
 enum class DriveOutput {
@@ -99,9 +111,10 @@ enum class DriveOutput {
 /// The output at given times after the reference's start as a function of the reference: affine in
 /// it, so that an optimiser needs it once for every function it composes a shape of. The times
 /// ascend from 0; a list of another reference's length is met the same way. Throws InputError as
-/// exact_run(), when it is made.
+/// exact_run(), when it is made. `periodic`: as exact_period() has it.
 std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,
                                                                DriveOutput output,
-                                                               std::vector<double> times);
+                                                               std::vector<double> times,
+                                                               bool periodic = false);
 
 }  // namespace jounce

@@ -38,6 +38,8 @@ class DrivenCam {
  private:
   [[nodiscard]] Trajectory over_time(const CamSpec& cam) const;
   [[nodiscard]] std::vector<double> times() const;
+  [[nodiscard]] std::vector<DriveSample> samples(const Trajectory& motion,
+                                                 const std::vector<double>& at) const;
   [[nodiscard]] std::vector<double> list(DriveFigure figure,
                                          const std::vector<DriveSample>& samples,
                                          const std::vector<double>& slopes) const;

@@ -161,6 +161,25 @@ TEST(Against, AGivenCamThatBreaksACeilingIsImprovedOnByOneThatKeepsIt) {
   EXPECT_GT(outcome.best.rms_torque, outcome.given.rms_torque) << "it has its price";
 }
 
+TEST(Against, ACamThatTurnsForEverIsOptimisedInItsSteadyState) {
+  // The rest after the index is too short for the loops to calm down: once from rest is another matter.
+  Against once = axis();
+  once.velocity = 4800;
+  Against forever = once;
+  forever.periodic = true;
+  CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
+  problem.cam.segments.push_back({Law::poly345, {360, 0}, "back"});
+  problem.shapes.front().pieces = 15;
+  const AgainstOutcome outcome = optimize_against(problem, forever);
+  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  const DriveFigureResult& f = outcome.figures.front();
+  EXPECT_LT(f.reached, 0.95 * f.given);
+  EXPECT_NEAR(outcome.shapes.runs.front().figures.front().reached, f.reached, 5e-3 * f.given);
+  const AgainstOutcome other = optimize_against(problem, once);
+  EXPECT_GT(std::abs(other.given.rms_torque - outcome.given.rms_torque),
+            1e-3 * outcome.given.rms_torque);
+}
+
 TEST(Against, RefusesWhatItCannotDo) {
   CamShapeProblem none = index_problem(DriveFigure::torque);
   none.minimize = {{{PeakOf{derivative_of_shape(2)}}}};
@@ -168,6 +187,11 @@ TEST(Against, RefusesWhatItCannotDo) {
   CamShapeProblem apart = index_problem(DriveFigure::torque);
   apart.shapes = {{.segment = 0}, {.segment = 2}};
   EXPECT_THROW(optimize_against(apart, axis()), InputError);
+  Against forever = axis();
+  forever.periodic = true;
+  EXPECT_THROW(optimize_against(index_problem(DriveFigure::residual), forever), InputError);
+  forever.drive.motor.friction.coulomb = 0.1;
+  EXPECT_THROW(optimize_against(index_problem(DriveFigure::torque), forever), InputError);
   Against still = axis();
   still.velocity = 0;
   EXPECT_THROW(optimize_against(index_problem(DriveFigure::torque), still), InputError);

@@ -12,13 +12,17 @@
 
 namespace jounce::detail {
 
-/// The way of a linear system along a curve that holds after its end, from a state of rest at its start. The
-/// system and the curve must outlive it.
+/// How a way begins: the state before the reference's first step, to its own position and from this velocity.
+struct PathStart {
+  Eigen::VectorXd state;
+  double velocity = 0;
+};
+
+/// The way of a linear system along a curve that holds after its end. The system and the curve must outlive it.
 class ExactPath {
  public:
   /// `step` > 0: the spacing at which the outputs will mostly be asked for.
-  ExactPath(const LinearSystem& system, const Trajectory& reference, double step,
-            Eigen::VectorXd rest);
+  ExactPath(const LinearSystem& system, const Trajectory& reference, double step, PathStart start);
 
   /// The reference as a whole.
   struct Whole {
@@ -42,6 +46,8 @@ class ExactPath {
   /// Whether it was the standstill that was entered last.
   [[nodiscard]] bool rests() const { return segment_ == &standstill_; }
   [[nodiscard]] Ladder& ladder() { return *ladder_; }
+  /// The system's state where the last segment ended, before any step that follows; after along() or whole().
+  [[nodiscard]] const Eigen::VectorXd& reached() const { return reached_; }
   [[nodiscard]] Eigen::VectorXd& state() { return z_; }  ///< with the reference's part
 
  private:
@@ -53,13 +59,14 @@ class ExactPath {
   const LinearSystem& system_;
   const Trajectory& reference_;
   double step_;
-  Eigen::VectorXd rest_;
+  PathStart start_;
   int degree_ = 2;
   Segment standstill_;
   std::deque<Ladder> ladders_;
   Ladder* ladder_ = nullptr;
   const Segment* segment_ = nullptr;
   Eigen::VectorXd z_;
+  Eigen::VectorXd reached_;
   std::vector<double> ahead_;
   std::array<double, 2> before_{};  // position and velocity of the reference before the break
 };
