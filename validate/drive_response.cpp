@@ -27,6 +27,7 @@
 
 #include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_model.hpp"
+#include "jounce/validate/detail/locked_reference.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/solver.hpp"
 #include "jounce/validate/detail/switches.hpp"
@@ -60,8 +61,8 @@ class Run {
         here_(with_numbers(*spec.start, spec.keys, spec.values), spec.tolerance, size_),
         model_(here_.model),
         n_(model_.size()),
-        piece_(pieces_.front()),
-        before_{pieces_.front().at(origin_)[0], 0, 0, 0},
+        begin_{pieces_.front().at(origin_)[0], 0, 0, 0},
+        reference_(origin_, pieces_.front(), begin_),
         solver_(ode(), settings(), 0, at_rest()) {
     if (standstill_.end() - standstill_.start() > closest_)
       pieces_.push_back({&held_, standstill_.start(), standstill_.end()});
@@ -125,7 +126,7 @@ class Run {
 
   std::vector<double> at_rest() {
     std::vector<double> y(n_);
-    model_.rest(before_, y.data());
+    model_.rest(begin_, y.data());
     return y;
   }
 
@@ -141,8 +142,8 @@ class Run {
     for (std::size_t j = 0; j < spec_.keys.size(); ++j) {
       up_.push_back(moved(j, difference));
       down_.push_back(moved(j, -difference));
-      up_[j]->model.rest(before_, y.data());
-      down_[j]->model.rest(before_, other.data());
+      up_[j]->model.rest(begin_, y.data());
+      down_[j]->model.rest(begin_, other.data());
       for (std::size_t i = 0; i < n_; ++i)
         solver_.sensitivity(j)[i] = (y[i] - other[i]) / (2 * difference);
     }
@@ -154,10 +155,7 @@ class Run {
       for (const auto& other : *all) other->model.mode() = model_.mode();
   }
 
-  const Jet& at(double t) {
-    if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
-    return jet_;
-  }
+  const Jet& at(double t) { return reference_.at(t); }
 
   bool follow(const Piece& piece) {
     enter(piece);
@@ -168,28 +166,15 @@ class Run {
       update(step == Step::event);
       if (step == Step::stop || next_ == spec_.times.size()) break;
     }
-    before_ = piece.at(piece.end);
+    reference_.leave();
     return true;
   }
 
   void enter(const Piece& piece) {
-    piece_ = piece;
-    asked_ = std::numeric_limits<double>::quiet_NaN();
-    const Jet r = piece.at(piece.begin);
-    const bool first = solver_.integration().restarts == 0;
-    const double cap = longest_step * piece.length();
-    const int feed = model_.mode().feed;
-    solver_.limit_step(cap);
-    here_.switches.begin(r, size_.peak[1]);
+    const bool anew = reference_.enter(piece, size_, model_, here_.switches, solver_);
+    if (anew) static_cast<void>(here_.switches.update(at(solver_.time()), solver_.state().data()));
     share_mode();
-    if (first || steps(before_, r, size_) || solver_.next_step() > 2 * cap ||
-        feed != model_.mode().feed) {
-      auto y = solver_.state();
-      model_.shift(before_, r, y.data());
-      static_cast<void>(here_.switches.update(r, y.data()));
-      share_mode();
-      solver_.restart(solver_.time());
-    }
+    if (anew) solver_.restart(solver_.time());
   }
 
   /// Modes after a step; where they change the run begins anew.
@@ -243,7 +228,7 @@ class Run {
     for (std::size_t k = 0; k < 3; ++k) {
       const double t = now - static_cast<double>(k) * h;
       solver_.interpolate(t, scratch_[0]);
-      here_.switches.evaluate(piece_.at(origin_ + t), scratch_[0].data(), events_[k].data());
+      here_.switches.evaluate(at(t), scratch_[0].data(), events_[k].data());
     }
     return (3 * events_[0][event] - 4 * events_[1][event] + events_[2][event]) / (2 * h);
   }
@@ -301,10 +286,8 @@ class Run {
   DriveModel& model_;
   std::size_t n_;
   std::vector<std::unique_ptr<Switched>> up_ = {}, down_ = {};
-  Piece piece_;
-  Jet before_;
-  Jet jet_{};
-  double asked_ = std::numeric_limits<double>::quiet_NaN();
+  Jet begin_;  // what the reference was until then
+  LockedReference reference_;
   std::array<std::vector<double>, 3> scratch_ = {}, events_ = {};
   std::vector<double> moves_ = {};
   Solver solver_;

@@ -15,13 +15,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "jounce/validate/detail/course.hpp"
 #include "jounce/validate/detail/drive_model.hpp"
 #include "jounce/validate/detail/heat.hpp"
+#include "jounce/validate/detail/locked_reference.hpp"
 #include "jounce/validate/detail/observer.hpp"
 #include "jounce/validate/detail/piece.hpp"
 #include "jounce/validate/detail/sampled_controller.hpp"
@@ -45,9 +45,9 @@ class Run {
         model_(drive),
         run_size_(model_, size_),
         switches_(model_, options.tolerance, run_size_.torque, run_size_.speed),
-        piece_(pieces_.front()),
-        before_(start.empty() ? Jet{pieces_.front().at(origin_)[0], 0, 0, 0}
-                              : pieces_.front().at(origin_)),
+        begin_(start.empty() ? Jet{pieces_.front().at(origin_)[0], 0, 0, 0}
+                             : pieces_.front().at(origin_)),
+        reference_(origin_, pieces_.front(), begin_),
         solver_(ode(), settings(), 0, start.empty() ? at_rest() : start),
         observer_(model_, options, origin_, end_ + options.settle - origin_) {
     if (model_.sampled()) sampled_.emplace(model_);
@@ -97,35 +97,33 @@ class Run {
 
   std::vector<double> at_rest() {
     std::vector<double> y(model_.size());
-    model_.rest(before_, y.data());
+    model_.rest(begin_, y.data());
     return y;
   }
 
-  /// The reference of the locked piece; the last query is kept, since right-hand side, Jacobian and
-  /// events ask for the same instants.
-  const Jet& at(double t) {
-    if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
-    return jet_;
-  }
+  const Jet& at(double t) { return reference_.at(t); }
 
-  [[nodiscard]] double next_stop() const {
-    const double end = piece_.end - origin_;
+  [[nodiscard]] double next_stop(const Piece& piece) const {
+    const double end = piece.end - origin_;
     return sampled_ ? std::min(end, sampled_->next()) : end;
   }
 
   /// One interval of the reference; false if the solver gave up.
   bool follow(const Piece& piece) {
-    enter(piece);
+    if (reference_.enter(piece, size_, model_, switches_, solver_)) {
+      static_cast<void>(update());
+      solver_.restart(solver_.time());
+    }
     for (;;) {
       act();
-      const Step step = solver_.step(next_stop());
+      const Step step = solver_.step(next_stop(piece));
       if (step == Step::failed) return false;
       observer_.step(solver_, piece);
       if (update(step == Step::event ? solver_.crossings() : std::span<const int>{}))
         solver_.restart(solver_.time());
       if (step == Step::stop && piece.end - origin_ - solver_.time() <= closest_) break;
     }
-    before_ = piece.at(piece.end);
+    reference_.leave();
     return true;
   }
 
@@ -137,25 +135,6 @@ class Run {
     note_saturation(before);
     static_cast<void>(update());
     solver_.restart(solver_.time());
-  }
-
-  /// Locks the reference to the piece. The axis moves on as it is where the reference steps, so the
-  /// deviations step.
-  void enter(const Piece& piece) {
-    piece_ = piece;
-    asked_ = std::numeric_limits<double>::quiet_NaN();
-    const Jet r = piece.at(piece.begin);
-    const bool first = solver_.integration().restarts == 0;
-    const double cap = longest_step * piece.length();
-    const int feed = model_.mode().feed;
-    solver_.limit_step(cap);
-    switches_.begin(r, size_.peak[1]);
-    if (first || steps(before_, r, size_) || solver_.next_step() > 2 * cap ||
-        feed != model_.mode().feed) {
-      model_.shift(before_, r, solver_.state().data());
-      static_cast<void>(update());
-      solver_.restart(solver_.time());
-    }
   }
 
   bool update(std::span<const int> crossed = {}) {
@@ -218,10 +197,8 @@ class Run {
   DriveModel model_;
   DriveScales run_size_;
   Switches switches_;
-  Piece piece_;
-  Jet before_;
-  Jet jet_{};
-  double asked_ = std::numeric_limits<double>::quiet_NaN();
+  Jet begin_;  // what the reference was until then
+  LockedReference reference_;
   Solver solver_;
   Observer observer_;
   std::optional<SampledController> sampled_ = {};
