@@ -118,33 +118,33 @@ void each_coupling(Ours& c, Theirs& w, F f) {
 template <class Enum>
 constexpr int count_of = 0;
 template <>
-constexpr int count_of<State> = static_cast<int>(states);
+inline constexpr int count_of<State> = static_cast<int>(states);
 template <>
-constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
+inline constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
 template <>
-constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
+inline constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
 template <>
-constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
+inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
 template <>
-constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
+inline constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
 template <>
-constexpr int count_of<Cause> = 256;
+inline constexpr int count_of<Cause> = 256;
 template <>
-constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
+inline constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
 template <>
-constexpr int count_of<Axis> = 2;
+inline constexpr int count_of<Axis> = 2;
 template <>
-constexpr int count_of<Rule> = 3;
+inline constexpr int count_of<Rule> = 3;
 template <>
-constexpr int count_of<Outside> = 4;
+inline constexpr int count_of<Outside> = 4;
 template <>
-constexpr int count_of<wire::QueueMode> = 2;
+inline constexpr int count_of<wire::QueueMode> = 2;
 template <>
-constexpr int count_of<wire::QueueEvent> = 3;
+inline constexpr int count_of<wire::QueueEvent> = 3;
 template <>
-constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::begin) + 1;
+inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::begin) + 1;
 template <>
-constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
+inline constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
 
 /// Ours to theirs.
 struct Put {

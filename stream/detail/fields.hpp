@@ -22,38 +22,38 @@ static_assert(static_cast<int>(Outside::refuse) == 0 && static_cast<int>(Outside
 template <class Enum>
 constexpr int last_of = 0;
 template <>
-constexpr int last_of<Axis> = static_cast<int>(Axis::master);
+inline constexpr int last_of<Axis> = static_cast<int>(Axis::master);
 template <>
-constexpr int last_of<Rule> = static_cast<int>(Rule::quintic_hermite);
+inline constexpr int last_of<Rule> = static_cast<int>(Rule::quintic_hermite);
 template <>
-constexpr int last_of<Outside> = static_cast<int>(Outside::advance);
+inline constexpr int last_of<Outside> = static_cast<int>(Outside::advance);
 template <>
-constexpr int last_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance);
+inline constexpr int last_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance);
 template <>
-constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::queue);
+inline constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::queue);
 template <>
-constexpr int last_of<StopMode> = static_cast<int>(StopMode::abort);
+inline constexpr int last_of<StopMode> = static_cast<int>(StopMode::abort);
 template <>
-constexpr int last_of<Refusal> = refusals - 1;
+inline constexpr int last_of<Refusal> = refusals - 1;
 template <>
-constexpr int last_of<Outcome> = static_cast<int>(Outcome::refused);
+inline constexpr int last_of<Outcome> = static_cast<int>(Outcome::refused);
 template <>
-constexpr int last_of<AxisState> = static_cast<int>(AxisState::homing);
+inline constexpr int last_of<AxisState> = static_cast<int>(AxisState::homing);
 template <>
-constexpr int last_of<Next> = static_cast<int>(Next::waiting);
+inline constexpr int last_of<Next> = static_cast<int>(Next::waiting);
 
 template <>
-constexpr int last_of<StartAt> = static_cast<int>(StartAt::master_position);
+inline constexpr int last_of<StartAt> = static_cast<int>(StartAt::master_position);
 template <>
-constexpr int last_of<Progress> = static_cast<int>(Progress::broken);
+inline constexpr int last_of<Progress> = static_cast<int>(Progress::broken);
 template <>
-constexpr int last_of<OrderKind> = order_kinds - 1;
+inline constexpr int last_of<OrderKind> = order_kinds - 1;
 template <>
-constexpr int last_of<QueueMode> = static_cast<int>(QueueMode::dynamic);
+inline constexpr int last_of<QueueMode> = static_cast<int>(QueueMode::dynamic);
 template <>
-constexpr int last_of<QueueEvent> = static_cast<int>(QueueEvent::pass);
+inline constexpr int last_of<QueueEvent> = static_cast<int>(QueueEvent::pass);
 template <>
-constexpr int last_of<EventKind> = static_cast<int>(EventKind::tappet);
+inline constexpr int last_of<EventKind> = static_cast<int>(EventKind::tappet);
 
 template <class Enum>
 constexpr int first_of = 0;
