@@ -60,8 +60,10 @@ wire::Key read_key(const std::filesystem::path& path) {
   wire::Key key{};
   std::size_t length = 0;
   const char* end = nullptr;
-  const bool hex = sodium_hex2bin(key.data(), key.size(), text.data(), text.size(), " \t\r\n",
-                                  &length, &end) == 0;
+  // It would pass over zeros as it does over white space.
+  const bool hex =
+      text.find('\0') == text.npos && sodium_hex2bin(key.data(), key.size(), text.data(),
+                                                     text.size(), " \t\r\n", &length, &end) == 0;
   const bool whole = hex && length == key.size() && end == text.data() + text.size();
   sodium_memzero(text.data(), text.size());
   if (!whole) refuse(path, "must hold " + std::to_string(digits) + " hexadecimal digits");

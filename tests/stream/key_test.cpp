@@ -56,8 +56,9 @@ TEST_F(KeyFile, HoldsSixtyFourDigits) {
   const std::string digits(62, '0');
   write(" " + digits + "fF\n");
   EXPECT_EQ(read_key(path)[31], 0xFF);
-  for (const std::string& text : {std::string(), digits, digits + "ff0", digits + "ffff",
-                                  digits + "xy", digits + "ff and more", std::string(5000, '0')}) {
+  for (const std::string& text :
+       {std::string(), digits, digits + "ff0", digits + "ffff", digits + "xy",
+        digits + "ff and more", std::string(5000, '0'), digits + std::string("\0ff", 3)}) {
     write(text);
     EXPECT_EQ(refusal(), "must hold 64 hexadecimal digits") << text;
   }
