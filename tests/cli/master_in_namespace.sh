@@ -4,7 +4,7 @@
 set -eu
 . "$(dirname "$0")/namespace.sh"
 "$1" design "$2/cam.toml" -o "$scratch/cam.csv"
-"$1" run "$2/machine.toml" --enable --record "$scratch/run.lcmlog" --seconds 11 2> "$scratch/said" &
+"$1" run "$2/machine.toml" --enable --record "$scratch/run.lcmlog" --seconds 15 2> "$scratch/said" &
 executor=$!
 "$1" master "$2/line.toml" --as line --before 3 --after 2 --inject-loss 0.1 --seed 5 > "$scratch/line" &
 line=$!
