@@ -16,14 +16,6 @@ bool is_over(Refusal refusal) {
          refusal == Refusal::stale_challenge;
 }
 
-void set_number(wire::Body& body, std::int32_t number) {
-  std::visit(
-      [&](auto& each) {
-        if constexpr (requires { each.command; }) each.command = number;
-      },
-      body);
-}
-
 CallOutcome refused(const wire::Reply& reply) {
   const std::string why = reply.reason.empty() ? "" : ": " + reply.reason;
   return {StreamError::refused, reply.refusal, reply.cause, name(reply.refusal) + why};
@@ -41,52 +33,33 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
   link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
 }
 
-/// The next reply to this command, within one repeat. Also what challenge came with it.
-std::optional<wire::Reply> Client::reply_to(std::int32_t number, std::int64_t& challenge) {
-  for (const Nanos end = clock_() + options_.repeat; clock_() < end;) {
-    const auto message = next_message(link_, end - clock_(), rejects_, options_.key);
-    const auto* const reply = message ? std::get_if<wire::Reply>(&message->body) : nullptr;
-    if (reply == nullptr || message->executor != executor_ || message->session != session_ ||
-        reply->command != number)
-      continue;
-    challenge = message->challenge;
-    return *reply;
-  }
-  return std::nullopt;
-}
-
 /// One command under the next number, repeated until it is decided.
 CallOutcome Client::ask(const wire::Body& body) {
-  const std::int32_t number = ++number_;
-  bool heard = false;
-  wire::Message message{executor_, session_, body, challenge_};
-  set_number(message.body, number);
-  for (const Nanos begin = clock_(); clock_() - begin <= options_.patience;) {
-    send_message(link_, message, options_.key);
-    std::int64_t challenge = 0;
-    const auto reply = reply_to(number, challenge);
-    if (!reply) continue;
-    heard = true;
-    if (number > 1 && reply->boot != boot_)
-      return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
-    boot_ = reply->boot;
-    if (number == 1 && reply->refusal == Refusal::stale_challenge)
-      message.challenge = challenge_ = challenge;
-    else if (reply->outcome == wire::Outcome::refused)
-      return refused(*reply);
-    else if (reply->outcome == wire::Outcome::accepted)
-      return {};
+  wire::Message message{executor_, session_, {}, challenge_};
+  slot_.issue(body);
+  const auto reply =
+      jounce::ask(link_, message, slot_,
+                  {.key = options_.key, .patience = options_.patience, .repeat = options_.repeat},
+                  clock_, rejects_);
+  challenge_ = message.challenge;
+  if (!reply) {
+    const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
+    return {StreamError::no_answer, Refusal::none, 0,
+            "no answer from executor " + executor_ +
+                (foreign ? ", but messages that another key signed, or none" : "")};
   }
-  const std::size_t foreign = rejects_[wire::Reject::not_authentic];
-  if (heard) return {StreamError::command_timeout, Refusal::none, 0, "the axis does not decide"};
-  return {StreamError::no_answer, Refusal::none, 0,
-          "no answer from executor " + executor_ +
-              (foreign > 0 ? ", but messages that another key signed, or none" : "")};
+  if (slot_.number() > 1 && reply->boot != boot_)
+    return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
+  boot_ = reply->boot;
+  if (reply->outcome == wire::Outcome::refused) return refused(*reply);
+  if (reply->outcome == wire::Outcome::accepted) return {};
+  return {StreamError::command_timeout, Refusal::none, 0, "the axis does not decide"};
 }
 
 CallOutcome Client::open() {
   session_ = random_id();
-  challenge_ = boot_ = number_ = 0;
+  challenge_ = boot_ = 0;
+  slot_ = CommandSlot();
   CallOutcome outcome = ask(wire::Heartbeat{});
   if (!outcome.ok()) session_ = 0;
   return outcome;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "jounce/stream/ask.hpp"
 #include "jounce/stream/driver.hpp"
 
 namespace jounce {
@@ -91,17 +92,16 @@ class Client {
   CallOutcome open();
   CallOutcome call(wire::Body body);
   CallOutcome ask(const wire::Body& body);
-  [[nodiscard]] std::optional<wire::Reply> reply_to(std::int32_t number, std::int64_t& challenge);
 
   Transport& link_;
   std::string executor_;
   ClientOptions options_;
   Clock clock_;
   Rejects rejects_;
+  CommandSlot slot_;
   std::int64_t session_ = 0;
   std::int64_t challenge_ = 0;
   std::int64_t boot_ = 0;
-  std::int32_t number_ = 0;
 };
 
 }  // namespace jounce

@@ -1,6 +1,7 @@
 #include "jounce/stream/command_slot.hpp"
 
 #include <utility>
+#include <variant>
 
 namespace jounce {
 
@@ -16,7 +17,8 @@ void CommandSlot::issue(wire::Body body) {
 }
 
 std::optional<wire::Body> CommandSlot::due(Nanos now, Nanos repeat) {
-  if (!body_ || (begun_ && now - sent_ < repeat)) return std::nullopt;
+  const bool hurried = std::exchange(hurried_, false);
+  if (!body_ || (begun_ && now - sent_ < repeat && !hurried)) return std::nullopt;
   if (!begun_) begun_ = now;
   sent_ = now;
   return body_;

@@ -8,17 +8,24 @@
 
 namespace jounce {
 
-/// The one command of a session that has no outcome yet, repeated until it has.
+/// The one command of a session that has no outcome yet, repeated until it has. Every streamer,
+/// client and operator says its commands by one of these.
 class CommandSlot {
  public:
+  /// The first command gets the number after `last`.
+  explicit CommandSlot(std::int32_t last = 0) : number_(last) {}
+
   /// Numbers the command; it takes the place of one before.
   void issue(wire::Body body);
   void clear() { body_.reset(); }
+  /// Says it at once the next time, as something about it has changed.
+  void hurry() { hurried_ = true; }
 
   /// What is to be sent now, again and again.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
   [[nodiscard]] bool empty() const { return !body_; }
+  [[nodiscard]] std::int32_t number() const { return number_; }  ///< of the last one issued
   [[nodiscard]] bool is_answered_by(const wire::Reply& reply) const {
     return body_.has_value() && reply.command == number_;
   }
@@ -29,9 +36,10 @@ class CommandSlot {
 
  private:
   std::optional<wire::Body> body_;
-  std::int32_t number_ = 0;
+  std::int32_t number_;
   std::optional<Nanos> begun_;
   Nanos sent_{};
+  bool hurried_ = false;
 };
 
 }  // namespace jounce

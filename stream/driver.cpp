@@ -2,62 +2,12 @@
 
 #include <algorithm>
 #include <exception>
-#include <numeric>
-#include <random>
 #include <utility>
 #include <variant>
 
+#include "jounce/stream/ask.hpp"
+
 namespace jounce {
-namespace {
-
-// More than a window's worth may wait: repeats, and what other streamers send.
-constexpr int queue_capacity = 64;
-constexpr int most_at_once = 256;  // packets between two turns of the protocol
-
-/// Hands every message that waits on the link to `take`, waiting for the first at most `timeout`.
-template <class Take>
-void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, Rejects& rejects,
-           Take take) {
-  for (int i = 0; i < most_at_once; ++i) {
-    const std::size_t rejected = rejects.total();
-    const auto message = next_message(link, i == 0 ? timeout : Nanos{}, rejects, key);
-    if (message) {
-      take(*message);
-    } else if (rejects.total() == rejected) {
-      return;
-    }
-  }
-}
-
-}  // namespace
-
-std::size_t Rejects::total() const {
-  return std::accumulate(by_reason.begin(), by_reason.end(), std::size_t{0});
-}
-
-std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
-                                          const std::optional<wire::Key>& key) {
-  const auto packet = link.receive(timeout);
-  if (!packet) return std::nullopt;
-  auto decoded = wire::decode(packet->bytes, key);
-  if (const auto* reject = std::get_if<wire::Reject>(&decoded)) {
-    ++rejects.by_reason[static_cast<std::size_t>(*reject)];
-    return std::nullopt;
-  }
-  return std::get<wire::Message>(std::move(decoded));
-}
-
-void send_message(Transport& link, const wire::Message& message,
-                  const std::optional<wire::Key>& key) {
-  link.send(wire::channel(message.executor, wire::lane(message.body)), wire::encode(message, key));
-}
-
-std::int64_t random_id() {
-  std::random_device device;
-  const std::uint64_t high = device();
-  const std::uint64_t bits = high << 32U | device();
-  return static_cast<std::int64_t>(bits >> 1U | 1U);
-}
 
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
                             const Clock& clock, std::int64_t session) {
@@ -117,34 +67,13 @@ RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options,
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
                              const std::optional<wire::Key>& key, Nanos patience,
                              const Clock& clock) {
-  constexpr Nanos repeat = std::chrono::milliseconds(20);
   link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
-  wire::Message message{executor, 0, std::move(body)};
-  const auto number = static_cast<std::int32_t>(random_id() & 0x7FFFFFFF);
-  std::visit(
-      [&](auto& each) {
-        if constexpr (requires { each.command; }) each.command = number;
-      },
-      message.body);
+  wire::Message message{executor, 0, {}};
+  CommandSlot slot(static_cast<std::int32_t>(random_id() & 0x3FFFFFFF));
+  slot.issue(std::move(body));
   Rejects rejects;
-  wire::Reply last;
-  for (const Nanos begin = clock(); clock() - begin <= patience;) {
-    bool told = false;
-    send_message(link, message, key);
-    drain(link, repeat, key, rejects, [&](const wire::Message& answer) {
-      const auto* const reply = std::get_if<wire::Reply>(&answer.body);
-      if (reply == nullptr || answer.executor != executor || answer.session != 0 ||
-          reply->command != number || last.outcome == wire::Outcome::accepted)
-        return;
-      told |= reply->refusal == wire::Refusal::stale_challenge;
-      if (reply->refusal == wire::Refusal::stale_challenge)
-        message.challenge = answer.challenge;
-      else
-        last = *reply;
-    });
-    if (!told && last.outcome != wire::Outcome::pending) break;
-  }
-  return last;
+  const auto reply = ask(link, message, slot, {.key = key, .patience = patience}, clock, rejects);
+  return reply.value_or(wire::Reply{});
 }
 
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,

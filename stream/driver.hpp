@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/stream/link.hpp"
 #include "jounce/stream/receiver.hpp"
 #include "jounce/stream/row_sender.hpp"
 #include "jounce/stream/sender.hpp"
@@ -16,28 +16,6 @@
 #include "jounce/stream/wire.hpp"
 
 namespace jounce {
-
-/// How many packets were no message, by reason.
-struct Rejects {
-  std::array<std::size_t, wire::reject_count> by_reason{};
-
-  [[nodiscard]] std::size_t operator[](wire::Reject reject) const {
-    return by_reason[static_cast<std::size_t>(reject)];
-  }
-  [[nodiscard]] std::size_t total() const;
-};
-
-/// The next message on this link, waiting at most `timeout` for a packet. A packet that is none is
-/// counted and dropped, and ends the wait.
-std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
-                                          const std::optional<wire::Key>& key = {});
-
-/// Encodes a message, signs it with the key, and sends it on its channel.
-void send_message(Transport& link, const wire::Message& message,
-                  const std::optional<wire::Key>& key = {});
-
-/// A random number > 0, for sessions, boots and an operator's commands.
-std::int64_t random_id();
 
 struct StreamOptions {
   SenderOptions sender;

@@ -72,36 +72,23 @@ void Sender::download(Nanos now) {
   header_sent_ = now;
 }
 
-template <class Body>
-void Sender::issue(Body body) {
-  body.command = ++last_number_;
-  command_ = Command{.body = std::move(body), .number = last_number_, .issued = {}, .sent = {}};
-}
-
 void Sender::command(Nanos now) {
-  if (!command_ && now - sent_ >= options_.heartbeat) issue(wire::Heartbeat{});
-  if (!command_) return;
-  if (command_->issued && now - command_->sent < options_.repeat) return;
-  if (!command_->issued) command_->issued = now;
-  command_->sent = now;
-  send(command_->body, now);
+  if (command_.empty() && now - sent_ >= options_.heartbeat) command_.issue(wire::Heartbeat{});
+  if (auto body = command_.due(now, options_.repeat)) send(*std::move(body), now);
 }
 
 void Sender::farewell() {
   // Nobody knows whether an unanswered start took place: it must not be left at that.
-  const bool perhaps_started = command_ && std::holds_alternative<wire::Start>(command_->body);
-  if (perhaps_started) {
-    issue(wire::Stop{});
-  } else {
-    issue(wire::Heartbeat{.release = true});
-  }
-  send(command_->body, sent_);
+  const auto& last = command_.body();
+  const bool perhaps_started = last && std::holds_alternative<wire::Start>(*last);
+  command_.issue(perhaps_started ? wire::Body{wire::Stop{}}
+                                 : wire::Body{wire::Heartbeat{.release = true}});
+  send(*command_.body(), sent_);
 }
 
 void Sender::check_patience(Nanos now) {
   const bool silent = now - heard_ > options_.patience;
-  const bool late =
-      command_ && command_->issued && now - *command_->issued > options_.command_patience;
+  const bool late = command_.is_older(now, options_.command_patience);
   if (stage() == StreamStage::releasing && (silent || late)) {
     outcome_.reason = "the release was not confirmed";
     return enter(StreamStage::released);
@@ -194,7 +181,7 @@ void Sender::count() {
 }
 
 void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos now) {
-  if (!hear(reply.boot, now) || !command_ || reply.command != command_->number) return;
+  if (!hear(reply.boot, now) || !command_.is_answered_by(reply)) return;
   if (reply.outcome == wire::Outcome::refused) {
     refused(reply.refusal, reply.reason, reply.cause);
   } else if (reply.outcome == wire::Outcome::accepted) {
@@ -203,7 +190,7 @@ void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos no
 }
 
 void Sender::accepted() {
-  command_.reset();
+  command_.clear();
   switch (stage()) {
     case StreamStage::arming:
       outcome_.armed = leg_armed_ = true;
@@ -228,7 +215,7 @@ void Sender::accepted() {
 }
 
 void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause) {
-  command_.reset();
+  command_.clear();
   if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // it is over already
   outcome_.refusal = refusal;
   outcome_.cause = cause;
@@ -248,13 +235,13 @@ void Sender::pursue() {
   const bool more = !given_up_ && leg_ < legs_.size();
   if (more && plan_.goal >= StreamGoal::arm && !leg_armed_) {
     enter(StreamStage::arming);
-    issue(arm_of(legs_[leg_]));
+    command_.issue(arm_of(legs_[leg_]));
   } else if (more && plan_.goal >= StreamGoal::start) {
     const SwapPlan& leg = legs_[leg_];
     enter(StreamStage::starting);
-    issue(wire::Start{.tick = leg.when == wire::StartAt::tick ? plan_.start_tick : -1,
-                      .when = leg.when,
-                      .position = leg.position});
+    command_.issue(wire::Start{.tick = leg.when == wire::StartAt::tick ? plan_.start_tick : -1,
+                               .when = leg.when,
+                               .position = leg.position});
   } else {
     enter(StreamStage::holding);
   }
@@ -287,14 +274,14 @@ void Sender::stop(wire::StopMode mode) {
   given_up_ = true;
   if (stage() == StreamStage::downloading) return release();
   enter(StreamStage::stopping);
-  issue(wire::Stop{.mode = mode});
+  command_.issue(wire::Stop{.mode = mode});
 }
 
 void Sender::release() {
   if (ended()) return;
   if (boots_.empty()) return enter(StreamStage::released);
   enter(StreamStage::releasing);
-  issue(wire::Heartbeat{.release = true});
+  command_.issue(wire::Heartbeat{.release = true});
 }
 
 void Sender::fail(StreamError error, std::string reason) {
@@ -306,9 +293,9 @@ void Sender::fail(StreamError error, std::string reason) {
 }
 
 const char* name(StreamError error) {
-  constexpr const char* names[] = {"none",      "no_answer",       "contact_lost",
-                                   "stalled",   "command_timeout", "out_of_time",
-                                   "restarted", "refused",         "underrun"};
+  constexpr const char* names[] = {
+      "none",        "no_answer", "contact_lost", "stalled",  "command_timeout",
+      "out_of_time", "restarted", "refused",      "underrun", "stopped"};
   return names[static_cast<std::size_t>(error)];
 }
 

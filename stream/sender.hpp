@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/stream/chunk_window.hpp"
+#include "jounce/stream/command_slot.hpp"
 #include "jounce/stream/message.hpp"
 #include "jounce/stream/stream_plan.hpp"
 #include "jounce/stream/transport.hpp"
@@ -34,6 +35,7 @@ enum class StreamError {
   restarted,        ///< the executor has restarted and forgotten
   refused,          ///< see refusal and reason
   underrun,         ///< rows came too slowly, and the axis has stopped on its path
+  stopped,          ///< somebody else has stopped the axis, or a fault of its own has
 };
 const char* name(StreamError error);
 
@@ -109,13 +111,6 @@ class Sender {
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
 
  private:
-  struct Command {
-    wire::Body body;
-    std::int32_t number = 0;
-    std::optional<Nanos> issued;
-    Nanos sent{};
-  };
-
   [[nodiscard]] StreamStage stage() const { return outcome_.progress.stage; }
   void enter(StreamStage stage) { outcome_.progress.stage = stage; }
 
@@ -124,9 +119,6 @@ class Sender {
   void farewell();
   void check_patience(Nanos now);
   void send(wire::Body body, Nanos now);
-  template <class Body>
-  void issue(Body body);
-
   void take(const wire::Ack& ack, std::int64_t challenge, Nanos now);
   void take(const wire::Reply& reply, std::int64_t challenge, Nanos now);
   void take(const wire::Status& status, std::int64_t challenge, Nanos now);
@@ -159,8 +151,7 @@ class Sender {
   std::optional<ChunkWindow> window_;  // once its header is acknowledged
   std::size_t arrived_before_ = 0, resent_before_ = 0;
 
-  std::int32_t last_number_ = 0;
-  std::optional<Command> command_;  // the one without an outcome
+  CommandSlot command_;
 
   std::vector<std::int64_t> boots_;  // of the executor, the present one last
   bool begun_ = false;
