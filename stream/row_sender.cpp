@@ -63,13 +63,13 @@ RowSender::RowSender(RowPlan plan, std::int64_t session, SenderOptions options)
 // ---- what to send -------------------------------------------------------------------------------
 
 std::vector<wire::Message> RowSender::poll(Nanos now) {
-  if (!std::exchange(begun_, true)) heard_ = now, asked_ = now - options_.repeat;
+  if (!std::exchange(begun_, true)) heard_ = progressed_ = now, asked_ = now - options_.repeat;
   check_patience(now);
   if (ended()) {
     if (std::exchange(farewell_due_, false)) farewell();
     return std::exchange(outgoing_, {});
   }
-  fill();
+  fill(now);
   go_on();
   // Repeated, a queue asks for an ack, and until it is armed keeps the session alive.
   const Nanos pause = stage_ == Stage::opening ? options_.repeat : options_.heartbeat;
@@ -89,7 +89,8 @@ void RowSender::send(wire::Body body, Nanos /*now*/) {
 }
 
 /// Takes rows from the source as there is room for them.
-void RowSender::fill() {
+void RowSender::fill(Nanos now) {
+  if (!waits_for_rows()) progressed_ = now;
   if (stage_ == Stage::opening || stage_ >= Stage::stopping) return;
   while (!exhausted_ && window_.wants() > 0) {
     auto rows = plan_.rows(std::min(window_.wants(), wire::rows_each));
@@ -97,6 +98,7 @@ void RowSender::fill() {
     exhausted_ = rows.back().last;
     outcome_.progress.sent += rows.size();
     window_.push(std::move(rows));
+    progressed_ = now;
   }
   outcome_.progress.messages = window_.sent();
   outcome_.progress.resent = window_.resent();
@@ -106,6 +108,11 @@ void RowSender::fill() {
 bool RowSender::is_filled() const {
   const std::uint64_t more = window_.acknowledged() - starved_at_;
   return outcome_.progress.all || more >= plan_.queue.prefill;
+}
+
+/// Nothing moves, and nothing will before there are more of them.
+bool RowSender::waits_for_rows() const {
+  return stage_ == Stage::filling || (stage_ == Stage::playing && starving_);
 }
 
 void RowSender::go_on() {
@@ -142,6 +149,9 @@ void RowSender::check_patience(Nanos now) {
          "no answer from executor " + plan_.executor);
   } else if (late) {
     fail(StreamError::command_timeout, "the axis does not decide");
+  } else if (waits_for_rows() && now - progressed_ > options_.progress_patience) {
+    fail(starving_ ? StreamError::underrun : StreamError::stalled,
+         "no more rows came, though the axis waits for them");
   }
 }
 
@@ -189,9 +199,9 @@ void RowSender::watch(const wire::QueueAck& ack) {
   progress.all = exhausted_ && window_.idle();
   if (!progress.started || stage_ >= Stage::stopping) return;
   if (ack.progress == wire::Progress::done) progress.finished = true;
-  const bool starves =
-      ack.progress == wire::Progress::starving || ack.progress == wire::Progress::broken;
-  if (!starves || starving_) return;
+  if (ack.progress == wire::Progress::broken)
+    return fail(StreamError::stopped, "the axis was stopped, and does not go on with its rows");
+  if (ack.progress != wire::Progress::starving || starving_) return;
   ++progress.underruns;
   if (!plan_.resume) {
     fail(StreamError::underrun, "the rows came too slowly: the axis has stopped on its path");
@@ -242,6 +252,9 @@ void RowSender::refused(wire::Refusal refusal, const std::string& reason, std::i
   }
   outcome_.refusal = refusal;
   outcome_.cause = cause;
+  if (refusal == wire::Refusal::session_ended && outcome_.progress.started)
+    return fail(StreamError::stopped,
+                "the session was ended: by an operator's stop, or by silence");
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 

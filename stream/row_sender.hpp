@@ -62,7 +62,9 @@ struct RowOutcome {
 ///
 /// Where the source does not keep up, the axis stops on the path and within its limits before it
 /// runs out of rows: an underrun. Then the stream ends with that error, or goes on if the plan says
-/// so.
+/// so. A source that has no more rows for `progress_patience`, though they are waited for, ends it,
+/// too: `underrun` of what has started, `stalled` before. Where an operator has stopped the axis, or
+/// a fault has, the stream ends as `stopped`, whatever the plan says.
 class RowSender {
  public:
   /// Throws InputError for a plan that cannot be sent.
@@ -98,7 +100,7 @@ class RowSender {
   void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
 
   [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
-  void fill();
+  void fill(Nanos now);
   void go_on();
   void watch(const wire::QueueAck& ack);
   void enter(Stage stage, wire::Body command);
@@ -108,6 +110,7 @@ class RowSender {
   void check_patience(Nanos now);
   void send(wire::Body body, Nanos now);
   [[nodiscard]] bool is_filled() const;
+  [[nodiscard]] bool waits_for_rows() const;
 
   RowPlan plan_;
   std::int64_t session_;
@@ -123,7 +126,7 @@ class RowSender {
   std::uint64_t starved_at_ = 0;  // rows that were acknowledged then
   std::vector<wire::Message> outgoing_;
   bool begun_ = false, farewell_due_ = false;
-  Nanos heard_{}, asked_{};
+  Nanos heard_{}, asked_{}, progressed_{};
 };
 
 }  // namespace jounce

@@ -1,9 +1,8 @@
 // Streamer and executor over every kind of bad link, for tables of every size: what is played is the
 // table that was sent, bit for bit, or nothing; and every transfer ends, done or with a named error.
-#include <sstream>
-
 #include <gtest/gtest.h>
 
+#include "stream/faults.hpp"
 #include "stream/harness.hpp"
 #include "support/random.hpp"
 
@@ -11,19 +10,12 @@ namespace jounce {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Fault;
+using test::faults;
 using test::sine_table;
+using test::text;
 using test::World;
 using Way = Partition::Way;
-
-std::string text(const LossSpec& spec) {
-  std::ostringstream out;
-  out << "{.seed = " << spec.seed << ", .lost = " << spec.lost << ", .doubled = " << spec.doubled
-      << ", .corrupted = " << spec.corrupted << ", .delayed = " << spec.delayed
-      << ", .delay = " << spec.delay.count() << "ns, .partitions = {";
-  for (const auto& [from, to, way] : spec.partitions)
-    out << "{" << from.count() << "ns, " << to.count() << "ns, " << static_cast<int>(way) << "} ";
-  return out.str() + "}}";
-}
 
 /// One streamer over one bad link, and an axis that checks each table it is given.
 struct Trial {
@@ -76,37 +68,6 @@ std::string broken(const Trial& trial) {
 }
 
 // ---- the matrix ---------------------------------------------------------------------------------
-
-struct Fault {
-  const char* label;
-  LossSpec spec;
-  bool completes = true;  ///< for certain
-};
-
-const std::vector<Fault>& faults() {
-  static const std::vector<Fault> all{
-      {"good", {}},
-      {"lost_1", {.lost = 0.01}},
-      {"lost_10", {.lost = 0.1}},
-      {"lost_30", {.lost = 0.3}},
-      {"doubled", {.doubled = 0.3}},
-      {"reordered", {.delayed = 0.3, .delay = 5ms}},
-      {"delayed", {.delayed = 1, .delay = 60ms}},
-      {"corrupted", {.corrupted = 0.1}},
-      {"all", {.lost = 0.1, .doubled = 0.1, .corrupted = 0.05, .delayed = 0.1}},
-      {"cut_at_first", {.partitions = {{0ms, 700ms}}}},
-      {"cut", {.partitions = {{5ms, 405ms}}}},
-      {"cut_out", {.partitions = {{3ms, 503ms, Way::out}}}},
-      {"cut_in", {.partitions = {{3ms, 503ms, Way::in}}}},
-      {"cut_often",
-       {.lost = 0.1,
-        .partitions = {{2ms, 102ms}, {110ms, 210ms, Way::in}, {215ms, 900ms, Way::out}}}},
-      {"cut_for_long", {.partitions = {{4ms, 3s}}}, false},
-      {"cut_for_good", {.partitions = {{4ms, 1h}}}, false},
-      {"dead", {.lost = 1}, false},
-  };
-  return all;
-}
 
 class FaultMatrix : public ::testing::TestWithParam<std::size_t> {};
 

@@ -7,11 +7,16 @@
 #include "jounce/stream/row_sender.hpp"
 
 #include "stream/harness.hpp"
+#include "stream/rows.hpp"
 
 namespace jounce {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Player;
+using test::queue_of;
+using test::row;
+using test::source_of;
 using test::World;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -19,20 +24,10 @@ using wire::Refusal;
 using wire::Row;
 using wire::Rows;
 
-/// Row number i, from 0: 16 ms long.
-Row row(std::size_t i, bool last = false) {
-  const double x = 0.016 * static_cast<double>(i + 1);
-  return {.x_end = x, .p_end = std::sin(x), .v_start = 1, .v_end = 1, .last = last};
-}
-
 Rows message(std::uint32_t seq, std::size_t first, std::size_t count) {
   Rows rows{.seq = seq, .first_row = first};
   for (std::size_t i = first; i < first + count; ++i) rows.rows.push_back(row(i));
   return rows;
-}
-
-wire::Queue queue_of(std::uint32_t capacity, std::uint32_t prefill = 1) {
-  return {.units = {"s", "mm"}, .capacity = capacity, .prefill = prefill};
 }
 
 std::vector<double> ends(const std::vector<Rows>& taken) {
@@ -137,55 +132,6 @@ TEST(RowIntake, ABankBeginsAnewAfterAClear) {
 
 // ---- a rolling stream ---------------------------------------------------------------------------
 
-/// An executor that plays rows at a steady pace, and says starving where it has none.
-class Player {
- public:
-  Player(World& world, Nanos each) : world_(world), each_(each) {
-    world.each_turn = [this] { turn(); };
-  }
-  std::size_t played = 0, most_waiting = 0;
-  int starved = 0;
-
- private:
-  void turn() {
-    auto& executor = *world_.executor;
-    most_waiting = std::max(most_waiting, executor.rows.size() - played);
-    if (!executor.queue_started) begun_ = world_.now;
-    if (!executor.queue_started || finished_) return;
-    auto progress = wire::Progress::running;
-    while (world_.now - begun_ >= each_ && !finished_) {
-      if (played == executor.rows.size()) {
-        progress = wire::Progress::starving;
-        starved += starving_ ? 0 : 1;
-        starving_ = true;
-        begun_ = world_.now;
-        break;
-      }
-      starving_ = false;
-      finished_ = executor.rows[played++].last;
-      begun_ += each_;
-    }
-    if (starving_) progress = wire::Progress::starving;
-    if (finished_) progress = wire::Progress::done;
-    executor.pump.receiver().level(
-        wire::first_queue,
-        {.freed = {played, 0}, .played = static_cast<std::int64_t>(played), .progress = progress});
-  }
-
-  World& world_;
-  Nanos each_, begun_{};
-  bool finished_ = false, starving_ = false;
-};
-
-/// `count` rows, as fast as they are wanted.
-RowSource source_of(std::size_t count) {
-  return [count, next = std::size_t{0}](std::size_t most) mutable {
-    std::vector<Row> rows;
-    for (; next < count && rows.size() < most; ++next) rows.push_back(row(next, next + 1 == count));
-    return rows;
-  };
-}
-
 void expect_rows(const std::vector<Row>& rows, std::size_t count) {
   ASSERT_EQ(rows.size(), count);
   for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(rows[i], row(i, i + 1 == count)) << "row " << i;
@@ -271,6 +217,58 @@ TEST(RollingStream, GoesOnAfterAnUnderrunIfItMay) {
   expect_rows(world.executor->rows, 300);
   EXPECT_THAT(world.executor->log, testing::Contains("reset 1"));
   EXPECT_THAT(world.executor->log, testing::Contains("resume 1"));
+}
+
+TEST(RollingStream, ASourceThatDriesUpEndsItThoughItMayResume) {
+  World world;
+  const Player player(world, 10ms);
+  const RowOutcome outcome = stream_rows(world.link,
+                                         {.executor = "feeder",
+                                          .queue = queue_of(100, 50),
+                                          .rows = source_of(100, 300),
+                                          .resume = true},
+                                         {}, world.clock, 1);
+  EXPECT_EQ(outcome.error, StreamError::underrun) << outcome.reason;
+  EXPECT_EQ(outcome.progress.underruns, 1);
+  EXPECT_LT(world.now, 13s) << "two to play, ten of patience";
+}
+
+TEST(RollingStream, ASourceThatNeverFillsThePrefillEndsItUnstarted) {
+  World world;
+  const Player player(world, 10ms);
+  const RowOutcome outcome = stream_rows(
+      world.link, {"feeder", queue_of(100, 50), source_of(49, 300)}, {}, world.clock, 1);
+  EXPECT_EQ(outcome.error, StreamError::stalled) << outcome.reason;
+  EXPECT_FALSE(outcome.progress.started);
+  EXPECT_LT(world.now, 11s);
+}
+
+TEST(RollingStream, WhatWasStoppedIsNotCalledAnUnderrun) {
+  for (const bool resume : {false, true}) {
+    for (const bool by_operator : {false, true}) {
+      World world;
+      const Player player(world, 10ms);
+      MemoryTransport other(world.network);
+      world.each_turn = [&, turn = world.each_turn] {
+        if (world.now < 500ms) return turn();
+        if (by_operator) {
+          send_message(other, {"feeder", 0, wire::Stop{.command = 9}});
+        } else {
+          world.executor->pump.receiver().level(
+              wire::first_queue, {.freed = {player.played, 0}, .progress = wire::Progress::broken});
+        }
+      };
+      const RowOutcome outcome = stream_rows(world.link,
+                                             {.executor = "feeder",
+                                              .queue = queue_of(100, 50),
+                                              .rows = source_of(5000),
+                                              .resume = resume},
+                                             {}, world.clock, 1);
+      EXPECT_EQ(outcome.error, StreamError::stopped) << outcome.reason;
+      EXPECT_EQ(outcome.progress.underruns, 0);
+      EXPECT_LT(world.now, 1s);
+    }
+  }
 }
 
 TEST(RollingStream, ARefusedRowStopsItAndIsNamed) {
