@@ -56,6 +56,17 @@ CallOutcome Client::ask(const wire::Body& body) {
   return {StreamError::command_timeout, Refusal::none, 0, "the axis does not decide"};
 }
 
+void Client::send(wire::Body body) {
+  send_message(link_, {executor_, session_, std::move(body), challenge_}, options_.key);
+}
+
+/// What comes next for this session.
+std::optional<wire::Message> Client::hear(Nanos timeout) {
+  auto message = next_message(link_, timeout, rejects_, options_.key);
+  const bool ours = message && message->executor == executor_ && message->session == session_;
+  return ours ? std::move(message) : std::nullopt;
+}
+
 CallOutcome Client::open() {
   session_ = random_id();
   challenge_ = boot_ = 0;
@@ -66,7 +77,7 @@ CallOutcome Client::open() {
 }
 
 /// In the session that is there, or else in a new one.
-CallOutcome Client::call(wire::Body body) {
+CallOutcome Client::tell(wire::Body body) {
   if (session_ != 0) {
     CallOutcome outcome = ask(body);
     if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
@@ -80,7 +91,7 @@ CallOutcome Client::order(OrderKind kind, const std::array<double, 8>& value, st
   if (const std::string rule = contradiction(order); !rule.empty())
     throw InputError(name(kind), "", rule);
   if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
-  return call(order);
+  return tell(order);
 }
 
 CallOutcome Client::release() {
@@ -92,7 +103,7 @@ CallOutcome Client::release() {
 }
 
 CallOutcome Client::stop(wire::StopMode mode) {
-  return call(wire::Stop{.mode = mode});
+  return tell(wire::Stop{.mode = mode});
 }
 
 CallOutcome Client::set_position(double position, bool relative) {

@@ -83,14 +83,20 @@ class Client {
   CallOutcome order(wire::OrderKind kind, const std::array<double, 8>& value = {},
                     std::int64_t at = -1);
 
+  /// Any command, in the session that is there or else in a new one. A heartbeat keeps it.
+  CallOutcome tell(wire::Body command);
+
   /// Ends the session; a motion goes on.
   CallOutcome release();
 
   [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: none yet
 
  private:
+  friend class StaticQueue;
+
   CallOutcome open();
-  CallOutcome call(wire::Body body);
+  void send(wire::Body body);
+  [[nodiscard]] std::optional<wire::Message> hear(Nanos timeout);
   CallOutcome ask(const wire::Body& body);
 
   Transport& link_;

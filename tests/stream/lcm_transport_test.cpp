@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 
 TEST(LcmTransport, CarriesEveryMessage) {
   LcmTransport link("memq://");
-  for (const auto lane :
-       {wire::Lane::table, wire::Lane::command, wire::Lane::reply, wire::Lane::status})
+  for (const auto lane : {wire::Lane::table, wire::Lane::command, wire::Lane::reply,
+                          wire::Lane::status, wire::Lane::masters})
     link.subscribe(wire::channel("feeder_2-B", lane), 10);
   link.subscribe(wire::channel("feeder_2-B", wire::Lane::event), 10);
   link.subscribe(wire::channel("line", wire::Lane::master), 10);
