@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -195,6 +194,11 @@ void Receiver::send(std::int64_t session, wire::Body body) {
   outgoing_.push_back({options_.executor, session, std::move(body), challenge});
 }
 
+/// Whoever asks is answered, but not without bounds.
+void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
+  if (outgoing_.size() < most_answers) send(session, std::move(body));
+}
+
 // ---- sessions -----------------------------------------------------------------------------------
 
 void Receiver::open(std::int64_t session) {
@@ -224,104 +228,6 @@ void Receiver::end(SessionEnded::Why why) {
 
 void Receiver::expire(Nanos now) {
   if (session_ != 0 && now - heard_ > options_.session_timeout) end(SessionEnded::Why::silent);
-}
-
-// ---- tables -------------------------------------------------------------------------------------
-
-void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
-  if (outgoing_.size() >= most_answers) return;
-  send(session, wire::Ack{.boot = boot_,
-                          .table = table,
-                          .refusal = refused.refusal,
-                          .reason = std::move(refused.reason)});
-}
-
-void Receiver::take(const wire::Header& header) {
-  const auto slot = slots_.find(header.table);
-  if (slot == slots_.end()) {
-    slots_.emplace(header.table, announced(header));
-  } else if (slot->second.header.hash == header.hash) {
-    slot->second.ack_due = true;
-  } else {
-    refuse_table(session_, header.table,
-                 {wire::Refusal::bad_header, "this index has another table already"});
-  }
-}
-
-Receiver::Slot Receiver::announced(const wire::Header& header) {
-  Slot slot{.header = header};
-  slot.stored = store_.find(header.hash);
-  if (slot.stored) {
-    events_.emplace_back(TableReady{session_, *slot.stored});
-    return slot;
-  }
-  slot.refused = contradiction(header);
-  if (!slot.refused && header.knots > options_.most_knots) {
-    slot.refused = {wire::Refusal::too_large,
-                    "at most " + std::to_string(options_.most_knots) + " knots"};
-  }
-  if (!slot.refused && !store_.reserve(bytes_of(header))) {
-    slot.refused = {wire::Refusal::out_of_memory,
-                    "at most " + std::to_string(options_.memory) + " bytes of tables"};
-  }
-  if (slot.refused) return slot;
-  try {
-    slot.assembly.emplace(header);
-  } catch (const std::bad_alloc&) {
-    store_.release(bytes_of(header));
-    slot.refused = {wire::Refusal::out_of_memory, "no memory for the table"};
-  }
-  return slot;
-}
-
-void Receiver::take(const wire::Chunk& chunk) {
-  const auto it = slots_.find(chunk.table);
-  if (it == slots_.end()) return;  // it has overtaken its header
-  Slot& slot = it->second;
-  slot.ack_due = true;
-  if (!slot.assembly) return;
-  if (!slot.assembly->add(chunk)) {
-    refuse_table(session_, chunk.table,
-                 {wire::Refusal::bad_chunk,
-                  "chunk " + std::to_string(chunk.seq) + " contradicts its header"});
-  } else if (slot.assembly->complete()) {
-    finish(slot);
-  }
-}
-
-void Receiver::finish(Slot& slot) {
-  auto result = slot.assembly->finish();
-  slot.assembly.reset();
-  if (auto* refused = std::get_if<Refused>(&result)) {
-    store_.release(bytes_of(slot.header));
-    slot.refused = std::move(*refused);
-    return;
-  }
-  slot.stored = store_.find(slot.header.hash);
-  if (slot.stored) {  // announced twice, under two indices
-    store_.release(bytes_of(slot.header));
-  } else {
-    slot.stored = std::get<StoredTable>(std::move(result));
-    store_.put(*slot.stored);
-  }
-  events_.emplace_back(TableReady{session_, *slot.stored});
-}
-
-wire::Ack Receiver::ack(std::uint32_t table, const Slot& slot) const {
-  wire::Ack ack{.boot = boot_,
-                .table = table,
-                .credit = options_.credit,
-                .complete = slot.stored.has_value(),
-                .refusal = slot.refused.refusal,
-                .reason = slot.refused.reason};
-  if (slot.assembly) {
-    ack.next = slot.assembly->next();
-    ack.mask = slot.assembly->mask();
-    ack.credit = wire::cut(slot.header).chunks_for(options_.credit);
-  } else if (slot.stored) {
-    ack.next = slot.header.chunks;
-  }
-  return ack;
 }
 
 }  // namespace jounce

@@ -227,6 +227,7 @@ class Receiver {
   void settle(Record& record, Refused refused);
   [[nodiscard]] Record* pending(std::int64_t session, std::int32_t command);
   void send(std::int64_t session, wire::Body body);
+  void answer_stranger(std::int64_t session, wire::Body body);
 
   ReceiverOptions options_;
   std::int64_t boot_;

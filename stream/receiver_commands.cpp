@@ -1,4 +1,4 @@
-// The receiver's commands and queues; sessions and tables are in receiver.cpp.
+// The receiver's commands and queues; sessions are in receiver.cpp, tables in receiver_tables.cpp.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -10,8 +10,6 @@ namespace {
 
 using wire::OrderKind;
 
-constexpr std::size_t most_answers = 64;  // between two polls, for messages of strangers
-
 bool names_queue(OrderKind kind) {
   return kind == OrderKind::queue_switch || kind == OrderKind::queue_clear ||
          kind == OrderKind::queue_end;
@@ -20,12 +18,11 @@ bool names_queue(OrderKind kind) {
 }  // namespace
 
 void Receiver::refuse_command(std::int64_t session, std::int32_t command, Refused refused) {
-  if (outgoing_.size() >= most_answers) return;
-  send(session, wire::Reply{.boot = boot_,
-                            .command = command,
-                            .outcome = wire::Outcome::refused,
-                            .refusal = refused.refusal,
-                            .reason = std::move(refused.reason)});
+  answer_stranger(session, wire::Reply{.boot = boot_,
+                                       .command = command,
+                                       .outcome = wire::Outcome::refused,
+                                       .refusal = refused.refusal,
+                                       .reason = std::move(refused.reason)});
 }
 
 /// Whether this command is newer than the recorded one, which it then replaces, pending. A repeated
@@ -163,11 +160,10 @@ Receiver::OpenQueue* Receiver::open_queue(std::uint32_t queue) {
 }
 
 void Receiver::refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused) {
-  if (outgoing_.size() >= most_answers) return;
-  send(session, wire::QueueAck{.boot = boot_,
-                               .queue = queue,
-                               .refusal = refused.refusal,
-                               .reason = std::move(refused.reason)});
+  answer_stranger(session, wire::QueueAck{.boot = boot_,
+                                          .queue = queue,
+                                          .refusal = refused.refusal,
+                                          .reason = std::move(refused.reason)});
 }
 
 void Receiver::take(const wire::Queue& queue) {
