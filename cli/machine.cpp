@@ -73,6 +73,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;
+  executor.stop_when_silent = !options.finish_when_silent;
   executor.enable = options.enable;
   executor.build_apart = 2000;  // knots: about a millisecond
   if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);

@@ -13,6 +13,7 @@ struct MachineOptions {
   std::vector<std::string> files;  ///< specs of kind "axis", or one of kind "machine"
   std::string log;                 ///< empty: none
   bool adopt_start = false;
+  bool finish_when_silent = false;
   bool enable = false;
 };
 

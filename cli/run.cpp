@@ -187,6 +187,8 @@ void add_run(CLI::App& app, Work& work) {
                  "Enable every axis at the start; otherwise each waits, disabled, for that order");
   verb->add_flag("--adopt-start", options->machine.adopt_start,
                  "At standstill, a table's first position is where the axis stands");
+  verb->add_flag("--finish-when-silent", options->machine.finish_when_silent,
+                 "A table whose streamer falls silent is played to its end; otherwise it is stopped");
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Summary for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });

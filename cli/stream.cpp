@@ -12,6 +12,7 @@
 #include "link.hpp"
 #include "progress.hpp"
 #include "reference.hpp"
+#include "stream_banks.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -26,6 +27,8 @@ struct Options {
   std::string start_at;
   LinkOptions link;
   std::vector<std::string> swaps;
+  std::string bank;
+  std::int32_t loops = 1;
   bool rolling = false;
   bool resume = false;
   std::uint32_t capacity = 4096;
@@ -170,7 +173,23 @@ int run_rolling(const Options& options) {
   return report(stream_rows(link.transport(), std::move(plan), rolling), options);
 }
 
+int run_banks(const Options& options) {
+  if (options.rolling || !options.swaps.empty() || !options.master.empty() || options.live ||
+      options.until != "start") {
+    throw InputError("--bank", options.bank,
+                     "fills two banks of rows: without --rolling, --swap, --master, --live, --until");
+  }
+  return stream_banks({.first = options.file,
+                       .second = options.bank,
+                       .axis = options.axis,
+                       .to = options.to,
+                       .loops = options.loops,
+                       .link = options.link,
+                       .json = options.json});
+}
+
 int run(const Options& options) {
+  if (!options.bank.empty()) return run_banks(options);
   if (options.rolling) return run_rolling(options);
   const StreamPlan plan = plan_of(options);
   Link link(options.link);
@@ -211,6 +230,14 @@ void add_stream(CLI::App& app, Work& work) {
                    "With --live: begin where the master passes this position");
   verb->add_option("--swap", options->swaps,
                    "Table that takes over where the one before ends, in motion; may be repeated");
+  CLI::Option* bank = verb->add_option(
+      "--bank", options->bank,
+      "Static queue of two banks: FILE fills one, this the other, which follows where FILE ends");
+  verb->add_option("--loops", options->loops,
+                   "With --bank: how often the second bank is played")
+      ->needs(bank)
+      ->check(CLI::Range(1, 1'000'000'000))
+      ->capture_default_str();
   verb->add_flag("--rolling", options->rolling,
                  "Send while it plays, to its end: for tables longer than the executor's memory");
   verb->add_flag("--resume", options->resume,

@@ -2,6 +2,7 @@
 # survive_in_namespace.sh WHAT JOUNCE EXAMPLE_DIR [HELPER]: what real processes live through, over real
 # multicast in a namespace of their own. WHAT is
 #     streamer   kill -9 of the streamer at many points of download, arm, start and play
+#     declared   kill -9 of the streamer in play: a controlled stop, or the table finished, as declared
 #     executor   kill -9 of the executor while it plays, and while it is sent a table
 #     flood      100 000 foreign and malformed messages a second while a table is sent and played
 #     disk       the disk of the log is full while a table is played
@@ -60,6 +61,31 @@ streamer)
   kill -TERM $executor
   wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
   check_log "$scratch/run.csv"
+  ;;
+declared)
+  # Its owner is killed in mid-play, waiting for a swap: stopped within its time-out, or played to its end.
+  for declared in stopped finished; do
+    flag=""
+    [ $declared = finished ] && flag=--finish-when-silent
+    "$jounce" run "$example/axis.toml" --enable --adopt-start $flag --json --log "$scratch/$declared.csv" --seconds 60 > "$scratch/$declared" 2> "$scratch/notices" &
+    executor=$!
+    wait_for 10 standstill
+    "$jounce" stream "$example/cam.toml" --to feeder --swap "$example/cam.toml" --swap "$example/cam.toml" > "$scratch/out" 2>&1 &
+    streamer=$!
+    wait_for 10 synchronized_motion
+    kill -9 $streamer || fail "the streamer had gone: $(cat "$scratch/out")"
+    wait $streamer 2> /dev/null || true
+    wait_for 20 standstill
+    kill -TERM $executor
+    wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
+    tr -d ' \n' < "$scratch/$declared" > "$scratch/line"
+    if [ $declared = stopped ]; then
+      grep -q '"finished":0,.*"stopped":1' "$scratch/line" || fail "not stopped: $(cat "$scratch/$declared")"
+    else
+      grep -q '"finished":[12],.*"stopped":0' "$scratch/line" || fail "not played to its end: $(cat "$scratch/$declared")"
+    fi
+    check_log "$scratch/$declared.csv"
+  done
   ;;
 executor)
   "$jounce" run "$example/axis.toml" --enable --seconds 60 2> /dev/null &

@@ -1,0 +1,111 @@
+#include "stream_banks.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/row_sender.hpp"
+#include "jounce/stream/static_queue.hpp"
+
+#include "progress.hpp"
+#include "reference.hpp"
+#include "verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// A table over a master as it is, one over time in seconds.
+TableFile bank_of(const std::string& file, const std::string& axis) {
+  const Input input = load(file, axis);
+  if (input.table.table.axis() == Axis::master) return input.table;
+  return executor_tables(input).slave;
+}
+
+struct Banks {
+  wire::Queue queue;
+  std::vector<wire::Row> first, second;
+};
+
+Banks banks_of(const BankOptions& options) {
+  const TableFile first = bank_of(options.first, options.axis);
+  const TableFile second = bank_of(options.second, options.axis);
+  if (first.table.axis() != second.table.axis() || first.units.x != second.units.x ||
+      first.units.position != second.units.position)
+    throw InputError("--bank", options.second,
+                     "must be over the same, in the same units, as " + options.first);
+  const std::size_t most = std::max(first.table.size(), second.table.size());
+  return {.queue = {.axis = first.table.axis(),
+                    .units = first.units,
+                    .mode = wire::QueueMode::static_,
+                    .capacity = static_cast<std::uint32_t>(std::max<std::size_t>(most, 2)),
+                    .loops = options.loops},
+          .first = rows_of(first.table)(first.table.size()),
+          .second = rows_of(second.table)(second.table.size())};
+}
+
+CallOutcome play(StaticQueue& queue, const Banks& banks) {
+  CallOutcome outcome = queue.open();
+  if (outcome.ok()) outcome = queue.fill(0, banks.first);
+  if (outcome.ok()) outcome = queue.fill(1, banks.second);
+  if (outcome.ok()) outcome = queue.arm();
+  if (outcome.ok()) outcome = queue.start();
+  if (outcome.ok()) outcome = queue.switch_over();
+  return outcome;
+}
+
+/// Looks on, ten times a second, until it is over: played to its end, stopped, or out of contact.
+CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress) {
+  for (;;) {
+    if (interrupted != 0) return client.stop();
+    const auto level = queue.level();
+    if (!level) return {StreamError::contact_lost, {}, 0, "the executor answers no more"};
+    progress.show(0, name(level->progress));
+    if (level->refusal != wire::Refusal::none)
+      return {StreamError::refused, level->refusal, 0, level->reason};
+    if (level->progress == wire::Progress::done) return {};
+    if (level->progress == wire::Progress::broken)
+      return {StreamError::stopped, {}, 0, "the axis was stopped"};
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+}
+
+int report(const CallOutcome& outcome, const BankOptions& options) {
+  if (options.json) {
+    const nlohmann::ordered_json document{
+        {"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
+    fmt::print("{}\n", document.dump(1));
+  } else if (outcome.ok()) {
+    fmt::print("{} and {} at {}: {}\n", options.first, options.second, options.to,
+               interrupted == 0 ? "finished" : "stopped");
+  } else {
+    fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
+  }
+  if (outcome.ok()) return fine;
+  return outcome.error == StreamError::refused ? finding : fault;
+}
+
+}  // namespace
+
+int stream_banks(const BankOptions& options) {
+  const Banks banks = banks_of(options);
+  Link link(options.link);
+  Client client(link.transport(), options.to, {.key = link.key()});
+  StaticQueue queue(client, banks.queue);
+  interrupted = 0;
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  Progress progress("streaming to " + options.to);
+  CallOutcome outcome = play(queue, banks);
+  if (outcome.ok()) outcome = watch(client, queue, progress);
+  static_cast<void>(client.release());
+  return report(outcome, options);
+}
+
+}  // namespace jounce::cli
