@@ -5,23 +5,10 @@
 #include <cmath>
 
 #include "jounce/cam/detail/switch_machine.hpp"
+#include "jounce/profiles/cycle_motion.hpp"
 
 namespace jounce {
 namespace {
-
-/// Whether the cubic with these end velocities goes from 0 to `d` as an axis does: either straight
-/// on, monotone by the condition of Fritsch and Carlson (1980) that |v| dt <= 3 |d| at both ends,
-/// or with one reversal, for which the mean velocity lies between those at the ends.
-bool is_plausible(double d, double v0, double v1, double dt) {
-  if ((v0 > 0 && v1 < 0) || (v0 < 0 && v1 > 0))
-    return d >= std::min(v0, v1) * dt && d <= std::max(v0, v1) * dt;
-  const auto fits = [&](double v) { return v * d >= 0 && std::abs(v) * dt <= 3 * std::abs(d); };
-  return fits(v0) && fits(v1);
-}
-
-Segment cycle_motion(double x0, double v0, double x1, double v1, double dt) {
-  return is_plausible(x1 - x0, v0, v1, dt) ? cubic(dt, x0, v0, x1, v1) : line(dt, x0, x1);
-}
 
 /// The way from `from` to `to` on an axis of this period, nearest to what is expected.
 double way(double from, double to, double expected, double period) {

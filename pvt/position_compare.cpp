@@ -24,6 +24,8 @@ bool holds(CompareMode mode) {
   return mode == CompareMode::equal || mode == CompareMode::less || mode == CompareMode::greater;
 }
 
+}  // namespace
+
 void require_valid(const PositionCompare& compare) {
   if (compare.points.empty()) throw InputError("points", "0", "at least one is needed");
   if (holds(compare.mode) && compare.points.size() > 1)
@@ -36,6 +38,8 @@ void require_valid(const PositionCompare& compare) {
   else if (compare.pulse != 0)
     throw InputError("pulse", compare.pulse, "goes with pulses: this mode sets a level");
 }
+
+namespace {
 
 void require_one_pass(const Trajectory& motion) {
   if (repeats(motion.outside()))

@@ -42,6 +42,10 @@ struct PositionCompare {
   double pulse = 0;                       ///< s, > 0: fifo_time and linear
 };
 
+/// Throws InputError, counting from 1 ("points[3].position"), for no points or several where one is
+/// meant, a number that is not finite, and a pulse that is missing or goes with a mode that has none.
+void require_valid(const PositionCompare& compare);
+
 /// `count` >= 1 positions from `start` on (PMC600 SetLinearPara; 0 counts as 1 there and here).
 /// Each is start + i * increment: no sum that drifts.
 std::vector<ComparePoint> evenly(double start, double increment, std::size_t count);
@@ -67,8 +71,7 @@ struct Compared {
 };
 
 /// Fires a compare along a known motion. Crossings are isolated, not sampled: exact to the rounding of
-/// the position. Throws InputError for a motion that repeats without end, and, counting from 1 ("points[3].position"), for no points or several where one is meant,
-/// a number that is not finite, and a pulse that is missing or goes with a mode that has none.
+/// the position. Throws InputError for a motion that repeats without end, and as require_valid() does.
 Compared compared(const PositionCompare& compare, const Trajectory& motion);
 
 /// What the hardware that compares can do.
