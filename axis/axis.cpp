@@ -12,12 +12,9 @@
 
 namespace jounce {
 
-MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches)
-    : config_(resolved(config)),
-      clock_(config_.period),
-      has_switches_(!switches.table.switches.empty()),
-      switches_of_(switches.of),
-      switches_(switches.table) {
+MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
+                       const AxisCompare& compare)
+    : config_(resolved(config)), clock_(config_.period), outputs_(switches, compare) {
   now_.position = config_.position;
 }
 
@@ -30,6 +27,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.dropped.reset();
   now_.handed_back = {};
   joint_ = false;
+  const bool rested = !moving();
   if (state_ == State::homing) state_ = State::standstill;
   for (Movement* const movement : {active_, pending_, command.movement})
     if (movement != nullptr) movement->see(inputs.rows);
@@ -38,8 +36,9 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   obey(command);
   watch();
   begin_due();
+  if (rested && moving()) outputs_.begin();
   if (moving()) play();
-  operate_switches();
+  operate_outputs();
   last_tick_ = tick;
   last_master_ = inputs_.master[0];
   report();
@@ -172,13 +171,14 @@ void MotionAxis::give_out(const Setpoint& next) {
   now_.acceleration = a;
 }
 
-void MotionAxis::operate_switches() {
-  if (!has_switches_) return;
-  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();  // changes nothing
-  if (switches_of_ == SwitchesOf::position)
-    now_.switches = switches_.step(now_.position, now_.velocity, dt());
-  else
-    now_.switches = switches_.step(has_master_ ? now_.master : nowhere, now_.master_velocity, dt());
+void MotionAxis::operate_outputs() {
+  OutputPlaces places;
+  places.commanded = {now_.position, now_.velocity};
+  places.actual = {now_.actual_position, inputs_.feedback.velocity};
+  if (has_master_) places.master = {now_.master, now_.master_velocity};
+  outputs_.step(places, dt());
+  now_.switches = outputs_.switches();
+  now_.compare = outputs_.compare();
 }
 
 // ---- small things ------------------------------------------------------------------------------

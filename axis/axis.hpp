@@ -9,10 +9,10 @@
 #include "jounce/axis/command.hpp"
 #include "jounce/axis/inputs.hpp"
 #include "jounce/axis/move_plan.hpp"
+#include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_clock.hpp"
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/transitions.hpp"
-#include "jounce/cam/cam_switches.hpp"
 
 namespace jounce {
 
@@ -44,6 +44,7 @@ struct Tick {
   double torque = std::numeric_limits<double>::quiet_NaN();           ///< share of the rated one
   bool in_position = false;  ///< at rest, and the drive within the window for its time
   SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
+  CompareStep compare{};     ///< the output of the position compare, likewise
 
   std::optional<Refusal> refused{};              ///< why this tick's command was not obeyed
   std::optional<Refusal> dropped{};              ///< why what waited for its start did not begin
@@ -73,7 +74,7 @@ bool in_motion(const Tick& tick);
 /// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
 /// in the tick after which the axis no longer looks at it.
 ///
-/// **Cam switches** are stepped with what each tick says. A new position, or a new master when a
+/// **Outputs** (cam switches, position compare) are stepped with what each tick says. A new position, or a new master when a
 /// job starts, is a new place: outputs may change there, but nothing was passed. They work in every
 /// state, also disabled and in a fault.
 ///
@@ -86,8 +87,9 @@ bool in_motion(const Tick& tick);
 /// stays until a reset; what the axis does about it says reaction_to().
 class MotionAxis {
  public:
-  /// Throws InputError for a bad configuration, or bad switches.
-  explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {});
+  /// Throws InputError for a bad configuration, bad switches, or a bad list of a compare.
+  explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
+                      const AxisCompare& compare = {});
 
   /// The point of this tick, after its command. `tick` must be greater than in the step before.
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
@@ -108,7 +110,7 @@ class MotionAxis {
   void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   void give_out(const Setpoint& next);
-  void operate_switches();
+  void operate_outputs();
   void report();
   void hand_back(const Movement* movement);
   void refuse(Cause cause, double value = 0, double limit = 0);
@@ -237,10 +239,8 @@ class MotionAxis {
   std::int64_t lift_origin_ = 0;
   double shift_ = 0;  // u, of those that are over
 
-  bool has_switches_;
   bool has_master_ = false;  // since a cam was started; until the next table without one
-  SwitchesOf switches_of_;
-  CamSwitches switches_;
+  Outputs outputs_;
   Tick now_;
 };
 

@@ -108,7 +108,7 @@ void MotionAxis::set_position(double position) {
     return refuse(Cause::position_limit, position, furthest(config_));
   now_.offset += position - now_.position;
   now_.position = position;
-  if (switches_of_ == SwitchesOf::position) switches_.place();
+  outputs_.place(SwitchesOf::position);
 }
 
 // ---- faster, slower, and to an end -------------------------------------------------------------

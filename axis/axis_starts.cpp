@@ -155,7 +155,7 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
   now_.reason = Cause::none;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
   has_master_ = active_->synchronized();
-  if (switches_of_ == SwitchesOf::master) switches_.place();
+  outputs_.place(SwitchesOf::master);
 }
 
 }  // namespace jounce

@@ -84,7 +84,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
   change_rate(granted_rate());
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
   has_master_ = active_->synchronized();
-  if (switches_of_ == SwitchesOf::master) switches_.place();
+  outputs_.place(SwitchesOf::master);
 }
 
 /// Whether what waits begins where the master of this path passes a position.

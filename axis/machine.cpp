@@ -82,7 +82,8 @@ std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t mast
 Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
     : axes_(checked(std::move(axes), masters)), masters_(masters), order_(order_of(axes_)) {
   motion_.reserve(axes_.size());
-  for (const MachineAxis& axis : axes_) motion_.emplace_back(axis.config, axis.switches);
+  for (const MachineAxis& axis : axes_)
+    motion_.emplace_back(axis.config, axis.switches, axis.compare);
 }
 
 void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters) {

@@ -30,6 +30,7 @@ struct MachineAxis {
   AxisConfig config;
   AxisSwitches switches = {};
   Follow follow = {};
+  AxisCompare compare = {};
 };
 
 /// The process image of one axis: what passes between it and the world in one tick.

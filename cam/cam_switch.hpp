@@ -52,6 +52,7 @@ enum class CamSwitchMode : std::uint8_t { position, time };
 enum class SwitchesOf : std::uint8_t {
   position,  ///< its own, u
   master,    ///< that of the master it follows, m
+  actual,    ///< where its drive says that it is, u
 };
 
 /// One range of one track: an entry of PLCopen's MC_CAMSWITCH_REF.
