@@ -275,7 +275,9 @@ TEST(EncoderMaster, AsksWhereItIsInEveryCycleAndSaysHowOldThatIs) {
     truth = 1.5 * (i * h);
     const Jet x = master.at(i * h);
     EXPECT_EQ(master.age(i * h), 0);
-    if (i > 500) EXPECT_NEAR(x[0], truth, 1e-9);
+    if (i > 500) {
+      EXPECT_NEAR(x[0], truth, 1e-9);
+    }
   }
   truth = NAN;  // its drive has failed
   int there = 0;
