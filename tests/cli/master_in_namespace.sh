@@ -1,5 +1,5 @@
 #!/bin/sh
-# master_in_namespace.sh JOUNCE EXAMPLE_DIR: the example over UDP, one in ten packets of the line lost; then
+# master_in_namespace.sh JOUNCE EXAMPLE_DIR FOLLOWS: the example over UDP, one in ten packets of the line lost; then
 # the line falls silent under a follower.
 set -eu
 . "$(dirname "$0")/namespace.sh"
@@ -18,3 +18,5 @@ wait $executor && fail "a lost master is a fault, and the run said so with a sta
 grep -q 'master line is lost' "$scratch/said" || fail "nobody said that the line was lost"
 grep -q 'master_lost' "$scratch/said" || fail "the label did not stop for it"
 "$1" replay "$scratch/run.lcmlog" || fail "the replay differs"
+# Started from 0 in the dwell after 250 mm, one label later by the cam: 90 mm less.
+"$3" "$scratch/run.lcmlog" "$scratch/cam.csv" label line -90 || fail "another motion than the cam of the line"
