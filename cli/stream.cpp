@@ -176,8 +176,9 @@ int run_rolling(const Options& options) {
 int run_banks(const Options& options) {
   if (options.rolling || !options.swaps.empty() || !options.master.empty() || options.live ||
       options.until != "start") {
-    throw InputError("--bank", options.bank,
-                     "fills two banks of rows: without --rolling, --swap, --master, --live, --until");
+    throw InputError(
+        "--bank", options.bank,
+        "fills two banks of rows: without --rolling, --swap, --master, --live, --until");
   }
   return stream_banks({.first = options.file,
                        .second = options.bank,
@@ -233,8 +234,7 @@ void add_stream(CLI::App& app, Work& work) {
   CLI::Option* bank = verb->add_option(
       "--bank", options->bank,
       "Static queue of two banks: FILE fills one, this the other, which follows where FILE ends");
-  verb->add_option("--loops", options->loops,
-                   "With --bank: how often the second bank is played")
+  verb->add_option("--loops", options->loops, "With --bank: how often the second bank is played")
       ->needs(bank)
       ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str();

@@ -307,8 +307,9 @@ TEST(Wire, RefusesToEncodeWhatDoesNotFit) {
   EXPECT_THROW(wire::encode({std::string(24, 'a'), 1, wire::Start{}}), InputError);
   EXPECT_THROW(wire::encode({"a", 1, units("sixteen letters!")}), InputError);
   EXPECT_THROW(wire::encode({"a", 1, units("m\n")}), InputError);
-  EXPECT_THROW(wire::encode({"a", 1, wire::Chunk{.values = std::vector<double>(wire::chunk_values + 1)}}),
-               InputError);
+  EXPECT_THROW(
+      wire::encode({"a", 1, wire::Chunk{.values = std::vector<double>(wire::chunk_values + 1)}}),
+      InputError);
   EXPECT_NO_THROW(wire::encode({std::string(23, 'a'), 1, units("fifteen letters")}));
 }
 
