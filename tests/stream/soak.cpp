@@ -31,8 +31,9 @@ constexpr std::int64_t run_up = 10'000;  // ticks, in which all of them are down
 constexpr std::int64_t round_ticks = 1000;
 const Units units{"s", "mm"};
 
-/// 20 sin w x + c (1 - cos w x)^2 over 1 s: whatever c is, position, velocity, acceleration and jerk at both
-/// ends are the same. So any of them can follow any other, at 126 mm/s.
+/// 2 sin w x + c (1 - cos w x)^2 over 1 s: whatever c is, position, velocity, acceleration and jerk at both
+/// ends are the same. So any of them can follow any other, at 12.6 mm/s: in a tick that is less than the axis's
+/// acceleration makes, so the first one may begin from rest.
 Table around(double c) {
   constexpr std::size_t knots = 301;
   constexpr double w = 2 * std::numbers::pi;
@@ -41,9 +42,9 @@ Table around(double c) {
     const double x = static_cast<double>(i) / (knots - 1);
     const double s = std::sin(w * x), k = std::cos(w * x);
     columns.x.push_back(x);
-    columns.p.push_back(20 * s + c * (1 - k) * (1 - k));
-    columns.v.push_back(w * (20 * k + 2 * c * (1 - k) * s));
-    columns.a.push_back(w * w * (-20 * s + 2 * c * (s * s + k - k * k)));
+    columns.p.push_back(2 * s + c * (1 - k) * (1 - k));
+    columns.v.push_back(w * (2 * k + 2 * c * (1 - k) * s));
+    columns.a.push_back(w * w * (-2 * s + 2 * c * (s * s + k - k * k)));
   }
   for (auto* column : {&columns.p, &columns.v, &columns.a}) column->back() = column->front();
   return Table(Axis::time, Rule::quintic_hermite, Outside::wrap, std::move(columns));
