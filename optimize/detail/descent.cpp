@@ -8,6 +8,8 @@
 
 #include <nlopt.hpp>
 
+#include "jounce/optimize/detail/forgiving.hpp"
+
 // Why SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients, a
 // vertex, at which sequential quadratic programming converges quadratically. In whitened variables it needs
 // 0.1 s for 50 coefficients and 2000 rows and 2.2 s for 200 and 4000, and agrees with an interior point
@@ -190,14 +192,7 @@ Descended descend(const DescentProgram& program, const VectorXd& y, int max_eval
   solver.set_xtol_rel(1e-12);
   solver.set_ftol_rel(1e-12);
   solver.set_maxeval(max_evaluations);
-  double least = 0;
-  try {
-    solver.optimize(x, least);
-  } catch (const nlopt::roundoff_limited&) {  // often at the solution; the caller checks it anyway
-  } catch (const nlopt::forced_stop&) {       // ours
-  } catch (const std::runtime_error&) {       // "nlopt failure": the point may still be good
-  }
-  if (run.trouble) std::rethrow_exception(run.trouble);
+  optimize_forgiving(solver, x, run.trouble);
   if (run.lost) x = run.last;
   Descended result{Map<const VectorXd>(x.data(), y.size()),
                    Map<const VectorXd>(x.data() + y.size(), extra), std::max(run.evaluations, 1),

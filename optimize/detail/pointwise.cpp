@@ -16,13 +16,6 @@
 //
 // A shape is cut where f' vanishes and where J has a break; on each stretch the sign is one, T is a
 // polynomial but for the sine, and the power of two linear quantities is a polynomial throughout.
-//
-// The peak of a wave with a sine: between a and b it is off the straight line between its end values by at
-// most
-//
-//   (2)  (b - a)^2 / 8 (max |P''| + |G| (max |angle'|^2 + max |angle''|))
-//
-// so halves are dropped as soon as the higher of their ends and (2) are below the best known.
 
 namespace jounce::optimizer {
 namespace {
@@ -197,40 +190,7 @@ Pointwise of_energy(const EnergyOf& energy, double begin) {
   return p;
 }
 
-/// Halves until (2) leaves no room for more than the tolerance above the best.
-struct Climb {
-  const Wave& wave;
-  double sign;
-  double tolerance;
-  double bend;  ///< the factor of (b - a)^2 in (2), s in [0, 1]
-  Extremum best{};
-
-  void run(double a, double at_a, double b, double at_b, int depth) {
-    const double highest = std::max(at_a, at_b) + bend * (b - a) * (b - a);
-    if (highest <= sign * best.value + tolerance || depth == 0) return;
-    const double middle = (a + b) / 2;
-    const double at_middle = consider(middle);
-    run(a, at_a, middle, at_middle, depth - 1);
-    run(middle, at_middle, b, at_b, depth - 1);
-  }
-  double consider(double s) {
-    const double value = sign * wave.at(s);
-    if (value > sign * best.value)
-      best = {sign * value, wave.from + s * (wave.to - wave.from), Side::right};
-    return value;
-  }
-};
-
-double peak_of_derivative(const Segment& f, int order) {
-  return std::abs(segment_range(f, 0, f.length, order).peak().value);
-}
-
 }  // namespace
-
-double Wave::at(double s) const {
-  const double p = value(polynomial, s);
-  return gravity == 0 ? p : p + gravity * std::sin(value(angle, s));
-}
 
 std::optional<Segment> product(const Segment& f, const Segment& g) {
   if (f.sines > 0 || g.sines > 0 || f.degree + g.degree > Segment::max_degree) return std::nullopt;
@@ -263,151 +223,6 @@ std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin) {
     return of_load(f->load, begin, Pointwise::Over::rms);
   if (const auto* f = std::get_if<EnergyOf>(&figure)) return of_energy(*f, begin);
   return std::nullopt;
-}
-
-namespace {
-
-void require_number(const std::string& key, double value, bool holds, const char* rule) {
-  if (!std::isfinite(value) || !holds) throw InputError(key, value, rule);
-}
-
-void require_inertia(const std::string& key, const LoadTorque& load, const ShapeProblem& p) {
-  if (load.inertia.empty()) return;
-  const Trajectory inertia(load.inertia, p.begin);  // throws for a bad segment
-  require_number(key, inertia.end(), std::abs(inertia.end() - p.end) <= 1e-9 * (p.end - p.begin),
-                 "must end where the shape does");
-  double before = value(load.inertia.front(), 0);
-  for (const Segment& f : load.inertia) {
-    const double step = std::abs(value(f, 0) - before);
-    require_number(key, value(f, 0), step <= 1e-9 * magnitude(f),
-                   "must not step: the torque would be infinite there");
-    require_number(key, f.degree, f.sines == 0 && f.degree <= 4, "must be of degree 4 at most");
-    before = value(f, 1);
-  }
-}
-
-void require_load(const std::string& key, const LoadTorque& load, const ShapeProblem& p) {
-  for (const double by : load.linear.by)
-    require_number(key + ".linear.by", by, true, "must be finite");
-  require_number(key + ".linear.constant", load.linear.constant, true, "must be finite");
-  if (order_of(load.linear) > p.degree)
-    throw InputError(
-        key + ".linear", load.linear.name,
-        "needs a higher derivative than a shape of degree " + std::to_string(p.degree) + " has");
-  require_number(key + ".coulomb", load.coulomb, load.coulomb >= 0, "must be finite and >= 0");
-  require_number(key + ".gravity", load.gravity, true, "must be finite");
-  require_number(key + ".turn", load.turn, true, "must be finite");
-  require_number(key + ".angle", load.angle, true, "must be finite");
-  require_inertia(key + ".inertia", load, p);
-  const bool anything = order_of(load.linear) >= 0 || load.linear.constant != 0 ||
-                        !load.inertia.empty() || load.coulomb != 0 || load.gravity != 0;
-  if (!anything) throw InputError(key, 0.0, "must not be zero throughout");
-}
-
-/// The degree of a linear quantity of a shape.
-int degree_of(const LinearQuantity& q, int degree) {
-  for (std::size_t k = 0; k < q.by.size(); ++k)
-    if (q.by[k] != 0) return degree - static_cast<int>(k);
-  return 0;
-}
-
-}  // namespace
-
-void require_pointwise(const std::string& key, const ShapeFigure& figure, const ShapeProblem& p) {
-  if (const auto* f = std::get_if<PowerOf>(&figure))
-    if (degree_of(f->force, p.degree) + degree_of(f->velocity, p.degree) > Segment::max_degree)
-      throw InputError(key, name(figure),
-                       "needs a shape of a lower degree: its product with " +
-                           std::to_string(p.degree) + " is above degree 11");
-  if (const auto* f = std::get_if<TorqueOf>(&figure)) require_load(key + ".load", f->load, p);
-  if (const auto* f = std::get_if<RmsTorqueOf>(&figure)) require_load(key + ".load", f->load, p);
-  if (const auto* f = std::get_if<EnergyOf>(&figure)) {
-    require_load(key + ".load", f->load, p);
-    require_number(key + ".recovered", f->recovered, f->recovered >= 0 && f->recovered <= 1,
-                   "must be in [0, 1]");
-  }
-}
-
-Range range_of(const Wave& wave, double tolerance) {
-  if (wave.gravity == 0) return segment_range(wave.polynomial, wave.from, wave.to, 0);
-  const double length = wave.angle.length;
-  const double turning = peak_of_derivative(wave.angle, 1);
-  const double bend =
-      length * length / 8 *
-      (peak_of_derivative(wave.polynomial, 2) +
-       std::abs(wave.gravity) * (turning * turning + peak_of_derivative(wave.angle, 2)));
-  Range range;
-  for (const double sign : {1.0, -1.0}) {
-    Climb climb{wave, sign, tolerance, bend, {wave.at(0), wave.from, Side::right}};
-    const double first = sign * wave.at(0);
-    climb.run(0, first, 1, climb.consider(1), 40);
-    (sign > 0 ? range.max : range.min) = climb.best;
-  }
-  return range;
-}
-
-namespace {
-
-/// The integral of g, or of its square, over the shape: by the quantities, between the waves' ends.
-double integrated(const Pointwise& figure, const std::vector<Segment>& shape, double begin) {
-  std::vector<double> starts{begin};
-  for (const Segment& f : shape) starts.push_back(starts.back() + f.length);
-  std::vector<double> q(figure.of.size());
-  std::vector<double> slope(q.size());
-  double total = 0;
-  for (const Wave& wave : figure.waves(shape, begin)) {
-    const Segment& f = shape[wave.piece];
-    std::vector<Segment> parts;
-    for (const LinearQuantity& each : figure.of) parts.push_back(quantity_of(each, f));
-    const auto g = [&](double r) {
-      const double x = wave.from + r * (wave.to - wave.from);
-      const double s = std::clamp((x - starts[wave.piece]) / f.length, 0.0, 1.0);
-      for (std::size_t k = 0; k < q.size(); ++k) q[k] = value(parts[k], s);
-      const double at = figure.g(x, wave.sign, q, slope);
-      return figure.over == Pointwise::Over::rms ? at * at : at;
-    };
-    total += (wave.to - wave.from) * integral(g);
-  }
-  return total;
-}
-
-}  // namespace
-
-std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segment>& shape,
-                                double begin, double level) {
-  std::vector<Extremum> places;
-  if (figure.over != Pointwise::Over::peak) return places;
-  std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
-  for (const Wave& wave : figure.waves(shape, begin)) {
-    const Range range = range_of(wave, 1e-9 * level);
-    for (const double sign : {1.0, -1.0}) {
-      const Extremum& e = sign > 0 ? range.max : range.min;
-      if (sign * e.value < level) continue;
-      std::size_t& before = last[sign > 0 ? 0 : 1];
-      if (before != wave.piece && before + 1 != wave.piece) places.push_back(e);
-      before = wave.piece;
-    }
-  }
-  return places;
-}
-
-double value_of(const Pointwise& figure, const std::vector<Segment>& shape, double begin) {
-  if (figure.over != Pointwise::Over::peak) {
-    double length = 0;
-    for (const Segment& f : shape) length += f.length;
-    const double total = integrated(figure, shape, begin);
-    return figure.over == Pointwise::Over::rms ? std::sqrt(total / length) : total;
-  }
-  double peak = 0;
-  const std::vector<Wave> waves = figure.waves(shape, begin);
-  for (const Wave& wave : waves) {
-    const double ends = std::max(std::abs(wave.at(0)), std::abs(wave.at(1)));
-    if (!std::isfinite(ends)) return std::nan("");  // std::max would lose it
-    peak = std::max(peak, ends);
-  }
-  for (const Wave& wave : waves)
-    peak = std::max(peak, std::abs(range_of(wave, 1e-8 * peak).peak().value));
-  return peak;
 }
 
 }  // namespace jounce::optimizer

@@ -8,6 +8,7 @@
 
 #include <nlopt.hpp>
 
+#include "jounce/optimize/detail/forgiving.hpp"
 #include "jounce/optimize/detail/whitening.hpp"
 
 namespace jounce::optimizer {
@@ -130,14 +131,7 @@ Solved run(const Program& program, const Whitening& whitening, const Function& f
                                     std::vector<double>(rows, 1e-11));
   std::vector<double> x(n, 0.0);
   x.push_back(std::max(t, program.least_t));
-  double least = 0;
-  try {
-    solver.optimize(x, least);
-  } catch (const nlopt::roundoff_limited&) {  // often at the solution; the caller checks it anyway
-  } catch (const nlopt::forced_stop&) {       // ours
-  } catch (const std::runtime_error&) {       // "nlopt failure": the point may still be good
-  }
-  if (callback.trouble) std::rethrow_exception(callback.trouble);
+  optimize_forgiving(solver, x, callback.trouble);
   for (const double value : x) callback.finite = callback.finite && std::isfinite(value);
   const double reached = x.back();
   x.pop_back();
