@@ -52,7 +52,7 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
-  now_.waiting = waiting_ || next_;
+  now_.waiting = waiting_ || next_ || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -81,7 +81,7 @@ void MotionAxis::watch() {
     state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
   }
   // Without a sign of life what moves is stopped; what stands just stands.
-  const bool stops = state_ == State::error_stop || !(moving() || waiting_);
+  const bool stops = state_ == State::error_stop || !(moving() || waiting_ || later_);
   if (wrong == Cause::watchdog && stops) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
@@ -120,7 +120,8 @@ Cause MotionAxis::advance(Setpoint& next) {
     if (active_->progress() != Progress::broken) return Cause::none;
     return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
   }
-  if (passes() && plan_time() >= plan_.duration()) pass_target();
+  if (passes() && plan_time() >= plan_.duration())
+    if (const Cause no = pass_target(); no != Cause::none) return no;
   const double t = plan_time();
   const auto [p, v, a, j] = plan_.at(t);
   const double beyond = std::max(t - plan_.duration(), 0.0);  // at its last velocity

@@ -187,7 +187,8 @@ class MotionAxis {
   void buffer(const Command& command);
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
   [[nodiscard]] bool passes() const { return next_ && base_ == Base::move && goal_.through != 0; }
-  void pass_target();
+  Cause pass_target();
+  void take_back_next();
   void begin_next();
   void forget_next();
 

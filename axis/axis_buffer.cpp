@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "jounce/axis/axis.hpp"
 
 // What waits: a command for its tick; and the move that waits for the end of the motion under way (BufferMode), and how it takes over: from
@@ -43,25 +45,41 @@ void MotionAxis::buffer(const Command& command) {
   if (base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
 }
 
-/// At which velocity a move to this goal passes it on to the next one.
+/// At which velocity a move to this goal passes it on to the next one. Where something was superimposed
+/// on it that ends at rest: the next one's target is a place without that.
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
-  if (!next_ || lifting_ || goal.kind != Goal::Kind::position) return 0;
+  if (!next_ || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
   Goal further;
   if (goal_of(*next_, {goal.value, 0, 0}, further)) return 0;
   return passing_velocity(from, goal, further, next_->buffer, factor, config_);
 }
 
-/// The target was passed since the tick before: the plan from there goes on at the very instant.
-void MotionAxis::pass_target() {
+/// The target was passed since the tick before: the plan from there goes on at the very instant. Or why
+/// it cannot: as long as it moves that way, only for a limit switch.
+Cause MotionAxis::pass_target() {
   const double beyond = plan_time() - plan_.duration();
   const MotionState there = plan_.end();
   Goal goal;
-  const auto no = goal_of(*next_, {goal_.value, 0, 0}, goal);
+  if (goal_of(*next_, {goal_.value, 0, 0}, goal))
+    return there.velocity > 0 ? Cause::positive_switch : Cause::negative_switch;
   next_.reset();
-  if (no || !plan_from(there, now_.tick, goal, factor_)) return fail(Cause::jump);
+  if (!plan_from(there, now_.tick, goal, factor_)) return Cause::jump;
   ahead_ = beyond;
   ++now_.finished;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
+  return Cause::none;
+}
+
+/// The move under way ends at its target then. Where it is too late for that it goes on as it was told.
+void MotionAxis::take_back_next() {
+  const auto next = std::exchange(next_, std::nullopt);
+  if (!next) return;
+  const bool blends = base_ == Base::move && goal_.through != 0;
+  if (blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
+    next_ = next;
+    return refuse(Cause::no_such_move, goal_.value);
+  }
+  now_.dropped = Refusal{Cause::replaced, next->position, 0, 0};
 }
 
 /// What waited begins in the tick in which the motion before has ended.

@@ -33,10 +33,8 @@ void MotionAxis::act(const Command& command) {
       return arm(command.movement);
     case Kind::disarm:
       if (!waiting_) disarm();
-      forget_next();
       forget_later();
-      if (goal_.through != 0 && base_ == Base::move) replan();
-      return;
+      return take_back_next();
     case Kind::start:
       return start(command);
     case Kind::stop:

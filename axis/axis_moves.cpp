@@ -123,7 +123,7 @@ void MotionAxis::go(const Goal& goal) {
   }
   if (waited) now_.dropped = Refusal{Cause::replaced, waited->position, 0, 0};
   held_ = false;
-  if (!was_moving) begun_ = now_.tick;
+  if (!was_moving) begun_ = emitted_ = now_.tick;  // more may be told in this very tick
   ending_ = Ending::none;
   now_.reason = was_moving ? Cause::replaced : Cause::none;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;

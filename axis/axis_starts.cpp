@@ -122,7 +122,7 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
   MotionState state = from;
   if (live && moving()) {  // where it would be by now
     Setpoint next;
-    if (advance(next) != Cause::none) return disarm();
+    if (const Cause no = advance(next); no != Cause::none) return drop({.cause = no});
     lift(next);
     state = {next.slave[0], next.slave[1], next.slave[2]};
   }

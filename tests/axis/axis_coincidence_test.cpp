@@ -1,0 +1,132 @@
+// What an axis does where two things fall into the same tick.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+
+#include "axis/model_movements.hpp"
+#include "axis/tables.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+const AxisConfig wide{.limits = limits(200, 1000)};
+
+Command to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
+  return {.kind = Kind::move_absolute,
+          .position = position,
+          .dynamics = {.velocity = velocity},
+          .buffer = buffer};
+}
+
+Cause refusal(const Tick& tick) {
+  return tick.refused ? tick.refused->cause : Cause::none;
+}
+
+// The move that waited for this tick has just begun, after a long rest: what is told about it is
+// planned from here, not from where the axis last moved.
+TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
+  for (const Command& change :
+       {Command{.kind = Kind::override_, .factor = 0.5}, to(20, 100),
+        to(40, 50, BufferMode::buffered), Command{.kind = Kind::move_additive, .position = 5}}) {
+    Bench axis(wide);
+    axis.tell(Kind::enable);
+    Command later = to(30, 100);
+    later.at = 500;
+    ASSERT_EQ(refusal(axis.step(later)), Cause::none);
+    axis.run(498);
+    Tick tick = axis.step(change);
+    ASSERT_EQ(tick.tick, 500);
+    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind);
+    EXPECT_EQ(tick.position, 0) << name(change.kind);
+    tick = axis.step();
+    EXPECT_NEAR(tick.position, 1000 * 1e-6 / 2, 1e-12)
+        << name(change.kind) << ": one tick of 1000 u/s^2";
+    tick = axis.run(2000);
+    EXPECT_EQ(tick.state, State::standstill) << name(change.kind);
+    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind);
+  }
+}
+
+// A target is a place of the axis, whatever was superimposed on the move before.
+TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
+  Bench axis({.limits = limits(200, 1000)});
+  axis.tell(Kind::enable);
+  axis.step(to(100, 50));
+  axis.run(100);
+  ASSERT_EQ(refusal(axis.step(
+                {.kind = Kind::move_superimposed, .position = 5, .dynamics = {.velocity = 50}})),
+            Cause::none);
+  axis.run(500);  // it is over
+  ASSERT_EQ(refusal(axis.step(to(150, 50, BufferMode::blending_previous))), Cause::none);
+  const Tick tick = axis.run(6000);
+  EXPECT_EQ(tick.state, State::standstill);
+  EXPECT_EQ(tick.finished, 2U);
+  EXPECT_NEAR(tick.position, 150, 1e-9);
+}
+
+// The move behind it is taken back where this one can no longer stop before the end of the range: it
+// does not stop dead at its target.
+TEST(AxisCoincidence, ABlendedMoveIsTakenBackWithoutALeap) {
+  AxisConfig config{.limits = limits(100, 10000)};
+  config.limits.position_max = 52;
+  config.limits.position_min = -10;
+  Bench axis(config);
+  axis.tell(Kind::enable);
+  Command first = to(50, 100);
+  first.dynamics.acceleration = first.dynamics.deceleration = 200;  // 25 u from 100 u/s
+  axis.step(first);
+  ASSERT_EQ(refusal(axis.step(to(52, 100, BufferMode::blending_previous))), Cause::none);
+  Tick last = axis.step();
+  while (last.position < 48) last = axis.step();
+  ASSERT_GT(last.velocity, 90);
+  Tick tick = axis.tell(Kind::disarm);
+  for (int i = 0; i < 3000; ++i) {
+    ASSERT_LE(std::abs(tick.velocity - last.velocity), 10000 * 1e-3 * (1 + 1e-8)) << tick.position;
+    last = tick;
+    tick = axis.step();
+  }
+  EXPECT_EQ(tick.velocity, 0);
+  EXPECT_LE(tick.position, 52 + 1e-9);
+}
+
+// The limit switch is reached in the tick in which the move passes its target and a gear is to take over.
+TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
+  for (const bool geared : {false, true}) {
+    Bench axis(wide);
+    Gear gear(1, 1);
+    Inputs inputs;
+    inputs.master = {0, 0, 0, 0};
+    axis.step({.kind = Kind::enable}, inputs);
+    axis.step(to(50, 100), inputs);
+    axis.step(to(80, 100, BufferMode::blending_previous), inputs);
+    Tick tick = axis.step({}, inputs);
+    while (tick.position + tick.velocity * 1e-3 < 50) tick = axis.step({}, inputs);
+    ASSERT_EQ(tick.finished, 0U);
+    inputs.positive_switch = true;
+    tick = geared ? axis.step({.kind = Kind::gear_in, .movement = &gear}, inputs)
+                  : axis.step({}, inputs);
+    EXPECT_EQ(tick.state, State::error_stop);
+    EXPECT_EQ(tick.fault, Cause::positive_switch);
+    EXPECT_EQ(tick.handed_back[0], geared ? &gear : nullptr);
+    EXPECT_EQ(axis.run(1000).velocity, 0);
+  }
+}
+
+// Something is to come, and it says so.
+TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
+  Bench axis(wide);
+  axis.tell(Kind::enable);
+  axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
+  EXPECT_TRUE(in_motion(axis.step()));
+  Inputs silent;
+  silent.watchdog = true;
+  EXPECT_EQ(axis.step({}, silent).fault, Cause::watchdog) << "as of a start that waits";
+  EXPECT_EQ(axis.run(200).position, 0);
+}
+
+}  // namespace
+}  // namespace jounce
