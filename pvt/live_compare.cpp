@@ -21,7 +21,6 @@ LiveCompare::LiveCompare(const PositionCompare& compare)
 
 void LiveCompare::arm() {
   armed_ = true;
-  placed_ = false;
   next_ = 0;
   side_.reset();
   if (step_.output) off_in_ = 0;
@@ -48,7 +47,8 @@ void LiveCompare::move(double position, double velocity) {
   const bool known = std::isfinite(velocity) && std::isfinite(velocity_);
   piece_ = placed_ && known ? cycle_motion(from, velocity_, position, velocity, elapsed_)
                             : line(elapsed_, from, from + mean * elapsed_);
-  s_ = placed_ ? 0 : 1;
+  const bool stood = position == from && velocity == 0 && velocity_ == 0;
+  s_ = placed_ && !stood ? 0 : 1;
   if (!placed_) side_.reset();
   placed_ = true;
   position_ = position;

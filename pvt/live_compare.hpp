@@ -34,8 +34,9 @@ struct CompareStep {
 /// **Within a cycle** the axis moves as cycle_motion() says; crossings are its roots, not samples: as
 /// exact as that motion is, 1e-12 s at a constant jerk. Times in s, positions in u.
 ///
-/// **Armed** its list begins anew, with the output off. Until then, and after the last point, nothing
-/// fires. A point at which the axis stands when it is armed fires in that step.
+/// **Armed** its list begins anew, with the output off, where the axis was in the step before: what a
+/// start that comes late, or within a cycle, has passed by the next step fires in that. Until then, and
+/// after the last point, nothing fires. A point at which the axis stands when it is armed fires in that step.
 ///
 /// step() neither allocates, locks nor throws. A position that is not finite is none: time passes, and
 /// pulses end. A velocity that is not finite is taken from the positions.

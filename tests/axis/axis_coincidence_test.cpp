@@ -128,5 +128,24 @@ TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
   EXPECT_EQ(axis.run(200).position, 0);
 }
 
+// A start that was missed, by ticks or within one, has passed points on its way: none is left out.
+TEST(AxisCoincidence, ACompareMissesNoPointOfALateStart) {
+  const PositionCompare points{
+      .mode = CompareMode::linear, .points = evenly(0.5, 1, 20), .pulse = 2e-4};
+  const TablePtr table = trapezoid_table(30, 100, 1000, 1000);
+  Job job(1, table);
+  Bench axis({.limits = limits(1e3, 1e5)});
+  axis.axis = MotionAxis({.limits = limits(1e3, 1e5)}, {}, {SwitchesOf::position, points});
+  axis.tell(Kind::enable);
+  axis.arm(job);
+  axis.step({.kind = Kind::start, .at = 40});
+  axis.run(36);
+  ASSERT_EQ(axis.tick, 38);
+  axis.tick = 79;  // 40 ticks of it are over: 0.8 u
+  std::size_t edges = axis.step().compare.edges().size();
+  while (axis.tick < 600) edges += axis.step().compare.edges().size();
+  EXPECT_EQ(edges, 40U);
+}
+
 }  // namespace
 }  // namespace jounce
