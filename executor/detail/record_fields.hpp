@@ -29,6 +29,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("move_deceleration", c.command.dynamics.deceleration, w.move_deceleration);
   f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
   f("direction", c.command.direction, w.direction);
+  f("buffer", c.command.buffer, w.buffer);
   for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
   f("drive_position", c.inputs.feedback.position, w.drive_position);
   f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
@@ -127,6 +128,8 @@ template <>
 inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
 template <>
 inline constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
+template <>
+inline constexpr int count_of<BufferMode> = static_cast<int>(BufferMode::blending_high) + 1;
 template <>
 inline constexpr int count_of<Cause> = 256;
 template <>

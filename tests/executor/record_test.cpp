@@ -145,6 +145,26 @@ TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
   EXPECT_EQ(result.last_tick, tick_ - 1);
 }
 
+TEST_F(Recorded, MovesThatWaitAndBlendAreReplayedToo) {
+  start({.log = path("run.lcmlog")});
+  tell({.kind = Kind::enable});
+  for (const BufferMode mode :
+       {BufferMode::buffered, BufferMode::blending_low, BufferMode::blending_high}) {
+    tell({.kind = Kind::move_relative, .position = 40, .dynamics = {.velocity = 400}});
+    tell({.kind = Kind::move_relative,
+          .position = 30,
+          .dynamics = {.velocity = 600},
+          .buffer = mode});
+    run(300);
+  }
+  tell({.kind = Kind::move_relative, .at = tick_ + 20, .position = 5});
+  run(100);
+  recorder_->close();
+  const Replay result = replayed(bytes_of(path("run.lcmlog")));
+  EXPECT_TRUE(result.same()) << result.shorter
+                             << (result.difference ? result.difference->what.field : "");
+}
+
 TEST_F(Recorded, LcmsOwnReaderReadsIt) {
   start({.log = path("run.lcmlog")});
   tell({.kind = Kind::enable});
