@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "support/errors.hpp"
 
@@ -18,10 +19,16 @@ using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+/// A file of this process alone: tests run side by side.
+struct File {
+  explicit File(const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+  ~File() { std::filesystem::remove(path); }
+  const std::string path = ::testing::TempDir() + "recording_" + std::to_string(getpid()) + ".csv";
+};
+
 Recording recorded(const std::string& text, const Drive& drive = servo_400w()) {
-  const std::string path = ::testing::TempDir() + "jounce_recording.csv";
-  std::ofstream(path, std::ios::binary) << text;
-  return read_recording(path, drive, "deg");
+  const File file(text);
+  return read_recording(file.path, drive, "deg");
 }
 
 std::string refused(const std::string& text, const Drive& drive = servo_400w()) {
