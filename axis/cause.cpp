@@ -89,7 +89,7 @@ constexpr std::array entries{
           "The acceleration jumps by more than the jerk limit makes in one tick."},
     Entry{Cause::wrong_unit, "wrong_unit", "The table counts in another unit than the axis."},
     Entry{Cause::no_master_input, "no_master_input",
-          "This executor has no master input; send the master as a table over time."},
+          "The axis has no live master now: none is configured in [follow], or it is lost."},
     Entry{Cause::would_reverse, "would_reverse",
           "The axis could reach its cam only against the direction that its start mode allows."},
     Entry{Cause::master_stands, "master_stands",
@@ -101,6 +101,11 @@ constexpr std::array entries{
     Entry{Cause::pass_ended, "pass_ended", "It was to end with its pass."},
     Entry{Cause::replaced, "replaced", "Another motion took its place."},
 };
+
+/// Whether a number broke a bound: what else is refused has neither.
+bool is_measured(Cause cause) {
+  return cause >= Cause::start_position && cause <= Cause::acceleration_step;
+}
 
 const Entry& entry(Cause cause) {
   const auto* const found = std::find_if(entries.begin(), entries.end(),
@@ -119,8 +124,9 @@ const char* meaning(Cause cause) {
 }
 
 std::string Refusal::text() const {
-  return std::string(name(cause)) + ": " + meaning(cause) + " (" + number(value) + " at " +
-         number(where) + " s, limit " + number(limit) + ")";
+  const std::string words = std::string(name(cause)) + ": " + meaning(cause);
+  if (!is_measured(cause)) return words;
+  return words + " (" + number(value) + " at " + number(where) + " s, limit " + number(limit) + ")";
 }
 
 }  // namespace jounce

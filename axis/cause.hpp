@@ -96,7 +96,8 @@ struct Refusal {
   double limit = 0;
   double where = 0;
 
-  /// "velocity_limit: The table is faster ... (678.45 at 0.61 s, limit 500)"
+  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; without the numbers
+  /// where none broke a bound.
   [[nodiscard]] std::string text() const;
 };
 

@@ -350,13 +350,13 @@ void Desk::write(const Tick& tick) {
 void Desk::compare(const Tick& tick) {
   const std::string at = " at tick " + std::to_string(tick.tick);
   if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
-  if (tick.dropped) notify("what was armed did not begin: " + tick.dropped->text() + at);
+  if (tick.dropped) notify("what was armed did not begin" + at + ": " + tick.dropped->text());
   if (tick.finished > last_.finished) notify("finished" + at);
   if (tick.stopped > last_.stopped) notify("stopped" + at);
   if (tick.fault == last_.fault) return;
   if (tick.fault != Cause::none) {
     fault_session_ = receiver_.session();
-    notify(std::string("fault: ") + name(tick.fault) + ": " + meaning(tick.fault) + at);
+    notify("fault" + at + ": " + name(tick.fault) + ": " + meaning(tick.fault));
   }
 }
 

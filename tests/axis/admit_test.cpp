@@ -126,6 +126,10 @@ TEST(Admit, ATableThatDoesNotEndAtRest) {
   EXPECT_EQ(refusal->text(), "end_velocity: The table does not end at rest. (2 at 1 s, limit 0.1)");
 }
 
+TEST(Refusal, HasNumbersOnlyWhereOneBrokeABound) {
+  EXPECT_EQ(Refusal{.cause = Cause::not_enabled}.text(), "not_enabled: The axis is disabled.");
+}
+
 TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {
   Job job(1, trapezoid_table(10, 4, 8, 8));
   EXPECT_FALSE(admit(job, {.limits = limits(4, 8)}, 0));

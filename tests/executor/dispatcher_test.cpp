@@ -226,7 +226,8 @@ TEST(Dispatcher, AnAbortIsAFaultThatTheNextSessionResets) {
   site.advance(500ms);
   EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::abort, 2s, site.clock));
   EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
-  EXPECT_THAT(notices, ::testing::Contains(HasSubstr("fault: aborted")));
+  EXPECT_THAT(notices, ::testing::Contains(HasSubstr("fault at tick ")));
+  EXPECT_THAT(notices, ::testing::Contains(HasSubstr(": aborted: ")));
   const double where = site.dispatcher.last().position;
   EXPECT_GT(where, 10);
   // The same table begins elsewhere; one that begins here is played.
