@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -141,16 +142,30 @@ int report(const Said& said, const Options& options, const std::string& unit) {
                                           {"position", said.position}, {"unit", unit}};
     fmt::print("{}\n", document.dump(1));
   } else {
-    fmt::print("{}: {} samples in {:.3f} s, {} instants left out; at {} {}\n", options.name,
-               said.samples, said.seconds, said.late, number(said.position), unit);
+    fmt::print("{}: {} samples in {:.3f} s, {} instants left out; at {:.9g} {}\n", options.name,
+               said.samples, said.seconds, said.late, said.position, unit);
   }
   return fine;
+}
+
+/// Who begins to speak takes over: from the line itself, if that is on this bus.
+void require_alone(Link link, const Options& options) {
+  link.transport().subscribe(wire::channel(options.name, wire::Lane::master), 16);
+  const Nanos end = steady_now() + std::chrono::milliseconds(300);
+  Rejects rejects;
+  for (Nanos left = end - steady_now(); left > Nanos{}; left = end - steady_now()) {
+    const auto message = next_message(link.transport(), left, rejects, link.key());
+    const auto* const heard = message ? std::get_if<wire::Master>(&message->body) : nullptr;
+    if (heard != nullptr && heard->valid)
+      throw InputError("--as", options.name, "a master of this name is speaking on this --url");
+  }
 }
 
 int run(const Options& options) {
   if (!wire::is_executor_name(options.name))
     throw InputError("--as", options.name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
   const Play play = play_of(options);
+  require_alone(Link(options.link), options);
   Link link(options.link);
   return report(speak(play, options, link), options, play.file.units.position);
 }
