@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -32,9 +33,10 @@ struct Options {
 
 void print_line(const std::string& axis, const wire::Status& s) {
   fmt::print(
-      "{:<12} {:<9} tick {:<10} master {:<12.6g} position {:<12.6g} velocity {:<12.6g} late {}{}\n",
-      axis, name(s.state), s.tick, s.master_position, s.slave_position, s.slave_velocity,
-      s.late_ticks,
+      "{:<12} {:<9} tick {:<10} master {:<12} position {:<12.6g} velocity {:<12.6g} late {}{}\n",
+      axis, name(s.state), s.tick,
+      std::isnan(s.master_position) ? "none" : fmt::format("{:.6g}", s.master_position),
+      s.slave_position, s.slave_velocity, s.late_ticks,
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))));
   std::fflush(stdout);
 }
