@@ -223,6 +223,8 @@ void Desk::start_own(const OrderRequested& requested) {
                          .slave = *options_.table,
                          .master = {}};
   motion_session_ = requested.session;
+  outbox_.order(
+      {.kind = Kind::disarm});  // what is not armed in its place is not started in its place
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash);
   outbox_.order({.kind = Kind::start});

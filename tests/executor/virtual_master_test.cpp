@@ -10,6 +10,7 @@
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/static_queue.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/virtual_pacer.hpp"
@@ -94,6 +95,22 @@ TEST(VirtualMaster, StartsOnlyWhereItsTableBegins) {
   EXPECT_TRUE(site.tell("line", wire::OrderKind::start).ok());
   site.advance(3s);
   EXPECT_EQ(site.dispatcher->last(0).finished, 2U);
+}
+
+// It is not what its owner had armed before that begins in its place.
+TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
+  Site site;
+  Client line(site.link, "line", {}, site.clock);
+  StaticQueue rows(line, {.units = {"s", "mm"}, .mode = wire::QueueMode::static_});
+  ASSERT_TRUE(rows.open().ok());
+  ASSERT_TRUE(
+      rows.fill(0, {{.x_end = 1, .p_end = 5, .order = wire::RowOrder::cubic, .last = true}}).ok());
+  ASSERT_TRUE(rows.arm().ok());
+  ASSERT_TRUE(line.set_position(7).ok());
+  EXPECT_THAT(line.order(wire::OrderKind::start).reason, HasSubstr("start_position"));
+  site.advance(500ms);
+  EXPECT_EQ(site.dispatcher->last(0).state, State::standstill);
+  EXPECT_EQ(site.dispatcher->last(0).position, 7);
 }
 
 TEST(VirtualMaster, AnAxisWithoutATableOfItsOwnSaysSo) {
