@@ -137,6 +137,8 @@ void ReceiverPump::take(const wire::Message& message) {
                        [](const Named& each, const std::string& name) { return each.name < name; });
   if (found == by_name_.end() || found->name != message.executor) return;
   found->receiver->receive(message, clock_());
+  // A stranger waits until the turn ends: what he is answered in one is bounded.
+  if (message.session == 0 || message.session != found->receiver->session()) return;
   const auto* const chunk = std::get_if<wire::Chunk>(&message.body);
   found->unanswered += chunk != nullptr ? chunk->values.size() : wire::message_values;
   if (found->unanswered < found->half_a_window) return;

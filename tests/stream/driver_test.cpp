@@ -43,6 +43,26 @@ TEST(Driver, NoiseDoesNotHideAMessageBehindIt) {
   EXPECT_EQ(world.executor->pump.rejects()[wire::Reject::wrong_magic], 20U);
 }
 
+TEST(Driver, AFloodOfStrangersIsAnsweredWithinBounds) {
+  World world;
+  wire::Message owner = test::messages_of(test::sine_table(5), 1).front();
+  owner.challenge = world.executor->pump.receiver().challenge();
+  send_message(world.link, owner);
+  world.executor->turn();
+  MemoryTransport ear(world.network);
+  ear.subscribe("JOUNCE2.feeder.reply", 1000);
+  for (std::int64_t session = 2; session < 66; ++session) {  // as many as may wait on a channel
+    send_message(world.link, {"feeder", session, owner.body});
+    send_message(world.link, {"feeder", session, wire::Heartbeat{.command = 1}});
+  }
+  world.executor->turn();
+  Rejects rejects;
+  int answers = 0;
+  while (next_message(ear, Nanos{}, rejects)) ++answers;
+  EXPECT_GT(answers, 0);
+  EXPECT_LE(answers, 64) << "in one turn";
+}
+
 TEST(Driver, PublishesTheStatus) {
   World world;
   world.link.subscribe("JOUNCE2.feeder.status", 1);
