@@ -96,8 +96,8 @@ Cut cut(const Header& header) {
 }
 
 std::uint32_t Cut::chunks_for(std::uint32_t messages) const {
-  const std::size_t values = std::max(std::size_t{per_chunk} * columns, message_values);
-  return static_cast<std::uint32_t>((messages * message_values + values - 1) / values);
+  const std::size_t values = std::max(std::size_t{per_chunk} * columns, credit_values);
+  return static_cast<std::uint32_t>(std::max(messages * credit_values / values, std::size_t{1}));
 }
 
 std::uint32_t Cut::knots_of(std::uint32_t seq, std::uint32_t knots) const {

@@ -22,6 +22,7 @@ namespace jounce::wire {
 inline constexpr std::int32_t protocol_version = 2;
 inline constexpr std::size_t chunk_values = 7680;    ///< doubles a chunk can carry: one datagram
 inline constexpr std::size_t message_values = 1600;  ///< doubles of a message that credit counts in
+inline constexpr std::size_t credit_values = 2048;   ///< doubles for which such a message's room is
 inline constexpr std::size_t executor_bytes = 24;    ///< of an executor's name, final zero included
 inline constexpr std::size_t unit_bytes = 16;        ///< of a unit, final zero included
 inline constexpr std::size_t reason_bytes = 160;     ///< of a reason in words, final zero included
@@ -257,8 +258,8 @@ struct Event {
 
 /// Where a master is; Message::executor is the master's name.
 struct Master {
-  std::int64_t seq = 0;               ///< rising
-  std::int64_t stamp_ns = 0;          ///< when it was there, on the sender's clock; rising
+  std::int64_t seq = 0;               ///< >= 0, rising
+  std::int64_t stamp_ns = 0;          ///< >= 0: when it was there, on the sender's clock; rising
   std::int32_t clock = 0;             ///< a later clock, or epoch of it, has a greater number
   bool valid = false;                 ///< otherwise it is lost, or its position unknown
   double position = 0;                ///< finite
@@ -308,7 +309,8 @@ struct Cut {
 
   /// Knots of chunk `seq`.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Chunks for which there is room where so many messages of message_values have it: 1 and more.
+  /// Chunks for which there is room where so many messages of message_values have it: as many, or of
+  /// longer ones as hold no more than credit_values a message, but 1.
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
 /// `values`: doubles of a full chunk, 4...chunk_values.
