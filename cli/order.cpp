@@ -79,6 +79,29 @@ double direction_of(const std::string& text) {
   return text == "positive" ? 1 : text == "negative" ? -1 : 0;
 }
 
+/// What is said beside WHAT and means nothing there would be believed to be obeyed.
+void require_meant(const Options& options) {
+  static const std::map<std::string, std::string> meant{
+      {"move", " to by add on-top velocity acceleration deceleration jerk direction "},
+      {"jog", " VALUE acceleration deceleration jerk "},
+      {"halt", " deceleration jerk "},
+      {"gear-in", " VALUE acceleration deceleration jerk "},
+      {"override", " VALUE "},
+      {"home", " VALUE "},
+      {"set-position", " VALUE relative "}};
+  const auto found = meant.find(options.what);
+  const auto require = [&](const std::string& option, const std::string& text, bool given) {
+    const bool known =
+        found != meant.end() && found->second.find(" " + option + " ") != std::string::npos;
+    if (given && !known)
+      throw InputError(option == "VALUE" ? option : "--" + option, text,
+                       options.what + " does not take it");
+  };
+  require("VALUE", options.value, !options.value.empty());
+  require("relative", "", options.relative);
+  for (const auto& [option, text] : options.named) require(option, text, !text.empty());
+}
+
 /// --to, --by, --add, --on-top: exactly one of them.
 wire::Order move_of(const Options& options, const Units& units) {
   constexpr std::pair<const char*, OrderKind> ways[] = {{"to", OrderKind::move_absolute},
@@ -88,7 +111,9 @@ wire::Order move_of(const Options& options, const Units& units) {
   std::optional<wire::Order> order;
   for (const auto& [option, kind] : ways) {
     if (options.named.at(option).empty()) continue;
-    if (order) throw InputError("move", option, "must have one of --to, --by, --add, --on-top");
+    if (order)
+      throw InputError(std::string("--") + option, options.named.at(option),
+                       "must be the only one of --to, --by, --add, --on-top");
     order = wire::Order{.kind = kind, .value = {quantity_of(options, option, units)}};
   }
   if (!order) throw InputError("move", "", "must have one of --to, --by, --add, --on-top");
@@ -167,10 +192,11 @@ int report(const Options& options, const CallOutcome& outcome) {
 int run(const Options& options) {
   if (!wire::is_executor_name(options.executor))
     throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  require_meant(options);
   Link link(options.link);
   const wire::Order order = order_of(options, units_of(link.transport(), options, link.key()));
   if (const std::string rule = contradiction(order); !rule.empty())
-    throw InputError(options.what, "", rule);
+    throw InputError(options.what, options.value, rule);
   return report(options, give(options, order, link));
 }
 
