@@ -31,9 +31,8 @@ struct Read {
 AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
-    throw InputError("kind", "",
-                     "an executor is configured by a spec of kind \"axis\"; see `jounce new axis`")
-        .at(spec.document.name);
+    throw spec.document.located(InputError(
+        "kind", "", "an executor is configured by a spec of kind \"axis\"; see `jounce new axis`"));
   const double unit = seconds_per_unit(spec);
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));

@@ -111,9 +111,10 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
 
 Follow add_machine_master(const MachineMasterSpec& spec, const Document& document,
                           MachineParts& parts) {
+  if (axis_named(spec.name, parts) != nullptr)
+    throw document.located(
+        InputError(spec.key, spec.name, "an axis of this machine has this name already"));
   try {
-    if (axis_named(spec.name, parts) != nullptr)
-      throw InputError("kind", spec.name, "an axis of this machine has this name already");
     return std::visit([&](const auto& what) { return make(what, spec, parts); }, spec.what);
   } catch (const InputError& error) {
     if (!error.document().empty()) throw;  // of another file

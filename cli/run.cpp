@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,20 +31,24 @@ struct Options {
 };
 
 void print(const AxisSummary& axis, bool alone) {
-  fmt::print("{}{} motions finished, {} stopped; at {}\n", alone ? "" : axis.name + ": ",
-             axis.finished, axis.stopped, number(axis.position));
+  fmt::print("{}{} motions finished, {} stopped; at {:.9g}\n", alone ? "" : axis.name + ": ",
+             axis.finished, axis.stopped, axis.position);
   if (axis.fault != Cause::none)
     fmt::print("{}fault: {}: {}\n", alone ? "" : axis.name + ": ", name(axis.fault),
                meaning(axis.fault));
 }
 
+std::string within(const Histogram::Counts& counts) {
+  const double us = upper_bound(counts, 0.999);
+  return std::isinf(us) ? "more than 16384 us" : fmt::format("{} us", us);
+}
+
 void print(const ExecutorSummary& summary) {
   for (const AxisSummary& axis : summary.axes) print(axis, summary.axes.size() == 1);
   const CycleCounts& cycle = summary.cycle;
-  fmt::print(
-      "{} ticks, {} late, the latest by {:.3f} ms; 99.9 % woken within {} us, computed in {} us\n",
-      cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
-      upper_bound(summary.lateness, 0.999), upper_bound(summary.computing, 0.999));
+  fmt::print("{} ticks, {} late, the latest by {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
+             cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
+             within(summary.lateness), within(summary.computing));
   if (!summary.realtime.empty()) fmt::print("{}\n", summary.realtime);
 }
 
@@ -126,6 +131,15 @@ std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
   return made;
 }
 
+/// Who is there now and what it waits for: a run that says nothing looks like one that hangs.
+void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
+  std::string names;
+  for (const auto& axis : axes) names += (names.empty() ? "" : ", ") + axis.receiver.executor;
+  const std::string& first = axes.front().receiver.executor;
+  fmt::print(stderr, "jounce: {}: up, {}\n", names,
+             enabled ? "enabled" : "disabled until told: jounce order " + first + " enable");
+}
+
 int run(const Options& options) {
   auto [axes, masters] = parts_of(options.machine);
   (void)Machine(machine_of(axes), masters.size());
@@ -133,6 +147,7 @@ int run(const Options& options) {
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto panel = panel_of(options, link, axes);
+  announce(axes, options.machine.enable);
   RunOptions how = options.run;
   how.masters = std::move(masters);
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
@@ -187,8 +202,9 @@ void add_run(CLI::App& app, Work& work) {
                  "Enable every axis at the start; otherwise each waits, disabled, for that order");
   verb->add_flag("--adopt-start", options->machine.adopt_start,
                  "At standstill, a table's first position is where the axis stands");
-  verb->add_flag("--finish-when-silent", options->machine.finish_when_silent,
-                 "A table whose streamer falls silent is played to its end; otherwise it is stopped");
+  verb->add_flag(
+      "--finish-when-silent", options->machine.finish_when_silent,
+      "A table whose streamer falls silent is played to its end; otherwise it is stopped");
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Summary for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });

@@ -238,12 +238,15 @@ void add_stream(CLI::App& app, Work& work) {
       ->needs(bank)
       ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str();
-  verb->add_flag("--rolling", options->rolling,
-                 "Send while it plays, to its end: for tables longer than the executor's memory");
+  CLI::Option* const rolling = verb->add_flag(
+      "--rolling", options->rolling,
+      "Send while it plays, to its end: for tables longer than the executor's memory");
   verb->add_flag("--resume", options->resume,
-                 "With --rolling: go on after the axis had to stop for want of rows");
+                 "With --rolling: go on after the axis had to stop for want of rows")
+      ->needs(rolling);
   verb->add_option("--ahead", options->capacity,
                    "With --rolling: rows to begin with; twice as many may wait")
+      ->needs(rolling)
       ->check(CLI::Range(2U, 1U << 20U))
       ->capture_default_str();
   verb->add_option("--until", options->until, "How far to go: download, arm or start")
