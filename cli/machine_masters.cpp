@@ -101,6 +101,7 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
   axis.units = {"", spec.unit};
   axis.receiver.executor = spec.name;
   axis.enable = first.enable;
+  axis.stop_when_silent = first.stop_when_silent;
   axis.build_apart = first.build_apart;
   (void)resolved(axis.axis);
   parts.axes.push_back(std::move(axis));

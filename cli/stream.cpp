@@ -75,8 +75,6 @@ double start_of(const Options& options, const std::string& unit) {
 StreamPlan plan_of(const Options& options) {
   if (options.live && !options.master.empty())
     throw InputError("--master", options.master, "with --live the axis has a master of its own");
-  if (!options.live && !options.start_at.empty())
-    throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
   StreamPlan plan;
   plan.executor = options.to;
   const SwapPlan first = add_file(plan, options.file, options);
@@ -190,6 +188,8 @@ int run_banks(const Options& options) {
 }
 
 int run(const Options& options) {
+  if (!options.live && !options.start_at.empty())
+    throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
   if (!options.bank.empty()) return run_banks(options);
   if (options.rolling) return run_rolling(options);
   const StreamPlan plan = plan_of(options);
