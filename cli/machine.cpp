@@ -69,6 +69,10 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   ExecutorOptions executor;
   executor.axis = config_of(spec);
   executor.switches = spec.switches;
+  if (spec.compare) {
+    executor.compare = {spec.compare->of, spec.compare->compare};
+    executor.compare.list->pulse *= seconds_per_unit(spec);
+  }
   executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
   executor.adopt_start = options.adopt_start;

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,9 @@ struct Options {
   std::string value;
   std::map<std::string, std::string> named;  // by option, without --
   bool relative = false;
+  bool buffered = false;
+  bool avoid_reversal = false;
+  std::int64_t at = -1;
   LinkOptions link;
   bool json = false;
 };
@@ -40,6 +44,14 @@ Units units_of(Transport& link, const Options& options, const std::optional<wire
   return std::get<wire::Status>(message->body).units;
 }
 
+double number_of(const std::string& name, const std::string& text, const std::string& unit) {
+  try {
+    return quantity(text, unit);
+  } catch (const InputError& error) {
+    throw InputError(name, text, error.rule());
+  }
+}
+
 /// A quantity of position / s^order, of an option or of VALUE; an option that is not given is 0.
 double quantity_of(const Options& options, const std::string& option, const Units& units,
                    int order = 0) {
@@ -47,11 +59,30 @@ double quantity_of(const Options& options, const std::string& option, const Unit
   const auto found = options.named.find(option);
   const std::string text = is_value ? options.value : found->second;
   if (text.empty() && !is_value) return 0;
-  try {
-    return quantity(text, order == 0 ? units.position : rate_unit(units.position, "s", order));
-  } catch (const InputError& error) {
-    throw InputError(is_value ? option : "--" + option, text, error.rule());
-  }
+  return number_of(is_value ? option : "--" + option, text,
+                   order == 0 ? units.position : rate_unit(units.position, "s", order));
+}
+
+/// One that has to be given, of the axis or of its master.
+double required(const Options& options, const std::string& option, const std::string& unit) {
+  const std::string& text = options.named.at(option);
+  if (text.empty()) throw InputError("--" + option, "missing", options.what + " needs it");
+  return number_of("--" + option, text, unit);
+}
+
+/// --buffered, --blend: as a number on the wire.
+double buffer_mode_of(const Options& options) {
+  const std::map<std::string, double> blends{{"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}};
+  const std::string& blend = options.named.at("blend");
+  if (!blend.empty() && options.buffered)
+    throw InputError("--blend", blend, "does not go with --buffered: a move that blends is one");
+  return !blend.empty() ? blends.at(blend) : options.buffered ? 1 : 0;
+}
+
+void require_unbuffered(const Options& options, const std::string& what) {
+  if (buffer_mode_of(options) != 0)
+    throw InputError(options.buffered ? "--buffered" : "--blend", what,
+                     "waits for nothing: move --to, move --by and jog do");
 }
 
 /// "50%" or "0.5".
@@ -121,8 +152,15 @@ wire::Order move_of(const Options& options, const Units& units) {
       quantity_of(options, "velocity", units, 1), quantity_of(options, "acceleration", units, 2),
       quantity_of(options, "deceleration", units, 2), quantity_of(options, "jerk", units, 3)};
   std::copy(std::begin(rates), std::end(rates), order->value.begin() + 1);
-  if (order->kind == OrderKind::move_absolute)
+  const double buffer = buffer_mode_of(options);
+  if (order->kind == OrderKind::move_absolute) {
     order->value[5] = direction_of(options.named.at("direction"));
+    order->value[6] = buffer;
+  } else if (order->kind == OrderKind::move_relative) {
+    order->value[5] = buffer;
+  } else {
+    require_unbuffered(options, order->kind == OrderKind::move_additive ? "--add" : "--on-top");
+  }
   return *order;
 }
 
@@ -132,11 +170,12 @@ wire::Order order_of(const Options& options, const Units& units) {
   const double d = quantity_of(options, "deceleration", units, 2);
   const double j = quantity_of(options, "jerk", units, 3);
   if (what == "move") return move_of(options, units);
+  if (what != "jog") require_unbuffered(options, what);
   if (what == "override")
     return {.kind = OrderKind::override_, .value = {factor_of(options.value)}};
   if (what == "jog") {
     return {.kind = OrderKind::move_velocity,
-            .value = {quantity_of(options, "VALUE", units, 1), a, d, j}};
+            .value = {quantity_of(options, "VALUE", units, 1), a, d, j, buffer_mode_of(options)}};
   }
   if (what == "halt") return {.kind = OrderKind::halt, .value = {d, j}};
   if (what == "home")
@@ -148,6 +187,14 @@ wire::Order order_of(const Options& options, const Units& units) {
   if (what == "gear-in") {
     const auto [numerator, denominator] = ratio_of(options.value);
     return {.kind = OrderKind::gear_in, .value = {numerator, denominator, a, d, j}};
+  }
+  if (what == "gear-in-pos") {
+    const auto [numerator, denominator] = ratio_of(options.value);
+    return {.kind = OrderKind::gear_in_pos,
+            .value = {numerator, denominator, required(options, "master-sync", units.x),
+                      required(options, "slave-sync", units.position),
+                      required(options, "start-distance", units.x),
+                      options.avoid_reversal ? 1.0 : 0.0}};
   }
   const std::map<std::string, OrderKind> plain{
       {"enable", OrderKind::enable}, {"disable", OrderKind::disable},
@@ -161,7 +208,7 @@ wire::Order order_of(const Options& options, const Units& units) {
 CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
   if (!wire::is_operators(order.kind)) {
     Client client(link.transport(), options.executor, {.key = link.key()});
-    CallOutcome outcome = client.order(order.kind, order.value);
+    CallOutcome outcome = client.order(order.kind, order.value, order.at);
     static_cast<void>(client.release());
     return outcome;
   }
@@ -194,7 +241,8 @@ int run(const Options& options) {
     throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
   require_meant(options);
   Link link(options.link);
-  const wire::Order order = order_of(options, units_of(link.transport(), options, link.key()));
+  wire::Order order = order_of(options, units_of(link.transport(), options, link.key()));
+  order.at = options.at;
   if (const std::string rule = contradiction(order); !rule.empty())
     throw InputError(options.what, options.value, rule);
   return report(options, give(options, order, link));
@@ -206,21 +254,23 @@ void add_order(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* verb = add_verb(app, "order", "Tell an executor's axis one thing to do",
                             "jounce order feeder move --to 120mm --velocity 200mm/s\n"
+                            "jounce order feeder move --by 80mm --blend next\n"
                             "jounce order feeder jog -20mm/s\n"
                             "jounce order feeder override 50%\n"
                             "Numbers without a unit are in that of the axis.");
   verb->add_option("NAME", options->executor, "Name of the executor")->required();
-  verb->add_option("WHAT", options->what,
-                   "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
-                   "set-position; gear-in, gear-out, cam-out; start, of the table that it has of "
-                   "its own")
+  verb->add_option(
+          "WHAT", options->what,
+          "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
+          "set-position; gear-in, gear-in-pos, gear-out, cam-out; start, of the table that "
+          "it has of its own")
       ->required()
       ->check(CLI::IsMember({"enable", "disable", "reset", "hold", "resume", "override", "move",
-                             "jog", "halt", "home", "set-position", "gear-in", "gear-out",
-                             "cam-out", "start"}));
+                             "jog", "halt", "home", "set-position", "gear-in", "gear-in-pos",
+                             "gear-out", "cam-out", "start"}));
   verb->add_option("VALUE", options->value,
                    "override's factor (50%), jog's velocity, home's and set-position's position, "
-                   "gear-in's ratio (3:2)");
+                   "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
     return verb->add_option("--" + option, options->named[option], help);
   };
@@ -234,6 +284,19 @@ void add_order(CLI::App& app, Work& work) {
   add("jerk", "Jerk");
   add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
       ->check(CLI::IsMember({"shortest", "positive", "negative"}));
+  add("blend",
+      "Of move --to, --by and jog: pass the target of the move under way without a stop, at "
+      "the lower, its own, this one's or the higher velocity")
+      ->check(CLI::IsMember({"low", "previous", "next", "high"}));
+  add("master-sync", "gear-in-pos: where the master is when both run in step");
+  add("slave-sync", "gear-in-pos: where the axis is then");
+  add("start-distance", "gear-in-pos: so far before that the axis begins to move");
+  verb->add_flag("--avoid-reversal", options->avoid_reversal,
+                 "gear-in-pos: refuse to move against the direction of the gear");
+  verb->add_flag("--buffered", options->buffered,
+                 "Of move --to, --by and jog: begin when the motion under way has ended");
+  verb->add_option("--at", options->at, "Tick of the executor in which to obey; else at once")
+      ->check(CLI::NonNegativeNumber);
   verb->add_flag("--relative", options->relative, "set-position by an offset");
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Outcome for machines");

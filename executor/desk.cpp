@@ -193,8 +193,6 @@ void Desk::handle(const OrderRequested& requested) {
   const Request request{requested.session, requested.command,
                         command ? command->kind : Kind::gear_in};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
-  if (requested.at >= 0)
-    return decline(requested, "this executor obeys orders at once, not at a tick");
   if (requested.kind == wire::OrderKind::start) return start_own(requested);
   if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (moves(request.kind)) motion_session_ = requested.session;
@@ -205,7 +203,8 @@ void Desk::handle(const OrderRequested& requested) {
     const std::uint64_t id = ++numbers_;
     MadeMovement gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
     record_gear(requested, id);
-    outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get()}, request);
+    outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get(), .at = requested.at},
+                  request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
     decline(requested, error.what());
@@ -227,7 +226,7 @@ void Desk::start_own(const OrderRequested& requested) {
       {.kind = Kind::disarm});  // what is not armed in its place is not started in its place
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash);
-  outbox_.order({.kind = Kind::start});
+  outbox_.order({.kind = Kind::start, .at = requested.at});
 }
 
 void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {
@@ -250,10 +249,12 @@ Queues::Record Desk::recorded_rows() const {
 void Desk::handle_queue_order(const OrderRequested& requested) {
   const auto queue = static_cast<std::uint32_t>(requested.value[0]);
   const int bank = requested.value[1] == 0 ? 0 : 1;
-  if (requested.kind == wire::OrderKind::queue_end)
-    return decline(requested, "a stream ends with the row that says it is the last");
-  const bool done = requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
-                                                                    : queues_.clear(queue, bank);
+  if (requested.at >= 0) return decline(requested, "orders about queues know no tick");
+  if (requested.kind == wire::OrderKind::queue_end && !queues_.end(queue))
+    return decline(requested, "the queue is no stream, or has no row that ends at rest");
+  const bool done = requested.kind == wire::OrderKind::queue_end ||
+                    (requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
+                                                                     : queues_.clear(queue, bank));
   const Request request{requested.session, requested.command, Kind::none};
   answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
 }
@@ -331,8 +332,8 @@ void Desk::take_ticks() {
   for (Tick tick; mail_.ticks.pop(tick);) {
     if (log_) write(tick);
     compare(tick);
-    for (auto& event :
-         events_of(last_, tick, options_.switches.of, options_.axis.period, event_count_)) {
+    for (auto& event : events_of(last_, tick, {options_.switches.of, options_.compare.of},
+                                 options_.axis.period, event_count_)) {
       event_count_ = event.count;
       events_.push_back(event);
     }

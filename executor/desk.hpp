@@ -27,6 +27,7 @@ class Recorder;
 struct ExecutorOptions {
   AxisConfig axis;
   AxisSwitches switches = {};
+  AxisCompare compare = {};
   Follow follow = {};                     ///< its live master
   std::shared_ptr<AxisDrive> drive = {};  ///< behind its setpoints; none: they are the end of it
   Units units{};               ///< of the axis: a table in another one is refused; empty: any

@@ -28,7 +28,8 @@ MasterDesk::Options masters_of(const std::vector<ExecutorOptions>& axes,
 std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
   std::vector<MachineAxis> machine;
   for (const auto& axis : axes)
-    machine.push_back({axis.receiver.executor, axis.axis, axis.switches, axis.follow});
+    machine.push_back(
+        {axis.receiver.executor, axis.axis, axis.switches, axis.follow, axis.compare});
   return machine;
 }
 

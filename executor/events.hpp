@@ -9,13 +9,19 @@
 
 namespace jounce {
 
-/// What the outputs of an axis did between two of its ticks, as messages: each with the instant at
-/// which it happened, s before the later tick, and where the axis (or the master that its
-/// switches are of) was then. Ascending in time; `count`ed on from `last_count`.
+/// What the outputs of an axis stand on.
+struct OutputsOf {
+  SwitchesOf switches = SwitchesOf::position;
+  SwitchesOf compare = SwitchesOf::position;
+};
+
+/// What the outputs of an axis did between two of its ticks, cam switches and position compare, as
+/// messages: each with the instant at which it happened, s before the later tick, and where the axis
+/// (or its master, or its drive) was then. Ascending in time; `count`ed on from `last_count`.
 ///
 /// The place is taken from the cubic through both ticks with their velocities, as the instant is
-/// (cam/cam_switches.hpp). `period`: ns of a tick.
-std::vector<wire::Event> events_of(const Tick& before, const Tick& now, SwitchesOf of,
+/// (profiles/cycle_motion.hpp); of an actual position from a straight line. `period`: ns of a tick.
+std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,
                                    std::int64_t period, std::int64_t last_count);
 
 }  // namespace jounce

@@ -15,6 +15,15 @@ MoveDynamics dynamics(const std::array<double, 8>& value, std::size_t first) {
   return {value[first], value[first + 1], value[first + 2], value[first + 3]};
 }
 
+BufferMode buffer(double value) {
+  return static_cast<BufferMode>(std::lround(value));
+}
+
+Command buffered(Command command, double value) {
+  command.buffer = buffer(value);
+  return command;
+}
+
 Command move(Kind kind, const std::array<double, 8>& value) {
   return {.kind = kind, .position = value[0], .dynamics = dynamics(value, 1)};
 }
@@ -22,6 +31,7 @@ Command move(Kind kind, const std::array<double, 8>& value) {
 Command move_absolute(const std::array<double, 8>& value) {
   Command command = move(Kind::move_absolute, value);
   command.direction = static_cast<Direction>(std::lround(value[5]));
+  command.buffer = buffer(value[6]);
   return command;
 }
 
@@ -34,7 +44,10 @@ Command move_velocity(const std::array<double, 8>& value) {
 
 }  // namespace
 
-std::optional<Command> command_of(const OrderRequested& order) {
+namespace {
+
+/// All but when.
+std::optional<Command> untimed(const OrderRequested& order) {
   const auto& value = order.value;
   switch (order.kind) {
     case OrderKind::enable:
@@ -56,13 +69,13 @@ std::optional<Command> command_of(const OrderRequested& order) {
     case OrderKind::move_absolute:
       return move_absolute(value);
     case OrderKind::move_relative:
-      return move(Kind::move_relative, value);
+      return buffered(move(Kind::move_relative, value), value[5]);
     case OrderKind::move_additive:
       return move(Kind::move_additive, value);
     case OrderKind::move_superimposed:
       return move(Kind::move_superimposed, value);
     case OrderKind::move_velocity:
-      return move_velocity(value);
+      return buffered(move_velocity(value), value[4]);
     case OrderKind::halt:
       return Command{.kind = Kind::halt, .dynamics = {0, 0, value[0], value[1]}};
     case OrderKind::gear_out:
@@ -72,6 +85,14 @@ std::optional<Command> command_of(const OrderRequested& order) {
     default:
       return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<Command> command_of(const OrderRequested& order) {
+  auto command = untimed(order);
+  if (command) command->at = order.at;
+  return command;
 }
 
 std::unique_ptr<Movement> gear_of(const OrderRequested& order, std::uint64_t id,

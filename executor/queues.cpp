@@ -99,6 +99,8 @@ bool QueueMovement::take(const HandedOver& what) const {
       return fifos_->queue_switch();
     case HandedOver::Kind::clear:
       return fifos_->clear(what.bank);
+    case HandedOver::Kind::end:
+      return fifos_->complete();
     case HandedOver::Kind::begin:
       break;
   }
@@ -193,6 +195,10 @@ bool Queues::queue_switch(std::uint32_t queue) {
 
 bool Queues::clear(std::uint32_t queue, int bank) {
   return act(queue, HandedOver::Kind::clear, bank);
+}
+
+bool Queues::end(std::uint32_t queue) {
+  return act(queue, HandedOver::Kind::end, 0);
 }
 
 std::array<std::uint32_t, 2> Queues::fill(std::uint64_t movement) const {

@@ -26,6 +26,7 @@ struct HandedOver {
     queue_switch,  ///< the other bank goes on
     clear,         ///< of the bank
     begin,         ///< it is armed, and this bank begins
+    end,           ///< what was handed over is all
   };
   std::uint64_t movement = 0;
   std::uint64_t number = 0;
@@ -81,6 +82,8 @@ class Queues {
 
   bool queue_switch(std::uint32_t queue);
   bool clear(std::uint32_t queue, int bank);
+  /// The stream is complete: false where it has no rows, or does not end at rest.
+  bool end(std::uint32_t queue);
   /// The owner is gone. What plays goes on with the rows that it has.
   void close() { open_.clear(); }
 

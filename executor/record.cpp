@@ -15,6 +15,7 @@
 #include "jounce_record/job_t.hpp"
 #include "jounce_record/lost_t.hpp"
 #include "jounce_record/master_t.hpp"
+#include "jounce_record/output_t.hpp"
 #include "jounce_record/queue_t.hpp"
 #include "jounce_record/rows_t.hpp"
 #include "jounce_record/sight_t.hpp"
@@ -286,9 +287,58 @@ RecordedSight ours(const sight_t& w) {
   return s;
 }
 
+/// f(name, ours, theirs) for every number.
+template <class Ours, class Theirs, class F>
+void each_of_output(Ours& o, Theirs& w, F f) {
+  f("part", o.part, w.part);
+  f("of", o.of, w.of);
+  f("period", o.period, w.period);
+  f("first_on_position", o.cam_switch.first_on_position, w.first_on_position);
+  f("last_on_position", o.cam_switch.last_on_position, w.last_on_position);
+  f("axis_direction", o.cam_switch.axis_direction, w.axis_direction);
+  f("switch_mode", o.cam_switch.mode, w.switch_mode);
+  f("duration", o.cam_switch.duration, w.duration);
+  f("on_compensation", o.track.on_compensation, w.on_compensation);
+  f("off_compensation", o.track.off_compensation, w.off_compensation);
+  f("hysteresis", o.track.hysteresis, w.hysteresis);
+  f("inverted", o.track.inverted, w.inverted);
+  f("enabled", o.track.enabled, w.enabled);
+  f("initial", o.track.initial, w.initial);
+  f("compare_mode", o.mode, w.compare_mode);
+  f("pulse", o.pulse, w.pulse);
+  f("points", o.points, w.points);
+}
+
+output_t on_wire(const RecordedOutput& o) {
+  output_t w{};
+  w.axis = static_cast<std::int16_t>(o.axis);
+  each_of_output(o, w, Put{});
+  const bool track = o.part == RecordedOutput::Part::track;
+  w.track = static_cast<std::int8_t>(track ? o.track.track : o.cam_switch.track);
+  w.count = static_cast<std::int32_t>(o.some.size());
+  for (std::size_t i = 0; i < o.some.size(); ++i) {
+    w.position[i] = o.some[i].position;
+    w.level[i] = o.some[i].level ? 1 : 0;
+  }
+  return w;
+}
+
+RecordedOutput ours(const output_t& w) {
+  RecordedOutput o{.axis = static_cast<std::size_t>(w.axis)};
+  each_of_output(o, w, Get{});
+  o.cam_switch.track = o.track.track = w.track;
+  if (w.points < 0 || w.points > static_cast<std::int64_t>(RecordedOutput::longest))
+    throw InputError("points", std::to_string(w.points), "must be from 0 to 100000");
+  if (w.compare_mode == 0) throw InputError("compare_mode", "0", "must be from 1 to 6");
+  if (w.count < 0 || w.count > static_cast<int>(RecordedOutput::most_points))
+    throw InputError("count", std::to_string(w.count), "must be from 0 to 64 points");
+  for (int i = 0; i < w.count; ++i) o.some.push_back({w.position[i], w.level[i] != 0});
+  return o;
+}
+
 constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
-    "JOUNCE.axis",  "JOUNCE.table", "JOUNCE.job",  "JOUNCE.cycle",  "JOUNCE.lost",
-    "JOUNCE.queue", "JOUNCE.rows",  "JOUNCE.gear", "JOUNCE.master", "JOUNCE.sight"};
+    "JOUNCE.axis", "JOUNCE.table", "JOUNCE.job",    "JOUNCE.cycle", "JOUNCE.lost",  "JOUNCE.queue",
+    "JOUNCE.rows", "JOUNCE.gear",  "JOUNCE.master", "JOUNCE.sight", "JOUNCE.output"};
 
 template <class Wire>
 std::string bytes_of(const Wire& w) {
@@ -297,13 +347,17 @@ std::string bytes_of(const Wire& w) {
   return bytes;
 }
 
-/// Fixed-size types only: their decoder cannot be led beyond the bytes.
+/// Fixed-size types only: their decoder cannot be led beyond the bytes. The first eight of them are LCM's
+/// fingerprint of the type's fields, so that a record of other fields (another version's) is refused.
 template <class Wire>
 RecordEvent event_of(std::string_view channel, std::string_view bytes) {
   Wire w{};
   const bool fits = bytes.size() == static_cast<std::size_t>(w.getEncodedSize());
   if (!fits || w.decode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0)
-    throw InputError("event", std::string(channel), "is not of the type that this channel has");
+    throw InputError(
+        "event", std::string(channel),
+        "is not of the type that this channel has: a record is replayed by the version "
+        "of jounce that wrote it");
   return ours(w);
 }
 
@@ -332,14 +386,20 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
   if (it == channels.end()) return std::nullopt;
   using Decode = RecordEvent (*)(std::string_view, std::string_view);
   constexpr std::array<Decode, channels.size()> decoders{
-      event_of<axis_t>,   event_of<table_t>, event_of<job_t>,  event_of<cycle_t>,
-      event_of<lost_t>,   event_of<queue_t>, event_of<rows_t>, event_of<gear_t>,
-      event_of<master_t>, event_of<sight_t>};
+      event_of<axis_t>,   event_of<table_t>, event_of<job_t>,   event_of<cycle_t>,
+      event_of<lost_t>,   event_of<queue_t>, event_of<rows_t>,  event_of<gear_t>,
+      event_of<master_t>, event_of<sight_t>, event_of<output_t>};
   RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
   if (number_of(event) < 0)
     throw InputError("axis or master", std::to_string(number_of(event)), "must not be negative");
   return event;
 }
+
+namespace {
+bool of_outputs(std::string_view name) {
+  return name == "outputs" || name == "switch_edge" || name == "compare" || name == "compare_edge";
+}
+}  // namespace
 
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches) {
@@ -353,7 +413,7 @@ std::optional<TickDifference> first_difference(const Tick& recorded, const Tick&
                 bool same = now == theirs;
                 if constexpr (std::is_same_v<T, double>)
                   same = std::bit_cast<std::uint64_t>(now) == std::bit_cast<std::uint64_t>(theirs);
-                if (same || found || (name == "outputs" && !switches)) return;
+                if (same || found || (of_outputs(name) && !switches)) return;
                 found = {std::string(name), static_cast<double>(theirs), static_cast<double>(now)};
               });
   return found;

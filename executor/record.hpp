@@ -12,6 +12,7 @@
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/master.hpp"
 #include "jounce/executor/queues.hpp"
+#include "jounce/executor/recorded_output.hpp"
 #include "jounce/io/hash.hpp"
 
 namespace jounce {
@@ -27,8 +28,10 @@ struct RecordedAxis {
   std::string name = {};
   Units units = {};  ///< x: the master's
   AxisConfig config = {};
-  bool whole = true;      ///< false: a black box, which begins in the middle of a run
-  bool switches = false;  ///< it has cam switches: their outputs are recorded, but not replayed
+  bool whole = true;          ///< false: a black box, which begins in the middle of a run
+  bool switches = false;      ///< it has outputs that are not in the record: not replayed
+  AxisSwitches outputs = {};  ///< follow as RecordedOutput
+  AxisCompare compare = {};   ///< likewise
 };
 
 /// A table, or a part of a large one: 200 knots an event.
@@ -106,9 +109,9 @@ struct RecordedLoss {
   std::int64_t cycles = 0;
 };
 
-using RecordEvent =
-    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
-                 RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight>;
+using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
+                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
+                                 RecordedMaster, RecordedSight, RecordedOutput>;
 
 /// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
 std::string_view channel_of(const RecordEvent& event);
@@ -122,7 +125,7 @@ struct TickDifference {
   double recorded = 0;
   double replayed = 0;
 };
-/// The first one, in the order of cycle_t. `switches`: the outputs of cam switches count, too.
+/// The first one, in the order of cycle_t. `switches`: outputs and the instants of their edges count, too.
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches = true);
 

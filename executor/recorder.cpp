@@ -63,7 +63,11 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape
   file_.open(part_, std::ios::binary | std::ios::trunc);
   if (!file_)
     throw std::system_error(errno, std::generic_category(), "cannot write " + part_.string());
-  for (const RecordedAxis& axis : axes_) write(axis, 0);
+  for (const RecordedAxis& axis : axes_) {
+    write(axis, 0);
+    for (const RecordedOutput& part : parts_of(axis.axis, axis.outputs, axis.compare))
+      write(part, 0);
+  }
   for (const RecordedMaster& master : masters_) write(master, 0);
 }
 

@@ -44,6 +44,14 @@ class Replayer {
     if (!axis.whole) end("it is a black box: it begins in the middle of a run");
   }
 
+  /// The axis is made again with what its outputs are made from so far.
+  void take(const RecordedOutput& part) {
+    static_cast<void>(config(part.axis));
+    RecordedAxis& axis = result_.axes[part.axis];
+    if (apply(part, axis.outputs, axis.compare) && part.axis < motions_.size())
+      motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
+  }
+
   void take(const RecordedTable& part) {
     Growing& table = growing_[part.hash];
     if (part.first != table.columns.x.size())

@@ -181,7 +181,9 @@ struct Recording {
                          .name = axis.receiver.executor,
                          .units = axis.units,
                          .config = resolved(axis.axis),
-                         .switches = !axis.switches.table.switches.empty()});
+                         .switches = !recordable(axis.compare),
+                         .outputs = axis.switches,
+                         .compare = axis.compare});
     tape = std::make_unique<Tape>();
     recorder = std::make_unique<Recorder>(std::move(options), std::move(of_axes), *tape,
                                           recorded(run.masters, axes));

@@ -95,6 +95,7 @@ void read_axis(TomlReader& top, Spec& spec) {
   (void)detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
   spec.subject = axis;
   spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
+  spec.compare = detail::read_compare(top, spec);
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {

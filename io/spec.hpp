@@ -125,7 +125,8 @@ struct AxisPart {
 
 /// An output that is fired along the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};  ///< of several
+  std::string axis = {};                 ///< of several
+  SwitchesOf of = SwitchesOf::position;  ///< of kind "axis": position, or actual
   PositionCompare compare;
   CompareDevice device;  ///< in the spec's unit of time
 };

@@ -14,6 +14,8 @@ constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareM
 const std::vector<std::string> mode_names{"equal",     "less",   "greater",
                                           "fifo_time", "linear", "fifo_level"};
 
+const std::vector<std::string> sources{"position", "actual"};
+
 /// How many points a line has, 1 to 1e7.
 std::int64_t count_of(TomlReader& compare) {
   const std::int64_t count = compare.whole("count");
@@ -54,6 +56,9 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
                                  [&](const AxisPart& each) { return each.name == read.axis; });
   if (part == parts.end())
     compare->fail("axis", '"' + read.axis + '"', "must name one of the spec's axes");
+  if (std::holds_alternative<AxisSpec>(spec.subject) &&
+      compare->optional_choice("of", sources).value_or(0) == 1)
+    read.of = SwitchesOf::actual;
   PositionCompare& c = read.compare;
   c.mode = modes[compare->choice("mode", mode_names)];
   c.points = read_points(*compare, part->units, c.mode);

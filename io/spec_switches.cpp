@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<std::string> directions{"both", "positive", "negative"};
 const std::vector<std::string> modes{"position", "time"};
-const std::vector<std::string> sources{"position", "master"};
+const std::vector<std::string> sources{"position", "master", "actual"};
 
 int read_track(TomlReader& reader) {
   const std::int64_t track = reader.whole("track");
@@ -56,10 +56,12 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
     if (read.of == SwitchesOf::master && !spec.over_master() && spec.master_unit.empty())
       group->fail("of", "\"master\"", "needs units.master: the axis has no master otherwise");
   }
+  if (read.of == SwitchesOf::actual && spec.over_master())
+    group->fail("of", "\"actual\"", "is for an axis: a cam has no drive");
   const bool of_master = read.of == SwitchesOf::master;
-  const std::string& unit = !of_master      ? spec.units.position
+  const std::string& unit = !of_master           ? spec.units.position
                             : spec.over_master() ? spec.units.x
-                                            : spec.master_unit;
+                                                 : spec.master_unit;
   if (of_master) read.table.period = master_period;
   if (group) {
     if (const auto period = group->optional_number("period", unit)) {

@@ -10,17 +10,18 @@ namespace {
 
 /// What a value is, as a letter: any number (n), a magnitude (m: >= 0), a flag (f), a direction (d),
 /// a factor 0 to 2 (o), a whole number (w), one that is not 0 (z), a count (c: whole, >= 0), a
-/// bank (f).
+/// bank (f), a buffer mode (b: whole, 0 to 5).
 struct Meaning {
   const char* name;
   const char* values;
-  std::array<const char*, 6> words;
+  std::array<const char*, 7> words;
 };
 
 constexpr const char* v = "velocity";
 constexpr const char* a = "acceleration";
 constexpr const char* d = "deceleration";
 constexpr const char* j = "jerk";
+constexpr const char* b = "buffer mode";
 
 constexpr Meaning meanings[] = {
     {"enable", "", {}},
@@ -31,11 +32,11 @@ constexpr Meaning meanings[] = {
     {"hold", "", {}},
     {"resume", "", {}},
     {"override", "o", {"factor"}},
-    {"move_absolute", "nmmmmd", {"position", v, a, d, j, "direction"}},
-    {"move_relative", "nmmmm", {"distance", v, a, d, j}},
+    {"move_absolute", "nmmmmdb", {"position", v, a, d, j, "direction", b}},
+    {"move_relative", "nmmmmb", {"distance", v, a, d, j, b}},
     {"move_additive", "nmmmm", {"distance", v, a, d, j}},
     {"move_superimposed", "nmmmm", {"distance", "velocity difference", a, d, j}},
-    {"move_velocity", "nmmm", {v, a, d, j}},
+    {"move_velocity", "nmmmb", {v, a, d, j, b}},
     {"halt", "mm", {d, j}},
     {"gear_in", "wzmmm", {"numerator", "denominator", a, d, j}},
     {"gear_in_pos",
@@ -63,6 +64,7 @@ const char* broken(char letter, double value) {
   if (letter == 'f' && value != 0 && value != 1) return "must be 0 or 1";
   if (letter == 'd' && std::abs(value) != 1 && value != 0) return "must be -1, 0 or 1";
   if (letter == 'o' && (value < 0 || value > 2)) return "must be 0 to 2";
+  if (letter == 'b' && !(whole && value >= 0 && value <= 5)) return "must be 0 to 5";
   if ((letter == 'w' || letter == 'z') && !whole) return "must be a whole number of 31 bits";
   if (letter == 'z' && value == 0) return "must not be 0";
   if (letter == 'c' && (!whole || value < 0)) return "must be a whole number of 31 bits, 0 or more";

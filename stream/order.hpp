@@ -16,29 +16,30 @@ namespace jounce::wire {
 
 /// In brackets the values, in their order.
 enum class OrderKind : std::int8_t {
-  enable = 0,              ///< []
-  disable = 1,             ///< []
-  reset = 2,               ///< [] clears a fault
-  set_position = 3,        ///< [position u, 1: relative] nothing moves
-  home = 4,                ///< [position u] what the axis stands at is called so
-  hold = 5,                ///< [] to rest on the path
-  resume = 6,              ///< [] goes on from there
-  override_ = 7,           ///< [velocity factor 0...2]
-  move_absolute = 8,       ///< [position u, velocity, acceleration, deceleration, jerk, direction]
-  move_relative = 9,       ///< [distance u, velocity, acceleration, deceleration, jerk]
-  move_additive = 10,      ///< [distance u, velocity, acceleration, deceleration, jerk]
+  enable = 0,          ///< []
+  disable = 1,         ///< []
+  reset = 2,           ///< [] clears a fault
+  set_position = 3,    ///< [position u, 1: relative] nothing moves
+  home = 4,            ///< [position u] what the axis stands at is called so
+  hold = 5,            ///< [] to rest on the path
+  resume = 6,          ///< [] goes on from there
+  override_ = 7,       ///< [velocity factor 0...2]
+  move_absolute = 8,   ///< [position u, velocity, acceleration, deceleration, jerk, direction,
+                       ///< buffer mode]
+  move_relative = 9,   ///< [distance u, velocity, acceleration, deceleration, jerk, buffer mode]
+  move_additive = 10,  ///< [distance u, velocity, acceleration, deceleration, jerk]
   move_superimposed = 11,  ///< [distance u, velocity difference, acceleration, deceleration, jerk]
-  move_velocity = 12,      ///< [velocity u/s, signed; acceleration, deceleration, jerk]
-  halt = 13,               ///< [deceleration, jerk]
-  gear_in = 14,            ///< [numerator, denominator, acceleration, deceleration, jerk]
-  gear_in_pos = 15,        ///< [numerator, denominator, master sync position m, slave sync position
-                           ///< u, master start distance m, 1: avoid reversal]
-  gear_out = 16,           ///< []
-  cam_out = 17,            ///< []
-  queue_switch = 18,       ///< [queue, bank] the other bank goes on where this one ends
-  queue_clear = 19,        ///< [queue, bank, seq from which its messages count again]
-  queue_end = 20,          ///< [queue] what is there is all: its last row ends the stream
-  start = 21,              ///< [] plays the table that the axis has of its own, from its beginning
+  move_velocity = 12,  ///< [velocity u/s, signed; acceleration, deceleration, jerk, buffer mode]
+  halt = 13,           ///< [deceleration, jerk]
+  gear_in = 14,        ///< [numerator, denominator, acceleration, deceleration, jerk]
+  gear_in_pos = 15,    ///< [numerator, denominator, master sync position m, slave sync position
+                       ///< u, master start distance m, 1: avoid reversal]
+  gear_out = 16,       ///< []
+  cam_out = 17,        ///< []
+  queue_switch = 18,   ///< [queue, bank] the other bank goes on where this one ends
+  queue_clear = 19,    ///< [queue, bank, seq from which its messages count again]
+  queue_end = 20,      ///< [queue] what is there is all: its last row ends the stream
+  start = 21,          ///< [] plays the table that the axis has of its own, from its beginning
 };
 inline constexpr int order_kinds = 22;
 
@@ -56,7 +57,8 @@ const char* name(OrderKind kind);
 std::size_t arity(OrderKind kind);
 
 /// What an order says wrongly, as a sentence that names the value; empty: nothing. Every value is
-/// finite, magnitudes are >= 0, a flag is 0 or 1, a direction -1, 0 or 1, an override 0 to 2, a
+/// finite, magnitudes are >= 0, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
+/// blending low, previous, next, high), a direction -1, 0 or 1, an override 0 to 2, a
 /// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
 std::string contradiction(const Order& order);
 

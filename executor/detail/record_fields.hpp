@@ -70,6 +70,9 @@ void each_output(TickOfOurs& t, RefusalOfOurs& refused, Theirs& w, F f) {
   f("torque", t.torque, w.torque);
   f("in_position", t.in_position, w.in_position);
   f("outputs", t.switches.outputs, w.outputs);
+  f("switch_edge", t.switches.edge[0].time, w.switch_edge);
+  f("compare", t.compare.output, w.compare);
+  f("compare_edge", t.compare.edge[0].time, w.compare_edge);
   f("refused", refused.cause, w.refused);
   f("refused_value", refused.value, w.refused_value);
   f("refused_limit", refused.limit, w.refused_limit);
@@ -129,6 +132,17 @@ inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1
 template <>
 inline constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
 template <>
+inline constexpr int count_of<RecordedOutput::Part> =
+    static_cast<int>(RecordedOutput::Part::compare) + 1;
+template <>
+inline constexpr int count_of<SwitchesOf> = static_cast<int>(SwitchesOf::actual) + 1;
+template <>
+inline constexpr int count_of<AxisDirection> = static_cast<int>(AxisDirection::negative) + 1;
+template <>
+inline constexpr int count_of<CamSwitchMode> = static_cast<int>(CamSwitchMode::time) + 1;
+template <>
+inline constexpr int count_of<CompareMode> = static_cast<int>(CompareMode::fifo_level) + 1;
+template <>
 inline constexpr int count_of<BufferMode> = static_cast<int>(BufferMode::blending_high) + 1;
 template <>
 inline constexpr int count_of<Cause> = 256;
@@ -145,7 +159,7 @@ inline constexpr int count_of<wire::QueueMode> = 2;
 template <>
 inline constexpr int count_of<wire::QueueEvent> = 3;
 template <>
-inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::begin) + 1;
+inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::end) + 1;
 template <>
 inline constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
 

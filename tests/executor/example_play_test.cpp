@@ -574,5 +574,23 @@ TEST(Queue, StoppedInMidPlayIsClearedAndFilledAgain) {
   EXPECT_EQ(site.knife().state, State::synchronized_motion);
 }
 
+// The sender learns late that what it has sent was all.
+TEST(Queue, DeclaredCompleteItEndsWithoutAnUnderrun) {
+  for (const bool declared : {true, false}) {
+    Site site;
+    Hand hand(site);
+    hand.open({.units = over_time, .capacity = 32, .prefill = 2});
+    hand.fill(0, {{0.5, 100}, {1.0, 0, PtType::stop}});
+    hand.arm_and_start();
+    if (declared)
+      hand.tell(wire::Order{.kind = wire::OrderKind::queue_end,
+                            .value = {static_cast<double>(wire::first_queue)}});
+    hand.wait(1500ms);
+    EXPECT_EQ(site.knife().fault, declared ? Cause::none : Cause::underrun);
+    EXPECT_EQ(site.knife().finished, declared ? 1U : 0U);
+    EXPECT_EQ(hand.ack().progress, declared ? wire::Progress::done : wire::Progress::starving);
+  }
+}
+
 }  // namespace
 }  // namespace jounce

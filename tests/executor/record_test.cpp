@@ -295,6 +295,21 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
   EXPECT_EQ(replayed(bytes_of(path("mixed.lcmlog"))).compared, 3);
 }
 
+// LCM's fingerprint stands for the fields of a type: a cycle of other fields is another version's.
+TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
+  std::string bytes = encoded(RecordedCycle{});
+  bytes[3] = static_cast<char>(bytes[3] ^ 1);
+  for (const std::string& other : {bytes, bytes.substr(0, bytes.size() - 17)}) {
+    try {
+      decoded("JOUNCE.cycle", other);
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("JOUNCE.cycle"));
+      EXPECT_THAT(error.what(), HasSubstr("by the version of jounce that wrote it"));
+    }
+  }
+}
+
 TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
   std::string bytes;
   start({.log = path("run.lcmlog")});

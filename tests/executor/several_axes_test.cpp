@@ -120,7 +120,7 @@ TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
   const double at = std::sqrt(2.0 / 500);  // 63.2 ms
   now.switches.count = 1;
   now.switches.edge[0] = {.time = at - 0.062, .track = 3, .on = true};
-  const auto events = events_of(before, now, SwitchesOf::position, 1'000'000, 7);
+  const auto events = events_of(before, now, {}, 1'000'000, 7);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].count, 8);
   EXPECT_EQ(events[0].number, 3U);

@@ -1,0 +1,202 @@
+// Cam switches and position compare as messages, and in a record that is replayed.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/replay.hpp"
+#include "jounce/stream/client.hpp"
+#include "jounce/stream/memory_transport.hpp"
+
+#include "axis/tables.hpp"
+#include "executor/virtual_pacer.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+const Units over_time{.x = "s", .position = "mm"};
+
+PositionCompare camera() {
+  return {.mode = CompareMode::linear, .points = evenly(1, 0.5, 90), .pulse = 3e-4};
+}
+
+AxisSwitches glue() {
+  return {.table = {.switches = {{.track = 1, .first_on_position = 10, .last_on_position = 20},
+                                 {.track = 2,
+                                  .first_on_position = 15,
+                                  .mode = CamSwitchMode::time,
+                                  .duration = 0.01}},
+                    .tracks = {{.track = 1, .on_compensation = -2e-3}}}};
+}
+
+ExecutorOptions feeder() {
+  ExecutorOptions options;
+  options.axis.limits = limits(1000, 1e5);
+  options.units = {"", "mm"};
+  options.receiver.executor = "feeder";
+  options.switches = glue();
+  options.compare = {SwitchesOf::position, camera()};
+  return options;
+}
+
+/// An executor that is recorded, on a memory network and a virtual clock.
+struct Site {
+  /// `recorded`: what the record says that its outputs are.
+  explicit Site(const ExecutorOptions& recorded = feeder()) {
+    log = std::filesystem::temp_directory_path() /
+          ("jounce-outputs-" + std::to_string(::getpid()) + ".lcmlog");
+    recorder =
+        std::make_unique<Recorder>(RecorderOptions{.log = log},
+                                   std::vector<RecordedAxis>{{.name = "feeder",
+                                                              .config = resolved(recorded.axis),
+                                                              .outputs = recorded.switches,
+                                                              .compare = recorded.compare}},
+                                   *tape);
+    options.recorder = recorder.get();
+    dispatcher = std::make_unique<Dispatcher>(own_link, std::vector{options}, post, clock);
+    network.on_wait = [this](Nanos time) { advance(time); };
+  }
+  ~Site() { std::filesystem::remove(log); }
+
+  void advance(Nanos time) {
+    for (const Nanos end = clock() + time; clock() < end;) {
+      cycle.once();
+      dispatcher->turn(0ns);
+    }
+  }
+  Replay replayed() {
+    advance(10ms);
+    dispatcher->turn(0ns);
+    dispatcher->close();
+    recorder->close();
+    std::ifstream file(log, std::ios::binary);
+    return replay(file, "outputs");
+  }
+
+  std::filesystem::path log;
+  ExecutorOptions options = feeder();
+  MemoryNetwork network;
+  MemoryTransport own_link{network};
+  MemoryTransport link{network};
+  Machine machine{machine_of({options})};
+  VirtualPacer pacer;
+  Clock clock = [this] { return Nanos(pacer.now()); };
+  std::unique_ptr<Tape> tape = std::make_unique<Tape>();  // megabytes
+  Post post{1};
+  std::unique_ptr<Recorder> recorder;
+  std::unique_ptr<Dispatcher> dispatcher;
+  Cycle cycle{machine, pacer, post, CycleOptions{.tape = tape.get()}};
+};
+
+// The instants that messages tell are those of the curve, whatever the cycle is.
+TEST(Outputs, OfAComparePassOverTheWireWithTheirInstants) {
+  Site site;
+  MemoryTransport listener(site.network);
+  listener.subscribe(wire::channel("feeder", wire::Lane::event), 4096);
+  const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
+  constexpr std::int64_t start = 300;
+  ASSERT_TRUE(
+      stream_tables(site.link,
+                    {.executor = "feeder", .tables = {{*move, over_time}}, .start_tick = start}, {},
+                    site.clock, 1)
+          .ok());
+  site.advance(1200ms);
+  std::map<std::int64_t, wire::Event> events;
+  Rejects rejects;
+  while (const auto message = next_message(listener, 0ns, rejects))
+    if (const auto* event = std::get_if<wire::Event>(&message->body)) events[event->count] = *event;
+  std::vector<wire::Event> compares;
+  double before = 0;
+  for (const auto& [count, event] : events) {
+    const double instant = static_cast<double>(event.tick) * 1e-3 - event.offset_s;
+    EXPECT_GE(instant, before) << "ascending, both kinds together";
+    before = instant;
+    if (event.kind == wire::EventKind::compare) compares.push_back(event);
+  }
+  EXPECT_EQ(events.size(), compares.size() + 4) << "two tracks, on and off";
+  const auto exact = compared(camera(), move->curve<OverTime>()).edges;
+  ASSERT_EQ(compares.size(), exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const wire::Event& event = compares[i];
+    const double instant = static_cast<double>(event.tick - start) * 1e-3 - event.offset_s;
+    EXPECT_NEAR(instant, exact[i].time, 1e-9) << i;
+    EXPECT_EQ(event.on, exact[i].on);
+    EXPECT_EQ(event.number, 1U);
+    EXPECT_NEAR(event.position, move->jet(exact[i].time)[0], 1e-9);
+  }
+}
+
+void run(Site& site) {
+  Client client(site.link, "feeder", {}, site.clock);
+  ASSERT_TRUE(client.move_absolute(30, {.velocity = 77}).ok());
+  site.advance(700ms);
+  ASSERT_TRUE(client.set_position(3).ok());
+  ASSERT_TRUE(client.move_absolute(25, {.velocity = 33}).ok());
+  site.pacer.delay = 4'000'000;  // a late cycle
+  site.advance(900ms);
+  ASSERT_TRUE(client.release().ok());
+}
+
+TEST(Outputs, AreReplayedWithTheirEdges) {
+  Site site;
+  run(site);
+  const Replay replay = site.replayed();
+  EXPECT_TRUE(replay.same()) << replay.shorter;
+  EXPECT_GT(replay.compared, 1500);
+  ASSERT_EQ(replay.axes.size(), 1U);
+  EXPECT_EQ(replay.axes[0].outputs.table.switches.size(), 2U);
+  EXPECT_EQ(replay.axes[0].compare.list->points.size(), 90U) << "in two parts";
+}
+
+// It would be noticed if they were not the same.
+TEST(Outputs, OfAnotherListOrAnotherSwitchDiffer) {
+  for (const bool list : {true, false}) {
+    ExecutorOptions other = feeder();
+    if (list)
+      other.compare.list->points[40].position += 1e-6;
+    else
+      other.switches.table.tracks[0].on_compensation *= 1 + 1e-6;
+    Site site(other);
+    run(site);
+    const Replay replay = site.replayed();
+    ASSERT_TRUE(replay.difference);
+    EXPECT_EQ(replay.difference->what.field, list ? "compare_edge" : "switch_edge");
+  }
+}
+
+// ---- orders that wait ----------------------------------------------------------------------------
+
+TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
+  Site site;
+  Client client(site.link, "feeder", {}, site.clock);
+  using wire::OrderKind;
+  ASSERT_TRUE(client.order(OrderKind::move_absolute, {20, 100, 2000, 2000}).ok());
+  ASSERT_TRUE(client.order(OrderKind::move_relative, {10, 50, 2000, 2000, 0, 2}).ok());
+  const CallOutcome full = client.order(OrderKind::move_relative, {10, 50, 2000, 2000, 0, 1});
+  EXPECT_EQ(full.cause, static_cast<int>(Cause::buffer_full));
+  site.advance(1s);
+  EXPECT_EQ(site.dispatcher->last().position, 30);
+  EXPECT_EQ(site.dispatcher->last().finished, 2U);
+  const std::int64_t at = site.dispatcher->last().tick + 400;
+  ASSERT_TRUE(client.order(OrderKind::move_absolute, {40}, at).ok());
+  while (site.dispatcher->last().tick < at - 1) {
+    site.advance(1ms);
+    ASSERT_EQ(site.dispatcher->last().position, 30);
+  }
+  site.advance(300ms);
+  EXPECT_EQ(site.dispatcher->last().position, 40);
+  EXPECT_EQ(client.order(OrderKind::halt, {}, 3).cause, static_cast<int>(Cause::too_late));
+  EXPECT_TRUE(site.replayed().same());
+}
+
+}  // namespace
+}  // namespace jounce
