@@ -27,7 +27,7 @@ namespace {
 using namespace jounce_record;
 using namespace record_fields;
 
-constexpr std::int16_t version = 2;
+constexpr std::int16_t version = 3;
 constexpr std::size_t knots_an_event = 200;
 
 template <std::size_t N>
@@ -59,7 +59,7 @@ axis_t on_wire(const RecordedAxis& a) {
 RecordedAxis ours(const axis_t& w) {
   if (w.version != version)
     throw InputError("version", std::to_string(w.version),
-                     "of the record's types must be 2: another version of jounce wrote it");
+                     "of the record's types must be 3: another version of jounce wrote it");
   RecordedAxis a{.axis = static_cast<std::size_t>(w.axis),
                  .name = get_text(w.name),
                  .units = {get_text(w.master_unit), get_text(w.position_unit)},

@@ -295,6 +295,20 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
   EXPECT_EQ(replayed(bytes_of(path("mixed.lcmlog"))).compared, 3);
 }
 
+// As those of before outputs were replayed.
+TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
+  std::string bytes = encoded(RecordedAxis{});
+  ASSERT_EQ(bytes[9], 3) << "the version, big-endian, after eight bytes of the type";
+  bytes[9] = 2;
+  try {
+    decoded("JOUNCE.axis", bytes);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "version");
+    EXPECT_EQ(error.value(), "2");
+  }
+}
+
 // LCM's fingerprint stands for the fields of a type: a cycle of other fields is another version's.
 TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
   std::string bytes = encoded(RecordedCycle{});
