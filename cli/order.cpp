@@ -113,8 +113,9 @@ double direction_of(const std::string& text) {
 /// What is said beside WHAT and means nothing there would be believed to be obeyed.
 void require_meant(const Options& options) {
   static const std::map<std::string, std::string> meant{
-      {"move", " to by add on-top velocity acceleration deceleration jerk direction "},
-      {"jog", " VALUE acceleration deceleration jerk "},
+      {"move", " to by add on-top velocity acceleration deceleration jerk direction blend "},
+      {"jog", " VALUE acceleration deceleration jerk blend "},
+      {"gear-in-pos", " VALUE master-sync slave-sync start-distance avoid-reversal "},
       {"halt", " deceleration jerk "},
       {"gear-in", " VALUE acceleration deceleration jerk "},
       {"override", " VALUE "},
@@ -130,6 +131,7 @@ void require_meant(const Options& options) {
   };
   require("VALUE", options.value, !options.value.empty());
   require("relative", "", options.relative);
+  require("avoid-reversal", "", options.avoid_reversal);
   for (const auto& [option, text] : options.named) require(option, text, !text.empty());
 }
 
