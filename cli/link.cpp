@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include <fmt/format.h>
+
 #include "jounce/stream/lcm_transport.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 
@@ -20,6 +22,16 @@ CLI::Validator seconds_option() {
         return good ? std::string() : "`" + text + "` is not a number of seconds, 0.001 or more";
       },
       "", "seconds");
+}
+
+CLI::Validator within(double low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return good ? std::string() : fmt::format("`{}` is not from {} to {}", text, low, high);
+      },
+      fmt::format("from {} to {}", low, high), "within");
 }
 
 void add_link_options(CLI::App& verb, LinkOptions& options) {

@@ -26,6 +26,9 @@ Nanos nanos(double seconds);
 /// A limit on an option in seconds: a millisecond at the least.
 CLI::Validator seconds_option();
 
+/// As CLI::Range, which lets nan pass.
+CLI::Validator within(double low, double high);
+
 /// Adds --url and --key, and the hidden --inject-loss and --seed.
 void add_link_options(CLI::App& verb, LinkOptions& options);
 

@@ -184,23 +184,23 @@ void add_master(CLI::App& app, Work& work) {
   add_axis_option(verb, options->axis);
   verb->add_option("--as", options->name, "Name of the master")->required();
   verb->add_option("--rate", options->rate, "Samples a second")
-      ->check(CLI::Range(1.0, 10000.0))
+      ->check(within(1.0, 10000.0))
       ->capture_default_str();
   verb->add_option("--before", options->before, "Seconds for which it stands at the first point")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(within(0.0, 1e6))
       ->capture_default_str();
   verb->add_option("--after", options->after, "And at the last one, before it leaves")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(within(0.0, 1e6))
       ->capture_default_str();
   verb->add_option("--seconds", options->seconds,
                    "End after so many seconds, wherever it is; a table that repeats has no end")
       ->check(seconds_option());
   verb->add_option("--noise", options->errors.noise,
                    "White noise of the encoder, rms, in the table's unit")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(within(0.0, 1e9));
   verb->add_option("--resolution", options->errors.resolution,
                    "A count of the encoder, in the table's unit")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(within(0.0, 1e9));
   verb->add_option("--noise-seed", options->errors.seed, "Of the noise")->capture_default_str();
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Summary for machines");

@@ -192,7 +192,7 @@ void add_run(CLI::App& app, Work& work) {
       ->check(CLI::Range(0, 1023));
   verb->add_option("--watchdog", options->run.watchdog,
                    "Stop all axes where the communication hangs for so many seconds; 0: never")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(within(0.0, 1e6))
       ->capture_default_str();
   verb->add_option("--web", options->web,
                    "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "

@@ -1,7 +1,6 @@
 #include "stream_banks.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -13,14 +12,13 @@
 #include "jounce/stream/row_sender.hpp"
 #include "jounce/stream/static_queue.hpp"
 
+#include "interrupt.hpp"
 #include "progress.hpp"
 #include "reference.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// A table over a master as it is, one over time in seconds.
 TableFile bank_of(const std::string& file, const std::string& axis) {
@@ -51,20 +49,23 @@ Banks banks_of(const BankOptions& options) {
           .second = rows_of(second.table)(second.table.size())};
 }
 
-CallOutcome play(StaticQueue& queue, const Banks& banks) {
+/// Nothing starts after a Ctrl-C.
+CallOutcome play(StaticQueue& queue, const Banks& banks, const Interrupt& interrupt) {
   CallOutcome outcome = queue.open();
-  if (outcome.ok()) outcome = queue.fill(0, banks.first);
-  if (outcome.ok()) outcome = queue.fill(1, banks.second);
-  if (outcome.ok()) outcome = queue.arm();
-  if (outcome.ok()) outcome = queue.start();
-  if (outcome.ok()) outcome = queue.switch_over();
+  const auto goes_on = [&] { return outcome.ok() && !interrupt.asked(); };
+  if (goes_on()) outcome = queue.fill(0, banks.first);
+  if (goes_on()) outcome = queue.fill(1, banks.second);
+  if (goes_on()) outcome = queue.arm();
+  if (goes_on()) outcome = queue.start();
+  if (goes_on()) outcome = queue.switch_over();
   return outcome;
 }
 
 /// Looks on, ten times a second, until it is over: played to its end, stopped, or out of contact.
-CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress) {
+CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress,
+                  const Interrupt& interrupt) {
   for (;;) {
-    if (interrupted != 0) return client.stop();
+    if (interrupt.asked()) return client.stop();
     const auto level = queue.level();
     if (!level) return {StreamError::contact_lost, {}, 0, "the executor answers no more"};
     progress.show(0, name(level->progress));
@@ -77,14 +78,14 @@ CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress) {
   }
 }
 
-int report(const CallOutcome& outcome, const BankOptions& options) {
+int report(const CallOutcome& outcome, const BankOptions& options, bool interrupted) {
   if (options.json) {
     const nlohmann::ordered_json document{
         {"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
     fmt::print("{}\n", document.dump(1));
   } else if (outcome.ok()) {
     fmt::print("{} and {} at {}: {}\n", options.first, options.second, options.to,
-               interrupted == 0 ? "finished" : "stopped");
+               interrupted ? "stopped" : "finished");
   } else {
     fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
   }
@@ -99,13 +100,12 @@ int stream_banks(const BankOptions& options) {
   Link link(options.link);
   Client client(link.transport(), options.to, {.key = link.key()});
   StaticQueue queue(client, banks.queue);
-  interrupted = 0;
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const Interrupt interrupt;
   Progress progress("streaming to " + options.to);
-  CallOutcome outcome = play(queue, banks);
-  if (outcome.ok()) outcome = watch(client, queue, progress);
+  CallOutcome outcome = play(queue, banks, interrupt);
+  if (outcome.ok()) outcome = watch(client, queue, progress, interrupt);
   static_cast<void>(client.release());
-  return report(outcome, options);
+  return report(outcome, options, interrupt.asked());
 }
 
 }  // namespace jounce::cli
