@@ -24,7 +24,10 @@ double positive(TomlReader& reader, const char* key, const std::string& unit) {
 }
 
 void may_positive(TomlReader& reader, const char* key, double& seconds) {
-  if (reader.has(key)) seconds = positive(reader, key, "s");
+  const auto value = reader.optional_number(key, "s");
+  if (!value) return;
+  if (!(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
+  seconds = *value;
 }
 
 TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {

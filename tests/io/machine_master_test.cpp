@@ -79,6 +79,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(line + "latency = -1\n"), HasSubstr("master.line.latency"));
   EXPECT_THAT(complaint(line + "settle = 0\n"), HasSubstr("must be greater than 0"));
   EXPECT_THAT(complaint(line + "velocty = 0\n"), HasSubstr("velocty"));
+  EXPECT_THAT(complaint(line + "setle = 1\n"), HasSubstr("did you mean settle?"));
   EXPECT_THAT(complaint("[master.line]\nkind = \"extern\"\n"), HasSubstr("external"));
   EXPECT_THAT(complaint("[master.line]\nkind = \"external\"\nunit = \"mmm\"\n"),
               HasSubstr("master.line.unit"));
