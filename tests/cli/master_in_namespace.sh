@@ -10,7 +10,7 @@ executor=$!
 line=$!
 sleep 1
 "$1" stream "$2/cam.toml" --to label --live --start-at 250 || { kill $executor $line; fail "the cam was not started"; }
-"$1" monitor label --seconds 3 --json > "$scratch/seen"
+"$1" monitor label --seconds 6 --json > "$scratch/seen"
 grep -q '"master_name":"line".*"lost":false' "$scratch/seen" || fail "the monitor does not see the line"
 grep -q '"state":"synchronized_motion"' "$scratch/seen" || fail "the label does not follow"
 wait $line || fail "the sender ended badly"
