@@ -182,6 +182,9 @@ void Desk::handle(const SessionEnded& ended) {
   // The motion may be that of an owner before, who released it to run on.
   const bool its_motion = ended.session == motion_session_;
   const bool stops = silent && its_motion && options_.stop_when_silent;
+  // What was armed begins no more; a move that waits for the one before, or for its tick, does.
+  const bool armed = last_.armed != 0 || busy();
+  if (!stops && !armed) return;
   const Kind kind = stops ? Kind::stop : Kind::disarm;
   if (outbox_.last() != kind) outbox_.order({.kind = kind});
 }

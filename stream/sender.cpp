@@ -200,6 +200,7 @@ void Sender::accepted() {
       outcome_.started = true;
       leg_armed_ = false;
       due_.reset();
+      over_.reset();
       waited_ = false;
       if (++leg_ < legs_.size()) return enter(StreamStage::swapping);
       break;
@@ -256,10 +257,28 @@ void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos 
   const Sha256& hash = headers_[legs_[leg_ - 1].slave].hash;
   const bool there = status.next == wire::Next::nothing &&
                      std::equal(status.table.begin(), status.table.end(), hash.begin());
+  const bool stands = status.state == wire::AxisState::disabled ||
+                      status.state == wire::AxisState::standstill ||
+                      status.state == wire::AxisState::error_stop;
+  if (there || !stands || status.next != wire::Next::nothing) {
+    over_.reset();
+  } else if (now - over_.value_or(now) >= a_while) {
+    return be_over(status);
+  } else if (!over_) {
+    over_ = now;
+  }
   if (!there) return due_.reset();
   if (!due_) due_ = now;
   const bool new_table = leg_ < 2 || headers_[legs_[leg_ - 2].slave].hash != hash;
   if (waited_ || new_table || now - *due_ >= a_while) pursue();
+}
+
+/// The axis stands and waits for nothing: what was to begin has ended unseen, or never will begin.
+void Sender::be_over(const wire::Status& status) {
+  outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
+  if (outcome_.cause == 0) return pursue();
+  fail(StreamError::stopped, "the axis came to rest before the swap, by cause " +
+                                 std::to_string(outcome_.cause) + " (docs/executor/axis.md)");
 }
 
 void Sender::raise(StreamGoal goal) {

@@ -129,6 +129,7 @@ class Sender {
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
   void next_table(Nanos now);
+  void be_over(const wire::Status& status);
   [[nodiscard]] wire::Arm arm_of(const SwapPlan& leg) const;
   void pursue();
   void count();
@@ -137,8 +138,9 @@ class Sender {
   std::vector<SwapPlan> legs_;
   std::size_t leg_ = 0;  // the one that is to be armed or started next
   bool leg_armed_ = false;
-  std::optional<Nanos> due_;  // the last start looks as if it had taken place, since then
-  bool waited_ = false;       // it was seen to wait
+  std::optional<Nanos> due_;   // the last start looks as if it had taken place, since then
+  bool waited_ = false;        // it was seen to wait
+  std::optional<Nanos> over_;  // the axis has stood since then, with nothing to begin
   std::int64_t session_;
   SenderOptions options_;
   std::int64_t challenge_ = 0;  // what the executor told last

@@ -198,5 +198,25 @@ TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
   EXPECT_TRUE(site.replayed().same());
 }
 
+// As `jounce order` gives them: each in a session of its own, which ends.
+TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
+  Site site;
+  using wire::OrderKind;
+  const auto order = [&](OrderKind kind, const std::array<double, 8>& value, std::int64_t at = -1) {
+    Client client(site.link, "feeder", {}, site.clock);
+    EXPECT_TRUE(client.order(kind, value, at).ok());
+    EXPECT_TRUE(client.release().ok());
+    site.advance(5ms);
+  };
+  order(OrderKind::move_absolute, {20, 100, 2000, 2000});
+  order(OrderKind::move_relative, {10, 50, 2000, 2000, 0, 1});
+  site.advance(1s);
+  EXPECT_EQ(site.dispatcher->last().position, 30);
+  EXPECT_EQ(site.dispatcher->last().finished, 2U);
+  order(OrderKind::move_absolute, {40}, site.dispatcher->last().tick + 200);
+  site.advance(500ms);
+  EXPECT_EQ(site.dispatcher->last().position, 40);
+}
+
 }  // namespace
 }  // namespace jounce

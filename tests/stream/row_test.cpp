@@ -392,6 +392,23 @@ TEST(Swap, WaitsUntilTheOneBeforeHasTakenPlace) {
   EXPECT_EQ(world.executor->starts[3].when, wire::StartAt::end_of_table);
 }
 
+// An axis in a fault, or stopped by somebody else, never comes to the boundary.
+TEST(Swap, EndsWhereTheAxisHasStoppedBeforeIt) {
+  World world;
+  StreamPlan plan = test::plan_of(test::sine_table(100));
+  plan.tables.push_back({test::sine_table(200), test::move_units});
+  plan.swaps = {{.slave = 1}};
+  world.each_turn = [&] {
+    wire::Status status{.state = wire::AxisState::discrete_motion};
+    if (!world.executor->starts.empty())
+      status = {.state = wire::AxisState::error_stop, .last_error = 12};
+    world.executor->pump.publish(status);
+  };
+  const StreamOutcome outcome = world.stream(plan);
+  EXPECT_EQ(outcome.error, StreamError::stopped) << outcome.reason;
+  EXPECT_EQ(outcome.cause, 12);
+}
+
 TEST(Swap, IsCheckedBeforeAnythingIsSent) {
   StreamPlan plan = test::plan_of(test::sine_table(100));
   plan.swaps = {{.slave = 1}};
