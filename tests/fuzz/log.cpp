@@ -22,7 +22,7 @@ void read(const std::string& bytes) {
   }
 }
 
-/// One event of each kind: an axis that plays a table, with a queue and a gear beside it.
+/// One event of each kind: an axis that plays a table, with a queue, a gear, a master and a compare output.
 const std::vector<RecordEvent>& good() {
   static const std::vector<RecordEvent> events = [] {
     AxisConfig config;
@@ -46,6 +46,10 @@ const std::vector<RecordEvent>& good() {
         arm,
         RecordedCycle{.command = {.kind = Command::Kind::start, .id = 3}},
         RecordedLoss{.cycles = 1},
+        RecordedMaster{.name = "line", .unit = "mm", .followers = 1},
+        RecordedSight{.sight = {.tick = 1, .at = {1, 0, 0, 0}, .age = 0.001}},
+        RecordedOutput{
+            .part = RecordedOutput::Part::compare, .points = 1, .some = {{.position = 0.5}}},
     };
   }();
   return events;
