@@ -56,9 +56,9 @@ template <>
 inline constexpr int last_of<EventKind> = static_cast<int>(EventKind::tappet);
 
 template <class Enum>
-constexpr int first_of = 0;
+inline constexpr int first_of = 0;
 template <>
-constexpr int first_of<QueueEvent> = static_cast<int>(QueueEvent::start);
+inline constexpr int first_of<QueueEvent> = static_cast<int>(QueueEvent::start);
 
 template <class Enum>
 std::int8_t number_of(Enum value) {
