@@ -51,7 +51,14 @@ AxisConfig config_of(const Spec& spec) {
   config.following_time = axis->following_time;
   config.in_position = axis->in_position;
   config.in_position_time = axis->in_position_time;
+  if (axis->longest_gap > 0) config.longest_gap = std::llround(axis->longest_gap / axis->cycle);
   return config;
+}
+
+/// After how long a silence an owner has lost the axis.
+Nanos silence_of(const Spec& spec) {
+  const double seconds = std::get<AxisSpec>(spec.subject).session_timeout;
+  return Nanos(std::llround(seconds * 1e9));
 }
 
 /// A terminal that does not take text must not hold up the executor: then it is dropped.
@@ -75,6 +82,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   }
   executor.units = {spec.master_unit, spec.units.position};
   executor.receiver.executor = spec.name;
+  executor.receiver.session_timeout = silence_of(spec);
   executor.adopt_start = options.adopt_start;
   executor.stop_when_silent = !options.finish_when_silent;
   executor.enable = options.enable;
@@ -130,12 +138,23 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
   return follow;
 }
 
+/// A file that the machine's spec names.
+Spec read_named(const MachineSpec::Axis& axis, const Document& document) {
+  try {
+    return read_spec(axis.spec);
+  } catch (const InputError& error) {
+    throw document.naming(axis.key + ".spec", axis.spec, error);
+  }
+}
+
 std::vector<Read> read_axes(const MachineOptions& options,
                             const std::optional<MachineSpec>& machine) {
   std::vector<Read> read;
   if (machine) {
     for (const MachineSpec::Axis& axis : machine->axes) {
-      Read one{.spec = read_spec(axis.spec), .follow = axis.follow, .key = axis.key + "."};
+      Read one{.spec = read_named(axis, machine->document),
+               .follow = axis.follow,
+               .key = axis.key + "."};
       if (one.follow) one.said_in = &machine->document;
       read.push_back(std::move(one));
     }
@@ -181,6 +200,7 @@ MachineParts parts_of(const MachineOptions& options) {
                     {.what = Follow::What::setpoint, .index = axes.size()}});
   }
   std::vector<Leader> masters;
+  if (machine) parts.watchdog = machine->watchdog;
   if (machine)
     for (const MachineMasterSpec& spec : machine->masters)
       masters.push_back({spec.name, spec.unit, add_machine_master(spec, machine->document, parts)});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ std::string log_of(const std::string& log, const std::string& axis, std::size_t 
 struct MachineParts {
   std::vector<ExecutorOptions> axes = {};  ///< masters that play a table are the last of them
   std::vector<MachineMaster> masters = {};
+  std::optional<double> watchdog = {};  ///< s, as RunOptions::watchdog, if the spec says
 };
 
 /// As their specs say. Throws InputError, with file, line and key where there is one: a file of another

@@ -108,6 +108,11 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
   return {.what = Follow::What::setpoint, .index = parts.axes.size() - 1};
 }
 
+std::string named_file(const MachineMasterSpec& spec) {
+  const auto* const own = std::get_if<MachineMasterSpec::FromTable>(&spec.what);
+  return own == nullptr ? "" : own->file;
+}
+
 }  // namespace
 
 Follow add_machine_master(const MachineMasterSpec& spec, const Document& document,
@@ -118,7 +123,8 @@ Follow add_machine_master(const MachineMasterSpec& spec, const Document& documen
   try {
     return std::visit([&](const auto& what) { return make(what, spec, parts); }, spec.what);
   } catch (const InputError& error) {
-    if (!error.document().empty()) throw;  // of another file
+    if (!error.document().empty())  // of another file, or of one that is not there
+      throw document.naming(spec.key + ".file", named_file(spec), error);
     throw document.located(InputError(spec.key + "." + error.key(), error.value(), error.rule()));
   }
 }

@@ -26,6 +26,7 @@ struct Options {
   MachineOptions machine;
   LinkOptions link;
   RunOptions run;
+  std::optional<double> watchdog;
   std::optional<std::uint16_t> web;
   bool json = false;
 };
@@ -141,7 +142,7 @@ void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
 }
 
 int run(const Options& options) {
-  auto [axes, masters] = parts_of(options.machine);
+  auto [axes, masters, watchdog] = parts_of(options.machine);
   (void)Machine(machine_of(axes), masters.size());
   for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
@@ -150,6 +151,7 @@ int run(const Options& options) {
   announce(axes, options.machine.enable);
   RunOptions how = options.run;
   how.masters = std::move(masters);
+  how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
   const int status = report(summary, options.json);
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
@@ -190,10 +192,10 @@ void add_run(CLI::App& app, Work& work) {
   verb->add_option("--cpu", options->run.realtime.cpu,
                    "The only CPU the cycle may run on, counted from 0")
       ->check(CLI::Range(0, 1023));
-  verb->add_option("--watchdog", options->run.watchdog,
-                   "Stop all axes where the communication hangs for so many seconds; 0: never")
-      ->check(within(0.0, 1e6))
-      ->capture_default_str();
+  verb->add_option("--watchdog", options->watchdog,
+                   "Stop all axes where the communication hangs for so many seconds; 0: never; not "
+                   "given: what a machine's spec says, or 0.5")
+      ->check(within(0.0, 1e6));
   verb->add_option("--web", options->web,
                    "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
                    "address as it is printed; 0: any free port")

@@ -11,4 +11,10 @@ InputError Document::located(const InputError& error) const {
   }
 }
 
+InputError Document::naming(const std::string& key, const std::string& file,
+                            const InputError& error) const {
+  const bool unread = error.key().empty() && error.value().empty();
+  return unread ? located(InputError(key, file, error.rule())) : error;
+}
+
 }  // namespace jounce

@@ -24,6 +24,10 @@ struct Document {
 
   /// The error with the place of its key, or of the nearest enclosing key that is known.
   [[nodiscard]] InputError located(const InputError& error) const;
+  /// An error about a file that this document names under `key`: with that place where the file cannot be
+  /// read at all, else as it is.
+  [[nodiscard]] InputError naming(const std::string& key, const std::string& file,
+                                  const InputError& error) const;
 };
 
 }  // namespace jounce

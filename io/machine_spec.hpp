@@ -20,6 +20,7 @@ struct FollowWhom {
 ///
 ///     jounce = 1
 ///     kind = "machine"
+///     watchdog = "500 ms"               # of the communication; 0: none
 ///     [[axis]]
 ///     spec = "feeder.toml"
 ///     [[axis]]
@@ -34,6 +35,7 @@ struct MachineSpec {
   Document document;
   std::vector<Axis> axes;
   std::vector<MachineMasterSpec> masters = {};
+  std::optional<double> watchdog = {};  ///< s; 0: never
 };
 
 /// Nothing where the file is a spec of another kind, or none. Throws InputError, placed, as

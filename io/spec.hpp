@@ -108,6 +108,8 @@ struct AxisSpec {
   double following_time = 0;  ///< s
   double in_position = 0;
   double in_position_time = 0;            ///< s
+  double longest_gap = 0;                 ///< s; 0: 100 cycles
+  double session_timeout = 1;             ///< s of silence, then its owner has lost the axis
   std::optional<FollowWhom> follow = {};  ///< its live master
 };
 

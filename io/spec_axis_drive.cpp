@@ -13,7 +13,14 @@ const std::array<std::string, 3> types{"null", "simulated", "shared_memory"};
 Drive read_model_file(TomlReader& table, const Units& units) {
   const std::filesystem::path given(table.text("spec"));
   const auto folder = std::filesystem::path(table.document().name).parent_path();
-  const Spec spec = read_spec((given.is_relative() ? folder / given : given).string());
+  const std::string path = (given.is_relative() ? folder / given : given).string();
+  const Spec spec = [&] {
+    try {
+      return read_spec(path);
+    } catch (const InputError& error) {
+      throw table.document().naming(table.path("spec"), path, error);
+    }
+  }();
   if (!std::holds_alternative<DriveAlone>(spec.subject))
     table.fail("spec", given.string(), "must be a spec of kind \"drive\"; see `jounce new drive`");
   if (spec.units.position != units.position)

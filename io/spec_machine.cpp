@@ -33,10 +33,19 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
   return axis;
 }
 
+/// The communication thread turns every 2 ms: one that is watched more closely would often be late.
+std::optional<double> read_watchdog(TomlReader& top) {
+  const auto watchdog = top.optional_number("watchdog", "s");
+  if (watchdog && *watchdog != 0 && !(*watchdog >= 0.01 && *watchdog <= 3600))
+    top.fail("watchdog", number(*watchdog), "must be between 10 ms and 1 h, or 0: never");
+  return watchdog;
+}
+
 void read_body(TomlReader& top, MachineSpec& machine) {
   detail::require_version(top);
   (void)top.text("kind");
   (void)top.optional_text("name");
+  machine.watchdog = read_watchdog(top);
   const auto folder = std::filesystem::path(machine.document.name).parent_path();
   for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
   machine.masters = detail::read_masters(top);
@@ -64,7 +73,8 @@ std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
 }
 
 std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
-  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
+  MachineSpec machine{
+      .document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
   if (!is_machine(machine.document)) return std::nullopt;
   const toml::table root = detail::parse_toml(machine.document);
   TomlReader top(root, "", machine.document);

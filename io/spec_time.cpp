@@ -24,6 +24,22 @@ void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
   read("in_position_time", "s", spec.in_position_time);
 }
 
+/// How long the executor itself may be late, and whoever owns the axis silent.
+void read_patience(TomlReader& axis, AxisSpec& spec) {
+  if (const auto gap = axis.optional_number("longest_gap", "s")) {
+    if (!(*gap >= spec.cycle && *gap <= 1e6 * spec.cycle))
+      axis.fail("longest_gap", jounce::number(*gap),
+                "must be between one cycle, " + jounce::number(spec.cycle) + " s, and a million");
+    spec.longest_gap = *gap;
+  }
+  spec.session_timeout =
+      axis.optional_number("session_timeout", "s").value_or(spec.session_timeout);
+  // Signs of life come every 100 ms, and one may be lost.
+  if (!(spec.session_timeout >= 0.25 && spec.session_timeout <= 3600))
+    axis.fail("session_timeout", jounce::number(spec.session_timeout),
+              "must be between 250 ms and 1 h");
+}
+
 }  // namespace
 
 AxisSpec read_axis(TomlReader axis, const Units& units) {
@@ -33,6 +49,7 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
     axis.fail("cycle", number(spec.cycle), "must be between 10 us and 1 s");
   spec.position = axis.optional_number("position", units.position).value_or(0);
   read_watch(axis, units, spec);
+  read_patience(axis, spec);
   axis.finish();
   return spec;
 }
