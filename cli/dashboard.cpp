@@ -311,7 +311,12 @@ std::string said_of(const wire::MasterStatus& master, bool ascii) {
                           : master.age_s == 0
                               ? std::string("computed")
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
-  if (master.lost) return fmt::format("{} is lost, {}", master.master, age);
+  // Somebody speaks, and does not count: the executor's terminal says why.
+  const std::string refused =
+      master.refused > 0
+          ? fmt::format(", {} samples refused (old epoch, unit or repeated)", master.refused)
+          : "";
+  if (master.lost) return fmt::format("{} is lost, {}{}", master.master, age, refused);
   return fmt::format("{} {}, {}, {}", master.master, valued(master.position, unit),
                      valued(master.velocity, unit + "/s"), age);
 }

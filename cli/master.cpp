@@ -16,6 +16,7 @@
 
 #include "jounce/drive/encoder.hpp"
 #include "jounce/executor/cycle.hpp"
+#include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
@@ -37,7 +38,10 @@ struct Options {
   double before = 1;
   double after = 1;
   std::optional<double> seconds;
-  EncoderErrors errors;
+  std::optional<std::int32_t> epoch;
+  std::string noise;  // quantities, of the table's unit
+  std::string resolution;
+  std::uint64_t seed = EncoderErrors{}.seed;
   bool json = false;
 };
 
@@ -47,6 +51,26 @@ std::int32_t epoch_now() {
   const auto now = static_cast<std::int64_t>(std::time(nullptr)) - since;
   return static_cast<std::int32_t>(
       std::clamp<std::int64_t>(now, 0, std::numeric_limits<std::int32_t>::max()));
+}
+
+/// A quantity of the table's unit; empty: 0.
+double magnitude_of(const char* option, const std::string& text, const std::string& unit) {
+  if (text.empty()) return 0;
+  const auto refuse = [&](const std::string& rule) { throw InputError(option, text, rule); };
+  double value = 0;
+  try {
+    value = quantity(text, unit);
+  } catch (const InputError& error) {
+    refuse(error.rule());
+  }
+  if (!(value >= 0 && value <= 1e9)) refuse("must be from 0 to 1e9 " + unit);
+  return value;
+}
+
+EncoderErrors errors_of(const Options& options, const std::string& unit) {
+  return {.resolution = magnitude_of("--resolution", options.resolution, unit),
+          .noise = magnitude_of("--noise", options.noise, unit),
+          .seed = options.seed};
 }
 
 /// The motion in seconds, and how long it is said; without an end where it repeats.
@@ -77,9 +101,9 @@ struct Said {
 class Speaker {
  public:
   Speaker(const Options& options, Link& link, std::string unit)
-      : options_(options), link_(link), reading_(options.errors) {
+      : options_(options), link_(link), reading_(errors_of(options, unit)) {
     said_.unit = std::move(unit);
-    said_.clock = epoch_now();
+    said_.clock = options.epoch.value_or(epoch_now());
   }
 
   void say(std::int64_t instant, const Jet& x, bool valid) {
@@ -165,6 +189,8 @@ int run(const Options& options) {
   if (!wire::is_executor_name(options.name))
     throw InputError("--as", options.name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
   const Play play = play_of(options);
+  (void)errors_of(options,
+                  play.file.units.position);  // what is wrong is said before the bus is asked
   require_alone(Link(options.link), options);
   Link link(options.link);
   return report(speak(play, options, link), options, play.file.units.position);
@@ -177,7 +203,7 @@ void add_master(CLI::App& app, Work& work) {
   CLI::App* verb = add_verb(
       app, "master", "Say on the bus where a master is, as a line would: to test without it",
       "jounce master line.toml --as line\n"
-      "jounce master line.csv --as line --noise 0.02 --resolution 0.05\n"
+      "jounce master line.csv --as line --noise 20um --resolution 50um\n"
       "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");
   verb->add_option("FILE", options->file, "Spec or table over time; - is standard input")
       ->required();
@@ -195,13 +221,14 @@ void add_master(CLI::App& app, Work& work) {
   verb->add_option("--seconds", options->seconds,
                    "End after so many seconds, wherever it is; a table that repeats has no end")
       ->check(seconds_option());
-  verb->add_option("--noise", options->errors.noise,
-                   "White noise of the encoder, rms, in the table's unit")
-      ->check(within(0.0, 1e9));
-  verb->add_option("--resolution", options->errors.resolution,
-                   "A count of the encoder, in the table's unit")
-      ->check(within(0.0, 1e9));
-  verb->add_option("--noise-seed", options->errors.seed, "Of the noise")->capture_default_str();
+  verb->add_option("--epoch", options->epoch,
+                   "Number of the sender's clock; greater than of any sender before, or nobody "
+                   "listens. Not given: seconds since 2020")
+      ->check(CLI::Range(0, std::numeric_limits<std::int32_t>::max()));
+  verb->add_option("--noise", options->noise,
+                   "White noise of the encoder, rms: 20um, or a number in the table's unit");
+  verb->add_option("--resolution", options->resolution, "A count of the encoder, likewise");
+  verb->add_option("--noise-seed", options->seed, "Of the noise")->capture_default_str();
   add_link_options(*verb, options->link);
   verb->add_flag("--json", options->json, "Summary for machines");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });

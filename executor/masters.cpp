@@ -25,7 +25,9 @@ void MasterDesk::hear(One& one, ExternalMaster& master) {
   pump_.hear(one.master.name, [this, &one, &master](const wire::Master& said) {
     const Nanos now = clock_();
     const std::int64_t start = post_.vitals.start.load(std::memory_order_acquire);
-    if (!one.intake->take(said, now) || start == Vitals::not_started) return;
+    if (!one.intake->take(said, now)) return refused(one, said);
+    one.epoch = said.clock;
+    if (start == Vitals::not_started) return;
     // One that finds no room is as good as lost: 64 came within a cycle.
     master.receive({.stamp_ns = said.stamp_ns,
                     .clock = said.clock,
@@ -33,6 +35,18 @@ void MasterDesk::hear(One& one, ExternalMaster& master) {
                     .position = said.position,
                     .valid = said.valid});
   });
+}
+
+/// Who counts epochs of its own, after one who took them from the clock, is never heard again: it has to
+/// be told, once for each epoch that is heard.
+void MasterDesk::refused(One& one, const wire::Master& said) {
+  const bool over = one.epoch && said.unit == one.master.unit && said.clock < *one.epoch;
+  if (!over || one.told_epoch == one.epoch) return;
+  one.told_epoch = one.epoch;
+  if (options_.notify)
+    options_.notify("master " + one.master.name + " is refused: its epoch, " +
+                    std::to_string(said.clock) + ", is over: " + std::to_string(*one.epoch) +
+                    " was heard, and a sender that begins later must say a greater one");
 }
 
 void MasterDesk::turn() {

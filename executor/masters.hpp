@@ -58,10 +58,14 @@ class MasterDesk {
     MasterSight last = {};
     bool was_there = false;
     bool told_unit = false;
+    std::optional<std::int32_t> epoch = {};  // the newest that was heard
+    std::optional<std::int32_t> told_epoch =
+        {};                          // the one when somebody was told that theirs is over
     std::vector<bool> said_by = {};  // axes
   };
 
   void hear(One& one, ExternalMaster& master);
+  void refused(One& one, const wire::Master& said);
   void compare(One& one, const MasterSight& now);
 
   Options options_;
