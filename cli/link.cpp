@@ -10,6 +10,12 @@
 
 namespace jounce::cli {
 
+std::string said_of(StreamError error, const std::string& reason) {
+  std::string said = std::string(name(error)) + ": " + reason;
+  if (error == StreamError::no_answer) said += std::string("; ") + unheard_hint;
+  return said;
+}
+
 Nanos nanos(double seconds) {
   return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(std::min(seconds, 1e9)));
 }

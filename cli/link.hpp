@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "jounce/stream/key.hpp"
+#include "jounce/stream/sender.hpp"
 #include "jounce/stream/transport.hpp"
 
 namespace jounce::cli {
@@ -19,6 +20,13 @@ struct LinkOptions {
   double inject_loss = 0;  ///< share of packets to lose, for tests
   std::uint64_t seed = 1;
 };
+
+/// What to look at where nothing is heard of an executor.
+inline constexpr const char* unheard_hint =
+    "is it running, on the same --url, with the same --key?";
+
+/// What went wrong, in words, and the hint where there was no answer.
+std::string said_of(StreamError error, const std::string& reason);
 
 /// Seconds as the stream counts time; more than thirty years is as good as for ever.
 Nanos nanos(double seconds);

@@ -140,10 +140,8 @@ class Ear {
 };
 
 int give_up(const std::string& who, const Options& options) {
-  fmt::print(stderr,
-             "jounce: {} has been silent for {} s: is it running, on the same --url, with the same "
-             "--key?\n",
-             who, options.silence);
+  fmt::print(stderr, "jounce: {} has been silent for {} s: {}\n", who, options.silence,
+             unheard_hint);
   return fault;
 }
 

@@ -38,8 +38,7 @@ Units units_of(Transport& link, const Options& options, const std::optional<wire
   const auto message =
       next_status(link, options.executor, std::chrono::seconds(1), steady_now, key);
   if (!message) {
-    throw TransportError("nothing is heard of " + options.executor +
-                         ": is it running, on the same --url, with the same --key?");
+    throw TransportError("nothing is heard of " + options.executor + ": " + unheard_hint);
   }
   return std::get<wire::Status>(message->body).units;
 }

@@ -55,10 +55,7 @@ int run(const Options& options) {
     fmt::print("{} is at rest: {}\n", options.executor, name(*state));
     return fine;
   }
-  fmt::print(
-      stderr,
-      "jounce: {} does not confirm: is it running, on the same --url, with the same --key?\n",
-      options.executor);
+  fmt::print(stderr, "jounce: {} does not confirm: {}\n", options.executor, unheard_hint);
   return fault;
 }
 

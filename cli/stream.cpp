@@ -111,7 +111,7 @@ int report(const StreamOutcome& outcome, const Options& options) {
                : outcome.armed   ? "armed"
                                  : "downloaded");
   } else {
-    fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
+    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
   }
   if (outcome.ok()) return fine;
   return outcome.error == StreamError::refused ? finding : fault;
@@ -147,7 +147,7 @@ int report(const RowOutcome& outcome, const Options& options) {
     fmt::print("{} of {} rows played at {}, {} underruns, {} messages sent again; {}\n", p.played,
                p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped");
   } else {
-    fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
+    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
   }
   if (outcome.ok()) return fine;
   const bool said_no =
@@ -219,7 +219,9 @@ void add_stream(CLI::App& app, Work& work) {
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
       "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
-      "jounce stream long.csv --to feeder --rolling             longer than its memory");
+      "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
+      "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
+      "times");
   verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
   add_axis_option(verb, options->axis);
   verb->add_option("--to", options->to, "Name of the executor")->required();

@@ -87,7 +87,7 @@ int report(const CallOutcome& outcome, const BankOptions& options, bool interrup
     fmt::print("{} and {} at {}: {}\n", options.first, options.second, options.to,
                interrupted ? "stopped" : "finished");
   } else {
-    fmt::print(stderr, "jounce: {}: {}\n", name(outcome.error), outcome.reason);
+    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
   }
   if (outcome.ok()) return fine;
   return outcome.error == StreamError::refused ? finding : fault;
