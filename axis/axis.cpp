@@ -14,7 +14,10 @@ namespace jounce {
 
 MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
-    : config_(resolved(config)), clock_(config_.period), outputs_(switches, compare) {
+    : config_(resolved(config)),
+      clock_(config_.period),
+      shown_(config_.period),
+      outputs_(switches, compare) {
   now_.position = config_.position;
 }
 
@@ -52,7 +55,7 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
-  now_.waiting = waiting_ || next_ || later_;
+  now_.waiting = waiting_ || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -165,6 +168,8 @@ Cause MotionAxis::judge(const Setpoint& next) const {
 void MotionAxis::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   emitted_ = now_.tick;
+  shown_ = clock_;
+  from_ = now_.tick + 1;
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;

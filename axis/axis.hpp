@@ -13,6 +13,7 @@
 #include "jounce/axis/path_clock.hpp"
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/transitions.hpp"
+#include "jounce/axis/waiting_moves.hpp"
 
 namespace jounce {
 
@@ -163,7 +164,8 @@ class MotionAxis {
   [[nodiscard]] double granted(double wanted) const;
   [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
   bool change_rate(double rate);
-  [[nodiscard]] double slope_to(double rate) const;
+  [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
+  bool stop_on_path();
   void replan();
 
   // axis_moves.cpp: moves of its own
@@ -173,23 +175,27 @@ class MotionAxis {
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   void superimpose(double distance, MoveDynamics dynamics);
   void decouple();
-  void go(const Goal& goal);
+  bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
   void leave();
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
-  // axis_buffer.cpp: what waits for its tick, and the move after this one
+  // axis_buffer.cpp: what waits for its tick, and the moves after this one
   void postpone(const Command& command);
   void obey_due();
   void forget_later();
   void buffer(const Command& command);
+  [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
-  [[nodiscard]] bool passes() const { return next_ && base_ == Base::move && goal_.through != 0; }
+  [[nodiscard]] bool passes() const {
+    return !next_.empty() && base_ == Base::move && goal_.through != 0;
+  }
   Cause pass_target();
   void take_back_next();
   void begin_next();
+  void forget(const WaitingMoves& moves);
   void forget_next();
 
   // axis_ends.cpp: how a motion ends
@@ -221,6 +227,8 @@ class MotionAxis {
   std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
   bool joint_ = false;       // this tick joins one motion to another
   PathClock clock_;          // of a path
+  PathClock shown_;          // the same as the last setpoint was given out
+  std::int64_t from_ = 0;    // the first tick in which that may still be changed
   double played_to_ = 0;     // path time of the tick before, s
   Peaks peaks_;              // of it, and of what it will be swapped for
   Boundary boundary_ = Boundary::none;
@@ -228,7 +236,7 @@ class MotionAxis {
   Goal goal_;               // of the move
   Profile plan_;
   double ahead_ = 0;              // s of it that were over at its origin
-  std::optional<Command> next_;   // the move that waits for the end of this motion
+  WaitingMoves next_;             // for the end of this motion
   std::optional<Command> later_;  // the one that waits for its tick
   MotionState bare_;              // the last setpoint without what is superimposed
   double factor_ = 1;             // override

@@ -2,8 +2,9 @@
 
 #include "jounce/axis/axis.hpp"
 
-// What waits: a command for its tick; and the move that waits for the end of the motion under way (BufferMode), and how it takes over: from
-// rest, or where the move before passes its target.
+// What waits: a command for its tick; and the moves that wait for the end of the motion under way (BufferMode),
+// and how the first of them takes over: from rest, or where the move before passes its target. Each is taken to
+// end at rest until it is under way itself: so whatever is taken back, all that moves can stop where it was told.
 
 namespace jounce {
 
@@ -35,23 +36,37 @@ void MotionAxis::forget_later() {
   later_.reset();
 }
 
-/// It is looked at where the motion will end, if that is known, and again when it begins.
+/// It is looked at where the one before will end, if that is known, and again when it begins.
 void MotionAxis::buffer(const Command& command) {
-  if (next_) return refuse(Cause::buffer_full);
+  constexpr auto most = static_cast<double>(WaitingMoves::most);
+  if (next_.full()) return refuse(Cause::buffer_full, most, most);
   if (base_ == Base::movement && !on_path()) return refuse(Cause::synchronized);
   Goal goal;
-  if (now_.refused = goal_of(command, expected_end().value_or(last()), goal); now_.refused) return;
-  next_ = command;
-  if (base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
+  if (now_.refused = goal_of(command, end_of_waiting().value_or(last()), goal); now_.refused)
+    return;
+  next_.push(command);
+  const bool follows = next_.size() == 1;  // the move under way, which may pass its target now
+  if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
+}
+
+/// Where the last of what waits will have come to rest; nothing: nobody knows.
+std::optional<MotionState> MotionAxis::end_of_waiting() const {
+  auto end = expected_end();
+  for (const Command& move : next_) {
+    Goal goal;
+    if (!end || goal_of(move, *end, goal) || goal.kind != Goal::Kind::position) return std::nullopt;
+    end = MotionState{goal.value, 0, 0};
+  }
+  return end;
 }
 
 /// At which velocity a move to this goal passes it on to the next one. Where something was superimposed
 /// on it that ends at rest: the next one's target is a place without that.
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
-  if (!next_ || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
+  if (next_.empty() || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
   Goal further;
-  if (goal_of(*next_, {goal.value, 0, 0}, further)) return 0;
-  return passing_velocity(from, goal, further, next_->buffer, factor, config_);
+  if (goal_of(next_.front(), {goal.value, 0, 0}, further)) return 0;
+  return passing_velocity(from, goal, further, next_.front().buffer, factor, config_);
 }
 
 /// The target was passed since the tick before: the plan from there goes on at the very instant. Or why
@@ -60,9 +75,9 @@ Cause MotionAxis::pass_target() {
   const double beyond = plan_time() - plan_.duration();
   const MotionState there = plan_.end();
   Goal goal;
-  if (goal_of(*next_, {goal_.value, 0, 0}, goal))
+  if (goal_of(next_.front(), {goal_.value, 0, 0}, goal))
     return there.velocity > 0 ? Cause::positive_switch : Cause::negative_switch;
-  next_.reset();
+  next_.pop();
   if (!plan_from(there, now_.tick, goal, factor_)) return Cause::jump;
   ahead_ = beyond;
   ++now_.finished;
@@ -72,32 +87,35 @@ Cause MotionAxis::pass_target() {
 
 /// The move under way ends at its target then. Where it is too late for that it goes on as it was told.
 void MotionAxis::take_back_next() {
-  const auto next = std::exchange(next_, std::nullopt);
-  if (!next) return;
+  const WaitingMoves waited = std::exchange(next_, {});
   const bool blends = base_ == Base::move && goal_.through != 0;
-  if (blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
-    next_ = next;
+  if (!waited.empty() && blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
+    next_ = waited;
     return refuse(Cause::no_such_move, goal_.value);
   }
-  now_.dropped = Refusal{Cause::replaced, next->position, 0, 0};
+  forget(waited);
 }
 
-/// What waited begins in the tick in which the motion before has ended.
+/// What waited first begins in the tick in which the motion before has ended. Where it cannot, what was to
+/// come after it does not begin either: it would begin elsewhere.
 void MotionAxis::begin_next() {
-  const Command command = *next_;
-  next_.reset();
+  const Command command = next_.front();
+  next_.pop();
   Goal goal;
-  if (const auto no = goal_of(command, last(), goal)) {
-    now_.dropped = no;
-    return;
-  }
-  go(goal);
+  auto no = goal_of(command, last(), goal);
+  if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0, 0};
+  if (!no) return;
+  now_.dropped = no;
+  next_.clear();
 }
 
-/// Something else has taken its place.
+/// Something else has taken their place; the first of them is told.
+void MotionAxis::forget(const WaitingMoves& moves) {
+  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0, 0};
+}
+
 void MotionAxis::forget_next() {
-  if (next_) now_.dropped = Refusal{Cause::replaced, next_->position, 0, 0};
-  next_.reset();
+  forget(std::exchange(next_, {}));
 }
 
 }  // namespace jounce

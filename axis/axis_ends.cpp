@@ -13,7 +13,7 @@ void MotionAxis::conclude() {
     if (ending_ != Ending::none) return rest();
     if (wanted_rate() == 0) return;
     if (goal_.kind == Goal::Kind::position) return rest();
-    if (next_) begin_next();
+    if (!next_.empty()) begin_next();
     return;
   }
   if (!on_path()) {
@@ -51,7 +51,7 @@ void MotionAxis::rest() {
   const bool ended = ending_ != Ending::fault;
   freeze();
   if (!goes_on) {
-    if (next_ && ended) begin_next();
+    if (!next_.empty() && ended) begin_next();
     return;
   }
   // What was superimposed runs on alone.
@@ -98,10 +98,7 @@ void MotionAxis::fail(Cause cause) {
   const bool on_it = reaction == Reaction::stop_on_path && on_path() && !lifting_;
   boundary_ = Boundary::none;
   ending_ = Ending::fault;
-  // In the last tick that was stepped, a stop begun in the one after fitted on what was known: after a late
-  // cycle it still begins there.
-  const std::int64_t from = cause == Cause::underrun ? emitted_ + 1 : now_.tick;
-  if (on_it && (clock_.target() == 0 || clock_.change(from, 0, slope_to(0)))) return;
+  if (on_it && stop_on_path()) return;
   const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
   // What replaced a move to a target may be told too late for the softer stop before a limit.
   const bool in_time = limit && check_stopping(last(), config_) == Cause::none;

@@ -20,7 +20,11 @@ void MotionAxis::move(const Command& command) {
                        command.kind == Kind::move_velocity;
   if (buffers && command.buffer != BufferMode::aborting && moving()) return buffer(command);
   Goal goal;
-  if (now_.refused = goal_of(command, last(), goal); !now_.refused) go(goal);
+  if (now_.refused = goal_of(command, last(), goal); now_.refused) return;
+  const WaitingMoves waited = std::exchange(next_, {});
+  if (go(goal)) return forget(waited);
+  next_ = waited;
+  refuse(Cause::no_such_move, goal.value);
 }
 
 /// The goal of a move that begins in this state.
@@ -114,19 +118,15 @@ void MotionAxis::decouple() {
 // ---- planning ----------------------------------------------------------------------------------
 
 /// A move takes the place of whatever moves the axis, and goes on from its last setpoint.
-void MotionAxis::go(const Goal& goal) {
+bool MotionAxis::go(const Goal& goal) {
   const bool was_moving = moving();
-  const auto waited = std::exchange(next_, std::nullopt);
-  if (!adopt(goal, factor_)) {
-    next_ = waited;
-    return refuse(Cause::no_such_move, goal.value);
-  }
-  if (waited) now_.dropped = Refusal{Cause::replaced, waited->position, 0, 0};
+  if (!adopt(goal, factor_)) return false;
   held_ = false;
   if (!was_moving) begun_ = emitted_ = now_.tick;  // more may be told in this very tick
   ending_ = Ending::none;
   now_.reason = was_moving ? Cause::replaced : Cause::none;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
+  return true;
 }
 
 bool MotionAxis::adopt(const Goal& goal, double factor) {

@@ -42,7 +42,7 @@ bool MotionAxis::starves() const {
   if (active_->progress() == Progress::starving) return true;
   if (!active_->growing()) return false;
   const std::int64_t next = now_.tick + 1;
-  const double rest = clock_.at(next).s + clock_.way_to_rest(next, slope_to(0));
+  const double rest = clock_.at(next).s + clock_.way_to_rest(next, slope_to(0, now_.tick));
   return active_->known() < rest + 1e-3 * seconds(1);  // rounding
 }
 
@@ -69,7 +69,7 @@ void MotionAxis::govern() {
 
 /// Whether so many times the way is known that a run at `rate` takes to rest by way of full speed.
 bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
-  const double way = clock_.way_by(tick, rate, slope_to(rate));
+  const double way = clock_.way_by(tick, rate, slope_to(rate, now_.tick));
   return active_->known() >= clock_.at(tick).s + times * way + 1e-3 * seconds(1);  // rounding
 }
 
@@ -91,12 +91,26 @@ double MotionAxis::granted(double wanted) const {
 
 bool MotionAxis::change_rate(double rate) {
   if (rate == clock_.target()) return true;
-  return clock_.change(now_.tick, rate, slope_to(rate));
+  if (rate == 0) return stop_on_path();
+  return clock_.change(now_.tick, rate, slope_to(rate, now_.tick));
 }
 
-/// How steep a change to that rate would be.
-double MotionAxis::slope_to(double rate) const {
-  const double highest = std::max({1.0, clock_.highest(now_.tick), rate});
+/// To rest, on what is known. After a late cycle a stop from now on may end beyond that, and so may whatever
+/// was told in this tick: then it begins where the last tick that was stepped has left it room (starves()).
+bool MotionAxis::stop_on_path() {
+  PathClock now = clock_;
+  const bool can = now.target() == 0 || now.change(now_.tick, 0, slope_to(0, now_.tick));
+  const double rest = now.at(now_.tick).s + now.way_to_rest(now_.tick, 0);
+  const bool reaches = !active_->growing() || rest <= active_->known();
+  if (can && reaches) clock_ = now;
+  if (reaches) return can;
+  clock_ = shown_;
+  return clock_.target() == 0 || clock_.change(from_, 0, slope_to(0, from_));
+}
+
+/// How steep a change to that rate from that tick on would be.
+double MotionAxis::slope_to(double rate, std::int64_t tick) const {
+  const double highest = std::max({1.0, clock_.highest(tick), rate});
   Peaks above;
   if (lifting_)
     above = {lift_dynamics_.velocity,

@@ -151,6 +151,8 @@ void MotionAxis::begin_pending(const MotionState& from, double ahead) {
       clock_.start(start_tick_, 0, rate);
     else
       clock_.start(now_.tick, ahead * rate, rate);
+    shown_ = clock_;
+    from_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
   }
   now_.reason = Cause::none;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;

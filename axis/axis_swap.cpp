@@ -81,6 +81,8 @@ void MotionAxis::swap(double boundary, MotionState end) {
   shift_ = 0;
   peaks_ = active_->peaks();
   clock_.shift(boundary);
+  shown_ = clock_;
+  from_ = now_.tick;
   change_rate(granted_rate());
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
   has_master_ = active_->synchronized();

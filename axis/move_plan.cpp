@@ -63,16 +63,63 @@ bool straight(const Profile& profile, double way) {
   return (way > 0 ? slowest : -fastest) >= -near;
 }
 
+/// One after the other, up to the state in which the second ends; nothing where a profile has no room for
+/// their phases, or for so many different values.
+std::optional<Profile> joined(const Profile& first, const Profile& second, const MotionState& end) {
+  if (first.phases() + second.phases() > Profile::capacity) return std::nullopt;
+  Profile both(first.start(), second.order());
+  std::array<double, 4> values{};
+  std::size_t known = 0;
+  for (const Profile* part : {&first, &second})
+    for (std::size_t i = 0; i < part->phases(); ++i) {
+      const auto [duration, value] = part->phase(i);
+      const auto* const last = values.begin() + known;
+      const bool is_new = value != 0 && std::find(values.cbegin(), last, value) == last;
+      if (is_new && known == values.size()) return std::nullopt;
+      if (is_new) values[known++] = value;
+      both.add(duration, value);
+    }
+  both.finish(end);
+  return both;
+}
+
+/// To a target that is passed faster than the move's own velocity: at that first, and faster as late as can
+/// be, with a ramp that ends at the target. With w the ramp's way,
+///
+///     (1)  from -> (target - w, own velocity) -> (target, velocity there)
+///
+/// Where the way is too short for (1), it speeds up all the way.
+std::optional<Profile> speed_up(const MotionState& from, const Goal& goal, const MoveDynamics& d,
+                                double own, const AxisConfig& config) {
+  const double way = std::copysign(1.0, goal.through);
+  const MotionState there{goal.value, goal.through, 0};
+  const Move ramp =
+      move_velocity({0, way * own, 0}, goal.through, within(Bounds::none, d.acceleration, d.jerk));
+  if (!ramp) return std::nullopt;
+  const MotionState knee{goal.value - ramp.profile.end().position, way * own, 0};
+  const auto to = [&](const MotionState& target, double velocity) {
+    Bounds bounds = towards(from, target.position, d, velocity);
+    keep_range(bounds, from.position, config.limits);
+    return move_to(from, target, bounds);
+  };
+  if (const Move first = to(knee, own); first && straight(first.profile, way))
+    if (auto whole = joined(first.profile, ramp.profile, there)) return whole;
+  const Move move = to(there, std::abs(goal.through));
+  return move ? std::optional(move.profile) : std::nullopt;
+}
+
 double wanted_at_passing(double previous, double next, BufferMode mode) {
   switch (mode) {
     case BufferMode::aborting:
     case BufferMode::buffered:
       return 0;
     case BufferMode::blending_previous:
-    case BufferMode::blending_high:
-      return previous;  // it is not faster than that before its target
-    case BufferMode::blending_low:
+      return previous;
     case BufferMode::blending_next:
+      return next;
+    case BufferMode::blending_high:
+      return std::max(previous, next);
+    case BufferMode::blending_low:
       break;
   }
   return std::min(previous, next);
@@ -104,7 +151,9 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
   d.jerk = jerk_for(from, goal, config);
   const double most = *config.limits.velocity;
   if (goal.kind == Goal::Kind::position && factor > 0) {
-    Bounds bounds = towards(from, goal.value, d, std::min(d.velocity * factor, most));
+    const double own = std::min(d.velocity * factor, most);
+    if (std::abs(goal.through) > own) return speed_up(from, goal, d, own, config);
+    Bounds bounds = towards(from, goal.value, d, own);
     keep_range(bounds, from.position, config.limits);
     const Move move = move_to(from, {goal.value, goal.through, 0}, bounds);
     return move ? std::optional(move.profile) : std::nullopt;

@@ -20,7 +20,8 @@ struct Goal {
   Kind kind = Kind::rest;
   double value = 0;            ///< u (of a modulo axis not reduced), or u/s, signed
   MoveDynamics dynamics = {};  ///< as fill() leaves it
-  double through = 0;          ///< u/s, signed: the velocity at a position; 0: it ends there
+  double through = 0;          ///< u/s, signed: the velocity at a position, also above that of the
+                               ///< dynamics: then it speeds up before it; 0: it ends there
 };
 
 /// Fills in what is 0 with the limits of the axis (an infinite jerk where it has none), in place.
@@ -43,8 +44,8 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
 std::array<double, 2> velocities(const Profile& profile) noexcept;
 
 /// The velocity, u/s and signed, at which a move may pass its target on the way to that of the next
-/// one: as the mode says, but at most its own, and so that neither move turns round (the greatest such
-/// velocity to 1e-6 of it). 0: it comes to rest there.
+/// one: as the mode says, also above its own, but at most so that neither move turns round (the greatest
+/// such velocity to 1e-6 of it). 0: it comes to rest there.
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
                         BufferMode mode, double factor, const AxisConfig& config) noexcept;
 
