@@ -173,6 +173,8 @@ class MotionAxis {
   [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
                                                Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
+  [[nodiscard]] Peaks beneath() const;
+  [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
   void superimpose(double distance, MoveDynamics dynamics);
   void decouple();
   bool go(const Goal& goal);

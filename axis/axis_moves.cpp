@@ -10,6 +10,26 @@ namespace jounce {
 
 using Kind = Command::Kind;
 
+namespace {
+
+/// A move on top of another one takes what that leaves of the velocity limit, and half of what it
+/// leaves of the stop limits: the other half is for a change of the rate below it.
+std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
+  Limits& limits = config.limits;
+  const double most = *limits.velocity;
+  *limits.velocity -= below.velocity;
+  *limits.acceleration =
+      std::min(*limits.acceleration, (config.stop_acceleration - below.acceleration) / 2);
+  if (limits.jerk) limits.jerk = std::min(*limits.jerk, (config.stop_jerk - below.jerk) / 2);
+  if (!(*limits.velocity > 1e-9 * most))
+    return Refusal{Cause::velocity_limit, below.velocity, most, 0};
+  if (!(*limits.acceleration > 0) || (limits.jerk && !(*limits.jerk > 0)))
+    return Refusal{Cause::acceleration_limit, below.acceleration, config.stop_acceleration, 0};
+  return std::nullopt;
+}
+
+}  // namespace
+
 void MotionAxis::move(const Command& command) {
   const bool under_way = moving() && ending_ == Ending::none;
   if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion) {
@@ -62,41 +82,40 @@ std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
   return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from, 0}) : std::nullopt;
 }
 
-/// A move on top of another one takes what that leaves of the velocity limit, and half of what it
-/// leaves of the stop limits: the other half is for a change of the rate below it.
-void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
-  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
-  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
-  Peaks below{std::abs(bare_.velocity), 0, 0};
+/// What is under way below a superimposed move, at most.
+Peaks MotionAxis::beneath() const {
   if (on_path()) {
     const double r = std::max(1.0, clock_.target());
     const double kinks = peaks_.velocity_step / seconds(1);
-    below = {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
-             peaks_.jerk * r * r * r};
-  } else if (base_ == Base::move) {
-    const MoveDynamics& d = goal_.dynamics;
-    // What it was in the middle of when it was told may take it beyond its own dynamics.
-    const auto [low, high] = velocities(plan_);
-    below = {std::max({high, -low, d.velocity * std::max(1.0, factor_)}),
-             std::max({d.acceleration, d.deceleration, std::abs(bare_.acceleration)}), d.jerk};
+    return {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
+            peaks_.jerk * r * r * r};
   }
+  if (base_ != Base::move) return {std::abs(bare_.velocity), 0, 0};
+  const MoveDynamics& d = goal_.dynamics;
+  // What it was in the middle of when it was told may take it beyond its own dynamics.
+  const auto [low, high] = velocities(plan_);
+  return {std::max({high, -low, d.velocity * std::max(1.0, factor_)}),
+          std::max({d.acceleration, d.deceleration, std::abs(bare_.acceleration)}), d.jerk};
+}
+
+/// Why a distance on top of what is under way would end outside the range.
+std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
+  const auto end = expected_end();
+  if (!end || lifting_) return std::nullopt;
+  const double target = end->position + distance;
+  const auto& [low, high, v, a, j] = config_.limits;
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low, 0};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high, 0};
+  return std::nullopt;
+}
+
+void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
+  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
+  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
   AxisConfig left = config_;
-  *left.limits.velocity -= below.velocity;
-  *left.limits.acceleration =
-      std::min(*left.limits.acceleration, (config_.stop_acceleration - below.acceleration) / 2);
-  if (left.limits.jerk)
-    left.limits.jerk = std::min(*left.limits.jerk, (config_.stop_jerk - below.jerk) / 2);
-  if (!(*left.limits.velocity > 1e-9 * *config_.limits.velocity))
-    return refuse(Cause::velocity_limit, below.velocity, *config_.limits.velocity);
-  if (!(*left.limits.acceleration > 0) || (left.limits.jerk && !(*left.limits.jerk > 0)))
-    return refuse(Cause::acceleration_limit, below.acceleration, config_.stop_acceleration);
+  if (now_.refused = take_away(left, beneath()); now_.refused) return;
   if (now_.refused = fill(dynamics, left); now_.refused) return;
-  if (const auto end = expected_end(); end && !lifting_) {
-    const double target = end->position + distance;
-    const auto& [low, high, v, a, j] = config_.limits;
-    if (low && target < *low) return refuse(Cause::position_limit, target, *low);
-    if (high && target > *high) return refuse(Cause::position_limit, target, *high);
-  }
+  if (now_.refused = ends_outside(distance); now_.refused) return;
   const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
   left.limits.position_min = left.limits.position_max = std::nullopt;
   const auto profile = plan({up.position, up.velocity, up.acceleration},
