@@ -22,8 +22,16 @@ Jet TableMaster::at(double time) noexcept {
   return {table_->jet(table_->end(), Side::left)[0], 0, 0, 0};
 }
 
+void EncoderMaster::read(double time, double position) noexcept {
+  tracked_.see(time, position);
+  read_ = true;
+  reading_ = {.received = time, .position = position};
+}
+
 Jet EncoderMaster::at(double time) noexcept {
-  if (position_) tracked_.see(time, position_());
+  if (position_) read(time, position_());
+  was_read_ = std::exchange(read_, false);
+  taken_ = reading_;
   return tracked_.at(time);
 }
 
@@ -53,7 +61,9 @@ double ClockOffset::local(const MasterSample& sample, bool& same) noexcept {
 }
 
 Jet ExternalMaster::at(double time) noexcept {
-  for (MasterSample sample; samples_.pop(sample);) {
+  count_ = 0;
+  for (MasterSample sample; count_ < most && samples_.pop(sample);) {
+    taken_[count_++] = sample;
     if (!sample.valid || !std::isfinite(sample.received)) {
       tracked_.lose();
       continue;

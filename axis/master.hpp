@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "jounce/axis/ring.hpp"
@@ -12,6 +15,15 @@
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
+
+/// A position that comes from elsewhere, with the sender's time.
+struct MasterSample {
+  std::int64_t stamp_ns = 0;  ///< when it was there, by the sender's clock
+  std::int32_t clock = 0;     ///< another number: another clock, or another epoch of it
+  double received = 0;        ///< s, by the clock of at(): when it came
+  double position = 0;        ///< m
+  bool valid = true;          ///< the sender knows it; otherwise it says that it does not
+};
 
 /// What axes follow: where a master is in each cycle. Another axis's setpoint is one too; the machine
 /// hands that over itself.
@@ -32,6 +44,9 @@ class Master {
   virtual Jet at(double time) noexcept = 0;
   /// How long ago it was measured, s; NaN: never; 0: it is computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
+  /// What came in from outside and is in the at() before, and in none before that: with these, in the same
+  /// at(), another one of the same kind says the same to the last bit.
+  [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
 /// What a cycle saw of a master.
@@ -64,22 +79,21 @@ class EncoderMaster final : public Master {
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
   /// Of this cycle, m, before at(); NaN, or none for too long: lost.
-  void read(double time, double position) noexcept { tracked_.see(time, position); }
+  void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
+  /// Its reading, if it had one: position and, as `received`, time.
+  [[nodiscard]] std::span<const MasterSample> taken() const noexcept override {
+    return {&taken_, was_read_ ? 1U : 0U};
+  }
+  [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
   std::function<double()> position_;
   Tracked tracked_;
-};
-
-/// A position that comes from elsewhere, with the sender's time.
-struct MasterSample {
-  std::int64_t stamp_ns = 0;  ///< when it was there, by the sender's clock
-  std::int32_t clock = 0;     ///< another number: another clock, or another epoch of it
-  double received = 0;        ///< s, by the clock of at(): when it came
-  double position = 0;        ///< m
-  bool valid = true;          ///< the sender knows it; otherwise it says that it does not
+  MasterSample reading_, taken_;
+  bool read_ = false;      // since the at() before
+  bool was_read_ = false;  // for that
 };
 
 /// The sender's clock seen from here, without a round trip. received - stamp is the offset of the
@@ -117,11 +131,18 @@ class ExternalMaster final : public Master {
   /// The cycle's.
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
+  [[nodiscard]] std::span<const MasterSample> taken() const noexcept override {
+    return {taken_.data(), count_};
+  }
 
   [[nodiscard]] const ClockOffset& clock() const { return clock_; }
+  [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
-  Ring<MasterSample, 64> samples_;
+  static constexpr std::size_t most = 64;  // samples in a cycle
+  Ring<MasterSample, most> samples_;
+  std::array<MasterSample, most> taken_{};
+  std::size_t count_ = 0;
   ClockOffset clock_;
   Tracked tracked_;
 };

@@ -60,6 +60,7 @@ class Tracked {
   void lose() noexcept;
   Jet at(double time) noexcept;
 
+  [[nodiscard]] const TrackerSpec& spec() const { return spec_; }
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
   /// s: when it was seen last; also after it was lost. NaN: never.
   [[nodiscard]] double seen() const { return seen_; }

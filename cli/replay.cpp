@@ -95,6 +95,12 @@ RecordedAxis axis_of(const std::string& file, const std::string& wanted) {
   throw InputError("--axis", wanted, "is none of the record's axes").at(file);
 }
 
+/// The name of the axis, or the master, that came out otherwise.
+const std::string& whose(const Replay& r) {
+  const Replay::Difference& d = *r.difference;
+  return d.of_master ? r.masters[d.axis].name : r.axes[d.axis].name;
+}
+
 void print(const Replay& r, const std::string& file) {
   fmt::print("{}: {} {}, {} cycles, ticks {} to {}\n", file, r.axes.size(),
              r.axes.size() == 1 ? "axis" : "axes", r.cycles, r.first_tick.value_or(0), r.last_tick);
@@ -102,9 +108,9 @@ void print(const Replay& r, const std::string& file) {
     fmt::print("master {}: {} cycles, lost in {}\n", master.name, master.cycles, master.lost);
   if (r.difference) {
     const Replay::Difference& d = *r.difference;
-    fmt::print("differs: axis {}, tick {}: {} is {} in the record, {} replayed\n",
-               r.axes[d.axis].name, d.tick, d.what.field, number(d.what.recorded),
-               number(d.what.replayed));
+    fmt::print("differs: {} {}, tick {}: {} is {} in the record, {} replayed\n",
+               d.of_master ? "master" : "axis", whose(r), d.tick, d.what.field,
+               number(d.what.recorded), number(d.what.replayed));
   } else if (r.compared > 0) {
     fmt::print("replayed: {} cycles, the same to the last bit\n", r.compared);
   }
@@ -121,7 +127,7 @@ nlohmann::ordered_json json_of(const Replay& r) {
     document["masters"].push_back(
         {{"name", master.name}, {"cycles", master.cycles}, {"lost", master.lost}});
   if (r.difference)
-    document["difference"] = {{"axis", r.axes[r.difference->axis].name},
+    document["difference"] = {{r.difference->of_master ? "master" : "axis", whose(r)},
                               {"tick", r.difference->tick},
                               {"field", r.difference->what.field},
                               {"recorded", r.difference->what.recorded},

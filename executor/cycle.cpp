@@ -89,8 +89,10 @@ void Cycle::look(std::int64_t tick) {
 }
 
 void Cycle::write() {
-  for (std::size_t m = 0; m < sights_.size() && options_.tape != nullptr; ++m)
+  for (std::size_t m = 0; m < sights_.size() && options_.tape != nullptr; ++m) {
+    for (const MasterSample& sample : options_.masters[m]->taken()) options_.tape->add(m, sample);
     options_.tape->add(m, sights_[m]);
+  }
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const AxisImage& image = images_[i];
     if (AxisDrive* const drive = options_.drives[i])

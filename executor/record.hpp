@@ -96,6 +96,19 @@ struct RecordedMaster {
   std::string name = {};
   std::string unit = {};
   std::uint64_t followers = 0;  ///< bit i: axis i follows it
+  enum class Made : std::uint8_t {
+    elsewhere,  ///< of what is not in the record: what was seen of it is input
+    samples,    ///< an ExternalMaster
+    readings,   ///< an EncoderMaster
+  };
+  Made made = Made::elsewhere;
+  TrackerSpec tracker = {};  ///< unless it was made elsewhere
+};
+
+/// What the next sight of a master is made from: one of its samples, or its reading.
+struct RecordedSample {
+  std::size_t master = 0;
+  MasterSample sample = {};
 };
 
 /// What a cycle saw of a master, before the axes of the same tick.
@@ -111,7 +124,7 @@ struct RecordedLoss {
 
 using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
                                  RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
-                                 RecordedMaster, RecordedSight, RecordedOutput>;
+                                 RecordedMaster, RecordedSight, RecordedOutput, RecordedSample>;
 
 /// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
 std::string_view channel_of(const RecordEvent& event);

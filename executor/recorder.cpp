@@ -39,7 +39,12 @@ void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
 }
 
 void Tape::add(std::size_t master, const MasterSight& sight) noexcept {
-  Item item{.sight = {.master = master, .sight = sight}, .is_sight = true};
+  Item item{.what = Item::What::sight, .sight = {.master = master, .sight = sight}};
+  push(item);
+}
+
+void Tape::add(std::size_t master, const MasterSample& sample) noexcept {
+  Item item{.what = Item::What::sample, .sample = {.master = master, .sample = sample}};
   push(item);
 }
 
@@ -109,8 +114,7 @@ void Recorder::write(const StoredTable& stored) {
 
 void Recorder::turn() {
   for (Tape::Item item; tape_.items_.pop(item);) {
-    now_ = item.is_sight ? item.sight.sight.tick * axes_.front().config.period / 1000
-                         : static_cast<std::int64_t>(item.cycle.tick.time * 1e6);
+    now_ = instant_of(item);
     if (item.lost_before > 0) {
       if (lost_ == 0 && options_.notify) options_.notify("cycles are missing from the record");
       lost_ += item.lost_before;
@@ -120,14 +124,25 @@ void Recorder::turn() {
   }
 }
 
+/// us; a sample goes with the sight that follows it, at the latest with what came before.
+std::int64_t Recorder::instant_of(const Tape::Item& item) const {
+  using What = Tape::Item::What;
+  if (item.what == What::sample) return now_;
+  return item.what == What::sight ? item.sight.sight.tick * axes_.front().config.period / 1000
+                                  : static_cast<std::int64_t>(item.cycle.tick.time * 1e6);
+}
+
 void Recorder::take(const Tape::Item& item) {
-  const RecordEvent event = item.is_sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);
+  using What = Tape::Item::What;
+  if (item.what == What::sample) return write(item.sample, now_);
+  const bool sight = item.what == What::sight;
+  const RecordEvent event = sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);
   const std::string data = encoded(event);
   write(channel_of(event), data, now_);
-  const std::size_t box = item.is_sight ? item.sight.master : masters_.size() + item.cycle.axis;
+  const std::size_t box = sight ? item.sight.master : masters_.size() + item.cycle.axis;
   if (!options_.black_box || box >= boxes_.size()) return;
   keep(boxes_[box], data, now_);
-  if (!item.is_sight) watch(boxes_[box], item.cycle);
+  if (!sight) watch(boxes_[box], item.cycle);
 }
 
 void Recorder::close() {

@@ -28,15 +28,18 @@ class Tape {
   /// Neither allocates nor waits; a cycle that finds no room is lost and counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// What the step saw of a master; before its axes.
+  /// What the step took in of a master, then what it saw of it; before its axes.
+  void add(std::size_t master, const MasterSample& sample) noexcept;
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
  private:
   friend class Recorder;
   struct Item {
-    RecordedCycle cycle = {};  // one of the two
+    enum class What : std::uint8_t { cycle, sight, sample };
+    What what = What::cycle;
+    RecordedCycle cycle = {};
     RecordedSight sight = {};
-    bool is_sight = false;
+    RecordedSample sample = {};
     std::int64_t lost_before = 0;
   };
   void push(Item& item) noexcept;
@@ -105,6 +108,7 @@ class Recorder {
   void flush();
   void keep(Box& box, const std::string& data, std::int64_t microseconds);
   void watch(Box& box, const RecordedCycle& cycle);
+  [[nodiscard]] std::int64_t instant_of(const Tape::Item& item) const;
   void take(const Tape::Item& item);
   void write_black_box();
   void fail(const std::string& what);

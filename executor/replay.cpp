@@ -9,6 +9,7 @@
 
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/executor/detail/lcm_log.hpp"
+#include "jounce/executor/detail/remade_masters.hpp"
 #include "jounce/executor/orders.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -103,6 +104,11 @@ class Replayer {
                        "does not follow the ones before");
     result_.masters.push_back(Replay::Master{master});
     sights_.emplace_back();
+    masters_.add(master);
+  }
+
+  void take(const RecordedSample& sample) {
+    if (!ended_) masters_.take(sample);
   }
 
   void take(const RecordedSight& seen) {
@@ -113,6 +119,13 @@ class Replayer {
     ++result_.masters[seen.master].cycles;
     result_.masters[seen.master].lost += seen.sight.lost();
     if (watch_master_) watch_master_(seen);
+    if (ended_ || result_.axes.empty()) return;
+    const std::int64_t period = result_.axes.front().config.period;
+    const double time = static_cast<double>(seen.sight.tick * period) * 1e-9;
+    if (const auto what = masters_.compare(seen, time)) {
+      result_.difference = Replay::Difference{seen.master, seen.sight.tick, *what, true};
+      ended_ = true;
+    }
   }
 
   void take(const RecordedLoss& loss) {
@@ -233,6 +246,7 @@ class Replayer {
   const std::function<void(const RecordedCycle&)>& watch_;
   const std::function<void(const RecordedSight&)>& watch_master_;
   Replay result_;
+  detail::RemadeMasters masters_;
   std::vector<MasterSight> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;

@@ -16,9 +16,10 @@ namespace jounce {
 struct Replay {
   /// The first tick that came out otherwise.
   struct Difference {
-    std::size_t axis = 0;  ///< counted from 0
+    std::size_t axis = 0;  ///< counted from 0; or the master
     std::int64_t tick = 0;
     TickDifference what = {};
+    bool of_master = false;
   };
 
   std::vector<RecordedAxis> axes = {};
@@ -47,8 +48,8 @@ struct Replay {
 ///     const Replay r = replay(file, "run.lcmlog");
 ///     if (r.difference) std::cerr << r.difference->what.field;
 ///
-/// That every follower saw its master as the record has it is compared, too ("live_master"). The masters
-/// themselves are not executed again: what they are made from came from outside.
+/// Masters from outside are executed again from their samples and readings ("master_position", ...), and that every
+/// follower saw its master so is compared, too ("live_master").
 ///
 /// `watch` is called with every cycle of the record, also after a difference and of a black box, which begins in
 /// the middle of a run and cannot be executed again. A record is read as a stream: its length does not matter.

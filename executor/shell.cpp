@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "jounce/executor/detail/run_record.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -155,41 +156,6 @@ CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions
   return options;
 }
 
-std::vector<RecordedMaster> recorded(const std::vector<MachineMaster>& masters,
-                                     const std::vector<ExecutorOptions>& axes) {
-  std::vector<RecordedMaster> recorded;
-  for (const auto& master : masters)
-    recorded.push_back({.master = recorded.size(), .name = master.name, .unit = master.unit});
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (axes[i].follow.what == Follow::What::master)
-      recorded[axes[i].follow.index].followers |= std::uint64_t{1} << i;
-  return recorded;
-}
-
-/// The record of a run, if there is to be one, and the tape to it.
-struct Recording {
-  std::unique_ptr<Tape> tape = {};
-  std::unique_ptr<Recorder> recorder = {};
-
-  Recording(const RunOptions& run, const std::vector<ExecutorOptions>& axes) {
-    RecorderOptions options = run.record;
-    if (!options.log && !options.black_box) return;
-    if (!options.notify) options.notify = axes.front().notify;
-    std::vector<RecordedAxis> of_axes;
-    for (const auto& axis : axes)
-      of_axes.push_back({.axis = of_axes.size(),
-                         .name = axis.receiver.executor,
-                         .units = axis.units,
-                         .config = resolved(axis.axis),
-                         .switches = !recordable(axis.compare),
-                         .outputs = axis.switches,
-                         .compare = axis.compare});
-    tape = std::make_unique<Tape>();
-    recorder = std::make_unique<Recorder>(std::move(options), std::move(of_axes), *tape,
-                                          recorded(run.masters, axes));
-  }
-};
-
 AxisSummary summary_of(const Desk& desk) {
   const Tick& last = desk.last();
   return {.name = desk.options().receiver.executor,
@@ -207,7 +173,7 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   const Deadline deadline(run);
   const SignalWatch watch;
   std::vector<ExecutorOptions> axes = of_axes;
-  const Recording recording(run, axes);
+  const detail::RunRecord recording = detail::record_of(run, axes);
   for (auto& axis : axes) axis.recorder = recording.recorder.get();
   Machine machine(machine_of(axes), run.masters.size());
   Post post(machine.size(), machine.masters());

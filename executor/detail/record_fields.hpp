@@ -42,8 +42,22 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("rows", c.inputs.rows, w.rows);
 }
 
-template <class TickOfOurs, class RefusalOfOurs, class Theirs, class F>
-void each_output(TickOfOurs& t, RefusalOfOurs& refused, Theirs& w, F f) {
+/// Why the command of a tick was not obeyed, and why what waited did not begin; cause none: neither.
+struct Refusals {
+  Refusal refused = {};
+  Refusal dropped = {};
+
+  Refusals() = default;
+  explicit Refusals(const Tick& tick)
+      : refused(tick.refused.value_or(Refusal{})), dropped(tick.dropped.value_or(Refusal{})) {}
+  void put_into(Tick& tick) const {
+    if (refused.cause != Cause::none) tick.refused = refused;
+    if (dropped.cause != Cause::none) tick.dropped = dropped;
+  }
+};
+
+template <class TickOfOurs, class RefusalsOfOurs, class Theirs, class F>
+void each_output(TickOfOurs& t, RefusalsOfOurs& r, Theirs& w, F f) {
   f("tick", t.tick, w.tick);
   f("time", t.time, w.time);
   f("state", t.state, w.state);
@@ -73,10 +87,14 @@ void each_output(TickOfOurs& t, RefusalOfOurs& refused, Theirs& w, F f) {
   f("switch_edge", t.switches.edge[0].time, w.switch_edge);
   f("compare", t.compare.output, w.compare);
   f("compare_edge", t.compare.edge[0].time, w.compare_edge);
-  f("refused", refused.cause, w.refused);
-  f("refused_value", refused.value, w.refused_value);
-  f("refused_limit", refused.limit, w.refused_limit);
-  f("refused_where", refused.where, w.refused_where);
+  f("refused", r.refused.cause, w.refused);
+  f("refused_value", r.refused.value, w.refused_value);
+  f("refused_limit", r.refused.limit, w.refused_limit);
+  f("refused_where", r.refused.where, w.refused_where);
+  f("dropped", r.dropped.cause, w.dropped);
+  f("dropped_value", r.dropped.value, w.dropped_value);
+  f("dropped_limit", r.dropped.limit, w.dropped_limit);
+  f("dropped_where", r.dropped.where, w.dropped_where);
 }
 
 template <class Ours, class Theirs, class F>
@@ -98,6 +116,28 @@ void each_number(Ours& c, Theirs& w, F f) {
   f("following_time", c.following_time, w.following_time);
   f("in_position", c.in_position, w.in_position);
   f("in_position_time", c.in_position_time, w.in_position_time);
+}
+
+template <class Ours, class Theirs, class F>
+void each_of_master(Ours& m, Theirs& w, F f) {
+  f("made", m.made, w.made);
+  f("velocity", m.tracker.velocity, w.velocity);
+  f("acceleration", m.tracker.acceleration, w.acceleration);
+  f("time_constant", m.tracker.time_constant, w.time_constant);
+  f("order", m.tracker.order, w.order);
+  f("settle", m.tracker.settle, w.settle);
+  f("latency", m.tracker.latency, w.latency);
+  f("longest_age", m.tracker.longest_age, w.longest_age);
+  f("jump", m.tracker.jump, w.jump);
+}
+
+template <class Ours, class Theirs, class F>
+void each_of_sample(Ours& s, Theirs& w, F f) {
+  f("stamp_ns", s.stamp_ns, w.stamp_ns);
+  f("clock", s.clock, w.clock);
+  f("received", s.received, w.received);
+  f("position", s.position, w.position);
+  f("valid", s.valid, w.valid);
 }
 
 template <class Ours, class Theirs, class F>
@@ -134,6 +174,9 @@ inline constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) 
 template <>
 inline constexpr int count_of<RecordedOutput::Part> =
     static_cast<int>(RecordedOutput::Part::compare) + 1;
+template <>
+inline constexpr int count_of<RecordedMaster::Made> =
+    static_cast<int>(RecordedMaster::Made::readings) + 1;
 template <>
 inline constexpr int count_of<SwitchesOf> = static_cast<int>(SwitchesOf::actual) + 1;
 template <>
