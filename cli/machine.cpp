@@ -170,6 +170,16 @@ std::vector<Read> read_axes(const MachineOptions& options,
   return read;
 }
 
+/// Masters that play a table are axes, too.
+std::size_t virtual_axes(const std::optional<MachineSpec>& machine) {
+  if (!machine) return 0;
+  const auto& masters = machine->masters;
+  return static_cast<std::size_t>(
+      std::count_if(masters.begin(), masters.end(), [](const MachineMasterSpec& one) {
+        return std::holds_alternative<MachineMasterSpec::FromTable>(one.what);
+      }));
+}
+
 }  // namespace
 
 std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
@@ -187,7 +197,7 @@ MachineParts parts_of(const MachineOptions& options) {
   std::vector<Leader> axes;
   for (const Read& one : read) {
     try {
-      parts.axes.push_back(executor_of(options, one.spec, read.size()));
+      parts.axes.push_back(executor_of(options, one.spec, read.size() + virtual_axes(machine)));
     } catch (const InputError& error) {
       // The executor names its own fields, which the spec has in [axis].
       const std::string key = "axis." + error.key();
@@ -203,7 +213,8 @@ MachineParts parts_of(const MachineOptions& options) {
   if (machine) parts.watchdog = machine->watchdog;
   if (machine)
     for (const MachineMasterSpec& spec : machine->masters)
-      masters.push_back({spec.name, spec.unit, add_machine_master(spec, machine->document, parts)});
+      masters.push_back(
+          {spec.name, spec.unit, add_machine_master(spec, machine->document, options, parts)});
   for (std::size_t i = 0; i < read.size(); ++i)
     parts.axes[i].follow = resolved(read[i], axes, masters);
   for (auto& axis : parts.axes) axis.notify = notice_of(axis, parts.axes.size());

@@ -62,12 +62,12 @@ Follow add(std::shared_ptr<Master> source, const MachineMasterSpec& spec, Machin
 }
 
 Follow make(const MachineMasterSpec::External& external, const MachineMasterSpec& spec,
-            MachineParts& parts) {
+            const MachineOptions& /*options*/, MachineParts& parts) {
   return add(std::make_shared<ExternalMaster>(tracker_of(external.tracking)), spec, parts);
 }
 
 Follow make(const MachineMasterSpec::Encoder& encoder, const MachineMasterSpec& spec,
-            MachineParts& parts) {
+            const MachineOptions& /*options*/, MachineParts& parts) {
   const TrackerSpec tracker = tracker_of(encoder.tracking);
   require_valid(tracker);
   return add(std::make_shared<EncoderMaster>(tracker, reader_of(spec, encoder, parts)), spec,
@@ -89,7 +89,7 @@ StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& u
 
 /// A virtual axis, which stands where its table begins.
 Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& spec,
-            MachineParts& parts) {
+            const MachineOptions& options, MachineParts& parts) {
   const ExecutorOptions& first = parts.axes.front();
   ExecutorOptions axis;
   axis.table = stored(own, spec.unit);
@@ -103,6 +103,8 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
   axis.enable = first.enable;
   axis.stop_when_silent = first.stop_when_silent;
   axis.build_apart = first.build_apart;
+  // Never alone: at least one axis is there besides.
+  if (!options.log.empty()) axis.log = log_of(options.log, spec.name, 2);
   (void)resolved(axis.axis);
   parts.axes.push_back(std::move(axis));
   return {.what = Follow::What::setpoint, .index = parts.axes.size() - 1};
@@ -116,12 +118,13 @@ std::string named_file(const MachineMasterSpec& spec) {
 }  // namespace
 
 Follow add_machine_master(const MachineMasterSpec& spec, const Document& document,
-                          MachineParts& parts) {
+                          const MachineOptions& options, MachineParts& parts) {
   if (axis_named(spec.name, parts) != nullptr)
     throw document.located(
         InputError(spec.key, spec.name, "an axis of this machine has this name already"));
   try {
-    return std::visit([&](const auto& what) { return make(what, spec, parts); }, spec.what);
+    return std::visit([&](const auto& what) { return make(what, spec, options, parts); },
+                      spec.what);
   } catch (const InputError& error) {
     if (!error.document().empty())  // of another file, or of one that is not there
       throw document.naming(spec.key + ".file", named_file(spec), error);

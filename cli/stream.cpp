@@ -13,6 +13,7 @@
 #include "progress.hpp"
 #include "reference.hpp"
 #include "stream_banks.hpp"
+#include "stream_rolling.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -117,58 +118,19 @@ int report(const StreamOutcome& outcome, const Options& options) {
   return outcome.error == StreamError::refused ? finding : fault;
 }
 
-RowPlan row_plan_of(const Options& options) {
+int run_rolling(const Options& options) {
   if (!options.swaps.empty() || !options.master.empty() || options.live ||
       options.until != "start") {
     throw InputError("--rolling", "",
                      "streams one table over time: without --swap, --master, --live and --until");
   }
-  Input input = load(options.file, options.axis);
-  Tables tables = executor_tables(input);
-  if (tables.slave.table.axis() != Axis::time)
-    throw InputError("--rolling", options.file, "must be a table over time");
-  return {.executor = options.to,
-          .queue = {.units = tables.slave.units,
-                    .capacity = options.capacity,
-                    .prefill = options.capacity},
-          .rows = rows_of(std::move(tables.slave.table)),
-          .resume = options.resume};
-}
-
-int report(const RowOutcome& outcome, const Options& options) {
-  const RowProgress& p = outcome.progress;
-  if (options.json) {
-    const nlohmann::ordered_json document{
-        {"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason},
-        {"rows", p.sent},     {"played", p.played},           {"underruns", p.underruns},
-        {"resent", p.resent}, {"finished", p.finished}};
-    fmt::print("{}\n", document.dump(1));
-  } else if (outcome.ok()) {
-    fmt::print("{} of {} rows played at {}, {} underruns, {} messages sent again; {}\n", p.played,
-               p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped");
-  } else {
-    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
-  }
-  if (outcome.ok()) return fine;
-  const bool said_no =
-      outcome.error == StreamError::refused || outcome.error == StreamError::underrun;
-  return said_no ? finding : fault;
-}
-
-int run_rolling(const Options& options) {
-  RowPlan plan = row_plan_of(options);
-  Link link(options.link);
-  RowOptions rolling;
-  rolling.key = link.key();
-  interrupted = 0;
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  rolling.cancelled = [] { return interrupted != 0; };
-  Progress progress("streaming to " + options.to);
-  rolling.progress = [&](const RowProgress& p) {
-    progress.show(p.sent == 0 ? 0 : static_cast<double>(p.played) / static_cast<double>(p.sent),
-                  fmt::format("{} rows played, {} ahead", p.played, p.acknowledged - p.played));
-  };
-  return report(stream_rows(link.transport(), std::move(plan), rolling), options);
+  return stream_rolling({.file = options.file,
+                         .axis = options.axis,
+                         .to = options.to,
+                         .ahead = options.capacity,
+                         .resume = options.resume,
+                         .link = options.link,
+                         .json = options.json});
 }
 
 int run_banks(const Options& options) {

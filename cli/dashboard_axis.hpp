@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "dashboard.hpp"
+
+namespace jounce::cli {
+
+/// The line of an axis in the list of all.
+Row listed(const Watched& axis, const View& view, bool chosen);
+
+/// All that is said of one axis.
+std::vector<Row> details(const Watched& axis, const View& view);
+
+}  // namespace jounce::cli
