@@ -41,6 +41,9 @@ void RemadeMasters::take(const RecordedSample& sample) {
   if (sample.master >= masters_.size())
     throw InputError("master", std::to_string(sample.master + 1),
                      "was not recorded when the machine started");
+  constexpr std::int64_t latest = std::int64_t{1} << 62U;  // their differences are numbers, too
+  if (sample.sample.stamp_ns < 0 || sample.sample.stamp_ns > latest)
+    throw InputError("stamp_ns", std::to_string(sample.sample.stamp_ns), "must be from 0 to 2^62");
   One& one = masters_[sample.master];
   if (one.read) one.read->read(sample.sample.received, sample.sample.position);
   if (one.heard && !one.heard->receive(sample.sample))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <deque>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -121,6 +122,8 @@ class Replayer {
     if (watch_master_) watch_master_(seen);
     if (ended_ || result_.axes.empty()) return;
     const std::int64_t period = result_.axes.front().config.period;
+    if (seen.sight.tick < 0 || seen.sight.tick > std::numeric_limits<std::int64_t>::max() / period)
+      throw InputError("tick", std::to_string(seen.sight.tick), "of a master is none of a cycle");
     const double time = static_cast<double>(seen.sight.tick * period) * 1e-9;
     if (const auto what = masters_.compare(seen, time)) {
       result_.difference = Replay::Difference{seen.master, seen.sight.tick, *what, true};

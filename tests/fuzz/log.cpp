@@ -46,7 +46,12 @@ const std::vector<RecordEvent>& good() {
         arm,
         RecordedCycle{.command = {.kind = Command::Kind::start, .id = 3}},
         RecordedLoss{.cycles = 1},
-        RecordedMaster{.name = "line", .unit = "mm", .followers = 1},
+        RecordedMaster{.name = "line",
+                       .unit = "mm",
+                       .followers = 1,
+                       .made = RecordedMaster::Made::samples,
+                       .tracker = {.velocity = 1, .acceleration = 1}},
+        RecordedSample{.sample = {.stamp_ns = 1'000'000, .received = 0.001, .position = 1}},
         RecordedSight{.sight = {.tick = 1, .at = {1, 0, 0, 0}, .age = 0.001}},
         RecordedOutput{
             .part = RecordedOutput::Part::compare, .points = 1, .some = {{.position = 0.5}}},
