@@ -155,13 +155,15 @@ FigureRows rows_of(const RmsOf& figure, const SplineSpace& space) {
 
 namespace {
 
+/// Few numbers behind many planes.
 template <class Figure>
-constexpr bool response =
-    std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, RmsResponseOf>;
+constexpr bool liftable =
+    std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, RmsResponseOf> ||
+    std::is_same_v<Figure, ResidualOf>;
 
 template <class Figure>
-constexpr bool convex = std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> ||
-                        std::is_same_v<Figure, ResidualOf> || response<Figure>;
+constexpr bool convex =
+    std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> || liftable<Figure>;
 
 /// The size of a figure that is not convex in a perfect spline, its parts added up.
 double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
@@ -205,7 +207,7 @@ bool has_rows(const ShapeFigure& figure) {
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space, const Lift* lift) {
   return std::visit(
       [&]<class Figure>(const Figure& f) -> FigureRows {
-        if constexpr (response<Figure>)
+        if constexpr (liftable<Figure>)
           return rows_of(f, space, lift);
         else if constexpr (convex<Figure>)
           return rows_of(f, space);

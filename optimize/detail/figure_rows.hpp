@@ -32,11 +32,12 @@ struct FigureRows {
   double accuracy = 0;  ///< share of it to which the forms are true, where that is not all digits
   /// Unknowns of its own that its forms are in (Lift): each == 0 says what one is by the coordinates.
   std::vector<Form> own = {};
+  double own_share = 0;  ///< none of these is larger than so much times the figure
 
   [[nodiscard]] bool by_squares() const { return !squares.empty(); }
 };
 
-/// Gives a response unknowns of its own, numbered from `first`: as many as it has independent parts.
+/// Gives a response or a residual unknowns of its own, numbered from `first`: as many as it has independent parts.
 struct Lift {
   std::size_t first = 0;
   const std::vector<Segment>& given;
@@ -49,12 +50,12 @@ FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
 FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
 FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
                    const Lift* lift = nullptr);
-FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space);
+FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
 
 /// Whether there is a rows_of() for it.
 bool has_rows(const ShapeFigure& figure);
 /// That of whichever figure it is. `space` must outlive what is returned.
-/// Lifted, if asked to and a response.
+/// Lifted, if asked to and a response or a residual.
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
                        const Lift* lift = nullptr);
 

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <memory>
 #include <numbers>
 
-#include "jounce/optimize/detail/figure_rows.hpp"
+#include "jounce/optimize/detail/lifted.hpp"
 #include "jounce/profiles/vibration_band.hpp"
 
 // What a mode keeps (profiles/vibration_band.hpp, residual_phasor) is linear in the shape: with the
@@ -90,37 +93,159 @@ std::vector<ModeBand> parts_of(const ModeBand& band) {
   return all;
 }
 
-std::vector<Form> planes_to_begin_with(const SplineSpace& space, const ModeBand& band) {
+/// Chebyshev's nodes of an interval, and Lagrange's polynomials there (barycentric: Berrut, Trefethen, SIAM
+/// Review 46, 2004).
+class Nodes {
+ public:
+  Nodes(double low, double high, double size) {
+    const double rho = size * (high - low) / 2;
+    std::size_t n = 1;
+    if (high > low)
+      while (n < most && std::pow(std::numbers::e * rho / (2.0 * static_cast<double>(n)),
+                                  static_cast<double>(n)) > lost)
+        ++n;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double angle =
+          std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
+      at_.push_back((low + high) / 2 + (high - low) / 2 * std::cos(angle));
+      weight_.push_back((k % 2 == 0 ? 1 : -1) * std::sin(angle));
+    }
+  }
+
+  [[nodiscard]] const std::vector<double>& at() const { return at_; }
+  [[nodiscard]] bool too_many() const { return at_.size() >= most; }
+
+  /// L_k(x), one a node: (3).
+  [[nodiscard]] std::vector<double> shares(double x) const {
+    std::vector<double> share(at_.size(), 0);
+    double sum = 0;
+    for (std::size_t k = 0; k < at_.size(); ++k) {
+      if (x == at_[k] || at_.size() == 1) {
+        std::fill(share.begin(), share.end(), 0);
+        share[k] = 1;
+        return share;
+      }
+      share[k] = weight_[k] / (x - at_[k]);
+      sum += share[k];
+    }
+    for (double& each : share) each /= sum;
+    return share;
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+  static constexpr double lost = 1e-13;
+
+  std::vector<double> at_, weight_;
+};
+
+/// Every plane of a band in the few unknowns of its own.
+class LiftedBand {
+ public:
+  LiftedBand(const SplineSpace& space, const ModeBand& band)
+      : frequencies_(band.low, band.high, 2 * std::numbers::pi * length_of(space)),
+        dampings_(band.damping_low, band.damping_high,
+                  2 * std::numbers::pi * band.high * length_of(space)),
+        usable_(!frequencies_.too_many() && !dampings_.too_many() && band.damping_high <= 0.5 &&
+                frequencies_.at().size() * dampings_.at().size() <= most_modes) {}
+
+  /// Whether few enough modes say it all.
+  [[nodiscard]] bool usable() const { return usable_; }
+
+  void lift(const SplineSpace& space, const Lift& from, FigureRows& rows) {
+    Eigen::MatrixXd sees = Eigen::MatrixXd::Zero(
+        static_cast<Eigen::Index>(2 * frequencies_.at().size() * dampings_.at().size()),
+        static_cast<Eigen::Index>(space.size()));
+    Eigen::Index row = 0;
+    for (const double damping : dampings_.at())
+      for (const double frequency : frequencies_.at()) {
+        const Phasors phasors(space, {frequency, damping});
+        for (std::size_t k = 0; k < phasors.index.size(); ++k) {
+          const auto column = static_cast<Eigen::Index>(phasors.index[k]);
+          sees(row, column) = phasors.factor[k].real();
+          sees(row + 1, column) = phasors.factor[k].imag();
+        }
+        row += 2;
+      }
+    const Affine all{Eigen::VectorXd::Zero(sees.rows()), without_joints(sees, space)};
+    parts_ = lifted(all, from, rows);
+  }
+
+  /// (2), by (3).
+  [[nodiscard]] Form plane(const Mode& mode, Complex direction) const {
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(parts_.factor.cols());
+    const std::vector<double> of_frequency = frequencies_.shares(mode.frequency);
+    Eigen::Index row = 0;
+    for (const double d : dampings_.shares(mode.damping))
+      for (const double f : of_frequency) {
+        by += d * f *
+              (direction.real() * parts_.factor.row(row) +
+               direction.imag() * parts_.factor.row(row + 1))
+                  .transpose();
+        row += 2;
+      }
+    Form form;
+    for (Eigen::Index k = 0; k < by.size(); ++k)
+      form.terms.push_back({parts_.first + static_cast<std::size_t>(k), by[k]});
+    return form;
+  }
+
+ private:
+  static constexpr std::size_t most_modes = 512;
+  static double length_of(const SplineSpace& space) {
+    return space.knots().back() - space.knots().front();
+  }
+
+  Nodes frequencies_, dampings_;
+  bool usable_;
+  Affine parts_ = {};
+};
+
+using Plane = std::function<Form(const Mode& mode, Complex direction)>;
+
+/// As the rows may have them: lifted, if that is asked for and there are few enough numbers.
+Plane planes_of(const SplineSpace& space, const ModeBand& band, const Lift* lift,
+                FigureRows& rows) {
+  const auto few = std::make_shared<LiftedBand>(space, band);
+  if (!lift || !few->usable())
+    return [&space](const Mode& mode, Complex direction) {
+      return Phasors(space, mode).plane(direction);
+    };
+  few->lift(space, *lift, rows);
+  return [few](const Mode& mode, Complex direction) { return few->plane(mode, direction); };
+}
+
+std::vector<Form> planes_to_begin_with(const ModeBand& band, const Plane& plane) {
   constexpr std::array directions{Complex(1, 0), Complex(-1, 0), Complex(0, 1), Complex(0, -1)};
   std::vector<Form> planes;
-  for (const ModeBand& part : parts_of(band)) {
-    const Phasors phasors(space, {(part.low + part.high) / 2, band.damping_low});
-    for (const Complex direction : directions) planes.push_back(phasors.plane(direction));
-  }
+  for (const ModeBand& part : parts_of(band))
+    for (const Complex direction : directions)
+      planes.push_back(plane({(part.low + part.high) / 2, band.damping_low}, direction));
   return planes;
 }
 
 }  // namespace
 
-FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space) {
+FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lift* lift) {
   const ModeBand band = band_of(figure);
   const double begin = space.knots().front();
   FigureRows rows{.name = name(figure), .value = [band, begin](const auto& shape) {
                     return worst_residual(Trajectory(shape, begin), band).residual;
                   }};
-  rows.start = planes_to_begin_with(space, band);
-  rows.cuts = [band, begin, &space](const std::vector<Segment>& shape, double level) {
+  rows.natural = space.natural(derivative_of_shape(0));
+  const Plane plane = planes_of(space, band, lift, rows);
+  rows.start = planes_to_begin_with(band, plane);
+  rows.cuts = [band, begin, plane](const std::vector<Segment>& shape, double level) {
     const Trajectory motion(shape, begin);
     std::vector<Form> planes;
     for (const ModeBand& part : parts_of(band)) {
       const WorstMode worst = worst_residual(motion, part, search_tolerance);
       if (!(worst.residual > level)) continue;
       const Complex at = residual_phasor(motion, worst.mode);
-      planes.push_back(Phasors(space, worst.mode).plane(at / std::abs(at)));
+      planes.push_back(plane(worst.mode, at / std::abs(at)));
     }
     return planes;
   };
-  rows.natural = space.natural(derivative_of_shape(0));
   return rows;
 }
 

@@ -104,15 +104,17 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
       walls.push_back(wall_of(space, c, offset));
   }
   fixed = fixed_by(space, equalities);
-  const auto rows_of = [&](const ShapeFigure& figure, std::optional<double> at_most) {
+  const auto rows_of = [&](const ShapeFigure& figure, std::optional<double> at_most, bool silent) {
     const Lift from{unknowns(), given, at_most};
-    FigureRows rows = figure_rows(figure, space, lift ? &from : nullptr);
+    FigureRows rows = figure_rows(figure, space, lift && !silent ? &from : nullptr);
     own.insert(own.end(), rows.own.begin(), rows.own.end());
+    own_most.resize(own.size(), at_most ? rows.own_share * *at_most : HUGE_VAL);
     return rows;
   };
   for (const jounce::Ceiling& c : problem.ceilings) {
-    FigureRows rows = rows_of(c.figure, c.at_most);
-    if (is_silence(c, rows.natural)) {  // real and imaginary part
+    const bool silent = is_silence(c, space.natural(derivative_of_shape(0)));
+    FigureRows rows = rows_of(c.figure, c.at_most, silent);
+    if (silent) {  // real and imaginary part
       equalities.push_back(rows.start[0]);
       equalities.push_back(rows.start[2]);
     } else if (rows.by_squares())
@@ -121,7 +123,7 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
       walls.push_back(wall_of(std::move(rows), c.at_most));
   }
   for (const WeightedFigure& m : problem.minimize) {
-    FigureRows rows = rows_of(m.figure, {});
+    FigureRows rows = rows_of(m.figure, {}, false);
     const double value = rows.value(given);
     const double unit = std::abs(value) > 1e-9 * rows.natural ? std::abs(value) : rows.natural;
     terms.push_back({std::move(rows), m.weight, unit, order_in(m.figure)});

@@ -36,6 +36,7 @@ struct ShapeModel {
   std::vector<Wall> walls;
   std::vector<RoundCeiling> round;
   std::vector<Form> own;  ///< == 0: what each unknown of a response's own is by the coordinates
+  std::vector<double> own_most;  ///< what each is at most, where all ceilings are kept
 
   /// Coordinates and unknowns of responses.
   [[nodiscard]] std::size_t unknowns() const { return space.size() + own.size(); }
