@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -27,9 +28,9 @@ Series outline(const char* label, std::vector<std::pair<double, double>> corners
 /// Torque left at a speed, both ways: the corners of the envelope, once around.
 Series envelope(const Motor& m, double speed) {
   const double t = m.torque_limit;
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   if (m.max_velocity == 0)
-    return outline("peak torque",
-                   {{-speed, t}, {speed, t}, {speed, -t}, {-speed, -t}, {-speed, t}});
+    return outline("peak torque", {{-speed, t}, {speed, t}, {gap, gap}, {speed, -t}, {-speed, -t}});
   const double rated = m.rated_velocity * rpm;
   const double most = m.max_velocity * rpm;
   return outline(
@@ -51,14 +52,10 @@ std::vector<DriveMode> swinging(const Drive& drive) {
   return found;
 }
 
-/// Hz: below it a tenth of the stroke and more is left, beside which nothing else would be seen.
-double least_worth_seeing(const Trajectory& motion, double highest) {
-  constexpr int steps = 200;
-  const Range travel = extrema(motion, 0);
-  const double much = 0.1 * (travel.max.value - travel.min.value);
-  int i = 1;
-  while (i < steps && residual_vibration(motion, Mode{highest * i / steps, 0}) > much) ++i;
-  return highest * i / steps;
+/// dB of the way; what is less than rounding is at the floor.
+double decibels(double left, double way) {
+  constexpr double floor = 1e-8;
+  return 20 * std::log10(std::max(way > 0 ? left / way : 0, floor));
 }
 
 }  // namespace
@@ -122,27 +119,27 @@ Figure torque_speed_figure(const DriveResult& run, const Drive& drive) {
 Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::string& unit) {
   constexpr int points = 800;
   const std::vector<DriveMode> own = swinging(drive);
+  const Range travel = extrema(motion, 0);
+  const double way = travel.max.value - travel.min.value;
   double highest = 12 / motion.length();
-  double lowest = least_worth_seeing(motion, highest);
-  for (const DriveMode& m : own) {
-    highest = std::max(highest, 1.3 * m.frequency);
-    lowest = std::min(lowest, 0.7 * m.frequency);
-  }
+  for (const DriveMode& m : own) highest = std::max(highest, 1.3 * m.frequency);
   Figure figure{.title = "What the motion leaves of a vibration", .x_label = "its frequency [Hz]"};
-  Panel panel{.y_label = "amplitude left [" + unit + "]"};
+  Panel panel{.y_label = "amplitude left [dB of the way]"};
   for (const double damping : {0.0, 0.05}) {
     Series series{.label = damping == 0 ? "undamped" : fmt::format("damping ratio {}", damping)};
-    for (int i = 0; i <= points; ++i) {
-      const double frequency = lowest + (highest - lowest) * i / points;
+    for (int i = 1; i <= points; ++i) {
+      const double frequency = highest * i / points;
       series.x.push_back(frequency);
-      series.y.push_back(residual_vibration(motion, Mode{frequency, damping}));
+      series.y.push_back(decibels(residual_vibration(motion, Mode{frequency, damping}), way));
     }
     panel.series.push_back(std::move(series));
   }
   for (const DriveMode& m : own) {
     const double natural = m.frequency / std::sqrt(1 - m.damping * m.damping);
-    panel.markers.push_back(marked(natural, residual_vibration(motion, Mode{natural, m.damping}),
-                                   fmt::format("drive, {} Hz", short_number(natural, 3))));
+    const double left = residual_vibration(motion, Mode{natural, m.damping});
+    panel.markers.push_back(marked(
+        natural, decibels(left, way),
+        fmt::format("drive, {} Hz: {} {}", short_number(natural, 3), short_number(left, 3), unit)));
   }
   figure.panels = {std::move(panel)};
   return figure;
