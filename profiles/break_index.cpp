@@ -1,7 +1,10 @@
 #include "jounce/profiles/break_index.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "jounce/profiles/detail/large_pages.hpp"
 
 namespace jounce {
 
@@ -15,9 +18,19 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   start_ = breaks.front();
   cells_per_unit_ = scale;
   last_cell_ = static_cast<double>(cells - 1);
-  before_.assign(cells + 1, 0);
-  for (const double at : breaks.subspan(1, intervals - 1)) ++before_[cell(at) + 1];
-  for (std::size_t k = 0; k < cells; ++k) before_[k + 1] += before_[k];
+  detail::reserve_large(before_, cells + 2);
+  before_.resize(cells + 2);
+  // Breaks ascend, and so do their cells: up to that of break i, i - 1 interior ones lie before.
+  // Two cells are written without asking, as many as an interval has of equal length; what is too
+  // much is written over.
+  std::uint32_t* next = before_.data();
+  for (std::uint32_t i = 1; i < intervals; ++i) {
+    std::uint32_t* const end = before_.data() + cell(breaks[i]) + 1;
+    next[0] = next[1] = i - 1;
+    if (end > next + 2) std::fill(next + 2, end, i - 1);
+    next = end;
+  }
+  std::fill(next, before_.data() + cells + 1, static_cast<std::uint32_t>(intervals - 1));
 }
 
 }  // namespace jounce

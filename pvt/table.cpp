@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,15 +28,29 @@ std::string entry(Axis axis, std::size_t column, std::size_t knot) {
   return "knot[" + std::to_string(knot + 1) + "]." + column_name(axis, column);
 }
 
-/// The first i < n that is not good; n if all are. Counted without a branch first, several at once.
-template <class Good>
-std::size_t first_bad(std::size_t n, Good good) {
-  std::size_t bad = 0;
-  for (std::size_t i = 0; i < n; ++i) bad += good(i) ? 0 : 1;
-  if (bad == 0) return n;
+/// The first i < n that is not good; n if all are. `bad_bits(i)` has its highest bit set where i is
+/// not: gathered without a branch, several at once, and looked at closely only where one is.
+template <class BadBits>
+std::size_t first_bad(std::size_t n, BadBits bad_bits) {
+  const auto is_bad = [](std::uint64_t bits) { return bits >> 63U != 0; };
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i < n; ++i) any |= bad_bits(i);
+  if (!is_bad(any)) return n;
   std::size_t i = 0;
-  while (good(i)) ++i;
+  while (!is_bad(bad_bits(i))) ++i;
   return i;
+}
+
+/// A number is finite unless its exponent is all ones, which one more makes overflow.
+std::uint64_t not_finite(double value) {
+  constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, one = 0x0010'0000'0000'0000;
+  return (std::bit_cast<std::uint64_t>(value) & exponent) + one;
+}
+
+/// Of finite numbers, whose difference is exact where it is small: it is no more than either zero.
+std::uint64_t not_greater(double value, double than) {
+  const auto difference = std::bit_cast<std::uint64_t>(value - than);
+  return difference | (difference - 1);
 }
 
 void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<double>& values,
@@ -48,7 +64,7 @@ void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<
                      std::string("a ") + name(rule) + " table of " + std::to_string(knots) +
                          " knots needs " + std::to_string(expected));
   const std::size_t i =
-      first_bad(values.size(), [v = values.data()](std::size_t k) { return std::isfinite(v[k]); });
+      first_bad(values.size(), [v = values.data()](std::size_t k) { return not_finite(v[k]); });
   if (i < values.size())
     throw InputError(entry(axis, column, i), values[i], "must be a finite number");
 }
@@ -62,8 +78,9 @@ Table::Table(Axis axis, Rule rule, Outside outside, Columns columns)
   const std::array all{&columns_.x, &columns_.p, &columns_.v, &columns_.a};
   for (std::size_t column = 0; column < all.size(); ++column)
     require_column(axis, rule, column, *all[column], knots);
-  const std::size_t i =
-      1 + first_bad(knots - 1, [x = columns_.x.data()](std::size_t k) { return x[k + 1] > x[k]; });
+  const std::size_t i = 1 + first_bad(knots - 1, [x = columns_.x.data()](std::size_t k) {
+                          return not_greater(x[k + 1], x[k]);
+                        });
   if (i < knots)
     throw InputError(entry(axis, 0, i), columns_.x[i],
                      "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -27,7 +28,8 @@ std::size_t bytes_of(const wire::Header& header) {
 Assembly::Assembly(const wire::Header& header)
     : header_(header), cut_(wire::cut(header)), arrived_(cut_.chunks) {
   assert(!contradiction(header));
-  for (std::size_t i = 0; i < cut_.columns; ++i) in_order(columns_)[i]->reserve(header.knots);
+  for (std::size_t i = 0; i < cut_.columns; ++i)
+    detail::reserve_large(*in_order(columns_)[i], header.knots);
 }
 
 bool Assembly::add(const wire::Chunk& chunk) {
@@ -37,21 +39,30 @@ bool Assembly::add(const wire::Chunk& chunk) {
       chunk.values.size() != std::size_t{chunk.knots} * chunk.columns)
     return false;
   if (arrived_[chunk.seq]) return true;
-
-  const auto columns = in_order(columns_);
-  const std::size_t end = std::size_t{chunk.first_knot} + chunk.knots;
-  for (std::uint32_t i = 0; i < cut_.columns; ++i) {
-    // The memory is there, but its pages are not: they are touched when they are needed.
-    if (columns[i]->size() < end) columns[i]->resize(end);
-    std::copy_n(chunk.values.begin() + std::ptrdiff_t{i} * chunk.knots, chunk.knots,
-                columns[i]->begin() + chunk.first_knot);
-  }
+  put(chunk);
   arrived_[chunk.seq] = true;
   if (chunk.seq == next_) advance();
   return true;
 }
 
-/// Hashes what has become whole: from its place in the table, so that nothing else can be stored.
+/// The memory is there, but its pages are not: they are touched when they are needed, and where
+/// chunks come in order, once.
+void Assembly::put(const wire::Chunk& chunk) {
+  const std::size_t end = std::size_t{chunk.first_knot} + chunk.knots;
+  for (std::uint32_t i = 0; i < cut_.columns; ++i) {
+    std::vector<double>& column = *in_order(columns_)[i];
+    const double* const from = chunk.values.data() + std::size_t{i} * chunk.knots;
+    if (column.size() == chunk.first_knot) {
+      column.insert(column.end(), from, from + chunk.knots);
+    } else {
+      if (column.size() < end) column.resize(end);
+      std::copy_n(from, chunk.knots, column.begin() + chunk.first_knot);
+    }
+  }
+}
+
+/// Hashes what has become whole: from its place in the table, so that nothing else can be stored,
+/// and while it is still in the processor's caches.
 void Assembly::advance() {
   const std::size_t from = std::size_t{next_} * cut_.per_chunk;
   while (next_ < cut_.chunks && arrived_[next_]) ++next_;

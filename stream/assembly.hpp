@@ -35,6 +35,7 @@ class Assembly {
   [[nodiscard]] std::variant<StoredTable, Refused> finish();
 
  private:
+  void put(const wire::Chunk& chunk);
   void advance();
 
   wire::Header header_;
