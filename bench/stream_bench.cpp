@@ -167,7 +167,7 @@ Transfer transfer(const Table& table, bool hashed) {
   StreamPlan plan{.executor = "bench", .tables = {{table, units}}, .goal = StreamGoal::download};
   const wire::Header header = header_of(plan.tables[0], 0);
   const auto bytes = static_cast<double>(bytes_of(header));
-  if (hashed) plan.tables[0].hash = header.hash;
+  if (hashed) plan.tables[0].hash = content_hash(table, units);
   Nanos complete{};
   StreamOptions options;
   options.progress = [&](const StreamProgress& progress) {

@@ -81,16 +81,16 @@ std::uint64_t Assembly::mask() const {
   return mask;
 }
 
-std::variant<StoredTable, Refused> Assembly::finish() {
+std::variant<StoredTable, Refused> Assembly::finish(const Sha256& announced) {
   assert(complete());
   try {
     auto table = std::make_shared<const Table>(header_.axis, header_.rule, header_.outside,
                                                std::move(columns_));
     const Sha256 hash =
         hasher_.result(header_.axis, header_.rule, header_.outside, header_.units, header_.knots);
-    if (hash != header_.hash) {
+    if (hash != announced) {
       return Refused{wire::Refusal::hash_mismatch,
-                     "announced " + hex(header_.hash) + ", arrived " + hex(hash)};
+                     "announced " + hex(announced) + ", arrived " + hex(hash)};
     }
     return StoredTable{hash, header_.units, std::move(table)};
   } catch (const InputError& error) {

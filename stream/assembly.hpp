@@ -31,8 +31,9 @@ class Assembly {
   [[nodiscard]] std::uint64_t mask() const;
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Of a complete assembly, once: the table, constructed and hashed anew from what arrived.
-  [[nodiscard]] std::variant<StoredTable, Refused> finish();
+  /// Of a complete assembly, once: the table, constructed and hashed anew from what arrived, if its
+  /// hash is the one that was announced.
+  [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 
  private:
   void put(const wire::Chunk& chunk);

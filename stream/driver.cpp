@@ -22,6 +22,7 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
     if (clock() - begin > options.total)
       sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
+    sender.hash();
     if (options.progress) options.progress(sender.outcome().progress);
     if (sender.ended()) return sender.outcome();
 

@@ -114,7 +114,7 @@ enum class Next : std::int8_t {
 /// Announces a table; the first one of a session opens it.
 struct Header {
   std::uint32_t table = 0;  ///< index within the session, 0...63
-  Sha256 hash{};            ///< content_hash(table, units)
+  Sha256 hash{};            ///< content_hash(table, units); zeros: not known yet, it will be told
   Axis axis = Axis::time;
   Rule rule = Rule::linear;
   Outside outside = Outside::refuse;
@@ -123,6 +123,8 @@ struct Header {
   std::uint32_t columns = 0;    ///< 2...4, as the rule needs
   std::uint32_t per_chunk = 0;  ///< knots of a full chunk, 1...chunk_values / columns
   std::uint32_t chunks = 0;     ///< ceil(knots / per_chunk)
+
+  [[nodiscard]] bool has_hash() const { return hash != Sha256{}; }
 };
 
 /// Some knots, column after column: x of all, then p of all, ...

@@ -213,6 +213,7 @@ class Receiver {
   void expire(Nanos now);
 
   [[nodiscard]] Slot announced(const wire::Header& header);
+  void learn(Slot& slot, const Sha256& hash);
   void finish(Slot& slot);
   [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
   void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);

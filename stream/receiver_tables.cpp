@@ -5,6 +5,17 @@
 #include "jounce/stream/receiver.hpp"
 
 namespace jounce {
+namespace {
+
+/// Whether both announce one table, as far as they tell.
+bool agree(const wire::Header& a, const wire::Header& b) {
+  if (a.has_hash() && b.has_hash()) return a.hash == b.hash;
+  return a.axis == b.axis && a.rule == b.rule && a.outside == b.outside && a.units.x == b.units.x &&
+         a.units.position == b.units.position && a.knots == b.knots && a.per_chunk == b.per_chunk;
+}
+
+}  // namespace
+
 void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
   answer_stranger(session, wire::Ack{.boot = boot_,
                                      .table = table,
@@ -16,7 +27,8 @@ void Receiver::take(const wire::Header& header) {
   const auto slot = slots_.find(header.table);
   if (slot == slots_.end()) {
     slots_.emplace(header.table, announced(header));
-  } else if (slot->second.header.hash == header.hash) {
+  } else if (agree(slot->second.header, header)) {
+    if (header.has_hash() && !slot->second.header.has_hash()) learn(slot->second, header.hash);
     slot->second.ack_due = true;
   } else {
     refuse_table(session_, header.table,
@@ -26,7 +38,7 @@ void Receiver::take(const wire::Header& header) {
 
 Receiver::Slot Receiver::announced(const wire::Header& header) {
   Slot slot{.header = header};
-  slot.stored = store_.find(header.hash);
+  if (header.has_hash()) slot.stored = store_.find(header.hash);
   if (slot.stored) {
     events_.emplace_back(TableReady{session_, *slot.stored});
     return slot;
@@ -60,13 +72,25 @@ void Receiver::take(const wire::Chunk& chunk) {
     refuse_table(session_, chunk.table,
                  {wire::Refusal::bad_chunk,
                   "chunk " + std::to_string(chunk.seq) + " contradicts its header"});
-  } else if (slot.assembly->complete()) {
+  } else if (slot.assembly->complete() && slot.header.has_hash()) {
     finish(slot);
   }
 }
 
+/// The hash that the first header did not tell: of a table that is here, or complete, or under way.
+void Receiver::learn(Slot& slot, const Sha256& hash) {
+  slot.header.hash = hash;
+  if (!slot.assembly) return;
+  if (slot.assembly->complete()) return finish(slot);
+  slot.stored = store_.find(hash);
+  if (!slot.stored) return;
+  slot.assembly.reset();
+  store_.release(bytes_of(slot.header));
+  events_.emplace_back(TableReady{session_, *slot.stored});
+}
+
 void Receiver::finish(Slot& slot) {
-  auto result = slot.assembly->finish();
+  auto result = slot.assembly->finish(slot.header.hash);
   slot.assembly.reset();
   if (auto* refused = std::get_if<Refused>(&result)) {
     store_.release(bytes_of(slot.header));

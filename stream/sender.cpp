@@ -1,7 +1,9 @@
 #include "jounce/stream/sender.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <span>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -13,6 +15,15 @@ namespace {
 std::string milliseconds(Nanos time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
          " ms";
+}
+
+/// The knots [from, to) of all columns that there are.
+std::array<std::span<const double>, 4> rows_of(const Columns& columns, std::size_t from,
+                                               std::size_t to) {
+  std::array<std::span<const double>, 4> rows{columns.x, columns.p, columns.v, columns.a};
+  for (auto& column : rows)
+    if (!column.empty()) column = column.subspan(from, to - from);
+  return rows;
 }
 
 }  // namespace
@@ -30,10 +41,20 @@ Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
     throw InputError("chunk", std::to_string(chunk),
                      "must be 4 to " + std::to_string(wire::chunk_values));
   }
+  announce_all();
+}
+
+/// A table that fits a window is hashed before: it could not be sent any earlier for that, and is not
+/// sent at all if the executor has it.
+void Sender::announce_all() {
   for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
-    headers_.push_back(header_of(plan_.tables[i], i, options_.pace.chunk));
-    static_cast<void>(wire::encode({plan_.executor, session_, headers_[i]}));  // throws if it must
-    outcome_.progress.chunks += headers_[i].chunks;
+    const StreamPlan::Item& item = plan_.tables[i];
+    wire::Header header = header_of(item, i, options_.pace.chunk);
+    if (!header.has_hash() && header.chunks <= wire::cut(header).chunks_for(options_.pace.window))
+      header.hash = content_hash(item.table, item.units);
+    static_cast<void>(wire::encode({plan_.executor, session_, header}));  // throws if it must
+    outcome_.progress.chunks += header.chunks;
+    headers_.push_back(std::move(header));
   }
 }
 
@@ -59,6 +80,8 @@ void Sender::send(wire::Body body, Nanos now) {
 
 void Sender::download(Nanos now) {
   const wire::Header& header = headers_[table_];
+  const bool all_sent = window_ && window_->begun() == header.chunks;
+  if (all_sent) hash();  // if it is not done yet
   if (window_) {
     for (const std::uint32_t seq : window_->due(now))
       send(chunk_of(plan_.tables[table_].table, header, seq), now);
@@ -66,10 +89,31 @@ void Sender::download(Nanos now) {
   }
   // Repeated while chunks flow, a header asks for an ack and keeps the session alive.
   const bool quiet = now - sent_ >= options_.heartbeat;
-  const bool unanswered = !window_ && (!header_sent_ || now - *header_sent_ >= options_.repeat);
-  if (!quiet && !unanswered) return;
+  // Until it is answered, and once only it can be missing, it is repeated sooner.
+  const bool awaited = !window_ || window_->arrived() == header.chunks;
+  const bool again = awaited && (!header_sent_ || now - *header_sent_ >= options_.repeat);
+  const bool news = all_sent && !told_;
+  if (!quiet && !again && !news) return;
   send(header, now);
   header_sent_ = now;
+  told_ = header.has_hash();
+}
+
+void Sender::hash() {
+  if (stage() != StreamStage::downloading || !window_ || headers_[table_].has_hash()) return;
+  wire::Header& header = headers_[table_];
+  const auto& [table, units, known] = plan_.tables[table_];
+  if (!hashing_ || hashing_->table != table_) hashing_.emplace(Hashing{.table = table_});
+  const std::size_t from = hashing_->knots;
+  const std::size_t to = std::min(window_->begun() * header.per_chunk, table.size());
+  if (from < to) {
+    hashing_->hasher.add(rows_of(table.columns(), from, to));
+    hashing_->knots = to;
+  }
+  if (to < table.size()) return;
+  header.hash =
+      hashing_->hasher.result(header.axis, header.rule, header.outside, units, table.size());
+  hashing_.reset();
 }
 
 void Sender::command(Nanos now) {
@@ -142,7 +186,7 @@ void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
   if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
   if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
-  if (ack.complete) return next_table(now);
+  if (ack.complete && headers_[table_].has_hash()) return next_table(now);
   if (!window_) {
     Pace pace = options_.pace;
     pace.window = wire::cut(headers_[table_]).chunks_for(pace.window);

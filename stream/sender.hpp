@@ -80,6 +80,7 @@ struct StreamOutcome {
 ///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
+///       sender.hash();                                     // while they travel
 ///       sender.receive(message, now);                      // whatever has arrived
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
@@ -92,6 +93,10 @@ class Sender {
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   void receive(const wire::Message& message, Nanos now);
+  /// Hashes what has been sent of a table whose hash the plan does not know and that does not fit a
+  /// window: to be called once the messages are on their way. Without it that is done in one go,
+  /// when all chunks are sent.
+  void hash();
 
   /// Goes on to a further goal.
   void raise(StreamGoal goal);
@@ -114,6 +119,7 @@ class Sender {
   [[nodiscard]] StreamStage stage() const { return outcome_.progress.stage; }
   void enter(StreamStage stage) { outcome_.progress.stage = stage; }
 
+  void announce_all();
   void download(Nanos now);
   void command(Nanos now);
   void farewell();
@@ -152,6 +158,13 @@ class Sender {
   std::size_t table_ = 0;              // the one under way
   std::optional<ChunkWindow> window_;  // once its header is acknowledged
   std::size_t arrived_before_ = 0, resent_before_ = 0;
+  struct Hashing {
+    std::size_t table = 0;
+    std::size_t knots = 0;  // hashed so far
+    ContentHasher hasher{};
+  };
+  std::optional<Hashing> hashing_;
+  bool told_ = false;  // the last header had the hash
 
   CommandSlot command_;
 

@@ -49,8 +49,8 @@ void require_valid(const StreamPlan& plan);
 /// All that the plan arms and starts: the first tables at their tick, then the swaps.
 std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
-/// What announces this table as number `index` of a session, in chunks of up to so many doubles.
-/// Throws InputError for too many knots.
+/// What announces this table as number `index` of a session, in chunks of up to so many doubles;
+/// without its hash where the plan does not know it. Throws InputError for too many knots.
 wire::Header header_of(const StreamPlan::Item& item, std::size_t index,
                        std::size_t values = wire::message_values);
 

@@ -15,6 +15,10 @@ const wire::Chunk& chunk_of(const std::vector<wire::Message>& messages, std::siz
   return std::get<wire::Chunk>(messages.at(seq + 1).body);
 }
 
+const Sha256& content_of(const std::vector<wire::Message>& messages) {
+  return header_of(messages).hash;
+}
+
 class AssemblyOfRule : public testing::TestWithParam<Rule> {};
 
 TEST_P(AssemblyOfRule, GivesTheTableBackWhateverTheOrder) {
@@ -28,7 +32,7 @@ TEST_P(AssemblyOfRule, GivesTheTableBackWhateverTheOrder) {
     ASSERT_TRUE(assembly.add(chunk_of(messages, i))) << "twice";
   }
   ASSERT_TRUE(assembly.complete());
-  const auto result = assembly.finish();
+  const auto result = assembly.finish(content_of(messages));
   ASSERT_TRUE(std::holds_alternative<StoredTable>(result));
   EXPECT_TRUE(test::same(*std::get<StoredTable>(result).table, table));
 }
@@ -72,7 +76,7 @@ TEST(Assembly, FindsAnotherTableThanWasAnnounced) {
   chunk.values[150] += 1e-12;
   Assembly assembly(header_of(messages));
   ASSERT_TRUE(assembly.add(chunk));
-  const auto result = assembly.finish();
+  const auto result = assembly.finish(content_of(messages));
   ASSERT_TRUE(std::holds_alternative<Refused>(result));
   EXPECT_EQ(std::get<Refused>(result).refusal, wire::Refusal::hash_mismatch);
 }
@@ -83,7 +87,8 @@ TEST(Assembly, FindsOtherUnitsThanWereAnnounced) {
   header.units.position = "deg";
   Assembly assembly(header);
   ASSERT_TRUE(assembly.add(chunk_of(messages, 0)));
-  EXPECT_EQ(std::get<Refused>(assembly.finish()).refusal, wire::Refusal::hash_mismatch);
+  EXPECT_EQ(std::get<Refused>(assembly.finish(content_of(messages))).refusal,
+            wire::Refusal::hash_mismatch);
 }
 
 TEST(Assembly, RefusesWhatIsNoTable) {
@@ -92,7 +97,7 @@ TEST(Assembly, RefusesWhatIsNoTable) {
   chunk.values[7] = chunk.values[6];  // x does not ascend
   Assembly assembly(header_of(messages));
   ASSERT_TRUE(assembly.add(chunk));
-  const auto refused = std::get<Refused>(assembly.finish());
+  const auto refused = std::get<Refused>(assembly.finish(content_of(messages)));
   EXPECT_EQ(refused.refusal, wire::Refusal::bad_table);
   EXPECT_NE(refused.reason.find("0.006: must be greater than 0.006"), std::string::npos)
       << refused.reason;
