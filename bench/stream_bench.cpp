@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <malloc.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -229,6 +230,9 @@ void run(const char* rule_name, const Table& table, int rounds) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  // Large blocks go back to the kernel. Else a receiver would inherit with the fork what tables before
+  // have left in the heap, and copy each page of it: a process of its own has nothing of the kind.
+  mallopt(M_MMAP_THRESHOLD, 1 << 17);
   const std::size_t knots = count > 1 ? std::stoul(arguments[1]) : 1'000'000;
   const int rounds = count > 2 ? std::stoi(arguments[2]) : 7;
   for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})

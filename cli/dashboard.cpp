@@ -65,6 +65,9 @@ void hear(std::vector<Watched>& axes, const std::string& name, const wire::Maste
     *place = master;
   else
     all.insert(place, master);
+  if (all.size() > Watched::most_masters)
+    all.erase(std::min_element(all.begin(), all.end(),
+                               [](const auto& a, const auto& b) { return a.tick < b.tick; }));
 }
 
 std::vector<Row> dashboard(const std::vector<Watched>& axes, const View& view) {

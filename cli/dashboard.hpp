@@ -21,6 +21,8 @@ namespace jounce::cli {
 /// An axis as it was heard.
 struct Watched {
   static constexpr std::size_t traced = 240;  ///< positions that are kept
+  static constexpr std::size_t most_masters =
+      64;  ///< likewise: without a key anybody makes some up
 
   std::string name;
   std::optional<wire::Status> status = std::nullopt;  ///< the newest; none: not heard yet
@@ -34,7 +36,8 @@ struct Watched {
 void hear(std::vector<Watched>& axes, const std::string& name, const wire::Status& status,
           Nanos now);
 
-/// What an axis says of a master; before its first status nothing happens.
+/// What an axis says of a master; before its first status nothing happens. Of too many, the one that
+/// was seen in the earliest cycle goes.
 void hear(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
 /// A master in a few words: where it is, how fast, how old; or that it is lost.

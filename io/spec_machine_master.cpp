@@ -23,11 +23,19 @@ double positive(TomlReader& reader, const char* key, const std::string& unit) {
   return value;
 }
 
-void may_positive(TomlReader& reader, const char* key, double& seconds) {
-  const auto value = reader.optional_number(key, "s");
-  if (!value) return;
-  if (!(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
-  seconds = *value;
+/// A time of the filter. A master that moves an axis is measured many times a second; what is older
+/// than a minute is a slip of the pen, and a stop that comes too late.
+constexpr double longest = 60;
+
+void may_last(TomlReader& reader, const char* key, double& seconds) {
+  seconds = reader.optional_number(key, "s").value_or(seconds);
+  if (!(seconds <= longest))
+    reader.fail(key, number(seconds), "must be at most " + number(longest) + " s");
+}
+
+void must_last(TomlReader& reader, const char* key, double& seconds) {
+  may_last(reader, key, seconds);
+  if (!(seconds > 0)) reader.fail(key, number(seconds), "must be greater than 0");
 }
 
 TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
@@ -38,10 +46,12 @@ TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
     if (*order != 2 && *order != 3) reader.fail("order", std::to_string(*order), "must be 2 or 3");
     tracking.order = static_cast<int>(*order);
   }
-  may_positive(reader, "time_constant", tracking.time_constant);
-  may_positive(reader, "settle", tracking.settle);
-  may_positive(reader, "longest_age", tracking.longest_age);
-  may(reader, "latency", "s", tracking.latency);
+  must_last(reader, "time_constant", tracking.time_constant);
+  must_last(reader, "settle", tracking.settle);
+  must_last(reader, "longest_age", tracking.longest_age);
+  may_last(reader, "latency", tracking.latency);
+  if (tracking.latency < 0)
+    reader.fail("latency", number(tracking.latency), "must not be negative");
   may(reader, "jump", unit, tracking.jump);
   return tracking;
 }

@@ -22,6 +22,15 @@ CallOutcome refused(const wire::QueueAck& ack) {
   return {StreamError::refused, ack.refusal, 0, name(ack.refusal) + why};
 }
 
+CallOutcome stalled(std::string reason) {
+  return {StreamError::stalled, wire::Refusal::none, 0, std::move(reason)};
+}
+
+std::string milliseconds(Nanos time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
+         " ms";
+}
+
 }  // namespace
 
 StaticQueue::StaticQueue(Client& client, wire::Queue queue)
@@ -65,19 +74,24 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
   assert(bank < banks_.size());
   RowWindow& window = banks_[bank];
   std::size_t next = 0;
-  Nanos heard = client_.clock_();
+  bool heard = false;  // since rows were taken last
+  Nanos moved = client_.clock_();
   client_.send(queue_);  // asks how much room there is
-  for (Nanos asked = heard; client_.clock_() - heard <= client_.options_.patience;) {
+  for (Nanos asked = moved; client_.clock_() - moved <= client_.options_.patience;) {
     const auto ack = hear(client_.clock_() + client_.options_.repeat / 4);
     if (ack) {
       if (ack->refusal != wire::Refusal::none) return refused(*ack);
-      heard = client_.clock_();
+      heard = true;
+      const std::uint64_t before = window.acknowledged();
       window.acknowledge(*ack);
+      if (window.acknowledged() > before) {
+        moved = client_.clock_();
+        heard = false;
+      }
       if (window.idle() && next == rows.size()) return {};
       if (window.idle() && window.wants() == 0) {
-        return {StreamError::stalled, wire::Refusal::none, 0,
-                "bank " + std::to_string(bank) + " has no room for " +
-                    std::to_string(rows.size() - next) + " of the rows"};
+        return stalled("bank " + std::to_string(bank) + " has no room for " +
+                       std::to_string(rows.size() - next) + " of the rows");
       }
     } else if (client_.clock_() - asked >= client_.options_.repeat) {
       asked = client_.clock_();
@@ -91,7 +105,9 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
     }
     for (wire::Rows& each : window.due(client_.clock_())) client_.send(std::move(each));
   }
-  return unanswered();
+  if (!heard) return unanswered();
+  return stalled("bank " + std::to_string(bank) + " has taken no more rows for " +
+                 milliseconds(client_.options_.patience));
 }
 
 CallOutcome StaticQueue::arm(std::uint8_t bank) {

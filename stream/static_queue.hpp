@@ -31,7 +31,8 @@ class StaticQueue {
   StaticQueue(Client& client, wire::Queue queue);
 
   CallOutcome open();
-  /// All rows, behind those that are in the bank. `stalled`: it has no room for all of them.
+  /// All rows, behind those that are in the bank. `stalled`: it has no room for all of them, or for the
+  /// client's patience none was taken, though there were answers.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
   CallOutcome arm(std::uint8_t bank = 0);
   CallOutcome start(std::int64_t tick = -1);

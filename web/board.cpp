@@ -75,6 +75,10 @@ void Board::take(const std::string& axis, const wire::MasterStatus& master) {
     if (view.name != axis || view.status.boot != master.boot) continue;
     std::erase_if(view.masters, [&](const auto& m) { return m.second.boot != master.boot; });
     view.masters[master.master] = master;
+    if (view.masters.size() > most_masters)
+      view.masters.erase(std::min_element(
+          view.masters.begin(), view.masters.end(),
+          [](const auto& a, const auto& b) { return a.second.tick < b.second.tick; }));
   }
 }
 

@@ -23,13 +23,15 @@ namespace jounce::web {
 class Board {
  public:
   static constexpr std::size_t most_samples = 2000;  ///< kept of each axis
+  static constexpr std::size_t most_masters =
+      64;  ///< likewise: without a key anybody makes some up
 
   explicit Board(std::vector<std::string> axes);
 
   /// A status; of an axis that is not named, or as old as the one before: nothing happens.
   void take(const std::string& axis, const wire::Status& status, Nanos now);
 
-  /// What an axis says of a master.
+  /// What an axis says of a master. Of too many, the one that was seen in the earliest cycle goes.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
   /// All axes in JSON, with the samples of after `seen`, which is moved to the newest one. NaN

@@ -267,6 +267,10 @@ TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   hear(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true});
   EXPECT_THAT(text(), HasSubstr("line is lost, never measured"));
   EXPECT_EQ(axes[0].masters.size(), 1U);
+  for (int i = 0; i < 1000; ++i)
+    hear(axes, "knife", wire::MasterStatus{7, "m" + std::to_string(i), "mm", 12 + i, true});
+  EXPECT_EQ(axes[0].masters.size(), Watched::most_masters) << "whoever makes them up";
+  EXPECT_EQ(axes[0].masters.back().master, "m999");
 }
 
 }  // namespace

@@ -80,6 +80,12 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(line + "settle = 0\n"), HasSubstr("must be greater than 0"));
   EXPECT_THAT(complaint(line + "velocty = 0\n"), HasSubstr("velocty"));
   EXPECT_THAT(complaint(line + "setle = 1\n"), HasSubstr("did you mean settle?"));
+  for (const char* key : {"longest_age", "latency", "settle", "time_constant"}) {
+    EXPECT_THAT(complaint(line + key + " = 1e300\n"),
+                HasSubstr("master.line." + std::string(key) + " = 1e+300: must be at most 60 s"));
+  }
+  EXPECT_THAT(complaint(line + "latency = \"-1 ms\"\n"), HasSubstr("must not be negative"));
+  EXPECT_EQ(complaint(line + "longest_age = \"1 min\"\n"), "none");
   EXPECT_THAT(complaint("[master.line]\nkind = \"extern\"\n"), HasSubstr("external"));
   EXPECT_THAT(complaint("[master.line]\nkind = \"external\"\nunit = \"mmm\"\n"),
               HasSubstr("master.line.unit"));

@@ -71,6 +71,37 @@ TEST(StaticQueue, SaysWhatDoesNotFit) {
   EXPECT_EQ(outcome.reason, "bank 0 has no room for 4 of the rows");
 }
 
+/// A link on which rows are lost, and nothing else.
+class LosesRows : public Transport {
+ public:
+  explicit LosesRows(Transport& link) : link_(link) {}
+  void subscribe(const std::string& channel, int capacity) override {
+    link_.subscribe(channel, capacity);
+  }
+  void send(const std::string& channel, std::span<const std::byte> bytes) override {
+    const auto decoded = wire::decode(bytes);
+    if (!std::holds_alternative<wire::Rows>(std::get<wire::Message>(decoded).body))
+      link_.send(channel, bytes);
+  }
+  std::optional<Packet> receive(Nanos timeout) override { return link_.receive(timeout); }
+
+ private:
+  Transport& link_;
+};
+
+TEST(StaticQueue, DoesNotWaitForEverForRowsToBeTaken) {
+  World world;
+  LosesRows link(world.link);
+  Client client(link, "feeder", {.patience = 500ms}, world.clock);
+  StaticQueue queue(client, fifos(16));
+  ASSERT_TRUE(queue.open().ok());
+  const Nanos before = world.now;
+  const CallOutcome outcome = queue.fill(0, rows_of(3));
+  EXPECT_EQ(outcome.error, StreamError::stalled);
+  EXPECT_EQ(outcome.reason, "bank 0 has taken no more rows for 500 ms");
+  EXPECT_LT(world.now - before, 600ms);
+}
+
 TEST(StaticQueue, IsRefusedByNameAndNeverWaitsForEver) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);

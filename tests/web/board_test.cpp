@@ -104,6 +104,19 @@ TEST(Board, SaysAFaultWithNumberNameAndMeaning) {
   EXPECT_EQ(fault["meaning"], meaning(Cause::following_error));
 }
 
+TEST(Board, KeepsSoManyMastersWhateverAnybodySays) {
+  Board board({"knife"});
+  wire::Status status = at(10, 1.5);
+  status.boot = 5;
+  board.take("knife", status, 3s);
+  for (int i = 0; i < 1000; ++i)
+    board.take("knife", wire::MasterStatus{5, "m" + std::to_string(i), "mm", 10 + i, true});
+  std::int64_t seen = 0;
+  const json masters = next(board, seen, 5s)["axes"][0]["masters"];
+  EXPECT_EQ(masters.size(), Board::most_masters);
+  EXPECT_EQ(masters[masters.size() - 1]["name"], "m999") << "the newest stay";
+}
+
 TEST(Board, TellsTheMastersOfAnAxis) {
   Board board({"knife"});
   wire::Status status = at(10, 1.5);
