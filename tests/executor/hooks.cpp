@@ -69,6 +69,10 @@ void* operator new(std::size_t bytes) {
   if (void* memory = std::malloc(bytes)) return memory;
   throw std::bad_alloc();
 }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  ++counted.heap;
+  return std::malloc(bytes);
+}
 void operator delete(void* memory) noexcept {
   ++counted.heap;
   std::free(memory);
