@@ -9,7 +9,8 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double hopeless = 1e-7;  ///< of an equality of size one
+/// Of an equality of size one, and of a wall that nothing changes: as far as as_fixed() can say.
+constexpr double hopeless = 1e-7;
 constexpr int rounds = 3;
 
 /// A shape near z that has what is fixed and kept exactly: least squares, so that equalities may be said
@@ -43,7 +44,7 @@ std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coo
       if (!fixed) fixed = as_fixed(model, z);
       if (apart(model, *fixed)) return {};
       const double excess = f.at(*fixed) / wall.scale;
-      if (excess > margin)
+      if (excess > hopeless)
         return "what is fixed breaks " + wall.rule + " by " + brief(100 * excess) + " %";
     }
   return {};
