@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "jounce/optimize/detail/lifted.hpp"
+#include "jounce/optimize/detail/nodes.hpp"
 #include "jounce/profiles/vibration_band.hpp"
 
 // What a mode keeps (profiles/vibration_band.hpp, residual_phasor) is linear in the shape: with the
@@ -93,52 +94,6 @@ std::vector<ModeBand> parts_of(const ModeBand& band) {
   return all;
 }
 
-/// Chebyshev's nodes of an interval, and Lagrange's polynomials there (barycentric: Berrut, Trefethen, SIAM
-/// Review 46, 2004).
-class Nodes {
- public:
-  Nodes(double low, double high, double size) {
-    const double rho = size * (high - low) / 2;
-    std::size_t n = 1;
-    if (high > low)
-      while (n < most && std::pow(std::numbers::e * rho / (2.0 * static_cast<double>(n)),
-                                  static_cast<double>(n)) > lost)
-        ++n;
-    for (std::size_t k = 0; k < n; ++k) {
-      const double angle =
-          std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
-      at_.push_back((low + high) / 2 + (high - low) / 2 * std::cos(angle));
-      weight_.push_back((k % 2 == 0 ? 1 : -1) * std::sin(angle));
-    }
-  }
-
-  [[nodiscard]] const std::vector<double>& at() const { return at_; }
-  [[nodiscard]] bool too_many() const { return at_.size() >= most; }
-
-  /// L_k(x), one a node: (3).
-  [[nodiscard]] std::vector<double> shares(double x) const {
-    std::vector<double> share(at_.size(), 0);
-    double sum = 0;
-    for (std::size_t k = 0; k < at_.size(); ++k) {
-      if (x == at_[k] || at_.size() == 1) {
-        std::fill(share.begin(), share.end(), 0);
-        share[k] = 1;
-        return share;
-      }
-      share[k] = weight_[k] / (x - at_[k]);
-      sum += share[k];
-    }
-    for (double& each : share) each /= sum;
-    return share;
-  }
-
- private:
-  static constexpr std::size_t most = 64;
-  static constexpr double lost = 1e-13;
-
-  std::vector<double> at_, weight_;
-};
-
 /// Every plane of a band in the few unknowns of its own.
 class LiftedBand {
  public:
@@ -146,7 +101,7 @@ class LiftedBand {
       : frequencies_(band.low, band.high, 2 * std::numbers::pi * length_of(space)),
         dampings_(band.damping_low, band.damping_high,
                   2 * std::numbers::pi * band.high * length_of(space)),
-        usable_(!frequencies_.too_many() && !dampings_.too_many() && band.damping_high <= 0.5 &&
+        usable_(!frequencies_.too_few() && !dampings_.too_few() && band.damping_high <= 0.5 &&
                 frequencies_.at().size() * dampings_.at().size() <= most_modes) {}
 
   /// Whether few enough modes say it all.
