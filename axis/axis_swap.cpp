@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "jounce/axis/axis.hpp"
 
@@ -53,22 +54,32 @@ Cause MotionAxis::swap_at_boundary() {
   return Cause::none;
 }
 
-/// Until the swap the rate may only be what both paths take.
+/// Until the swap the rate may only be what both paths take. It comes down to that by the dynamics of
+/// the one that is played.
 bool MotionAxis::ready_to_swap() {
   if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
   if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
   if (now_.refused) return false;
+  const Peaks own = peaks_;
   const Peaks next = pending_->peaks();
   peaks_ = {std::max(peaks_.velocity, next.velocity),
             std::max(peaks_.acceleration, next.acceleration), std::max(peaks_.jerk, next.jerk),
             std::max(peaks_.velocity_step, next.velocity_step)};
-  change_rate(pending_->growing() ? std::min(granted_rate(), 1.0) : granted_rate());
+  const double rate = pending_->growing() ? std::min(granted_rate(), 1.0) : granted_rate();
+  const Peaks both = std::exchange(peaks_, own);
+  change_rate(rate);
+  peaks_ = both;
   return true;
 }
 
 /// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
 void MotionAxis::swap(double boundary, MotionState end) {
   boundary_ = Boundary::none;
+  // The boundary may have come before the rate was down.
+  const double rate = clock_.at(now_.tick).rate;
+  const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
+  if (rate > most * (1 + 1e-9))
+    return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
   end.position += shift_;
   if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
     return drop({.cause = no, .value = end.position});

@@ -202,6 +202,35 @@ TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
   EXPECT_EQ(tick.fault, Cause::none);
 }
 
+TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
+  for (const int left : {2, 150}) {  // ticks of the table, at twice its speed
+    SCOPED_TRACE(left);
+    Job job(1, there_and_back(0, 10, 0.5, Outside::hold));
+    Rows rows(2);
+    rows.add(0.02, 1e-3);
+    rows.add(0.4, 5);
+    Bench axis({.limits = limits(1e3, 5000)});
+    axis.tell(Kind::enable);
+    axis.step({.kind = Kind::override_, .factor = 2});
+    axis.arm(job);
+    axis.tell(Kind::start);
+    ASSERT_EQ(axis.run(247 - left).rate, 2);
+    ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
+    Tick tick = axis.step({.kind = Kind::start, .start_at = end});
+    ASSERT_EQ(refusal(tick), Cause::none);
+    Cause why = Cause::none;
+    while (tick.job == 1) {
+      tick = axis.step();
+      if (tick.dropped) why = tick.dropped->cause;
+    }
+    EXPECT_EQ(tick.fault, Cause::none);
+    EXPECT_NEAR(tick.rate, 1, 1e-9);
+    EXPECT_EQ(why, left < 10 ? Cause::rate_changing : Cause::none);
+    EXPECT_EQ(tick.job, left < 10 ? 0U : 2U);
+    EXPECT_EQ(tick.state, left < 10 ? State::standstill : State::discrete_motion);
+  }
+}
+
 TEST(AxisSwap, OfAPathThatIsHeldAtOnce) {
   Job job(1, there_and_back(0, 10, 0.5, Outside::wrap));
   Bench axis(wide);
