@@ -24,7 +24,6 @@ bool ChunkWindow::mark(std::uint32_t seq, Nanos now) {
   if (chunk.arrived) return false;
   chunk.arrived = true;
   ++arrived_;
-  if (chunk.times == 0) ++unsent_;
   // Of a chunk sent twice nobody knows which one was answered; the last one hardly at once.
   if (chunk.times == 1) measure(now - chunk.sent);
   if (chunk.times == 1 || now - chunk.sent >= round_trip_ / 2)

@@ -34,8 +34,6 @@ class ChunkWindow {
   /// The chunks to be sent now; they count as sent.
   [[nodiscard]] std::vector<std::uint32_t> due(Nanos now);
 
-  /// Chunks that have been sent, or have arrived without that: of an earlier window.
-  [[nodiscard]] std::size_t begun() const { return sent_ - resent_ + unsent_; }
   [[nodiscard]] std::size_t arrived() const { return arrived_; }
   [[nodiscard]] std::size_t resent() const { return resent_; }
 
@@ -62,7 +60,6 @@ class ChunkWindow {
   Nanos round_trip_{}, deviation_{};
   std::size_t arrived_ = 0;
   std::size_t resent_ = 0;
-  std::size_t unsent_ = 0;  // have arrived all the same
 };
 
 }  // namespace jounce

@@ -22,11 +22,11 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
     if (clock() - begin > options.total)
       sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
-    sender.hash();
     if (options.progress) options.progress(sender.outcome().progress);
     if (sender.ended()) return sender.outcome();
 
-    drain(link, options.period, options.key, rejects,
+    const Nanos wait = sender.hash() ? Nanos{} : options.period;
+    drain(link, wait, options.key, rejects,
           [&](const wire::Message& message) { sender.receive(message, clock()); });
     if (!cancelled && options.cancelled && options.cancelled()) {
       cancelled = true;

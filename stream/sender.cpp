@@ -80,8 +80,8 @@ void Sender::send(wire::Body body, Nanos now) {
 
 void Sender::download(Nanos now) {
   const wire::Header& header = headers_[table_];
-  const bool all_sent = window_ && window_->begun() == header.chunks;
-  if (all_sent) hash();  // if it is not done yet
+  const bool arrived = window_ && window_->arrived() == header.chunks;
+  while (arrived && hash()) continue;
   if (window_) {
     for (const std::uint32_t seq : window_->due(now))
       send(chunk_of(plan_.tables[table_].table, header, seq), now);
@@ -89,31 +89,30 @@ void Sender::download(Nanos now) {
   }
   // Repeated while chunks flow, a header asks for an ack and keeps the session alive.
   const bool quiet = now - sent_ >= options_.heartbeat;
-  // Until it is answered, and once only it can be missing, it is repeated sooner.
-  const bool awaited = !window_ || window_->arrived() == header.chunks;
+  // Until it is answered, and once nothing but its hash can be missing, it is repeated sooner.
+  const bool awaited = !window_ || arrived;
   const bool again = awaited && (!header_sent_ || now - *header_sent_ >= options_.repeat);
-  const bool news = all_sent && !told_;
+  const bool news = header.has_hash() && header_sent_ && !told_;
   if (!quiet && !again && !news) return;
   send(header, now);
   header_sent_ = now;
   told_ = header.has_hash();
 }
 
-void Sender::hash() {
-  if (stage() != StreamStage::downloading || !window_ || headers_[table_].has_hash()) return;
+bool Sender::hash() {
+  if (stage() != StreamStage::downloading || headers_[table_].has_hash()) return false;
   wire::Header& header = headers_[table_];
   const auto& [table, units, known] = plan_.tables[table_];
   if (!hashing_ || hashing_->table != table_) hashing_.emplace(Hashing{.table = table_});
   const std::size_t from = hashing_->knots;
-  const std::size_t to = std::min(window_->begun() * header.per_chunk, table.size());
-  if (from < to) {
-    hashing_->hasher.add(rows_of(table.columns(), from, to));
-    hashing_->knots = to;
-  }
-  if (to < table.size()) return;
+  const std::size_t to = std::min<std::size_t>(from + header.per_chunk, table.size());
+  hashing_->hasher.add(rows_of(table.columns(), from, to));
+  hashing_->knots = to;
+  if (to < table.size()) return true;
   header.hash =
       hashing_->hasher.result(header.axis, header.rule, header.outside, units, table.size());
   hashing_.reset();
+  return true;
 }
 
 void Sender::command(Nanos now) {

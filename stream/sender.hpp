@@ -80,8 +80,8 @@ struct StreamOutcome {
 ///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
-///       sender.hash();                                     // while they travel
 ///       sender.receive(message, now);                      // whatever has arrived
+///       sender.hash();                                     // if nothing has
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
@@ -93,10 +93,10 @@ class Sender {
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   void receive(const wire::Message& message, Nanos now);
-  /// Hashes what has been sent of a table whose hash the plan does not know and that does not fit a
-  /// window: to be called once the messages are on their way. Without it that is done in one go,
-  /// when all chunks are sent.
-  void hash();
+  /// Hashes a chunk's worth of the table under way, if the plan does not know its hash; false: there
+  /// was nothing to hash. For the time in which nothing arrives; whoever does not use it so has
+  /// the hash computed in one go, when all chunks have arrived.
+  bool hash();
 
   /// Goes on to a further goal.
   void raise(StreamGoal goal);
