@@ -117,6 +117,15 @@ TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
             "knot[3].time = 1: must be greater than 1, the knot before");
   EXPECT_EQ(complaint(Rule::linear, {{0, 1, 0.5}, {0, 1, 2}, {}, {}}),
             "knot[3].time = 0.5: must be greater than 1, the knot before");
+  EXPECT_EQ(complaint(Rule::linear, {{-0.0, 0.0}, {0, 1}, {}, {}}),
+            "knot[2].time = 0: must be greater than -0, the knot before");
+  EXPECT_EQ(complaint(Rule::linear, {{0.0, -0.0}, {0, 1}, {}, {}}),
+            "knot[2].time = -0: must be greater than 0, the knot before");
+  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(
+      complaint(Rule::linear, {{-most, -least, 0, least, most}, {0, 1, most, -most, 0}, {}, {}}),
+      "no error");
   EXPECT_EQ(complaint(Rule::linear, {{0, std::nan("")}, {0, 1}, {}, {}}),
             "knot[2].time = nan: must be a finite number");
   EXPECT_EQ(complaint(Rule::cubic_hermite,
