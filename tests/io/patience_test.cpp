@@ -88,7 +88,7 @@ TEST(NamedFiles, OfADriveAreSaidInTheAxissSpec) {
 
 Spec compare_of(const std::string& of) {
   return parse_spec(
-      "jounce = 1\nkind = \"axis\"\nunits = { position = \"mm\" }\n[limits]\n"
+      "jounce = 1\nkind = \"axis\"\nunits = { position = \"mm\" }\n[axis]\n[limits]\n"
       "velocity = 1\nacceleration = 1\n[compare]\n" +
           of + "mode = \"equal\"\nposition = 1\n",
       "a.toml");
@@ -99,7 +99,7 @@ TEST(CompareOf, IsThePositionOrWhatTheDriveSays) {
   EXPECT_EQ(compare_of("of = \"position\"\n").compare->of, SwitchesOf::position);
   EXPECT_EQ(compare_of("of = \"actual\"\n").compare->of, SwitchesOf::actual);
   EXPECT_THAT(complaint([] { return compare_of("of = \"master\"\n"); }),
-              AllOf(HasSubstr("a.toml:8"), HasSubstr("compare.of")));
+              AllOf(HasSubstr("a.toml:9"), HasSubstr("compare.of")));
   EXPECT_THAT(complaint([] {
                 return parse_spec(
                     "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
