@@ -159,7 +159,8 @@ int run(const Options& options) {
   StreamOptions stream;
   stream.key = link.key();
   stream.total = nanos(options.patience);
-  stream.sender.patience = std::min(stream.sender.patience, stream.total);
+  // Before the total is over: that nobody answers says more than that time is up.
+  stream.sender.patience = std::min(stream.sender.patience, stream.total * 3 / 4);
   interrupted = 0;
   std::signal(SIGINT, [](int) { interrupted = 1; });
   stream.cancelled = [] { return interrupted != 0; };
