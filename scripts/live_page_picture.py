@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Draws docs/pictures/live-page.png and live-page-dark.png: a label behind an external master, on the live page.
+
+usage: live_page_picture.py [JOUNCE [CHROMIUM]]
+
+Runs examples/external-master in real time, for 10 s; looks best on a machine with nothing else to do.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "web"))
+from browser import Browser  # noqa: E402
+
+URL = "udpm://239.255.76.70:7671"  # of its own: nobody else's line is heard
+EXAMPLE = ROOT / "examples" / "external-master"
+
+
+def main():
+    jounce = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build" / "release" / "cli" / "jounce")
+    chromium = sys.argv[2] if len(sys.argv) > 2 else "chromium"
+    started, browser = [], None
+
+    def start(*arguments, **more):
+        started.append(subprocess.Popen([jounce, *map(str, arguments), "--url", URL], text=True, **more))
+        return started[-1]
+
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            executor = start("run", EXAMPLE / "machine.toml", "--enable", "--web", 0, stderr=subprocess.PIPE,
+                             stdout=subprocess.DEVNULL)
+            address = next(m[1] for m in (re.search(r"live page at (\S+)", line) for line in executor.stderr) if m)
+            browser = Browser(chromium, folder, height=560)
+            browser.open(address)
+            browser.wait_for("document.querySelector('[data-is=state]') !== null")
+            start("master", EXAMPLE / "line.toml", "--as", "line", "--before", 2, "--noise", "10um",
+                  stdout=subprocess.DEVNULL)
+            time.sleep(1)
+            start("stream", EXAMPLE / "cam.toml", "--to", "label", "--live", "--start-at", "250mm",
+                  stdout=subprocess.DEVNULL)
+            browser.wait_for("parseFloat(document.querySelector('[data-is=position]').textContent) > 550")
+            for name, dark in (("live-page", False), ("live-page-dark", True)):
+                browser.picture(str(ROOT / "docs" / "pictures" / f"{name}.png"), dark)
+        finally:
+            if browser:
+                browser.end()
+            for process in started:
+                process.terminate()
+            for process in started:
+                process.wait()
+
+
+if __name__ == "__main__":
+    main()
