@@ -17,6 +17,11 @@
 namespace jounce {
 namespace {
 
+/// Whether nanoseconds can count to this tick, and on from it.
+bool on_clock(std::int64_t tick, std::int64_t period) {
+  return tick >= 0 && tick <= std::numeric_limits<std::int64_t>::max() / 2 / period;
+}
+
 std::string of_axis(std::size_t axis, std::int64_t tick) {
   return "axis " + std::to_string(axis + 1) + ", tick " + std::to_string(tick);
 }
@@ -122,7 +127,7 @@ class Replayer {
     if (watch_master_) watch_master_(seen);
     if (ended_ || result_.axes.empty()) return;
     const std::int64_t period = result_.axes.front().config.period;
-    if (seen.sight.tick < 0 || seen.sight.tick > std::numeric_limits<std::int64_t>::max() / period)
+    if (!on_clock(seen.sight.tick, period))
       throw InputError("tick", std::to_string(seen.sight.tick), "of a master is none of a cycle");
     const double time = static_cast<double>(seen.sight.tick * period) * 1e-9;
     if (const auto what = masters_.compare(seen, time)) {
@@ -169,9 +174,10 @@ class Replayer {
                    " is made from (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
     }
     const auto [last, first] = last_ticks_.try_emplace(cycle.axis, cycle.tick.tick);
-    if (cycle.tick.tick < 0 || (!first && cycle.tick.tick <= last->second))
+    if (!on_clock(cycle.tick.tick, result_.axes[cycle.axis].config.period) ||
+        (!first && cycle.tick.tick <= last->second))
       throw InputError("tick", std::to_string(cycle.tick.tick),
-                       "must be greater than the one before, and not negative");
+                       "must be greater than the one before, not negative, and within 146 years");
     last->second = cycle.tick.tick;
     if (const auto what = other_master(cycle)) return differ(cycle, *what);
     const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
