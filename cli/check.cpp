@@ -118,21 +118,21 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Work& work) {
+void add_check(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "check", "Check exact limits and continuity of a spec or a table",
-                            "jounce check cam.toml --limit geo_acceleration=0.02");
-  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
-  verb->add_option("--limit", options->limits,
-                   "KEY=VALUE: a limit beside or over the spec's own; repeatable")
-      ->allow_extra_args(false);
-  add_axis_option(verb, options->axis);
-  verb->add_option("--continuity", options->continuity,
-                   "Highest derivative that must be continuous: 0 position ... 2 acceleration")
-      ->check(CLI::Range(0, 3))
-      ->capture_default_str();
-  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("check", "Check exact limits and continuity of a spec or a table",
+                              "jounce check cam.toml --limit geo_acceleration=0.02");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.option("--limit", options->limits,
+              "KEY=VALUE: a limit beside or over the spec's own; repeatable")
+      .one_each();
+  verb.axis(options->axis);
+  verb.option("--continuity", options->continuity,
+              "Highest derivative that must be continuous: 0 position ... 2 acceleration")
+      .check(whole(0, 3))
+      .shown();
+  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -74,16 +74,15 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_contour(CLI::App& app, Work& work) {
+void add_contour(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "contour", "Draw the plate that a cam with [disc] is cut into",
-                            "jounce contour valve.toml -o valve.dxf");
-  verb->add_option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input")
-      ->required();
-  verb->add_option("-o,--output", options->output,
-                   "Drawing to write, in mm: .dxf (R12), .svg (prints 1:1) or .csv (points)")
-      ->required();
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("contour", "Draw the plate that a cam with [disc] is cut into",
+                              "jounce contour valve.toml -o valve.dxf");
+  verb.option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input").required();
+  verb.option("-o,--output", options->output,
+              "Drawing to write, in mm: .dxf (R12), .svg (prints 1:1) or .csv (points)")
+      .required();
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

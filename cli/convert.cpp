@@ -201,47 +201,46 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_convert(CLI::App& app, Work& work) {
+void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "convert", "Between table formats and controllers, with the stated loss",
-               "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
-               "--position-unit mm");
-  verb->add_option("IN", options->input,
-                   "Table or spec, in any format that is read; - is standard input")
-      ->required();
-  verb->add_option("OUT", options->output,
-                   "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
-                   "is standard output");
+  const Verb verb =
+      line.verb("convert", "Between table formats and controllers, with the stated loss",
+                "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
+                "--position-unit mm");
+  verb.option("IN", options->input,
+              "Table or spec, in any format that is read; - is standard input")
+      .required();
+  verb.option("OUT", options->output,
+              "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
+              "is standard output");
   std::vector<std::string> formats = format_names();
   formats.insert(formats.begin(), {"csv", "json"});
-  verb->add_option("--to", options->to,
-                   "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
-                   "pairs, sew, kollmorgen")
-      ->check(CLI::IsMember(formats));
-  add_axis_option(verb, options->axis);
-  verb->add_option("--rule", options->rule,
-                   "For csv and json: linear, cubic_hermite, quintic_hermite; by default as it is")
-      ->check(CLI::IsMember({"linear", "cubic_hermite", "quintic_hermite"}));
+  verb.option("--to", options->to,
+              "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
+              "pairs, sew, kollmorgen")
+      .check(one_of(formats));
+  verb.axis(options->axis);
+  verb.option("--rule", options->rule,
+              "For csv and json: linear, cubic_hermite, quintic_hermite; by default as it is")
+      .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));
   const auto target = add_target_options(verb, options->target);
-  CLI::Option* intervals =
-      verb->add_option("--intervals", options->intervals, "New knots: this many equal intervals")
-          ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
-  for (CLI::Option* option : target) intervals->excludes(option);
-  verb->add_option("--every", options->every,
-                   "Not a table but its values: position and two derivatives at every step of the "
-                   "first column, such as \"1 ms\", as CSV");
-  verb->add_option(
+  verb.option("--intervals", options->intervals, "New knots: this many equal intervals")
+      .check(whole(1, 10'000'000))
+      .excludes(target);
+  verb.option("--every", options->every,
+              "Not a table but its values: position and two derivatives at every step of the "
+              "first column, such as \"1 ms\", as CSV");
+  verb.option(
       "--master-unit", options->master_unit,
       "Unit of the first column: what a file without units counts in, or what to convert to");
-  verb->add_option("--position-unit", options->position_unit, "The same for the position");
-  verb->add_flag(
+  verb.option("--position-unit", options->position_unit, "The same for the position");
+  verb.flag(
       "--periodic", options->periodic,
       "The cam repeats, and a slave that ends elsewhere goes on from there (advance): where a "
       "file does not say so");
-  verb->add_flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
-  verb->add_flag("--json", options->json, "Summary for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
+  verb.flag("--json", options->json, "Summary for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -128,19 +128,18 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_design(CLI::App& app, Work& work) {
+void add_design(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "design", "Make the table of a spec",
-                            "jounce design cam.toml -o cam.csv --curve cam.curve.json");
-  verb->add_option("SPEC", options->spec, "Spec to make; - is standard input")->required();
-  verb->add_option("-o,--output", options->output,
-                   "Table to write, CSV or .json; - is standard output. Several axes: a.csv is "
-                   "a-NAME.csv for each");
-  add_axis_option(verb, options->axis);
-  verb->add_option("--curve", options->curve,
-                   "Also write the exact curve, segment by segment (JSON)");
-  verb->add_flag("--json", options->json, "Summary for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("design", "Make the table of a spec",
+                              "jounce design cam.toml -o cam.csv --curve cam.curve.json");
+  verb.option("SPEC", options->spec, "Spec to make; - is standard input").required();
+  verb.option("-o,--output", options->output,
+              "Table to write, CSV or .json; - is standard output. Several axes: a.csv is "
+              "a-NAME.csv for each");
+  verb.axis(options->axis);
+  verb.option("--curve", options->curve, "Also write the exact curve, segment by segment (JSON)");
+  verb.flag("--json", options->json, "Summary for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -126,23 +126,22 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_diff(CLI::App& app, Work& work) {
+void add_diff(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "diff", "What changed between two specs or tables, exactly; exit 1 if anything",
-               "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
-  verb->add_option("A", options->before, "Spec or table; - is standard input")->required();
-  verb->add_option("B", options->after, "Another; numbers are in its units")->required();
-  add_axis_option(verb, options->axis);
-  verb->add_option(
-          "--tolerance", options->tolerances,
-          "What counts as equal: a share of each range (1e-6), or KEY=VALUE for a quantity "
-          "(position=0.01), repeatable; by default rounding alone")
-      ->allow_extra_args(false);
-  verb->add_option("-o,--output", options->output,
-                   "Also draw B over a paler A: .svg or .png; - is SVG on standard output");
-  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb =
+      line.verb("diff", "What changed between two specs or tables, exactly; exit 1 if anything",
+                "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
+  verb.option("A", options->before, "Spec or table; - is standard input").required();
+  verb.option("B", options->after, "Another; numbers are in its units").required();
+  verb.axis(options->axis);
+  verb.option("--tolerance", options->tolerances,
+              "What counts as equal: a share of each range (1e-6), or KEY=VALUE for a quantity "
+              "(position=0.01), repeatable; by default rounding alone")
+      .one_each();
+  verb.option("-o,--output", options->output,
+              "Also draw B over a paler A: .svg or .png; - is SVG on standard output");
+  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -114,17 +114,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_events(CLI::App& app, Work& work) {
+void add_events(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "events", "When outputs switch along the motion, exactly",
-                            "jounce events scan.toml -o events.csv");
-  verb->add_option("FILE", options->file,
-                   "Spec of a motion with [compare], or of a cam with [[switch]] and [master]; "
-                   "- is standard input")
-      ->required();
-  verb->add_option("-o,--output", options->output, "CSV to write; - is standard output");
-  verb->add_flag("--json", options->json, "For machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("events", "When outputs switch along the motion, exactly",
+                              "jounce events scan.toml -o events.csv");
+  verb.option("FILE", options->file,
+              "Spec of a motion with [compare], or of a cam with [[switch]] and [master]; "
+              "- is standard input")
+      .required();
+  verb.option("-o,--output", options->output, "CSV to write; - is standard output");
+  verb.flag("--json", options->json, "For machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -167,29 +167,27 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_identify(CLI::App& app, Work& work) {
+void add_identify(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "identify",
-                            "Fit numbers of a drive to a recorded run, with confidence intervals",
-                            "jounce identify drive.toml --log run.csv --fit "
-                            "motor.inertia,mass[1].stiffness -o fitted.toml");
-  verb->add_option("DRIVE", options->drive,
-                   "Spec with a [drive], such as `jounce new drive` writes")
-      ->required();
-  verb->add_option("--log", options->log,
-                   "Recording: CSV with time, command, and feedback, torque, current, ...")
-      ->required();
-  verb->add_option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
-      ->required()
-      ->delimiter(',');
-  verb->add_option("-o,--output", options->output, "Drive with the fitted numbers to write");
-  verb->add_option("--plot", options->plot,
-                   "Picture to write, .svg or .png: recorded, model, residual");
-  verb->add_option("--iterations", options->iterations, "At most as many")
-      ->default_val(50)
-      ->check(CLI::Range(1, 10'000));
-  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb =
+      line.verb("identify", "Fit numbers of a drive to a recorded run, with confidence intervals",
+                "jounce identify drive.toml --log run.csv --fit "
+                "motor.inertia,mass[1].stiffness -o fitted.toml");
+  verb.option("DRIVE", options->drive, "Spec with a [drive], such as `jounce new drive` writes")
+      .required();
+  verb.option("--log", options->log,
+              "Recording: CSV with time, command, and feedback, torque, current, ...")
+      .required();
+  verb.option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
+      .required()
+      .separated();
+  verb.option("-o,--output", options->output, "Drive with the fitted numbers to write");
+  verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual");
+  verb.option("--iterations", options->iterations, "At most as many")
+      .shown()
+      .check(whole(1, 10'000));
+  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -54,6 +54,7 @@ Law law_of(const std::string& word) {
 }
 
 void draw(const Options& options) {
+  if (options.law.empty()) throw InputError("--output", options.output, "draws one law: say which");
   const Law law = law_of(options.law);
   const auto rising = rising_laws();
   if (std::find(rising.begin(), rising.end(), law) == rising.end())
@@ -82,19 +83,15 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_laws(CLI::App& app, Work& work) {
+void add_laws(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "laws", "List the motion laws of cams, or tell about one",
-                            "jounce laws modified_sine -o modified_sine.svg");
-  verb->add_option("LAW", options->law, "One of them, by its word in a spec");
-  verb->add_option("-o,--output", options->output, "Draw it, .svg or .png");
-  verb->add_flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
-  verb->add_flag("--json", options->json, "For machines, numbers in full");
-  verb->callback([options, &work] {
-    if (!options->output.empty() && options->law.empty())
-      throw CLI::ValidationError("--output", "draws one law: say which");
-    work = [options] { return run(*options); };
-  });
+  const Verb verb = line.verb("laws", "List the motion laws of cams, or tell about one",
+                              "jounce laws modified_sine -o modified_sine.svg");
+  verb.option("LAW", options->law, "One of them, by its word in a spec");
+  verb.option("-o,--output", options->output, "Draw it, .svg or .png");
+  verb.flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
+  verb.flag("--json", options->json, "For machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

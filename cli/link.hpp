@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "jounce/stream/key.hpp"
 #include "jounce/stream/sender.hpp"
 #include "jounce/stream/transport.hpp"
+
+#include "verb.hpp"
 
 namespace jounce::cli {
 
@@ -31,14 +31,8 @@ std::string said_of(StreamError error, const std::string& reason);
 /// Seconds as the stream counts time; more than thirty years is as good as for ever.
 Nanos nanos(double seconds);
 
-/// A limit on an option in seconds: a millisecond at the least.
-CLI::Validator seconds_option();
-
-/// As CLI::Range, which lets nan pass.
-CLI::Validator within(double low, double high);
-
 /// Adds --url and --key, and the hidden --inject-loss and --seed.
-void add_link_options(CLI::App& verb, LinkOptions& options);
+void add_link_options(const Verb& verb, LinkOptions& options);
 
 /// A link made from the options, and made worse if they ask for it. Throws TransportError with
 /// advice where the network is missing.

@@ -222,23 +222,20 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_map(CLI::App& app, Work& work) {
+void add_map(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "map", "How fast the line may run for each cut length, and what limits it",
-               "jounce map knife.toml --from 100 --to 1000 -o map.png");
-  verb->add_option("FILE", options->file, "Spec of a knife or a shear; - is standard input")
-      ->required();
-  verb->add_option("--from", options->from, "Shortest cut; by default all that is of interest");
-  verb->add_option("--to", options->to, "Longest cut");
-  verb->add_option("--steps", options->steps, "Lengths, both ends included")
-      ->check(CLI::Range(std::size_t{2}, std::size_t{100000}));
-  verb->add_option(
+  const Verb verb =
+      line.verb("map", "How fast the line may run for each cut length, and what limits it",
+                "jounce map knife.toml --from 100 --to 1000 -o map.png");
+  verb.option("FILE", options->file, "Spec of a knife or a shear; - is standard input").required();
+  verb.option("--from", options->from, "Shortest cut; by default all that is of interest");
+  verb.option("--to", options->to, "Longest cut");
+  verb.option("--steps", options->steps, "Lengths, both ends included").check(whole(2, 100000));
+  verb.option(
       "--line-speed", options->line_speed,
       "What the line itself does; by default the velocity of [master], or a shear's line_speed");
-  verb->add_option("-o,--output", options->output,
-                   ".csv, .svg or .png; - is CSV on standard output");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -198,40 +198,37 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_master(CLI::App& app, Work& work) {
+void add_master(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(
-      app, "master", "Say on the bus where a master is, as a line would: to test without it",
+  const Verb verb = line.verb(
+      "master", "Say on the bus where a master is, as a line would: to test without it",
       "jounce master line.toml --as line\n"
       "jounce master line.csv --as line --noise 20um --resolution 50um\n"
       "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");
-  verb->add_option("FILE", options->file, "Spec or table over time; - is standard input")
-      ->required();
-  add_axis_option(verb, options->axis);
-  verb->add_option("--as", options->name, "Name of the master")->required();
-  verb->add_option("--rate", options->rate, "Samples a second")
-      ->check(within(1.0, 10000.0))
-      ->capture_default_str();
-  verb->add_option("--before", options->before, "Seconds for which it stands at the first point")
-      ->check(within(0.0, 1e6))
-      ->capture_default_str();
-  verb->add_option("--after", options->after, "And at the last one, before it leaves")
-      ->check(within(0.0, 1e6))
-      ->capture_default_str();
-  verb->add_option("--seconds", options->seconds,
-                   "End after so many seconds, wherever it is; a table that repeats has no end")
-      ->check(seconds_option());
-  verb->add_option("--epoch", options->epoch,
-                   "Number of the sender's clock; greater than of any sender before, or nobody "
-                   "listens. Not given: seconds since 2020")
-      ->check(CLI::Range(0, std::numeric_limits<std::int32_t>::max()));
-  verb->add_option("--noise", options->noise,
-                   "White noise of the encoder, rms: 20um, or a number in the table's unit");
-  verb->add_option("--resolution", options->resolution, "A count of the encoder, likewise");
-  verb->add_option("--noise-seed", options->seed, "Of the noise")->capture_default_str();
-  add_link_options(*verb, options->link);
-  verb->add_flag("--json", options->json, "Summary for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.option("FILE", options->file, "Spec or table over time; - is standard input").required();
+  verb.axis(options->axis);
+  verb.option("--as", options->name, "Name of the master").required();
+  verb.option("--rate", options->rate, "Samples a second").check(within(1.0, 10000.0)).shown();
+  verb.option("--before", options->before, "Seconds for which it stands at the first point")
+      .check(within(0.0, 1e6))
+      .shown();
+  verb.option("--after", options->after, "And at the last one, before it leaves")
+      .check(within(0.0, 1e6))
+      .shown();
+  verb.option("--seconds", options->seconds,
+              "End after so many seconds, wherever it is; a table that repeats has no end")
+      .check(seconds());
+  verb.option("--epoch", options->epoch,
+              "Number of the sender's clock; greater than of any sender before, or nobody "
+              "listens. Not given: seconds since 2020")
+      .check(whole(0, std::numeric_limits<std::int32_t>::max()));
+  verb.option("--noise", options->noise,
+              "White noise of the encoder, rms: 20um, or a number in the table's unit");
+  verb.option("--resolution", options->resolution, "A count of the encoder, likewise");
+  verb.option("--noise-seed", options->seed, "Of the noise").shown();
+  add_link_options(verb, options->link);
+  verb.flag("--json", options->json, "Summary for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

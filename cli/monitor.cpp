@@ -204,29 +204,27 @@ int run(Options options) {
 
 }  // namespace
 
-void add_monitor(CLI::App& app, Work& work) {
+void add_monitor(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(
-      app, "monitor", "Show what executors are doing now",
+  const Verb verb = line.verb(
+      "monitor", "Show what executors are doing now",
       "jounce monitor                           all that are heard\n"
       "jounce monitor feeder knife\n"
       "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
       "Keys: up and down choose an axis, h holds, r resumes, s and then y stops it, q quits.\n"
       "Into a file or a pipe: a line for each status.");
-  verb->add_option("NAME", options->executors, "Names of executors; otherwise all that are heard");
-  verb->add_option("--seconds", options->seconds,
-                   "End after so many seconds; otherwise with q or Ctrl-C")
-      ->check(seconds_option());
-  verb->add_option(
-          "--silence", options->silence,
-          "Give up when nothing is heard for so many seconds; on a terminal, from the start")
-      ->check(seconds_option())
-      ->capture_default_str();
-  add_link_options(*verb, options->link);
-  verb->add_flag("--ascii", options->ascii,
-                 "Bars and plots of ASCII; otherwise as the locale allows");
-  verb->add_flag("--json", options->json, "A line of JSON for each status");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.option("NAME", options->executors, "Names of executors; otherwise all that are heard");
+  verb.option("--seconds", options->seconds,
+              "End after so many seconds; otherwise with q or Ctrl-C")
+      .check(seconds());
+  verb.option("--silence", options->silence,
+              "Give up when nothing is heard for so many seconds; on a terminal, from the start")
+      .check(seconds())
+      .shown();
+  add_link_options(verb, options->link);
+  verb.flag("--ascii", options->ascii, "Bars and plots of ASCII; otherwise as the locale allows");
+  verb.flag("--json", options->json, "A line of JSON for each status");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -23,35 +23,33 @@ int make_key(const std::string& output) {
 
 }  // namespace
 
-void add_new(CLI::App& app, Work& work) {
+void add_new(CommandLine& line) {
   struct Options {
     std::string kind;
     std::string output = "-";
     bool force = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
+  const Verb verb =
+      line.verb("new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
   kinds.emplace_back("key");
-  verb->add_option(
-          "KIND", options->kind,
-          "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
-          "pvt or pt over time; axis, an executor's; machine, several of them; drive, a servo's; or "
-          "key, a secret that executor and streamer share")
-      ->required()
-      ->check(CLI::IsMember(kinds));
-  verb->add_option("-o,--output", options->output, "File to write; - is standard output");
-  verb->add_flag("--force", options->force, "Replace a file that is there");
-  verb->callback([options, &work] {
-    work = [options]() -> int {
-      if (options->kind == "key") return make_key(options->output);
-      if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
-        throw InputError("--output", options->output, "is there already; --force replaces it");
-      write_file(options->output, templates().at(options->kind));
-      return fine;
-    };
+  verb.option("KIND", options->kind,
+              "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
+              "pvt or pt over time; axis, an executor's; machine, several of them; drive, a "
+              "servo's; or "
+              "key, a secret that executor and streamer share")
+      .required()
+      .check(one_of(kinds));
+  verb.option("-o,--output", options->output, "File to write; - is standard output");
+  verb.flag("--force", options->force, "Replace a file that is there");
+  verb.work([options]() -> int {
+    if (options->kind == "key") return make_key(options->output);
+    if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
+      throw InputError("--output", options->output, "is there already; --force replaces it");
+    write_file(options->output, templates().at(options->kind));
+    return fine;
   });
 }
 

@@ -42,29 +42,29 @@ int run(const OptimizeOptions& options) {
 
 }  // namespace
 
-void add_optimize(CLI::App& app, Work& work) {
+void add_optimize(CommandLine& line) {
   const auto options = std::make_shared<OptimizeOptions>();
-  CLI::App* verb = add_verb(
-      app, "optimize", "Give what the spec leaves free its best value or shape within the limits",
+  const Verb verb = line.verb(
+      "optimize", "Give what the spec leaves free its best value or shape within the limits",
       "jounce optimize cam.toml -o better.toml --table better.csv");
-  verb->add_option("SPEC", options->spec,
-                   "Spec with [optimize]: knots or shapes of a cam that are `free`, or "
-                   "[[optimize.parameter]] of any kind; - is standard input")
-      ->required();
-  verb->add_option("-o,--output", options->output,
-                   "Optimised spec to write: the same text, other numbers and points");
-  verb->add_option("--table", options->table, "Its table to write, CSV or .json");
-  verb->add_option("--plot", options->plot,
-                   "Picture to write, .svg or .png: the optimised motion over the given one");
-  verb->add_option("--against", options->against,
-                   "Drive to optimise against, a spec of kind \"drive\": for minimize = [\"drive "
-                   "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
-                   "error\", \"drive end following error\"");
-  verb->add_option("--seconds", options->seconds,
-                   "End a search over [[optimize.parameter]] or free shapes after so long, with "
-                   "the best so far");
-  verb->add_flag("--json", options->json, "Outcome for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.option("SPEC", options->spec,
+              "Spec with [optimize]: knots or shapes of a cam that are `free`, or "
+              "[[optimize.parameter]] of any kind; - is standard input")
+      .required();
+  verb.option("-o,--output", options->output,
+              "Optimised spec to write: the same text, other numbers and points");
+  verb.option("--table", options->table, "Its table to write, CSV or .json");
+  verb.option("--plot", options->plot,
+              "Picture to write, .svg or .png: the optimised motion over the given one");
+  verb.option("--against", options->against,
+              "Drive to optimise against, a spec of kind \"drive\": for minimize = [\"drive "
+              "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
+              "error\", \"drive end following error\"");
+  verb.option("--seconds", options->seconds,
+              "End a search over [[optimize.parameter]] or free shapes after so long, with "
+              "the best so far");
+  verb.flag("--json", options->json, "Outcome for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

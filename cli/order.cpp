@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -87,22 +88,20 @@ void require_unbuffered(const Options& options, const std::string& what) {
 /// "50%" or "0.5".
 double factor_of(const std::string& text) {
   const bool percent = !text.empty() && text.back() == '%';
-  double factor = 0;
-  if (!CLI::detail::lexical_cast(percent ? text.substr(0, text.size() - 1) : text, factor) ||
-      !(factor >= 0 && factor <= (percent ? 200 : 2)))
+  const auto factor = number_in(percent ? text.substr(0, text.size() - 1) : text);
+  if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))
     throw InputError("VALUE", text, "must be 0% to 200%, or 0 to 2");
-  return percent ? factor / 100 : factor;
+  return percent ? *factor / 100 : *factor;
 }
 
 /// "3:2" or "3".
 std::pair<double, double> ratio_of(const std::string& text) {
   const auto colon = text.find(':');
-  double numerator = 0, denominator = 1;
-  const bool good = CLI::detail::lexical_cast(text.substr(0, colon), numerator) &&
-                    (colon == std::string::npos ||
-                     CLI::detail::lexical_cast(text.substr(colon + 1), denominator));
-  if (!good) throw InputError("VALUE", text, "must be a ratio of whole numbers like 3:2");
-  return {numerator, denominator};
+  const auto numerator = number_in(text.substr(0, colon));
+  const auto denominator = number_in(colon == std::string::npos ? "1" : text.substr(colon + 1));
+  if (!numerator || !denominator)
+    throw InputError("VALUE", text, "must be a ratio of whole numbers like 3:2");
+  return {*numerator, *denominator};
 }
 
 double direction_of(const std::string& text) {
@@ -251,29 +250,28 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_order(CLI::App& app, Work& work) {
+void add_order(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "order", "Tell an executor's axis one thing to do",
-                            "jounce order feeder move --to 120mm --velocity 200mm/s\n"
-                            "jounce order feeder move --by 80mm --blend next\n"
-                            "jounce order feeder jog -20mm/s\n"
-                            "jounce order feeder override 50%\n"
-                            "Numbers without a unit are in that of the axis.");
-  verb->add_option("NAME", options->executor, "Name of the executor")->required();
-  verb->add_option(
-          "WHAT", options->what,
-          "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
-          "set-position; gear-in, gear-in-pos, gear-out, cam-out; start, of the table that "
-          "it has of its own")
-      ->required()
-      ->check(CLI::IsMember({"enable", "disable", "reset", "hold", "resume", "override", "move",
-                             "jog", "halt", "home", "set-position", "gear-in", "gear-in-pos",
-                             "gear-out", "cam-out", "start"}));
-  verb->add_option("VALUE", options->value,
-                   "override's factor (50%), jog's velocity, home's and set-position's position, "
-                   "gear-in's and gear-in-pos's ratio (3:2)");
+  const Verb verb = line.verb("order", "Tell an executor's axis one thing to do",
+                              "jounce order feeder move --to 120mm --velocity 200mm/s\n"
+                              "jounce order feeder move --by 80mm --blend next\n"
+                              "jounce order feeder jog -20mm/s\n"
+                              "jounce order feeder override 50%\n"
+                              "Numbers without a unit are in that of the axis.");
+  verb.option("NAME", options->executor, "Name of the executor").required();
+  verb.option("WHAT", options->what,
+              "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
+              "set-position; gear-in, gear-in-pos, gear-out, cam-out; start, of the table that "
+              "it has of its own")
+      .required()
+      .check(one_of({"enable", "disable", "reset", "hold", "resume", "override", "move", "jog",
+                     "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
+                     "cam-out", "start"}));
+  verb.option("VALUE", options->value,
+              "override's factor (50%), jog's velocity, home's and set-position's position, "
+              "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
-    return verb->add_option("--" + option, options->named[option], help);
+    return verb.option("--" + option, options->named[option], help);
   };
   add("to", "Move to this position");
   add("by", "Move by this distance from where the axis is commanded to be");
@@ -284,24 +282,24 @@ void add_order(CLI::App& app, Work& work) {
   add("deceleration", "Deceleration");
   add("jerk", "Jerk");
   add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
-      ->check(CLI::IsMember({"shortest", "positive", "negative"}));
+      .check(one_of({"shortest", "positive", "negative"}));
   add("blend",
       "Of move --to, --by and jog: pass the target of the move under way without a stop, at "
       "the lower, its own, this one's or the higher velocity")
-      ->check(CLI::IsMember({"low", "previous", "next", "high"}));
+      .check(one_of({"low", "previous", "next", "high"}));
   add("master-sync", "gear-in-pos: where the master is when both run in step");
   add("slave-sync", "gear-in-pos: where the axis is then");
   add("start-distance", "gear-in-pos: so far before that the axis begins to move");
-  verb->add_flag("--avoid-reversal", options->avoid_reversal,
-                 "gear-in-pos: refuse to move against the direction of the gear");
-  verb->add_flag("--buffered", options->buffered,
-                 "Of move --to, --by and jog: begin when the motion under way has ended");
-  verb->add_option("--at", options->at, "Tick of the executor in which to obey; else at once")
-      ->check(CLI::NonNegativeNumber);
-  verb->add_flag("--relative", options->relative, "set-position by an offset");
-  add_link_options(*verb, options->link);
-  verb->add_flag("--json", options->json, "Outcome for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.flag("--avoid-reversal", options->avoid_reversal,
+            "gear-in-pos: refuse to move against the direction of the gear");
+  verb.flag("--buffered", options->buffered,
+            "Of move --to, --by and jog: begin when the motion under way has ended");
+  verb.option("--at", options->at, "Tick of the executor in which to obey; else at once")
+      .check(whole(0, std::numeric_limits<std::int64_t>::max()));
+  verb.flag("--relative", options->relative, "set-position by an offset");
+  add_link_options(verb, options->link);
+  verb.flag("--json", options->json, "Outcome for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

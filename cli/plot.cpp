@@ -53,30 +53,30 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_plot(CLI::App& app, Work& work) {
+void add_plot(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "plot", "Draw position, velocity, acceleration and jerk",
-                            "jounce plot better.toml --before cam.toml -o cam.png");
-  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
-  add_axis_option(verb, options->axis);
-  CLI::Option* over =
-      verb->add_option(
-              "--over", options->over,
-              "A cam over its master, or its slave over time behind the [master] of the spec")
-          ->check(CLI::IsMember({"master", "time"}));
-  CLI::Option* before =
-      verb->add_option("--before", options->before, "Another one, drawn paler underneath");
-  verb->add_option("--drive", options->drive,
-                   "Of a spec with a [drive]: its response over time, its torque over speed within "
-                   "the motor's envelope, or the spectrum of the vibration left")
-      ->check(CLI::IsMember({"response", "torque-speed", "spectrum"}))
-      ->excludes(over, before);
-  verb->add_flag("--follower", options->follower,
-                 "Of a cam with a [follower]: its lift and its contact force over time")
-      ->excludes(over, before, "--drive");
-  verb->add_option("-o,--output", options->output,
-                   "Picture to write, .svg or .png; - is SVG on standard output");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("plot", "Draw position, velocity, acceleration and jerk",
+                              "jounce plot better.toml --before cam.toml -o cam.png");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  const Option over =
+      verb.option("--over", options->over,
+                  "A cam over its master, or its slave over time behind the [master] of the spec")
+          .check(one_of({"master", "time"}));
+  const Option before =
+      verb.option("--before", options->before, "Another one, drawn paler underneath");
+  const Option drive =
+      verb.option("--drive", options->drive,
+                  "Of a spec with a [drive]: its response over time, its torque over speed within "
+                  "the motor's envelope, or the spectrum of the vibration left")
+          .check(one_of({"response", "torque-speed", "spectrum"}))
+          .excludes({over, before});
+  verb.flag("--follower", options->follower,
+            "Of a cam with a [follower]: its lift and its contact force over time")
+      .excludes({over, before, drive});
+  verb.option("-o,--output", options->output,
+              "Picture to write, .svg or .png; - is SVG on standard output");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -171,22 +171,22 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Work& work) {
+void add_replay(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "replay",
-                            "Execute a recorded run again and compare every cycle to the last bit",
-                            "jounce replay run.lcmlog --plot run.svg --last 2000");
-  verb->add_option("FILE", options->file, "Of `jounce run --record`, or a black box")->required();
-  verb->add_option("--axis", options->axis,
-                   "Name of the axis for --plot and --csv; otherwise the first");
-  verb->add_option("--plot", options->plot,
-                   "Picture of set and actual position, following error and torque (.svg, .png)");
-  verb->add_option("--csv", options->csv, "The recorded ticks, as the log of `jounce run`");
-  verb->add_option("--last", options->last,
-                   "Only so many cycles, the last ones (--plot: 5000, --csv: all)")
-      ->check(CLI::Range(1, 10'000'000));
-  verb->add_flag("--json", options->json, "Result for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb =
+      line.verb("replay", "Execute a recorded run again and compare every cycle to the last bit",
+                "jounce replay run.lcmlog --plot run.svg --last 2000");
+  verb.option("FILE", options->file, "Of `jounce run --record`, or a black box").required();
+  verb.option("--axis", options->axis,
+              "Name of the axis for --plot and --csv; otherwise the first");
+  verb.option("--plot", options->plot,
+              "Picture of set and actual position, following error and torque (.svg, .png)");
+  verb.option("--csv", options->csv, "The recorded ticks, as the log of `jounce run`");
+  verb.option("--last", options->last,
+              "Only so many cycles, the last ones (--plot: 5000, --csv: all)")
+      .check(whole(1, 10'000'000));
+  verb.flag("--json", options->json, "Result for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -135,17 +135,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Work& work) {
+void add_report(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "report", "Write one self-contained HTML page with curve, limits and proof",
-               "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
-  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
-  add_axis_option(verb, options->axis);
-  verb->add_option("--before", options->before, "Another one, drawn paler underneath");
-  verb->add_option("--log", options->log, "Tick log of an executor, compared with the exact curve");
-  verb->add_option("-o,--output", options->output, "Page to write; - is standard output");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb =
+      line.verb("report", "Write one self-contained HTML page with curve, limits and proof",
+                "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  verb.option("--before", options->before, "Another one, drawn paler underneath");
+  verb.option("--log", options->log, "Tick log of an executor, compared with the exact curve");
+  verb.option("-o,--output", options->output, "Page to write; - is standard output");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

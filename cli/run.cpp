@@ -162,54 +162,51 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Work& work) {
+void add_run(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "run", "Run an executor: take tables from a stream and play them, tick by tick",
-               "jounce run axis.toml --enable --log run.csv --once\n"
-               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
-  verb->add_option(
-          "SPEC", options->machine.files,
-          "Of kind \"axis\": limits, cycle, name; several run in one cycle. Or one of kind "
-          "\"machine\", which names them")
-      ->required();
-  verb->add_option("--log", options->machine.log,
-                   "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
-  verb->add_option("--record", options->run.record.log,
-                   "LCM log of all that the axes are told, see and say, for `jounce replay`");
-  verb->add_option("--black-box", options->run.record.black_box,
-                   "Where a fault leaves the last cycles before it");
-  verb->add_option("--black-box-cycles", options->run.record.black_box_cycles,
-                   "How many cycles of each axis that is")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  verb->add_option("--seconds", options->run.seconds, "End after so many seconds")
-      ->check(seconds_option());
-  verb->add_flag("--once", options->run.once, "End after one motion");
-  verb->add_option("--realtime", options->run.realtime.priority,
-                   "SCHED_FIFO priority of the cycle, 1 to 99, where permitted")
-      ->check(CLI::Range(1, 99));
-  verb->add_option("--cpu", options->run.realtime.cpu,
-                   "The only CPU the cycle may run on, counted from 0")
-      ->check(CLI::Range(0, 1023));
-  verb->add_option("--watchdog", options->watchdog,
-                   "Stop all axes where the communication hangs for so many seconds; 0: never; not "
-                   "given: what a machine's spec says, or 0.5")
-      ->check(within(0.0, 1e6));
-  verb->add_option("--web", options->web,
-                   "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
-                   "address as it is printed; 0: any free port")
-      ->check(CLI::Range(0, 65535));
-  verb->add_flag("--enable", options->machine.enable,
-                 "Enable every axis at the start; otherwise each waits, disabled, for that order");
-  verb->add_flag("--adopt-start", options->machine.adopt_start,
-                 "At standstill, a table's first position is where the axis stands");
-  verb->add_flag(
-      "--finish-when-silent", options->machine.finish_when_silent,
-      "A table whose streamer falls silent is played to its end; otherwise it is stopped");
-  add_link_options(*verb, options->link);
-  verb->add_flag("--json", options->json, "Summary for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb =
+      line.verb("run", "Run an executor: take tables from a stream and play them, tick by tick",
+                "jounce run axis.toml --enable --log run.csv --once\n"
+                "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
+  verb.option("SPEC", options->machine.files,
+              "Of kind \"axis\": limits, cycle, name; several run in one cycle. Or one of kind "
+              "\"machine\", which names them")
+      .required();
+  verb.option("--log", options->machine.log,
+              "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
+  verb.option("--record", options->run.record.log,
+              "LCM log of all that the axes are told, see and say, for `jounce replay`");
+  verb.option("--black-box", options->run.record.black_box,
+              "Where a fault leaves the last cycles before it");
+  verb.option("--black-box-cycles", options->run.record.black_box_cycles,
+              "How many cycles of each axis that is")
+      .check(whole(1, 1'000'000))
+      .shown();
+  verb.option("--seconds", options->run.seconds, "End after so many seconds").check(seconds());
+  verb.flag("--once", options->run.once, "End after one motion");
+  verb.option("--realtime", options->run.realtime.priority,
+              "SCHED_FIFO priority of the cycle, 1 to 99, where permitted")
+      .check(whole(1, 99));
+  verb.option("--cpu", options->run.realtime.cpu,
+              "The only CPU the cycle may run on, counted from 0")
+      .check(whole(0, 1023));
+  verb.option("--watchdog", options->watchdog,
+              "Stop all axes where the communication hangs for so many seconds; 0: never; not "
+              "given: what a machine's spec says, or 0.5")
+      .check(within(0.0, 1e6));
+  verb.option("--web", options->web,
+              "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
+              "address as it is printed; 0: any free port")
+      .check(whole(0, 65535));
+  verb.flag("--enable", options->machine.enable,
+            "Enable every axis at the start; otherwise each waits, disabled, for that order");
+  verb.flag("--adopt-start", options->machine.adopt_start,
+            "At standstill, a table's first position is where the axis stands");
+  verb.flag("--finish-when-silent", options->machine.finish_when_silent,
+            "A table whose streamer falls silent is played to its end; otherwise it is stopped");
+  add_link_options(verb, options->link);
+  verb.flag("--json", options->json, "Summary for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

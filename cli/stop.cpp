@@ -61,20 +61,20 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_stop(CLI::App& app, Work& work) {
+void add_stop(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, "stop", "Bring an executor's axis to rest, whoever owns it",
-                            "jounce stop feeder\n"
-                            "jounce stop feeder --abort");
-  verb->add_option("NAME", options->executor, "Name of the executor")->required();
-  verb->add_flag("--abort", options->abort,
-                 "The fastest stop that the axis has, path or not; it is then in error_stop");
-  verb->add_option("--patience", options->patience,
-                   "Give up waiting for standstill after so many seconds")
-      ->check(seconds_option())
-      ->capture_default_str();
-  add_link_options(*verb, options->link);
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb("stop", "Bring an executor's axis to rest, whoever owns it",
+                              "jounce stop feeder\n"
+                              "jounce stop feeder --abort");
+  verb.option("NAME", options->executor, "Name of the executor").required();
+  verb.flag("--abort", options->abort,
+            "The fastest stop that the axis has, path or not; it is then in error_stop");
+  verb.option("--patience", options->patience,
+              "Give up waiting for standstill after so many seconds")
+      .check(seconds())
+      .shown();
+  add_link_options(verb, options->link);
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -175,54 +175,54 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_stream(CLI::App& app, Work& work) {
+void add_stream(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(
-      app, "stream", "Send a table to an executor; nothing moves before all of it has arrived",
+  const Verb verb = line.verb(
+      "stream", "Send a table to an executor; nothing moves before all of it has arrived",
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
       "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
       "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
-  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
-  add_axis_option(verb, options->axis);
-  verb->add_option("--to", options->to, "Name of the executor")->required();
-  verb->add_option("--master", options->master,
-                   "Table over time that drives a cam table; a cam spec has its own [master]");
-  verb->add_flag("--live", options->live,
-                 "The cam follows the axis's live master, as its executor is configured");
-  verb->add_option("--start-at", options->start_at,
-                   "With --live: begin where the master passes this position");
-  verb->add_option("--swap", options->swaps,
-                   "Table that takes over where the one before ends, in motion; may be repeated");
-  CLI::Option* bank = verb->add_option(
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  verb.option("--to", options->to, "Name of the executor").required();
+  verb.option("--master", options->master,
+              "Table over time that drives a cam table; a cam spec has its own [master]");
+  verb.flag("--live", options->live,
+            "The cam follows the axis's live master, as its executor is configured");
+  verb.option("--start-at", options->start_at,
+              "With --live: begin where the master passes this position");
+  verb.option("--swap", options->swaps,
+              "Table that takes over where the one before ends, in motion; may be repeated");
+  const Option bank = verb.option(
       "--bank", options->bank,
       "Static queue of two banks: FILE fills one, this the other, which follows where FILE ends");
-  verb->add_option("--loops", options->loops, "With --bank: how often the second bank is played")
-      ->needs(bank)
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str();
-  CLI::Option* const rolling = verb->add_flag(
-      "--rolling", options->rolling,
-      "Send while it plays, to its end: for tables longer than the executor's memory");
-  verb->add_flag("--resume", options->resume,
-                 "With --rolling: go on after the axis had to stop for want of rows")
-      ->needs(rolling);
-  verb->add_option("--ahead", options->capacity,
-                   "With --rolling: rows to begin with; twice as many may wait")
-      ->needs(rolling)
-      ->check(CLI::Range(2U, 1U << 20U))
-      ->capture_default_str();
-  verb->add_option("--until", options->until, "How far to go: download, arm or start")
-      ->check(CLI::IsMember({"download", "arm", "start"}))
-      ->capture_default_str();
-  verb->add_option("--patience", options->patience, "Give up after so many seconds")
-      ->check(seconds_option())
-      ->capture_default_str();
-  add_link_options(*verb, options->link);
-  verb->add_flag("--json", options->json, "Outcome for machines");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb.option("--loops", options->loops, "With --bank: how often the second bank is played")
+      .needs(bank)
+      .check(whole(1, 1'000'000'000))
+      .shown();
+  const Option rolling =
+      verb.flag("--rolling", options->rolling,
+                "Send while it plays, to its end: for tables longer than the executor's memory");
+  verb.flag("--resume", options->resume,
+            "With --rolling: go on after the axis had to stop for want of rows")
+      .needs(rolling);
+  verb.option("--ahead", options->capacity,
+              "With --rolling: rows to begin with; twice as many may wait")
+      .needs(rolling)
+      .check(whole(2, 1 << 20))
+      .shown();
+  verb.option("--until", options->until, "How far to go: download, arm or start")
+      .check(one_of({"download", "arm", "start"}))
+      .shown();
+  verb.option("--patience", options->patience, "Give up after so many seconds")
+      .check(seconds())
+      .shown();
+  add_link_options(verb, options->link);
+  verb.flag("--json", options->json, "Outcome for machines");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

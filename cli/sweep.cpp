@@ -145,26 +145,23 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, Work& work) {
+void add_sweep(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "sweep",
-               "Make many variants of a spec and compare them: grids, tolerances, Pareto fronts",
-               "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
-               "  mpirun -n 4 jounce sweep sweep.toml -o results.csv");
-  verb->add_option("SWEEP", options->file, "Which numbers of which spec take which values")
-      ->required();
-  verb->add_option(
-      "-o,--output", options->output,
-      "Table of all cases to write, CSV. Beside it, a journal is kept until all is done: "
-      "after a kill or Ctrl-C, the same command goes on");
-  verb->add_option("--npy", options->npy, "The same for NumPy, one structured array");
-  verb->add_option("--plot", options->plot,
-                   "Pareto front, distributions, or figures over the parameter: .svg or .png");
-  verb->add_option("--jobs", options->jobs, "Threads; left out, one for each core")
-      ->check(CLI::Range(1, 4096));
-  verb->add_flag("--json", options->json, "Summary for machines, numbers in full");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb(
+      "sweep", "Make many variants of a spec and compare them: grids, tolerances, Pareto fronts",
+      "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
+      "  mpirun -n 4 jounce sweep sweep.toml -o results.csv");
+  verb.option("SWEEP", options->file, "Which numbers of which spec take which values").required();
+  verb.option("-o,--output", options->output,
+              "Table of all cases to write, CSV. Beside it, a journal is kept until all is done: "
+              "after a kill or Ctrl-C, the same command goes on");
+  verb.option("--npy", options->npy, "The same for NumPy, one structured array");
+  verb.option("--plot", options->plot,
+              "Pareto front, distributions, or figures over the parameter: .svg or .png");
+  verb.option("--jobs", options->jobs, "Threads; left out, one for each core")
+      .check(whole(1, 4096));
+  verb.flag("--json", options->json, "Summary for machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli

@@ -49,27 +49,26 @@ bool TargetOptions::any() const {
   return false;
 }
 
-std::vector<CLI::Option*> add_target_options(CLI::App* verb, TargetOptions& options) {
+std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options) {
   std::vector<std::string> names;
   for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
-  return {verb->add_option("--controller", options.controller,
-                           "New knots, the best that this controller's table holds")
-              ->check(CLI::IsMember(names)),
-          verb->add_option(
-              "--tolerance", options.tolerance,
-              "New knots, as few as keep the position within this; by default the knots stay"),
-          verb->add_option("--velocity-tolerance", options.velocity_tolerance,
-                           "The same for the first derivative"),
-          verb->add_option(
-              "--most", options.most,
-              "At most so many new knots; without a tolerance, the best table that has them"),
-          verb->add_option("--spacing", options.spacing, "New knots are at least so far apart"),
-          verb->add_option("--resolution", options.resolution,
-                           "New knots at whole multiples of this, such as 1ms"),
-          verb->add_option("--position-resolution", options.position_resolution,
-                           "Their positions rounded to whole multiples of this, such as 1pulse"),
-          verb->add_option("--velocity-resolution", options.velocity_resolution,
-                           "Their velocities likewise")};
+  return {
+      verb.option("--controller", options.controller,
+                  "New knots, the best that this controller's table holds")
+          .check(one_of(names)),
+      verb.option("--tolerance", options.tolerance,
+                  "New knots, as few as keep the position within this; by default the knots stay"),
+      verb.option("--velocity-tolerance", options.velocity_tolerance,
+                  "The same for the first derivative"),
+      verb.option("--most", options.most,
+                  "At most so many new knots; without a tolerance, the best table that has them"),
+      verb.option("--spacing", options.spacing, "New knots are at least so far apart"),
+      verb.option("--resolution", options.resolution,
+                  "New knots at whole multiples of this, such as 1ms"),
+      verb.option("--position-resolution", options.position_resolution,
+                  "Their positions rounded to whole multiples of this, such as 1pulse"),
+      verb.option("--velocity-resolution", options.velocity_resolution,
+                  "Their velocities likewise")};
 }
 
 std::optional<Rule> rule_of(const TargetOptions& options) {

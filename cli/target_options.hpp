@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "jounce/io/table_target.hpp"
+
+#include "verb.hpp"
 
 namespace jounce::cli {
 
@@ -26,7 +26,7 @@ struct TargetOptions {
 };
 
 /// Returns what was added.
-std::vector<CLI::Option*> add_target_options(CLI::App* verb, TargetOptions& options);
+std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options);
 
 /// The rule that a controller's table has; nothing where none is named.
 std::optional<Rule> rule_of(const TargetOptions& options);

@@ -70,18 +70,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, Work& work) {
+void add_validate(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      add_verb(app, "validate",
-               "Prove it by integration, against a servo model, and against what was played",
-               "jounce validate cam.toml --log run.csv");
-  verb->add_option("FILE", options->file, "Spec or table; - is standard input")->required();
-  add_axis_option(verb, options->axis);
-  verb->add_option("--log", options->log,
-                   "Tick log of an executor: compare every tick with the exact curve");
-  verb->add_flag("--json", options->json, "Everything for machines, numbers in full");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  const Verb verb = line.verb(
+      "validate", "Prove it by integration, against a servo model, and against what was played",
+      "jounce validate cam.toml --log run.csv");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  verb.option("--log", options->log,
+              "Tick log of an executor: compare every tick with the exact curve");
+  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.work([options] { return run(*options); });
 }
 
 }  // namespace jounce::cli
