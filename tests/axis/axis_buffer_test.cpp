@@ -14,10 +14,6 @@ namespace {
 
 using namespace test;
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 Command to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
   return {.kind = Kind::move_absolute,
           .position = position,

@@ -22,10 +22,6 @@ Command to(double position, double velocity, BufferMode buffer = BufferMode::abo
           .buffer = buffer};
 }
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 // The move that waited for this tick has just begun, after a long rest: what is told about it is
 // planned from here, not from where the axis last moved.
 TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {

@@ -25,10 +25,6 @@ Inputs drive_at(double position) {
   return inputs;
 }
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 /// In velocity, 100 u/s, after that many ticks.
 Tick cruise(Bench& bench, std::int64_t ticks = 200, double direction = 1) {
   bench.tell(Kind::enable);

@@ -12,16 +12,6 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(1e3, 1e4)};
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
-Inputs at_master(double m, double v) {
-  Inputs inputs;
-  inputs.master = {m, v, 0, 0};
-  return inputs;
-}
-
 /// An axis geared to a master of 10 m/s: it runs with 10 u/s.
 struct Geared : Bench {
   Geared() : Bench(wide) {
@@ -54,9 +44,7 @@ TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
 
   Job job(1, constant_master(360, 100), pmc600_cam());
   Bench cam({.limits = limits(1e3, 1e5)});
-  cam.tell(Kind::enable);
-  ASSERT_EQ(refusal(cam.arm(job)), Cause::none);
-  cam.tell(Kind::start);
+  cam.play(job);
   EXPECT_EQ(cam.run(500).state, State::synchronized_motion);
   EXPECT_EQ(cam.tell(Kind::halt).state, State::discrete_motion);
   EXPECT_EQ(cam.run(500).state, State::standstill);
@@ -67,10 +55,7 @@ TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
   for (const Kind kind : {Kind::hold, Kind::resume, Kind::finish}) {
     Job job(1, there_and_back(0, 10, 1, Outside::wrap));
     Bench axis({.limits = limits(40, 300)});
-    axis.tell(Kind::enable);
-    axis.arm(job);
-    axis.tell(Kind::start);
-    axis.run(250);
+    axis.play(job, 250);
     axis.tell(Kind::halt);
     const Tick tick = axis.tell(kind);
     ASSERT_EQ(refusal(tick), Cause::halting) << name(kind);

@@ -13,10 +13,6 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(1e3, 1e5)};
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 Cause dropped(const Tick& tick) {
   return tick.dropped ? tick.dropped->cause : Cause::none;
 }
@@ -186,10 +182,7 @@ TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
   first.add(0.1, 5, true);
   second.add(0.1, -2, true);
   Bench axis(wide);
-  axis.tell(Kind::enable);
-  axis.arm(job);
-  axis.tell(Kind::start);
-  axis.run(100);
+  axis.play(job, 100);
   ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &first.path})), Cause::none);
   ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
   Tick tick = axis.run(420);
@@ -234,10 +227,7 @@ TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
 TEST(AxisSwap, OfAPathThatIsHeldAtOnce) {
   Job job(1, there_and_back(0, 10, 0.5, Outside::wrap));
   Bench axis(wide);
-  axis.tell(Kind::enable);
-  axis.arm(job);
-  axis.tell(Kind::start);
-  axis.run(100);
+  axis.play(job, 100);
   axis.tell(Kind::hold);
   const Tick held = axis.run(300);
   ASSERT_EQ(held.velocity, 0);
@@ -297,9 +287,9 @@ TEST(AxisLater, AfterAnUnderrunItMayBeDeclaredCompleteAndResumed) {
 TEST(AxisLater, WhatDoesNotEndAtRestIsNotComplete) {
   Rows rows(1);
   EXPECT_FALSE(rows.path.fifos().complete()) << "no rows";
-  EXPECT_EQ(
-      rows.path.fifos().push(0, {.x_end = 0.1, .p_end = 5, .v_start = 0, .v_end = 100, .degree = 3}),
-      RowRule::none);
+  EXPECT_EQ(rows.path.fifos().push(
+                0, {.x_end = 0.1, .p_end = 5, .v_start = 0, .v_end = 100, .degree = 3}),
+            RowRule::none);
   EXPECT_FALSE(rows.path.fifos().complete());
   FifoPath tables(2, {.stream = false});
   EXPECT_FALSE(tables.fifos().complete());

@@ -41,10 +41,6 @@ struct Moves : Bench {
   std::vector<Tick> ticks;
 };
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 // 1.2, Fig. 1.4 and 1.5: of two commands the last one wins. Here they are a tick apart.
 TEST(AxisMoves, TheLastCommandWins) {
   Moves same;
@@ -261,9 +257,7 @@ TEST(AxisMoves, AModuloAxisGoesTheWayThatIsAskedFor) {
 TEST(AxisMoves, AMoveTakesOverFromATableWithoutALeap) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  bench.tell(Kind::enable);
-  bench.arm(job);
-  bench.tell(Kind::start);
+  bench.play(job);
   Tick last = bench.run(250);  // 5 u/s, 20 u/s^2
   Tick tick = bench.step({.kind = Kind::move_absolute, .position = -1});
   EXPECT_EQ(tick.handed_back[0], &job);

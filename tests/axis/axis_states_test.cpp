@@ -44,10 +44,6 @@ struct InState : Bench {
   Gear gear{1, 1};
 };
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 // Every command in every state: what the table forbids is refused for that reason and changes
 // nothing; what it permits is not refused for a reason of the state.
 TEST(AxisStates, EveryCommandInEveryStateIsAnsweredAsTheTableSays) {

@@ -14,10 +14,6 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(1e3, 1e5)};
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 /// One turn of a table that passes its wrap at speed: p = 10 sin(2 pi t / T) by quintics through
 /// points that are exact in p, v and a.
 TablePtr turning(double T, double amplitude) {
@@ -52,10 +48,7 @@ TEST(AxisSwap, ARepeatingTableGoesOverIntoAnotherAtItsWrapWithoutAStop) {
   Job a(1, first);
   Job b(2, second);
   Bench bench(wide);
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(700);
+  bench.play(a, 700);
   start_at_end(bench, b);
   Tick tick = bench.run(297);  // path time 0.999
   EXPECT_EQ(tick.job, 1U);
@@ -85,10 +78,7 @@ TEST(AxisSwap, IsHeldUpByAHoldAndUndoneByAStop) {
   Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
   Job b(2, there_and_back(0, -6, 0.5, Outside::hold));
   Bench bench(wide);
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(100);
+  bench.play(a, 100);
   start_at_end(bench, b);
   bench.tell(Kind::hold);
   EXPECT_EQ(bench.run(2000).job, 1U);
@@ -96,10 +86,7 @@ TEST(AxisSwap, IsHeldUpByAHoldAndUndoneByAStop) {
   EXPECT_EQ(bench.run(600).job, 2U);
 
   Bench other(wide);
-  other.tell(Kind::enable);
-  other.arm(a);
-  other.tell(Kind::start);
-  other.run(100);
+  other.play(a, 100);
   start_at_end(other, b);
   EXPECT_EQ(other.tell(Kind::stop).handed_back[0], &b);
   EXPECT_EQ(other.run(1000).state, State::standstill);
@@ -110,9 +97,7 @@ TEST(AxisSwap, WhatDoesNotMeetIsNotArmed) {
   Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
   Job elsewhere(2, there_and_back(1, -6, 0.5, Outside::hold));
   Bench bench(wide);
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
+  bench.play(a);
   EXPECT_EQ(refusal(bench.arm(elsewhere)), Cause::start_position);
 }
 
@@ -135,10 +120,7 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
       table(Axis::time, Rule::linear, Outside::hold, {{0, 4}, {225, 3105}, {}, {}});
   Job b(2, later, cam(4));
   Bench bench({.limits = limits(1e3, 1e5)});
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(50);
+  bench.play(a, 50);
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
   ASSERT_EQ(refusal(bench.step(
                 {.kind = Kind::start, .start_at = StartAt::master_position, .position = 225})),
@@ -168,10 +150,7 @@ TEST(AxisSwap, AMasterThatRepeatsPassesNothingWhereItLeaps) {
   Job a(1, turn(0), cam(10));
   Job b(2, turn(180), cam(4));
   Bench bench({.limits = limits(1e3, 1e5)});
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(300);  // the master is at 216
+  bench.play(a, 300);  // the master is at 216
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
   ASSERT_EQ(refusal(bench.step(
                 {.kind = Kind::start, .start_at = StartAt::master_position, .position = 180})),
@@ -197,10 +176,7 @@ TEST(AxisSwap, CamsThatMeetAreJoinedAtSpeedOnBothPathsToTheLastTick) {
   Job b(2, table(Axis::time, Rule::linear, Outside::hold, {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
         second);
   Bench bench({.limits = limits(500, 2e4, 2e6)});
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(500);
+  bench.play(a, 500);
   // Where it begins is looked at when the master comes there.
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
   ASSERT_EQ(refusal(bench.step(
@@ -228,10 +204,7 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
   Job b(2, table(Axis::time, Rule::linear, Outside::hold, {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
         cam(9));
   Bench bench({.limits = limits(500, 2e4)});
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(500);
+  bench.play(a, 500);
   bench.arm(b);
   bench.step({.kind = Kind::start, .start_at = StartAt::master_position, .position = 405});
   Tick tick = bench.step();
@@ -248,10 +221,7 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
 TEST(AxisSwap, APassMayBeTheLastOne) {
   Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
   Bench bench(wide);
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(700);
+  bench.play(a, 700);
   EXPECT_EQ(refusal(bench.tell(Kind::finish)), Cause::none);
   Tick tick = bench.run(298);
   EXPECT_EQ(tick.state, State::discrete_motion);
@@ -285,10 +255,7 @@ TEST(AxisSwap, AnOverrideOnAPathIsTheSamePathAtAnotherTime) {
   const TablePtr cycle = there_and_back(0, 10, 0.5, Outside::wrap);
   Job a(1, cycle);
   Bench bench({.limits = limits(100, 2e4)});
-  bench.tell(Kind::enable);
-  bench.arm(a);
-  bench.tell(Kind::start);
-  bench.run(100);
+  bench.play(a, 100);
   for (const double factor : {0.4, 1.9, 0.0, 1.0}) {
     const Tick told = bench.step({.kind = Kind::override_, .factor = factor});
     EXPECT_NEAR(told.override_,

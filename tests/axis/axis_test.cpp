@@ -16,19 +16,8 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(1e5, 1e8)};
 
-Cause refusal(const Tick& tick) {
-  return tick.refused ? tick.refused->cause : Cause::none;
-}
-
 bool handed_back(const Tick& tick, Job& job) {
   return std::count(tick.handed_back.begin(), tick.handed_back.end(), &job) == 1;
-}
-
-/// Enabled, armed with the job, and started: the tick of local time 0.
-Tick started(Bench& bench, Job& job) {
-  bench.tell(Kind::enable);
-  EXPECT_EQ(refusal(bench.arm(job)), Cause::none);
-  return bench.tell(Kind::start);
 }
 
 TEST(MotionAxis, NothingMovesBeforeEnableArmAndStart) {
@@ -56,7 +45,7 @@ TEST(MotionAxis, NothingMovesBeforeEnableArmAndStart) {
 TEST(MotionAxis, GoogolTrapezoidTakes1300Ticks) {
   Job job(1, trapezoid_table(50000, 50e3, 0.25e6, 0.125e6));
   Bench bench({.limits = limits(50e3, 0.25e6)});
-  started(bench, job);
+  bench.play(job);
   const auto at = [&](std::int64_t ms) { return bench.run(ms - (bench.tick - 2)); };
   EXPECT_NEAR(at(100).position, 0.25 * 100 * 100 / 2, 1e-9);
   EXPECT_NEAR(at(200).position, 5000, 1e-9);
@@ -81,7 +70,7 @@ TEST(MotionAxis, EverySetpointIsTheTablesBitForBit) {
                               {{0, 0.1, 0.37, 0.6}, {0, 3, 1, 2}, {0, 9, -4, 0}, {0, 7, 2, 0}});
   Job job(1, move);
   Bench bench(wide);
-  Tick tick = started(bench, job);
+  Tick tick = bench.play(job);
   for (std::int64_t k = 0; k < 600; ++k, tick = bench.step()) {
     const Jet exact = move->jet(static_cast<double>(k * 1'000'000) / 1e9);
     ASSERT_EQ(tick.position, exact[0]) << k;
@@ -98,7 +87,7 @@ TEST(MotionAxis, Example43RunsThreeEqualPeriods) {
   const TablePtr master = constant_master(1080, 200);
   Job job(3, master, cam);
   Bench bench({.limits = limits(700, 7000)});
-  std::vector<Tick> ticks{started(bench, job)};
+  std::vector<Tick> ticks{bench.play(job)};
   EXPECT_EQ(ticks[0].state, State::synchronized_motion);
   while (ticks.back().state == State::synchronized_motion) ticks.push_back(bench.step());
   ASSERT_EQ(ticks.size(), 5401U);  // 5.4 s
@@ -131,7 +120,7 @@ TEST(MotionAxis, Example44FollowsBothLinesAndLeavesTheMaster) {
       table(Axis::master, Rule::linear, Outside::hold, {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   Job job(4, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
   Bench bench({.limits = limits(1e4, 6e6)});
-  Tick tick = started(bench, job);
+  Tick tick = bench.play(job);
   int at_10000 = 0;
   int at_4000 = 0;
   for (; tick.state == State::synchronized_motion; tick = bench.step()) {
@@ -152,7 +141,7 @@ TEST(MotionAxis, PmcPositionTableReachesItsKnots) {
   Job job(5, table(Axis::time, Rule::linear, Outside::hold,
                    {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
   Bench bench({.limits = limits(20000, 3e7)});
-  started(bench, job);
+  bench.play(job);
   EXPECT_EQ(bench.run(500).position, 5000);
   EXPECT_EQ(bench.run(500).position, 10000);
   EXPECT_EQ(bench.run(2000).position, 50000);
@@ -171,7 +160,7 @@ TEST(MotionAxis, StopFollowsTheClosedFormOfItsRamp) {
   // Path time at D/2: 0.25 - 8 * 0.25^3 / 6, and 0.125 s from the rate 0.75 at -2 /s.
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, job);
+  bench.play(job);
   const double from = bench.run(1000).position;
   const Tick stop = bench.tell(Kind::stop);
   EXPECT_EQ(stop.state, State::stopping);
@@ -201,7 +190,7 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
   const AxisConfig config{.limits = limits(700, a)};
   for (std::int64_t when = 0; when < 5600; when += 97) {
     Bench bench(config);
-    std::vector<Tick> ticks{started(bench, job)};
+    std::vector<Tick> ticks{bench.play(job)};
     for (std::int64_t k = 1; k < when; ++k) ticks.push_back(bench.step());
     ticks.push_back(bench.tell(Kind::stop));
     while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
@@ -224,7 +213,7 @@ TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
   const AxisConfig config{.limits = limits(100, 400, jerk)};
   for (std::int64_t when = 100; when < 2000; when += 130) {
     Bench bench(config);
-    started(bench, job);
+    bench.play(job);
     std::vector<Tick> ticks{bench.run(when)};
     ticks.push_back(bench.tell(Kind::stop));
     while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
@@ -238,7 +227,7 @@ TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
 TEST(MotionAxis, StopNearTheEndLetsTheTableEnd) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, job);
+  bench.play(job);
   bench.run(5490);  // of 5500
   bench.tell(Kind::stop);
   const Tick end = bench.run(750);
@@ -252,7 +241,7 @@ TEST(MotionAxis, ASecondStopChangesNothing) {
   Bench once({.limits = limits(10, 20)});
   Bench twice({.limits = limits(10, 20)});
   for (Bench* bench : {&once, &twice}) {
-    started(*bench, job);
+    bench->play(job);
     bench->run(1000);
     bench->tell(Kind::stop);
     bench->run(100);
@@ -266,7 +255,7 @@ TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
   const TablePtr cycle = there_and_back(0, 10, 0.5, Outside::wrap);
   Job job(1, cycle);
   Bench bench(wide);
-  started(bench, job);
+  bench.play(job);
   EXPECT_NEAR(bench.run(250).position, 10, 1e-12);
   EXPECT_NEAR(bench.run(10'000).position, 10, 1e-9);
   EXPECT_EQ(bench.axis.state(), State::discrete_motion);
@@ -284,7 +273,7 @@ TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Job next(2, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, job);
+  bench.play(job);
   const double before = bench.run(1000).position;
   const Tick aborted = bench.tell(Kind::abort);
   EXPECT_EQ(aborted.state, State::error_stop);
@@ -310,7 +299,7 @@ TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
 TEST(MotionAxis, DisablingInMotionIsAFaultThatEnableComesBackTo) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, job);
+  bench.play(job);
   bench.run(1000);
   Tick tick = bench.tell(Kind::disable);
   EXPECT_EQ(tick.state, State::disabled);
@@ -331,7 +320,7 @@ TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
     const auto table = std::make_shared<Table>(*trapezoid_table(50, 10, 20, 20));
     Job job(1, table);
     Bench bench(config);
-    started(bench, job);
+    bench.play(job);
     const double before = bench.run(1000).position;
     *table = *other;
     Tick tick = bench.step();
@@ -359,7 +348,7 @@ TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
 TEST(MotionAxis, TheFirstFaultStays) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, job);
+  bench.play(job);
   bench.run(100);
   bench.tell(Kind::disable);
   EXPECT_EQ(bench.tell(Kind::abort).fault, Cause::disabled_in_motion);
@@ -450,7 +439,7 @@ TEST(MotionAxis, TablesAreSwappedAtStandstill) {
                     {{0, 10}, {50, 0}, {0, 0}, {0, 0}}));
   Job wrong(3, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  started(bench, out);
+  bench.play(out);
   bench.run(100);
   // Armed in motion against the position where the motion will end.
   Tick tick = bench.arm(wrong);
@@ -482,7 +471,7 @@ TEST(MotionAxis, ArmingAgainHandsTheFirstJobBack) {
 TEST(MotionAxis, OneArmIsOneStart) {
   Job job(1, there_and_back(0, 5, 0.1, Outside::hold));
   Bench bench(wide);
-  started(bench, job);
+  bench.play(job);
   bench.run(200);
   EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
   bench.arm(job);

@@ -111,10 +111,7 @@ TEST(CoupledJob, ARampOutlastsItsMaster) {
 TEST(CoupledJob, AStopInTheRampStaysOnItsPath) {
   Job job(1, trapezoid_table(1080, 200, 1000, 1000), pmc600_cam(), 1e-3, ramp(), -30);
   Bench bench(axis_at(-30));
-  bench.tell(Kind::enable);
-  bench.arm(job);
-  bench.tell(Kind::start);
-  bench.run(150);
+  bench.play(job, 150);
   Tick last = bench.tell(Kind::stop);
   while (last.job != 0) {
     const Tick now = bench.step();

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
-#include "jounce/axis/job.hpp"
 #include "jounce/pvt/table.hpp"
+
+#include "axis/bench.hpp"
 
 namespace jounce::test {
 
@@ -50,40 +50,5 @@ inline TablePtr there_and_back(double from, double reach, double T, Outside outs
   return table(Axis::time, Rule::quintic_hermite, outside,
                {{0, T / 2, T}, {from, from + reach, from}, {0, 0, 0}, {0, 0, 0}});
 }
-
-inline Limits limits(double velocity, double acceleration) {
-  Limits limits;
-  limits.velocity = velocity;
-  limits.acceleration = acceleration;
-  return limits;
-}
-
-inline Limits limits(double velocity, double acceleration, double jerk) {
-  Limits with_jerk = limits(velocity, acceleration);
-  with_jerk.jerk = jerk;
-  return with_jerk;
-}
-
-/// An axis with its tick counter.
-struct Bench {
-  explicit Bench(const AxisConfig& config, const AxisSwitches& switches = {})
-      : axis(config, switches) {}
-
-  Tick step(const Command& command = {}, const Inputs& inputs = {}) {
-    return axis.step(++tick, command, inputs);
-  }
-  Tick tell(Command::Kind kind) { return step({.kind = kind}); }
-  Tick arm(Job& job) { return step({.kind = Command::Kind::arm, .movement = &job}); }
-  Tick run(std::int64_t ticks) {
-    Tick last;
-    for (std::int64_t i = 0; i < ticks; ++i) last = step();
-    return last;
-  }
-
-  MotionAxis axis;
-  std::int64_t tick = -1;
-};
-
-using Kind = Command::Kind;
 
 }  // namespace jounce::test

@@ -7,7 +7,7 @@
 #include "jounce/executor/realtime.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/rig.hpp"
 
 namespace jounce {
 namespace {
@@ -16,49 +16,30 @@ using namespace test;
 
 const AxisConfig config{.limits = limits(10, 20)};
 
-struct Rig {
-  Machine machine{{{.name = "feeder", .config = config}}};
-  VirtualPacer pacer;
-  Post post{1};
-  Mail* mail = post.mail.front().get();
-  Cycle cycle{machine, pacer, post};
-
-  Tick next() {
-    cycle.once();
-    Tick tick;
-    EXPECT_TRUE(mail->ticks.pop(tick));
-    return tick;
-  }
-  Tick tell(const Command& command) {
-    EXPECT_TRUE(mail->commands.push(command));
-    return next();
-  }
-};
-
 TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
-  Rig rig;
-  rig.mail->commands.push({.kind = Kind::enable});
-  rig.mail->commands.push({.kind = Kind::arm, .id = 5, .movement = &job});
-  rig.mail->commands.push({.kind = Kind::arm, .id = 6});
-  rig.mail->commands.push({.kind = Kind::start, .id = 7});
+  Rig rig(config);
+  rig.mail.commands.push({.kind = Kind::enable});
+  rig.mail.commands.push({.kind = Kind::arm, .id = 5, .movement = &job});
+  rig.mail.commands.push({.kind = Kind::arm, .id = 6});
+  rig.mail.commands.push({.kind = Kind::start, .id = 7});
   EXPECT_EQ(rig.next().state, State::standstill);
   EXPECT_EQ(rig.next().armed, 1U);
   EXPECT_EQ(rig.next().armed, 1U);
   EXPECT_EQ(rig.next().state, State::discrete_motion);
   Answer answer;
-  ASSERT_TRUE(rig.mail->answers.pop(answer));
+  ASSERT_TRUE(rig.mail.answers.pop(answer));
   EXPECT_EQ(answer.id, 5U);
   EXPECT_FALSE(answer.refused);
-  ASSERT_TRUE(rig.mail->answers.pop(answer));
+  ASSERT_TRUE(rig.mail.answers.pop(answer));
   EXPECT_EQ(answer.id, 6U);
   ASSERT_TRUE(answer.refused);
   EXPECT_EQ(answer.refused->cause, Cause::no_value);
-  ASSERT_TRUE(rig.mail->answers.pop(answer));
+  ASSERT_TRUE(rig.mail.answers.pop(answer));
   EXPECT_EQ(answer.id, 7U);
-  EXPECT_FALSE(rig.mail->answers.pop(answer));
+  EXPECT_FALSE(rig.mail.answers.pop(answer));
   for (int i = 0; i < 5500; ++i) rig.next();
-  ASSERT_TRUE(rig.mail->answers.pop(answer));  // the end of the motion
+  ASSERT_TRUE(rig.mail.answers.pop(answer));  // the end of the motion
   EXPECT_EQ(answer.id, 0U);
   EXPECT_EQ(answer.handed_back[0], &job);
 }
@@ -66,7 +47,7 @@ TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
 TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
   Job job(1, move);
-  Rig rig;
+  Rig rig(config);
   rig.tell({.kind = Kind::enable});
   rig.tell({.kind = Kind::arm, .movement = &job});
   rig.tell({.kind = Kind::start});  // tick 2
@@ -88,7 +69,7 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
 }
 
 TEST(Cycle, CountsTicksThatNobodyTakes) {
-  Rig rig;
+  Rig rig(config);
   for (std::size_t i = 0; i < Mail::most_ticks + 10; ++i) rig.cycle.once();
   EXPECT_EQ(rig.cycle.counts().lost, 10);
 }

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,9 @@
 
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/lossy_transport.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 
 namespace jounce {
 namespace {
@@ -29,58 +27,20 @@ const Units over_time{.x = "s", .position = "mm"};
 const Units over_master{.x = "deg", .position = "mm"};
 const Units of_master{.x = "s", .position = "deg"};
 
-/// An executor and a streamer on one memory network and one virtual clock: whenever the streamer
-/// waits, the executor's threads have their turns.
-struct Site {
-  explicit Site(ExecutorOptions given = {}) : options(std::move(given)) {
-    network.on_wait = [this](Nanos time) { advance(time); };
-  }
-
-  static ExecutorOptions defaults() {
-    ExecutorOptions options;
-    options.axis.limits = limits(1000, 1e5);
-    options.units = over_master;
-    options.receiver.executor = "feeder";
-    return options;
-  }
-
-  void advance(Nanos time) {
-    for (const Nanos end = clock() + time; clock() < end;) {
-      cycle.once();
-      dispatcher.turn(0ns);
-    }
-  }
-
-  StreamOutcome stream(StreamPlan plan, std::int64_t session) {
-    plan.executor = "feeder";
-    return stream_tables(link, std::move(plan), {}, clock, session);
-  }
-  StreamOutcome play(const Table& table, std::int64_t session) {
-    return stream({.executor = {}, .tables = {{table, over_time}}}, session);
-  }
-
-  ExecutorOptions options;
-  MemoryNetwork network;
-  MemoryTransport own_link{network};
-  MemoryTransport link{network};
-  Machine machine{machine_of({options})};
-  VirtualPacer pacer;
-  Clock clock = [this] { return Nanos(pacer.now()); };
-  Post post{1};
-  Dispatcher dispatcher{own_link, {options}, post, clock};
-  Cycle cycle{machine, pacer, post};
-};
+ExecutorOptions feeder() {
+  return axis_named("feeder", limits(1000, 1e5), over_master);
+}
 
 TEST(Dispatcher, StreamsArmsStartsAndPlaysATable) {
-  Site site(Site::defaults());
-  const StreamOutcome outcome = site.play(*trapezoid_table(50, 100, 1000, 1000), 1);
+  Site site({feeder()});
+  const StreamOutcome outcome = site.play(*trapezoid_table(50, 100, 1000, 1000));
   EXPECT_TRUE(outcome.ok()) << outcome.reason;
   EXPECT_TRUE(outcome.started);
   EXPECT_TRUE(site.dispatcher.moving());
   site.advance(1s);
   EXPECT_FALSE(site.dispatcher.moving());
-  EXPECT_EQ(site.dispatcher.last().position, 50);
-  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+  EXPECT_EQ(site.last().position, 50);
+  EXPECT_EQ(site.last().finished, 1U);
   EXPECT_FALSE(site.dispatcher.owned());
 }
 
@@ -113,52 +73,51 @@ std::vector<Line> moving_lines(const std::filesystem::path& path) {
 
 // An axis that does not stand at the cam's first point, by a coupling that came over the wire.
 TEST(Dispatcher, CouplesACamToAnAxisThatStandsElsewhere) {
-  ExecutorOptions options = Site::defaults();
+  ExecutorOptions options = feeder();
   options.axis.position = -12;
   options.axis.limits = limits(800, 20000);
-  Site site(options);
+  Site site({options});
   StreamPlan plan{
       .executor = {},
       .tables = {{*pmc600_cam(), over_master}, {*constant_master(1080, 200), of_master}},
       .mode = wire::ArmMode::follow_table};
-  const StreamOutcome absolute = site.stream(plan, 1);
+  const StreamOutcome absolute = site.stream(plan);
   EXPECT_EQ(absolute.cause, static_cast<int>(Cause::start_position)) << "it would jump";
   plan.coupling = {
       .slave_offset = 7, .start = StartMode::ramp_in, .velocity_diff = 50, .acceleration = 1000};
-  const StreamOutcome ramped = site.stream(plan, 2);
+  const StreamOutcome ramped = site.stream(plan);
   ASSERT_TRUE(ramped.ok()) << ramped.reason;
   double last = -12;
   for (int ms = 0; ms < 6000; ++ms) {
     site.advance(1ms);
-    EXPECT_LE(std::abs(site.dispatcher.last().position - last), 0.8 + 1e-9) << ms;
-    last = site.dispatcher.last().position;
+    EXPECT_LE(std::abs(site.last().position - last), 0.8 + 1e-9) << ms;
+    last = site.last().position;
   }
-  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+  EXPECT_EQ(site.last().finished, 1U);
   EXPECT_NEAR(last, 7, 1e-9);
 
   plan.coupling.start = StartMode::ramp_in_neg;
   plan.coupling.slave_offset = 20;
-  EXPECT_EQ(site.stream(plan, 3).cause, static_cast<int>(Cause::would_reverse));
+  EXPECT_EQ(site.stream(plan).cause, static_cast<int>(Cause::would_reverse));
 }
 
 // PMC600 manual 6.2, example 4.3, from the streamer's tables to the file that the executor leaves.
 TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
-  ExecutorOptions options = Site::defaults();
+  ExecutorOptions options = feeder();
   options.axis.limits = limits(700, 7000);
   options.log = std::filesystem::temp_directory_path() /
                 ("jounce_dispatcher_" + std::to_string(getpid()) + ".csv");
   const TablePtr cam = pmc600_cam();
   const TablePtr master = constant_master(1080, 200);
   {
-    Site site(options);
+    Site site({options});
     const StreamOutcome outcome =
         site.stream({.executor = {},
                      .tables = {{*cam, over_master}, {*master, of_master}},
-                     .mode = wire::ArmMode::follow_table},
-                    1);
+                     .mode = wire::ArmMode::follow_table});
     ASSERT_TRUE(outcome.ok()) << outcome.reason;
     site.advance(6s);
-    EXPECT_EQ(site.dispatcher.last().finished, 1U);
+    EXPECT_EQ(site.last().finished, 1U);
     site.dispatcher.close();
   }
   const auto lines = moving_lines(*options.log);
@@ -175,68 +134,66 @@ TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
 }
 
 TEST(Dispatcher, ATableThatBreaksALimitIsRefusedWithItsNumbers) {
-  Site site(Site::defaults());
-  const StreamOutcome outcome = site.play(*trapezoid_table(5000, 1500, 5000, 5000), 1);
+  Site site({feeder()});
+  const StreamOutcome outcome = site.play(*trapezoid_table(5000, 1500, 5000, 5000));
   EXPECT_EQ(outcome.error, StreamError::refused);
   EXPECT_EQ(outcome.refusal, wire::Refusal::axis);
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::velocity_limit));
   EXPECT_THAT(outcome.reason, HasSubstr("1500"));
   EXPECT_THAT(outcome.reason, HasSubstr("1000"));
   site.advance(1s);
-  EXPECT_EQ(site.dispatcher.last().position, 0);
-  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
+  EXPECT_EQ(site.last().position, 0);
+  EXPECT_EQ(site.last().state, State::standstill);
 }
 
 TEST(Dispatcher, OtherUnitsAndAMasterInputAreRefused) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
   StreamOutcome outcome =
-      site.stream({.executor = {}, .tables = {{*move, {.x = "s", .position = "pulse"}}}}, 1);
+      site.stream({.executor = {}, .tables = {{*move, {.x = "s", .position = "pulse"}}}});
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::wrong_unit));
   outcome = site.stream({.executor = {},
                          .tables = {{*pmc600_cam(), {.x = "rad", .position = "mm"}},
                                     {*move, {.x = "s", .position = "rad"}}},
-                         .mode = wire::ArmMode::follow_table},
-                        2);
+                         .mode = wire::ArmMode::follow_table});
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::wrong_unit));
   outcome = site.stream({.executor = {},
                          .tables = {{*pmc600_cam(), over_master}},
-                         .mode = wire::ArmMode::follow_input},
-                        3);
+                         .mode = wire::ArmMode::follow_input});
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::no_master_input));
 }
 
 TEST(Dispatcher, AnOperatorsStopEndsTheMotionOnItsPath) {
-  Site site(Site::defaults());
-  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000), 1).ok());
+  Site site({feeder()});
+  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000)).ok());
   site.advance(500ms);
   EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 2s, site.clock));
   site.advance(1s);
-  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
-  EXPECT_EQ(site.dispatcher.last().stopped, 1U);
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
+  EXPECT_EQ(site.last().state, State::standstill);
+  EXPECT_EQ(site.last().stopped, 1U);
+  EXPECT_EQ(site.last().fault, Cause::none);
 }
 
 TEST(Dispatcher, AnAbortIsAFaultThatTheNextSessionResets) {
-  ExecutorOptions options = Site::defaults();
+  ExecutorOptions options = feeder();
   std::vector<std::string> notices;
   options.notify = [&](const std::string& notice) { notices.push_back(notice); };
-  Site site(options);
-  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000), 1).ok());
+  Site site({options});
+  ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000)).ok());
   site.advance(500ms);
   EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::abort, 2s, site.clock));
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  EXPECT_EQ(site.last().fault, Cause::aborted);
   EXPECT_THAT(notices, ::testing::Contains(HasSubstr("fault at tick ")));
   EXPECT_THAT(notices, ::testing::Contains(HasSubstr(": aborted: ")));
-  const double where = site.dispatcher.last().position;
+  const double where = site.last().position;
   EXPECT_GT(where, 10);
   // The same table begins elsewhere; one that begins here is played.
-  EXPECT_EQ(site.play(*trapezoid_table(500, 100, 1000, 1000), 2).cause,
+  EXPECT_EQ(site.play(*trapezoid_table(500, 100, 1000, 1000)).cause,
             static_cast<int>(Cause::start_position));
-  EXPECT_TRUE(site.play(*there_and_back(where, 5, 1, Outside::hold), 3).ok());
+  EXPECT_TRUE(site.play(*there_and_back(where, 5, 1, Outside::hold)).ok());
   site.advance(2s);
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
-  EXPECT_EQ(site.dispatcher.last().finished, 1U);
+  EXPECT_EQ(site.last().fault, Cause::none);
+  EXPECT_EQ(site.last().finished, 1U);
 }
 
 /// A streamer by hand: it can fall silent.
@@ -257,89 +214,88 @@ Sender holding(Site& site, const Table& table, std::int64_t session) {
 }
 
 TEST(Dispatcher, AFaultIsNotResetByTheSessionItCameIn) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   Sender sender = holding(site, *trapezoid_table(500, 100, 1000, 1000), 1);
   sender.stop(wire::StopMode::abort);
   for (int i = 0; i < 100; ++i) exchange(site, sender);
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  EXPECT_EQ(site.last().fault, Cause::aborted);
   const wire::Arm again{.command = 1000,
                         .slave = content_hash(*trapezoid_table(500, 100, 1000, 1000), over_time)};
   ASSERT_TRUE(site.dispatcher.owned());
   send_message(site.link, {"feeder", 1, again, sender.challenge()});
   site.advance(20ms);
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
-  EXPECT_EQ(site.dispatcher.last().state, State::error_stop);
+  EXPECT_EQ(site.last().fault, Cause::aborted);
+  EXPECT_EQ(site.last().state, State::error_stop);
 }
 
 TEST(Dispatcher, AnOwnerThatFallsSilentInMotionStopsTheAxis) {
   for (const bool stop : {true, false}) {
-    ExecutorOptions options = Site::defaults();
+    ExecutorOptions options = feeder();
     options.stop_when_silent = stop;
-    Site site(options);
+    Site site({options});
     const TablePtr cycle = there_and_back(0, 10, 1, Outside::wrap);
     const Sender sender = holding(site, *cycle, 1);
     site.advance(900ms);
-    EXPECT_EQ(site.dispatcher.last().state, State::discrete_motion);
+    EXPECT_EQ(site.last().state, State::discrete_motion);
     site.advance(2s);  // of which one is the session's time-out
     EXPECT_FALSE(site.dispatcher.owned());
-    EXPECT_EQ(site.dispatcher.last().state, stop ? State::standstill : State::discrete_motion);
+    EXPECT_EQ(site.last().state, stop ? State::standstill : State::discrete_motion);
   }
 }
 
 TEST(Dispatcher, AnArmedTableIsDisarmedWithItsSession) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   const StreamOutcome outcome =
       site.stream({.executor = {},
                    .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}},
-                   .goal = StreamGoal::arm},
-                  1);
+                   .goal = StreamGoal::arm});
   ASSERT_TRUE(outcome.ok()) << outcome.reason;
   site.advance(100ms);
-  EXPECT_EQ(site.dispatcher.last().armed, 0U);
+  EXPECT_EQ(site.last().armed, 0U);
 }
 
 TEST(Dispatcher, AnAxisThatAdoptsTheStartTakesAnyTableAtStandstill) {
-  ExecutorOptions options = Site::defaults();
+  ExecutorOptions options = feeder();
   options.adopt_start = true;
-  Site site(options);
-  EXPECT_TRUE(site.play(*there_and_back(40, 5, 1, Outside::hold), 1).ok());
+  Site site({options});
+  EXPECT_TRUE(site.play(*there_and_back(40, 5, 1, Outside::hold)).ok());
   site.advance(1500ms);
-  EXPECT_EQ(site.dispatcher.last().position, 40);
+  EXPECT_EQ(site.last().position, 40);
 }
 
 TEST(Dispatcher, RetiringStopsTheMotionAndArmsNothingMore) {
-  Site site(Site::defaults());
-  ASSERT_TRUE(site.play(*there_and_back(0, 10, 1, Outside::wrap), 1).ok());
+  Site site({feeder()});
+  ASSERT_TRUE(site.play(*there_and_back(0, 10, 1, Outside::wrap)).ok());
   site.advance(300ms);
   EXPECT_FALSE(site.dispatcher.settled());
   site.dispatcher.retire();
   EXPECT_FALSE(site.dispatcher.settled());
   site.advance(1s);
   EXPECT_TRUE(site.dispatcher.settled());
-  EXPECT_EQ(site.dispatcher.last().stopped, 1U);
-  const double here = site.dispatcher.last().position;
-  const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Outside::hold), 2);
+  EXPECT_EQ(site.last().stopped, 1U);
+  const double here = site.last().position;
+  const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Outside::hold));
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::leaving));
 }
 
 // A move has no table; braking it takes half a second here.
 TEST(Dispatcher, RetiringWaitsForAMoveToEnd) {
-  ExecutorOptions options = Site::defaults();
+  ExecutorOptions options = feeder();
   options.axis.limits = limits(1000, 100);
-  Site site(options);
+  Site site({options});
   Client client(site.link, "feeder", {}, site.clock);
   ASSERT_TRUE(client.move_velocity(100).ok());
   ASSERT_TRUE(client.release().ok());
   site.advance(1500ms);
-  EXPECT_EQ(site.dispatcher.last().velocity, 100);
+  EXPECT_EQ(site.last().velocity, 100);
   EXPECT_TRUE(site.dispatcher.moving());
   site.dispatcher.retire();
   site.advance(100ms);
-  EXPECT_NE(site.dispatcher.last().velocity, 0);
+  EXPECT_NE(site.last().velocity, 0);
   EXPECT_FALSE(site.dispatcher.settled());
   site.advance(1s);
   EXPECT_TRUE(site.dispatcher.settled());
-  EXPECT_EQ(site.dispatcher.last().state, State::standstill);
+  EXPECT_EQ(site.last().state, State::standstill);
 }
 
 /// Orders to an axis whose cycle stands still; why the last one was refused, if it was.
@@ -360,7 +316,7 @@ std::string flood(Site& site, const Sender& owner, std::int32_t from, std::int32
 }
 
 TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
   flood(site, owner, 100, 120);  // more than the axis's mail holds
   for (const auto mode : {wire::StopMode::abort, wire::StopMode::stop}) {
@@ -371,37 +327,37 @@ TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
     site.dispatcher.turn(0ns);
   }
   site.advance(30ms);
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::aborted);
+  EXPECT_EQ(site.last().fault, Cause::aborted);
 }
 
 TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
   EXPECT_EQ(flood(site, owner, 100, 150), "");
   EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("more commands wait"));
   site.advance(100ms);  // of which one a tick is obeyed
-  EXPECT_EQ(site.dispatcher.last().fault, Cause::none);
+  EXPECT_EQ(site.last().fault, Cause::none);
   EXPECT_EQ(flood(site, owner, 2000, 2001), "");
 }
 
 TEST(Dispatcher, AStartAtATickBeginsThere) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   StreamPlan plan{.executor = {},
                   .tables = {{*trapezoid_table(50, 100, 1000, 1000), over_time}},
                   .start_tick = 300};
-  ASSERT_TRUE(site.stream(plan, 1).ok());
-  while (site.dispatcher.last().tick < 299) site.advance(1ms);
-  EXPECT_EQ(site.dispatcher.last().job, 0U);
+  ASSERT_TRUE(site.stream(plan).ok());
+  while (site.last().tick < 299) site.advance(1ms);
+  EXPECT_EQ(site.last().job, 0U);
   site.advance(1ms);
-  EXPECT_NE(site.dispatcher.last().job, 0U);
-  EXPECT_EQ(site.dispatcher.last().position, 0);
+  EXPECT_NE(site.last().job, 0U);
+  EXPECT_EQ(site.last().position, 0);
 }
 
 TEST(Dispatcher, PublishesWhatTheAxisDoes) {
-  Site site(Site::defaults());
+  Site site({feeder()});
   site.link.subscribe(wire::channel("feeder", wire::Lane::status), 64);
   const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
-  ASSERT_TRUE(site.play(*move, 1).ok());
+  ASSERT_TRUE(site.play(*move).ok());
   site.pacer.delay = 5'000'000;
   site.advance(250ms);
   std::vector<wire::Status> published;
@@ -424,7 +380,7 @@ TEST(Dispatcher, PublishesWhatTheAxisDoes) {
 
 TEST(Dispatcher, ALossyLinkChangesNothingButTheTimeItTakes) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Site site(Site::defaults());
+    Site site({feeder()});
     LossyTransport lossy(
         site.link, {.seed = seed, .lost = 0.1, .doubled = 0.1, .corrupted = 0.05, .delayed = 0.1},
         site.clock);
@@ -434,8 +390,8 @@ TEST(Dispatcher, ALossyLinkChangesNothingButTheTimeItTakes) {
         site.clock, 1);
     ASSERT_TRUE(outcome.ok()) << seed << ": " << outcome.reason;
     site.advance(1s);
-    EXPECT_EQ(site.dispatcher.last().finished, 1U) << seed;
-    EXPECT_EQ(site.dispatcher.last().position, 50) << seed;
+    EXPECT_EQ(site.last().finished, 1U) << seed;
+    EXPECT_EQ(site.last().position, 50) << seed;
   }
 }
 

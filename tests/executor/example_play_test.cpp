@@ -3,21 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "jounce/executor/dispatcher.hpp"
 #include "jounce/gear/follow.hpp"
 #include "jounce/pvt/pt.hpp"
 #include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/client.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 #include "gear/follow_tables.hpp"
 
 namespace jounce {
@@ -29,61 +25,36 @@ using namespace std::chrono_literals;
 const Units over_time{.x = "s", .position = "pulse"};
 const Units over_master{.x = "pulse", .position = "pulse"};
 
-ExecutorOptions axis(const std::string& name, const Limits& limits) {
-  ExecutorOptions options;
-  options.axis.limits = limits;
-  options.receiver.executor = name;
-  return options;
+std::vector<ExecutorOptions> feeder_and_knife(const Limits& limits) {
+  std::vector<ExecutorOptions> axes{axis_named("feeder", limits), axis_named("knife", limits)};
+  axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
+  return axes;
 }
 
-/// A feeder, and a knife that follows its setpoint, on one link; whenever somebody waits for the
-/// link, the executor's threads have their turns.
-struct Site {
-  explicit Site(const Limits& limits = test::limits(1e6, 1e9))
-      : axes{axis("feeder", limits), axis("knife", limits)} {
-    axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
-    network.on_wait = [this](Nanos time) { advance(time); };
+/// A feeder, and a knife that follows its setpoint.
+struct Follower : Site {
+  explicit Follower(const Limits& limits = test::limits(1e6, 1e9))
+      : Site(feeder_and_knife(limits)) {
     link.subscribe(wire::channel("knife", wire::Lane::reply), 64);
-    machine.emplace(machine_of(axes));
-    dispatcher.emplace(own_link, axes, post, clock);
-    cycle.emplace(*machine, pacer, post);
+    after = [this] {
+      if (each_tick) each_tick(feeder(), knife());
+    };
   }
-
-  void advance(Nanos time) {
-    for (const Nanos end = clock() + time; clock() < end;) {
-      cycle->once();
-      dispatcher->turn(0ns);
-      if (each_tick) each_tick(dispatcher->last(0), dispatcher->last(1));
-    }
-  }
-  const Tick& feeder() const { return dispatcher->last(0); }
-  const Tick& knife() const { return dispatcher->last(1); }
+  const Tick& feeder() const { return last(0); }
+  const Tick& knife() const { return last(1); }
 
   /// The feeder plays this from now on.
   void feed(const TablePtr& table) {
-    const StreamOutcome outcome = stream_tables(
-        link, {.executor = "feeder", .tables = {{*table, over_time}}}, {}, clock, ++sessions);
+    const StreamOutcome outcome = stream({.executor = "feeder", .tables = {{*table, over_time}}});
     ASSERT_TRUE(outcome.ok()) << outcome.reason;
   }
   StreamOutcome couple(const TablePtr& cam) {
-    return stream_tables(
-        link,
-        {.executor = "knife", .tables = {{*cam, over_master}}, .mode = wire::ArmMode::follow_input},
-        {}, clock, ++sessions);
+    return stream({.executor = "knife",
+                   .tables = {{*cam, over_master}},
+                   .mode = wire::ArmMode::follow_input});
   }
 
-  std::vector<ExecutorOptions> axes;
-  MemoryNetwork network;
-  MemoryTransport own_link{network};
-  MemoryTransport link{network};
-  VirtualPacer pacer;
-  Clock clock = [this] { return Nanos(pacer.now()); };
-  Post post{2};
-  std::optional<Machine> machine;
-  std::optional<Dispatcher> dispatcher;
-  std::optional<Cycle> cycle;
   std::function<void(const Tick& feeder, const Tick& knife)> each_tick;
-  std::int64_t sessions = 0;
 };
 
 wire::Row on_wire(const SegmentRow& row) {
@@ -108,14 +79,14 @@ std::vector<SegmentRow> ending(std::vector<SegmentRow> rows) {
 }
 
 /// Of both ticks after the motion's first one: the time since then.
-double since_start(const Site& site, std::int64_t first) {
+double since_start(const Follower& site, std::int64_t first) {
   return static_cast<double>(site.feeder().tick - first) * 1e-3;
 }
 
 // Googol manual 7.4, examples 7-3 and 7-4, as rolling streams to the feeder.
 
 void play_points(const std::vector<PtPoint>& points, const wire::Queue& queue, double near) {
-  Site site;
+  Follower site;
   const Trajectory whole = pt<OverTime>(points);
   std::int64_t first = -1;
   std::int64_t ticks = 0;
@@ -165,7 +136,7 @@ TEST(ExamplePlay, Googol74Of126SegmentsThroughTwoFifosOf32) {
 /// A streamer of static queues, by hand: two FIFOs over the feeder's position.
 class Hand {
  public:
-  explicit Hand(Site& site) : site_(site), session_(++site.sessions) {}
+  explicit Hand(Follower& site) : site_(site), session_(++site.sessions) {}
 
   void open(const wire::Queue& queue) {
     queue_ = queue;
@@ -244,7 +215,7 @@ class Hand {
     }
   }
 
-  Site& site_;
+  Follower& site_;
   std::int64_t session_;
   std::int64_t challenge_ = 0;
   std::int32_t number_ = 0;
@@ -270,7 +241,7 @@ struct Pass {
 };
 
 /// From now on the knife is where the cam puts it, the master counted from `from`.
-void expect_follows(Site& site, const Cam& cam, double from, const Pass& pass, double near) {
+void expect_follows(Follower& site, const Cam& cam, double from, const Pass& pass, double near) {
   site.each_tick = [&site, cam, from, pass, near](const Tick& feeder, const Tick& knife) {
     const double gone = feeder.position - from;
     const double again = std::max(0.0, std::ceil((gone - cam.end()) / pass.master));
@@ -283,7 +254,7 @@ void expect_follows(Site& site, const Cam& cam, double from, const Pass& pass, d
 
 // Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle for ever.
 TEST(ExamplePlay, Googol76) {
-  Site site;
+  Follower site;
   Hand hand(site);
   hand.open(fifos(0));
   hand.fill(0, {{5000, 2500}});
@@ -300,7 +271,7 @@ TEST(ExamplePlay, Googol76) {
 
 // Example 7-7: PASS at 50000 of a master that speeds up by 1 pulse/ms^2 to 50 pulse/ms.
 TEST(ExamplePlay, Googol77) {
-  Site site;
+  Follower site;
   Hand hand(site);
   wire::Queue queue = fifos(0);
   queue.event = wire::QueueEvent::pass;
@@ -325,7 +296,7 @@ TEST(ExamplePlay, Googol77) {
 
 // Example 7-8: 802 segments.
 TEST(ExamplePlay, Googol78) {
-  Site site;
+  Follower site;
   Hand hand(site);
   hand.open(fifos(1, 1000));
   hand.fill(0, testing::example_7_8().segments);
@@ -344,7 +315,7 @@ TEST(ExamplePlay, Googol78) {
 
 // Example 7-9: the old table for ever; bridge; the new table, from 0.6 to 0.6.
 TEST(ExamplePlay, Googol79) {
-  Site site;
+  Follower site;
   Hand hand(site);
   hand.open(fifos(0));
   hand.fill(0, testing::old_7_9().segments);
@@ -378,7 +349,7 @@ TEST(ExamplePlay, Googol79) {
 
 // PMC600 manual 6.2, example 4.4: (0,0) (5000,5000) (10000,7000) at 10000; the coupling ends at speed.
 TEST(ExamplePlay, Pmc600Example44) {
-  Site site;
+  Follower site;
   const StreamOutcome outcome = site.couple(table(Axis::master, Rule::linear, Outside::refuse,
                                                   {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}));
   ASSERT_TRUE(outcome.ok()) << outcome.reason;
@@ -400,7 +371,7 @@ TEST(ExamplePlay, Pmc600Example44) {
 TEST(ExamplePlay, Pmc600Example61) {
   for (const auto& [numerator, denominator] : {std::pair{-2, 1}, {1, 2}}) {
     const double k = static_cast<double>(numerator) / denominator;
-    Site site;
+    Follower site;
     Client knife(site.link, "knife", {}, site.clock);
     ASSERT_TRUE(knife.gear_in(numerator, denominator).ok());
     ASSERT_TRUE(knife.release().ok());
@@ -422,7 +393,7 @@ TEST(ExamplePlay, Pmc600Example61) {
 
 // PMC600 manual 6.1, example 6.2: synchronised at (5000, 2000) from 4000 before, through reversals.
 TEST(ExamplePlay, Pmc600Example62Looped) {
-  Site site;
+  Follower site;
   Client knife(site.link, "knife", {}, site.clock);
   ASSERT_TRUE(knife.gear_in_pos(1, 2, 5000, 2000, 4000).ok());
   ASSERT_TRUE(knife.release().ok());
@@ -449,7 +420,7 @@ TEST(ExamplePlay, Pmc600Example62Looped) {
 
 // PMC600 manual 6.3, example 6.7: LS_LineFollowAbs to (4000, 2000) at 2000, 4000, 4000.
 TEST(ExamplePlay, Pmc600Example67OfLineFollow) {
-  Site site;
+  Follower site;
   ASSERT_TRUE(
       site.couple(table(Axis::master, Rule::linear, Outside::hold, {{0, 4000}, {0, 2000}, {}, {}}))
           .ok());
@@ -487,7 +458,7 @@ std::vector<SegmentRow> long_way() {
 }
 
 /// The first `some` rows, and the rest from `when` on.
-RowSource halting(Site& site, std::size_t some, Nanos when) {
+RowSource halting(Follower& site, std::size_t some, Nanos when) {
   return [&site, some, when, rows = long_way(), next = std::size_t{0}](std::size_t most) mutable {
     std::vector<wire::Row> given;
     const std::size_t end = site.clock() < when ? some : rows.size();
@@ -497,7 +468,7 @@ RowSource halting(Site& site, std::size_t some, Nanos when) {
 }
 
 /// What must hold whatever the source does.
-void expect_within(Site& site, double known, Nanos more) {
+void expect_within(Follower& site, double known, Nanos more) {
   site.each_tick = [&site, known, more, v = 0.0, p = 0.0](const Tick& tick, const Tick&) mutable {
     ASSERT_GE(tick.position, p) << "never back";
     ASSERT_LE(std::abs(tick.velocity - v), 200 * (1 + 1e-9)) << "stop_acceleration in a tick";
@@ -513,7 +484,7 @@ void expect_within(Site& site, double known, Nanos more) {
 const wire::Queue rolling{.units = over_time, .capacity = 100, .prefill = 50};
 
 TEST(Underrun, StopsOnThePathIsSaidAndGoesOnWhenThereIsMore) {
-  Site site(limits(1000, 1e5));
+  Follower site(limits(1000, 1e5));
   const Nanos more = site.clock() + 3s;
   expect_within(site, long_way()[99].p_end, more);
   const RowOutcome outcome = stream_rows(
@@ -528,7 +499,7 @@ TEST(Underrun, StopsOnThePathIsSaidAndGoesOnWhenThereIsMore) {
 }
 
 TEST(Underrun, EndsAStreamThatMayNotResumeAndTheNextOwnerBeginsAfresh) {
-  Site site(limits(1000, 1e5));
+  Follower site(limits(1000, 1e5));
   expect_within(site, long_way()[99].p_end, Nanos::max());
   const RowOutcome outcome = stream_rows(
       site.link, {.executor = "feeder", .queue = rolling, .rows = halting(site, 100, Nanos::max())},
@@ -549,18 +520,18 @@ TEST(Underrun, EndsAStreamThatMayNotResumeAndTheNextOwnerBeginsAfresh) {
 
 // What an underrun has left at rest is no motion that somebody would have to wait for.
 TEST(Underrun, DoesNotKeepAnExecutorFromLeaving) {
-  Site site(limits(1000, 1e5));
+  Follower site(limits(1000, 1e5));
   (void)stream_rows(
       site.link, {.executor = "feeder", .queue = rolling, .rows = halting(site, 100, Nanos::max())},
       {}, site.clock, 1);
   site.advance(200ms);
-  site.dispatcher->retire();
+  site.dispatcher.retire();
   site.advance(50ms);
-  EXPECT_TRUE(site.dispatcher->settled());
+  EXPECT_TRUE(site.dispatcher.settled());
 }
 
 TEST(Queue, StoppedInMidPlayIsClearedAndFilledAgain) {
-  Site site;
+  Follower site;
   Hand hand(site);
   hand.open(fifos(0));
   hand.fill(0, testing::shear_cycle().segments);
@@ -577,7 +548,7 @@ TEST(Queue, StoppedInMidPlayIsClearedAndFilledAgain) {
 // The sender learns late that what it has sent was all.
 TEST(Queue, DeclaredCompleteItEndsWithoutAnUnderrun) {
   for (const bool declared : {true, false}) {
-    Site site;
+    Follower site;
     Hand hand(site);
     hand.open({.units = over_time, .capacity = 32, .prefill = 2});
     hand.fill(0, {{0.5, 100}, {1.0, 0, PtType::stop}});

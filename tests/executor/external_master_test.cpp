@@ -4,32 +4,23 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "jounce/cam/placement.hpp"
-#include "jounce/executor/dispatcher.hpp"
-#include "jounce/executor/recorder.hpp"
-#include "jounce/executor/replay.hpp"
 #include "jounce/gear/follow.hpp"
 #include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/lossy_transport.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 #include "gear/follow_tables.hpp"
 
 namespace jounce {
@@ -71,96 +62,69 @@ struct Sender {
 /// 5 ms jitter at a 5th, one in ten lost, some doubled and damaged.
 constexpr LossSpec bad{.seed = 7, .lost = 0.1, .doubled = 0.05, .corrupted = 0.02, .delayed = 0.2};
 
-/// Two masters, a knife behind the first, a label behind the second, all recorded.
-struct Site {
-  /// `fast`: the line's velocity, its units a second.
-  explicit Site(const LossSpec& loss = bad, double fast = 1000)
-      : lossy(their_link, loss, clock),
-        log(std::filesystem::path(::testing::TempDir()) /
-            ("masters-" + std::to_string(getpid()) + ".lcmlog")) {
-    const TrackerSpec tracker{
-        .velocity = 3 * fast, .acceleration = 40 * fast, .time_constant = 10e-3, .order = 3};
-    for (const char* const name : {"line", "web"})
-      masters.push_back({name, "mm", std::make_shared<ExternalMaster>(tracker)});
-    const char* const names[] = {"knife", "label"};
-    for (std::size_t i = 0; i < 2; ++i) {
-      axes[i].axis.limits = limits(5 * fast, 2000 * fast);
-      axes[i].units = over_master;
-      axes[i].receiver.executor = names[i];
-      axes[i].follow = {.what = Follow::What::master, .index = i};
-      axes[i].notify = [this](const std::string& notice) { notices.push_back(notice); };
-    }
-    std::vector<RecordedAxis> recorded;
-    for (std::size_t i = 0; i < 2; ++i)
-      recorded.push_back(
-          {.axis = i, .name = names[i], .units = over_master, .config = resolved(axes[i].axis)});
-    recorder.emplace(RecorderOptions{.log = log}, recorded, *tape,
-                     std::vector<RecordedMaster>{{0, "line", "mm", 1}, {1, "web", "mm", 2}});
-    for (auto& axis : axes) axis.recorder = &*recorder;
-    machine.emplace(machine_of(axes), 2);
-    dispatcher.emplace(own_link, axes, post, clock, masters);
-    cycle.emplace(*machine, pacer, post,
-                  CycleOptions{.masters = {masters[0].source.get(), masters[1].source.get()},
-                               .tape = tape.get()});
-    network.on_wait = [this](Nanos time) { advance(time); };
-    link.subscribe(wire::channel("knife", wire::Lane::reply), 64);
-    link.subscribe(wire::channel("knife", wire::Lane::masters), 4096);
-    link.subscribe(wire::channel("label", wire::Lane::masters), 4096);
+std::vector<ExecutorOptions> knife_and_label(double fast) {
+  std::vector<ExecutorOptions> axes;
+  for (const char* const name : {"knife", "label"}) {
+    axes.push_back(axis_named(name, limits(5 * fast, 2000 * fast), over_master));
+    axes.back().follow = {.what = Follow::What::master, .index = axes.size() - 1};
   }
-  ~Site() { std::filesystem::remove(log); }
+  return axes;
+}
 
-  void advance(Nanos time) {
-    for (const Nanos end = clock() + time; clock() < end;) {
+std::vector<MachineMaster> line_and_web(double fast) {
+  const TrackerSpec tracker{
+      .velocity = 3 * fast, .acceleration = 40 * fast, .time_constant = 10e-3, .order = 3};
+  std::vector<MachineMaster> masters;
+  for (const char* const name : {"line", "web"})
+    masters.push_back({name, "mm", std::make_shared<ExternalMaster>(tracker)});
+  return masters;
+}
+
+std::vector<ExecutorOptions> telling(std::vector<std::string>& notices,
+                                     std::vector<ExecutorOptions> axes) {
+  for (ExecutorOptions& axis : axes)
+    axis.notify = [&notices](const std::string& notice) { notices.push_back(notice); };
+  return axes;
+}
+
+struct Notices {
+  std::vector<std::string> notices;
+};
+
+/// Two masters, a knife behind the first, a label behind the second, all recorded.
+struct Line : Notices, Site {
+  /// `fast`: the line's velocity, its units a second.
+  explicit Line(const LossSpec& loss = bad, double fast = 1000)
+      : Site(telling(notices, knife_and_label(fast)),
+             {.masters = line_and_web(fast), .recorded = true}),
+        lossy(their_link, loss, clock) {
+    before = [this] {
       for (Sender* sender : {&line, &web})
         if (!sender->silent) send_message(lossy, {sender->name, 0, sender->sample(clock())});
       static_cast<void>(lossy.receive(0ns));
       if (each_turn) each_turn();
-      cycle->once();
-      dispatcher->turn(0ns);
-    }
+    };
+    link.subscribe(wire::channel("knife", wire::Lane::reply), 64);
+    link.subscribe(wire::channel("knife", wire::Lane::masters), 4096);
+    link.subscribe(wire::channel("label", wire::Lane::masters), 4096);
   }
-  const Tick& knife() const { return dispatcher->last(0); }
-  const Tick& label() const { return dispatcher->last(1); }
-  const MasterSight& seen(std::size_t master) const { return dispatcher->masters().last(master); }
+
+  const Tick& knife() const { return last(0); }
+  const Tick& label() const { return last(1); }
+  const MasterSight& seen(std::size_t master) const { return dispatcher.masters().last(master); }
 
   StreamOutcome couple(const TablePtr& cam, StreamPlan plan = {}) {
     plan.executor = "knife";
     plan.tables = {{*cam, over_master}};
     plan.mode = wire::ArmMode::follow_input;
-    return stream_tables(link, std::move(plan), {}, clock, ++sessions);
+    return stream(std::move(plan));
   }
 
-  /// The record, and what its replay says.
-  Replay finish(const std::function<void(const RecordedCycle&)>& each = {},
-                const std::function<void(const RecordedSight&)>& sight = {}) {
-    advance(20ms);
-    dispatcher->turn(0ns);
-    dispatcher->close();
-    recorder->close();
-    EXPECT_EQ(recorder->lost(), 0);
-    std::ifstream file(log, std::ios::binary);
-    return replay(file, log.string(), each, sight);
-  }
-
-  MemoryNetwork network;
-  MemoryTransport own_link{network}, link{network}, their_link{network};
-  VirtualPacer pacer;
-  Clock clock = [this] { return Nanos(pacer.now()); };
+  MemoryTransport their_link{network};
   LossyTransport lossy;
-  std::filesystem::path log;
   Sender line{.name = "line", .position = [](double t) { return 1000 * t; }};
   Sender web{.name = "web", .position = [](double t) { return 200 * std::sin(2 * t); }};
-  std::vector<MachineMaster> masters;
-  std::vector<ExecutorOptions> axes{2};
-  std::unique_ptr<Tape> tape = std::make_unique<Tape>();
-  std::optional<Recorder> recorder;
-  Post post{2, 2};
-  std::optional<Machine> machine;
-  std::optional<Dispatcher> dispatcher;
-  std::optional<Cycle> cycle;
   std::function<void()> each_turn;
-  std::vector<std::string> notices;
-  std::int64_t sessions = 0;
 };
 
 bool same_bits(double a, double b) {
@@ -172,10 +136,10 @@ bool same_bits(double a, double b) {
 struct Compared {
   std::int64_t same = 0, other = 0, lost = 0;
 };
-Compared compared(Site& site, const Table& cam) {
+Compared compared(Line& site, const Table& cam) {
   Compared count;
   std::map<std::size_t, MasterSight> sights;
-  const Replay r = site.finish(
+  const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
         if (c.axis != 0 || c.tick.progress != Progress::running || c.tick.job == 0) return;
         if (c.tick.state != State::synchronized_motion) return;
@@ -196,7 +160,7 @@ Compared compared(Site& site, const Table& cam) {
 
 // PMC600 manual Fig. 6.14, 360 by 232, behind a line at 1 m/s.
 TEST(ExternalMasterRun, ThePmc600sCamIsThatOfTheRecordedMasterToTheLastBit) {
-  Site site;
+  Line site;
   site.line.position = [](double t) { return std::max(0.0, 1000 * (t - 1)); };
   site.advance(500ms);
   ASSERT_FALSE(site.seen(0).lost());
@@ -215,7 +179,7 @@ TEST(ExternalMasterRun, ThePmc600sCamIsThatOfTheRecordedMasterToTheLastBit) {
 TEST(ExternalMasterRun, ALostMasterStopsItsFollowerAndNothingElse) {
   for (const char* const how : {"silent", "invalid", "another clock"}) {
     SCOPED_TRACE(how);
-    Site site;
+    Line site;
     site.advance(500ms);
     Client label(site.link, "label", {}, site.clock);
     ASSERT_TRUE(label.gear_in(1, 2).ok());
@@ -244,7 +208,7 @@ TEST(ExternalMasterRun, ALostMasterStopsItsFollowerAndNothingElse) {
     EXPECT_EQ(site.knife().position, stands) << "and nothing runs after it";
     std::int64_t lost = 0;
     const Replay r =
-        site.finish({}, [&](const RecordedSight& s) { lost += s.master == 0 && s.sight.lost(); });
+        site.replayed({}, [&](const RecordedSight& s) { lost += s.master == 0 && s.sight.lost(); });
     EXPECT_TRUE(r.same()) << r.shorter;
     EXPECT_GT(lost, 0);
   }
@@ -253,7 +217,7 @@ TEST(ExternalMasterRun, ALostMasterStopsItsFollowerAndNothingElse) {
 // Whoever sends again what he has heard moves nothing: every tick is the same with him and without.
 TEST(ExternalMasterRun, SamplesOfBeforeDoNothing) {
   const auto run = [](bool replayed) {
-    Site site({.seed = 3});
+    Line site({.seed = 3});
     std::vector<wire::Master> heard;
     MemoryTransport attacker(site.network);
     site.each_turn = [&] {
@@ -276,14 +240,14 @@ TEST(ExternalMasterRun, SamplesOfBeforeDoNothing) {
       site.advance(1ms);
       positions.push_back(site.knife().position);
     }
-    EXPECT_EQ(site.dispatcher->masters().status(0).refused > 5000, replayed);
+    EXPECT_EQ(site.dispatcher.masters().status(0).refused > 5000, replayed);
     return positions;
   };
   EXPECT_EQ(run(false), run(true));
 }
 
 TEST(ExternalMasterRun, EachMasterIsToldByTheAxesThatFollowIt) {
-  Site site;
+  Line site;
   site.web.silent = true;
   site.advance(1s);
   std::map<std::string, wire::MasterStatus> last;
@@ -308,7 +272,7 @@ TEST(ExternalMasterRun, EachMasterIsToldByTheAxesThatFollowIt) {
 }
 
 TEST(ExternalMasterRun, AMasterInAnotherUnitIsRefusedAndNamed) {
-  Site site;
+  Line site;
   site.line.unit = "in";
   site.advance(500ms);
   EXPECT_TRUE(site.seen(0).lost());
@@ -317,7 +281,7 @@ TEST(ExternalMasterRun, AMasterInAnotherUnitIsRefusedAndNamed) {
 
 // Googol's example 7-8, 802 segments through a dynamic queue: PASS at 50000 pulses of a line at 50 a ms.
 TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedOne) {
-  Site site(bad, 50e3);
+  Line site(bad, 50e3);
   site.line.position = [](double t) { return std::max(0.0, 50e3 * (t - 1.5)); };
   site.advance(300ms);
   const FollowTable table = testing::example_7_8();
@@ -350,7 +314,7 @@ TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedO
   const Cam exact = follow(FollowSpec{{table}}).cam;
   std::map<std::size_t, MasterSight> sights;
   std::int64_t within = 0;
-  const Replay r = site.finish(
+  const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
         const double gone = sights[0].at[0] - 50000;
         if (c.axis != 0 || c.tick.state != State::synchronized_motion || !(gone > 0)) return;
@@ -364,7 +328,7 @@ TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedO
 
 // The label waits for 800 mm of a line that comes from 0.
 TEST(ExternalMasterRun, ACamStartsWhereTheMasterPassesAPosition) {
-  Site site;
+  Line site;
   site.line.position = [](double t) { return std::max(0.0, 1000 * (t - 1)); };
   site.advance(300ms);
   const auto cam = table(Axis::master, Rule::quintic_hermite, Outside::hold,
@@ -385,12 +349,12 @@ TEST(ExternalMasterRun, ACamStartsWhereTheMasterPassesAPosition) {
   EXPECT_LT(first, 860);
   EXPECT_NEAR(furthest, 400, 0.5);
   EXPECT_EQ(site.knife().fault, Cause::none);
-  EXPECT_TRUE(site.finish().same());
+  EXPECT_TRUE(site.replayed().same());
 }
 
 // GearInPos in step at (1500, 500), and the ratio from there on.
 TEST(ExternalMasterRun, AGearIsInStepWithTheRecordedMaster) {
-  Site site;
+  Line site;
   site.line.position = [](double t) { return std::max(0.0, 1000 * (t - 1)); };
   site.advance(600ms);
   Client knife(site.link, "knife", {}, site.clock);
@@ -400,7 +364,7 @@ TEST(ExternalMasterRun, AGearIsInStepWithTheRecordedMaster) {
   site.advance(4s);
   std::int64_t in_step = 0;
   std::map<std::size_t, MasterSight> sights;
-  const Replay r = site.finish(
+  const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
         const double x = sights[0].at[0];
         if (c.axis != 0 || !(x > 1500)) return;

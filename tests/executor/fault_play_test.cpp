@@ -2,16 +2,13 @@
 // table's own evaluation, to the last bit, for every rule and mode, and nothing else ever moves.
 #include <bit>
 #include <cmath>
-#include <memory>
 
 #include <gtest/gtest.h>
 
-#include "jounce/executor/dispatcher.hpp"
 #include "jounce/stream/lossy_transport.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -61,38 +58,29 @@ struct Play {
   }
 };
 
-/// Streamer and executor on one network and one virtual clock; every tick is compared.
-class Site {
+ExecutorOptions feeder() {
+  ExecutorOptions options = test::axis_named("feeder", test::limits(1e5, 1e8));
+  options.stop_when_silent = false;
+  return options;
+}
+
+/// A bad link to a site; every tick is compared.
+class Played : public test::Site {
  public:
-  Site(const Play& play, const LossSpec& spec) : play_(play), link_(wire_, spec, clock_) {
-    network_.on_wait = [this](Nanos) { turn(); };
+  Played(const Play& play, const LossSpec& spec)
+      : test::Site({feeder()}), play_(play), bad_(link, spec, clock) {
+    after = [this] { check(last()); };
+    network.on_wait = [this](Nanos) { turn(); };
   }
 
-  StreamOutcome stream() {
-    StreamOutcome outcome = stream_tables(link_, play_.plan(), {}, clock_, 1);
-    return outcome;
-  }
-  void turn() {
-    cycle_.once();
-    dispatcher_.turn(0ns);
-    check(dispatcher_.last());
-  }
+  StreamOutcome stream() { return stream_tables(bad_, play_.plan(), {}, clock, 1); }
   void finish() {
     for (double t = 0; t < play_.duration() + 4; t += 1e-3) turn();
   }
 
   std::size_t compared = 0, different = 0, strays = 0;
-  [[nodiscard]] const Tick& last() const { return dispatcher_.last(); }
 
  private:
-  static ExecutorOptions defaults() {
-    ExecutorOptions options;
-    options.axis.limits = test::limits(1e5, 1e8);
-    options.receiver.executor = "feeder";
-    options.stop_when_silent = false;
-    return options;
-  }
-
   void check(const Tick& now) {
     if (now.tick == seen_) return;
     seen_ = now.tick;
@@ -110,16 +98,7 @@ class Site {
   }
 
   const Play& play_;
-  MemoryNetwork network_;
-  MemoryTransport own_{network_}, wire_{network_};
-  test::VirtualPacer pacer_;
-  Clock clock_ = [this] { return Nanos(pacer_.now()); };
-  LossyTransport link_;
-  ExecutorOptions options_ = defaults();
-  Machine machine_{machine_of({options_})};
-  Post post_{1};
-  Dispatcher dispatcher_{own_, {options_}, post_, clock_};
-  Cycle cycle_{machine_, pacer_, post_};
+  LossyTransport bad_;
   std::int64_t origin_ = -1;
   std::int64_t seen_ = -1;
 };
@@ -135,7 +114,7 @@ const LossSpec bad_links[] = {
 
 void expect_played(const Play& play, const char* label) {
   for (const LossSpec& spec : bad_links) {
-    Site site(play, spec);
+    Played site(play, spec);
     const StreamOutcome outcome = site.stream();
     site.finish();
     EXPECT_TRUE(outcome.ok()) << label << ": " << outcome.reason;
@@ -174,7 +153,7 @@ TEST(FaultyLink, NeverPlaysAnythingElse) {
     const Nanos cut(random.below(100'000'000));
     spec.partitions = {{cut, cut + Nanos(random.below(2'000'000'000)),
                         static_cast<Partition::Way>(random.below(3))}};
-    Site site(play, spec);
+    Played site(play, spec);
     const StreamOutcome outcome = site.stream();
     site.finish();
     EXPECT_EQ(site.different + site.strays, 0U) << "seed " << seed << ", " << outcome.reason;

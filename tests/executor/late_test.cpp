@@ -1,13 +1,11 @@
 #include <cmath>
-#include <memory>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "jounce/executor/cycle.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/rig.hpp"
 
 namespace jounce {
 namespace {
@@ -18,25 +16,6 @@ constexpr double velocity = 10;
 constexpr double acceleration = 20;
 constexpr std::int64_t period = 1'000'000;
 constexpr std::int64_t gap = 100;  // AxisConfig::longest_gap
-
-struct Rig {
-  Machine machine{{{.name = "feeder",
-                    .config = {.limits = limits(velocity, acceleration), .longest_gap = gap}}}};
-  VirtualPacer pacer;
-  Post post{1};
-  Cycle cycle{machine, pacer, post};
-
-  Tick next() {
-    cycle.once();
-    Tick tick;
-    EXPECT_TRUE(post.mail[0]->ticks.pop(tick));
-    return tick;
-  }
-  Tick tell(const Command& command) {
-    EXPECT_TRUE(post.mail[0]->commands.push(command));
-    return next();
-  }
-};
 
 /// From one setpoint to the next the axis may do what its limits allow in the time between, with a
 /// stop's twofold acceleration.
@@ -54,7 +33,7 @@ void expect_within_limits(const Tick& before, const Tick& now) {
 void play_late(const TablePtr& move, std::int64_t after, std::int64_t late) {
   SCOPED_TRACE(::testing::Message() << "late by " << late << " after " << after);
   Job job(1, move);
-  Rig rig;
+  Rig rig({.limits = limits(velocity, acceleration), .longest_gap = gap});
   rig.tell({.kind = Kind::enable});
   rig.tell({.kind = Kind::arm, .movement = &job});
   rig.pacer.delay = after == 0 ? late * period + period / 3 : 0;
@@ -104,7 +83,7 @@ TEST(Late, ATableOfOneTickIsOverWhenTheCycleComesBack) {
 TEST(Late, AgainAndAgain) {
   const TablePtr move = there_and_back(0, 5, 3, Outside::wrap);
   Job job(1, move);
-  Rig rig;
+  Rig rig({.limits = limits(velocity, acceleration), .longest_gap = gap});
   rig.tell({.kind = Kind::enable});
   rig.tell({.kind = Kind::arm, .movement = &job});
   Tick before = rig.tell({.kind = Kind::start});

@@ -1,21 +1,13 @@
 // Cam switches and position compare as messages, and in a record that is replayed.
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "jounce/executor/dispatcher.hpp"
-#include "jounce/executor/recorder.hpp"
-#include "jounce/executor/replay.hpp"
 #include "jounce/stream/client.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 
 namespace jounce {
 namespace {
@@ -39,76 +31,28 @@ AxisSwitches glue() {
 }
 
 ExecutorOptions feeder() {
-  ExecutorOptions options;
-  options.axis.limits = limits(1000, 1e5);
-  options.units = {"", "mm"};
-  options.receiver.executor = "feeder";
+  ExecutorOptions options = axis_named("feeder", limits(1000, 1e5), {"", "mm"});
   options.switches = glue();
   options.compare = {SwitchesOf::position, camera()};
   return options;
 }
 
-/// An executor that is recorded, on a memory network and a virtual clock.
-struct Site {
-  /// `recorded`: what the record says that its outputs are.
-  explicit Site(const ExecutorOptions& recorded = feeder()) {
-    log = std::filesystem::temp_directory_path() /
-          ("jounce-outputs-" + std::to_string(::getpid()) + ".lcmlog");
-    recorder =
-        std::make_unique<Recorder>(RecorderOptions{.log = log},
-                                   std::vector<RecordedAxis>{{.name = "feeder",
-                                                              .config = resolved(recorded.axis),
-                                                              .outputs = recorded.switches,
-                                                              .compare = recorded.compare}},
-                                   *tape);
-    options.recorder = recorder.get();
-    dispatcher = std::make_unique<Dispatcher>(own_link, std::vector{options}, post, clock);
-    network.on_wait = [this](Nanos time) { advance(time); };
-  }
-  ~Site() { std::filesystem::remove(log); }
-
-  void advance(Nanos time) {
-    for (const Nanos end = clock() + time; clock() < end;) {
-      cycle.once();
-      dispatcher->turn(0ns);
-    }
-  }
-  Replay replayed() {
-    advance(10ms);
-    dispatcher->turn(0ns);
-    dispatcher->close();
-    recorder->close();
-    std::ifstream file(log, std::ios::binary);
-    return replay(file, "outputs");
-  }
-
-  std::filesystem::path log;
-  ExecutorOptions options = feeder();
-  MemoryNetwork network;
-  MemoryTransport own_link{network};
-  MemoryTransport link{network};
-  Machine machine{machine_of({options})};
-  VirtualPacer pacer;
-  Clock clock = [this] { return Nanos(pacer.now()); };
-  std::unique_ptr<Tape> tape = std::make_unique<Tape>();  // megabytes
-  Post post{1};
-  std::unique_ptr<Recorder> recorder;
-  std::unique_ptr<Dispatcher> dispatcher;
-  Cycle cycle{machine, pacer, post, CycleOptions{.tape = tape.get()}};
+/// A feeder that is recorded.
+struct Recorded : Site {
+  /// `said`: what the record says that its outputs are.
+  explicit Recorded(const ExecutorOptions& said = feeder())
+      : Site({feeder()}, {.recorded = true, .said = {said}}) {}
 };
 
 // The instants that messages tell are those of the curve, whatever the cycle is.
 TEST(Outputs, OfAComparePassOverTheWireWithTheirInstants) {
-  Site site;
+  Recorded site;
   MemoryTransport listener(site.network);
   listener.subscribe(wire::channel("feeder", wire::Lane::event), 4096);
   const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
   constexpr std::int64_t start = 300;
   ASSERT_TRUE(
-      stream_tables(site.link,
-                    {.executor = "feeder", .tables = {{*move, over_time}}, .start_tick = start}, {},
-                    site.clock, 1)
-          .ok());
+      site.stream({.executor = {}, .tables = {{*move, over_time}}, .start_tick = start}).ok());
   site.advance(1200ms);
   std::map<std::int64_t, wire::Event> events;
   Rejects rejects;
@@ -147,7 +91,7 @@ void run(Site& site) {
 }
 
 TEST(Outputs, AreReplayedWithTheirEdges) {
-  Site site;
+  Recorded site;
   run(site);
   const Replay replay = site.replayed();
   EXPECT_TRUE(replay.same()) << replay.shorter;
@@ -165,7 +109,7 @@ TEST(Outputs, OfAnotherListOrAnotherSwitchDiffer) {
       other.compare.list->points[40].position += 1e-6;
     else
       other.switches.table.tracks[0].on_compensation *= 1 + 1e-6;
-    Site site(other);
+    Recorded site(other);
     run(site);
     const Replay replay = site.replayed();
     ASSERT_TRUE(replay.difference);
@@ -176,29 +120,29 @@ TEST(Outputs, OfAnotherListOrAnotherSwitchDiffer) {
 // ---- orders that wait ----------------------------------------------------------------------------
 
 TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
-  Site site;
+  Recorded site;
   Client client(site.link, "feeder", {}, site.clock);
   using wire::OrderKind;
   ASSERT_TRUE(client.order(OrderKind::move_absolute, {20, 100, 2000, 2000}).ok());
   ASSERT_TRUE(client.order(OrderKind::move_relative, {10, 50, 2000, 2000, 0, 2}).ok());
   site.advance(1s);
-  EXPECT_EQ(site.dispatcher->last().position, 30);
-  EXPECT_EQ(site.dispatcher->last().finished, 2U);
-  const std::int64_t at = site.dispatcher->last().tick + 400;
+  EXPECT_EQ(site.last().position, 30);
+  EXPECT_EQ(site.last().finished, 2U);
+  const std::int64_t at = site.last().tick + 400;
   ASSERT_TRUE(client.order(OrderKind::move_absolute, {40}, at).ok());
-  while (site.dispatcher->last().tick < at - 1) {
+  while (site.last().tick < at - 1) {
     site.advance(1ms);
-    ASSERT_EQ(site.dispatcher->last().position, 30);
+    ASSERT_EQ(site.last().position, 30);
   }
   site.advance(300ms);
-  EXPECT_EQ(site.dispatcher->last().position, 40);
+  EXPECT_EQ(site.last().position, 40);
   EXPECT_EQ(client.order(OrderKind::halt, {}, 3).cause, static_cast<int>(Cause::too_late));
   EXPECT_TRUE(site.replayed().same());
 }
 
 // As `jounce order` gives them: each in a session of its own, which ends.
 TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
-  Site site;
+  Recorded site;
   using wire::OrderKind;
   const auto order = [&](OrderKind kind, const std::array<double, 8>& value, std::int64_t at = -1) {
     Client client(site.link, "feeder", {}, site.clock);
@@ -209,11 +153,11 @@ TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
   order(OrderKind::move_absolute, {20, 100, 2000, 2000});
   order(OrderKind::move_relative, {10, 50, 2000, 2000, 0, 1});
   site.advance(1s);
-  EXPECT_EQ(site.dispatcher->last().position, 30);
-  EXPECT_EQ(site.dispatcher->last().finished, 2U);
-  order(OrderKind::move_absolute, {40}, site.dispatcher->last().tick + 200);
+  EXPECT_EQ(site.last().position, 30);
+  EXPECT_EQ(site.last().finished, 2U);
+  order(OrderKind::move_absolute, {40}, site.last().tick + 200);
   site.advance(500ms);
-  EXPECT_EQ(site.dispatcher->last().position, 40);
+  EXPECT_EQ(site.last().position, 40);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 // the last bit.
 #include "jounce/executor/replay.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -12,17 +10,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "jounce/drive/simulated_drive.hpp"
-#include "jounce/executor/dispatcher.hpp"
-#include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
-#include "jounce/stream/memory_transport.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -46,11 +40,9 @@ std::vector<ExecutorOptions> three_axes() {
   std::vector<ExecutorOptions> axes(3);
   const char* const names[] = {"feeder", "knife", "press"};
   for (std::size_t i = 0; i < 3; ++i) {
-    axes[i].axis.limits = limits(1000, 1e5, 1e7);
+    axes[i] = axis_named(names[i], limits(1000, 1e5, 1e7), over_master);
     axes[i].axis.limits.position_min = -1e6;
     axes[i].axis.limits.position_max = 1e6;
-    axes[i].receiver.executor = names[i];
-    axes[i].units = over_master;
     axes[i].adopt_start = i == 1;
   }
   axes[0].units = {"", "mm"};
@@ -61,30 +53,17 @@ std::vector<ExecutorOptions> three_axes() {
 }
 
 /// It, recorded, and whoever talks to it at random. Time passes while somebody waits.
-class Recorded {
+class Recorded : public Site {
  public:
-  Recorded(std::uint64_t seed, std::filesystem::path log) : random_(seed), log_(std::move(log)) {
-    std::vector<RecordedAxis> recorded;
-    for (const auto& axis : axes_)
-      recorded.push_back({.axis = recorded.size(),
-                          .name = axis.receiver.executor,
-                          .units = axis.units,
-                          .config = resolved(axis.axis)});
-    recorder_ = std::make_unique<Recorder>(RecorderOptions{.log = log_}, recorded, *tape_);
-    for (auto& axis : axes_) axis.recorder = recorder_.get();
-    machine_ = std::make_unique<Machine>(machine_of(axes_));
-    dispatcher_ = std::make_unique<Dispatcher>(own_link_, axes_, post_, clock_);
-    cycle_ = std::make_unique<Cycle>(
-        *machine_, pacer_, post_,
-        CycleOptions{.drives = {axes_[0].drive.get(), nullptr, nullptr}, .tape = tape_.get()});
-    network_.on_wait = [this](Nanos time) { advance(time); };
+  explicit Recorded(std::uint64_t seed) : Site(three_axes(), {.recorded = true}), random_(seed) {
+    network.on_wait = [this](Nanos time) { advance(time); };
   }
 
   void advance(Nanos time) {
-    for (const Nanos end = clock_() + time; clock_() < end;) {
-      if (random_.below(400) == 0) pacer_.delay = random_.below(5) * 1'000'000;  // wakes up late
-      cycle_->once();
-      if (random_.below(8) != 0) dispatcher_->turn(0ns);
+    for (const Nanos end = clock() + time; clock() < end;) {
+      if (random_.below(400) == 0) pacer.delay = random_.below(5) * 1'000'000;  // wakes up late
+      cycle.once();
+      if (random_.below(8) != 0) dispatcher.turn(0ns);
     }
   }
 
@@ -106,37 +85,25 @@ class Recorded {
     }
   }
 
-  /// The record's bytes.
-  std::string finish() {
-    advance(20ms);
-    dispatcher_->turn(0ns);
-    dispatcher_->close();
-    recorder_->close();
-    EXPECT_EQ(recorder_->trouble(), "");
-    EXPECT_EQ(recorder_->lost(), 0);
-    std::ifstream file(log_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   std::map<std::string, int> done;
 
  private:
   void count(const std::string& what, bool ok) { done[what] += ok ? 1 : 0; }
   std::int64_t session() { return static_cast<std::int64_t>(random_.next() >> 2U) + 1; }
 
-  bool stream(const StreamPlan& plan) {
+  bool streamed(const StreamPlan& plan) {
     StreamOptions options;
     options.total = 2s;
-    const Nanos until = clock_() + std::chrono::milliseconds(50 + random_.below(500));
-    if (random_.below(3) == 0) options.cancelled = [this, until] { return clock_() > until; };
-    const auto outcome = stream_tables(link_, plan, options, clock_, session());
+    const Nanos until = clock() + std::chrono::milliseconds(50 + random_.below(500));
+    if (random_.below(3) == 0) options.cancelled = [this, until] { return clock() > until; };
+    const auto outcome = stream_tables(link, plan, options, clock, session());
     advance(std::chrono::milliseconds(random_.below(300)));
     return outcome.ok();
   }
 
   bool play(const std::string& name) {
     const double reach = random_.uniform(-20, 20);
-    return stream(
+    return streamed(
         {.executor = name,
          .tables = {{*there_and_back(0, reach, random_.uniform(0.3, 0.8),
                                      random_.below(2) == 0 ? Outside::hold : Outside::wrap),
@@ -151,17 +118,17 @@ class Recorded {
     CouplingSpec coupling{.slave_absolute = false};
     if (random_.below(2) == 0)
       coupling = {.start = StartMode::ramp_in, .velocity_diff = 300, .acceleration = 3e4};
-    const bool ok = stream({.executor = name,
-                            .tables = {{*cam, over_master}},
-                            .mode = wire::ArmMode::follow_input,
-                            .coupling = coupling});
+    const bool ok = streamed({.executor = name,
+                              .tables = {{*cam, over_master}},
+                              .mode = wire::ArmMode::follow_input,
+                              .coupling = coupling});
     feed();
     return ok;
   }
 
   /// The master moves.
   void feed() {
-    Client client(link_, "feeder", {.patience = 300ms}, clock_);
+    Client client(link, "feeder", {.patience = 300ms}, clock);
     client.reset();
     client.enable();
     client.move_relative(random_.uniform(-40, 40), {.velocity = random_.uniform(20, 400)});
@@ -170,7 +137,7 @@ class Recorded {
   }
 
   bool gear(const std::string& name) {
-    Client client(link_, name, {.patience = 300ms}, clock_);
+    Client client(link, name, {.patience = 300ms}, clock);
     client.reset();
     client.enable();
     const bool ok = client.gear_in(1 + random_.below(3), 1 + random_.below(3)).ok();
@@ -195,8 +162,8 @@ class Recorded {
     plan.queue = {.units = over_time, .capacity = 8, .prefill = 4};
     plan.rows = [&](std::size_t most) {
       std::vector<wire::Row> rows;
-      if (clock_() < late) return rows;
-      if (given > 4 && random_.below(10) == 0) late = clock_() + 600ms;
+      if (clock() < late) return rows;
+      if (given > 4 && random_.below(10) == 0) late = clock() + 600ms;
       for (; rows.size() < most && given < count; ++given) {
         const auto i = static_cast<double>(given);
         const double u = (i + 1) / static_cast<double>(count);
@@ -214,13 +181,13 @@ class Recorded {
       return rows;
     };
     RowOptions options;
-    options.cancelled = [this, until = clock_() + 4s] { return clock_() > until; };
-    const auto outcome = stream_rows(link_, plan, options, clock_, session());
+    options.cancelled = [this, until = clock() + 4s] { return clock() > until; };
+    const auto outcome = stream_rows(link, plan, options, clock, session());
     return outcome.ok();
   }
 
   void orders(const std::string& name) {
-    Client client(link_, name, {.patience = 300ms}, clock_);
+    Client client(link, name, {.patience = 300ms}, clock);
     client.reset();
     client.enable();
     const int how_many = 1 + random_.below(5);
@@ -266,31 +233,15 @@ class Recorded {
   }
 
   Random random_;
-  std::filesystem::path log_;
-  std::vector<ExecutorOptions> axes_ = three_axes();
-  std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
-  std::unique_ptr<Recorder> recorder_;
-  MemoryNetwork network_;
-  MemoryTransport own_link_{network_};
-  MemoryTransport link_{network_};
-  VirtualPacer pacer_;
-  Clock clock_ = [this] { return Nanos(pacer_.now()); };
-  Post post_{3};
-  std::unique_ptr<Machine> machine_;
-  std::unique_ptr<Dispatcher> dispatcher_;
-  std::unique_ptr<Cycle> cycle_;
 };
 
 class RandomRun : public ::testing::Test {
  protected:
-  RandomRun() { std::filesystem::create_directories(folder_); }
-  ~RandomRun() override { std::filesystem::remove_all(folder_); }
-
   std::string record(std::uint64_t seed, int actions) {
-    Recorded run(seed, folder_ / "run.lcmlog");
+    Recorded run(seed);
     for (int i = 0; i < actions; ++i) run.act();
     for (const auto& [what, times] : run.done) done_[what] += times;
-    return run.finish();
+    return run.record();
   }
 
   Replay replayed(const std::string& bytes) {
@@ -300,8 +251,6 @@ class RandomRun : public ::testing::Test {
     });
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("jounce-replay-" + std::to_string(getpid()));
   std::map<std::string, int> done_;
 };
 

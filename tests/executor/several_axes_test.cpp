@@ -5,14 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/events.hpp"
 #include "jounce/stream/driver.hpp"
-#include "jounce/stream/memory_transport.hpp"
 #include "jounce/stream/sender.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/virtual_pacer.hpp"
+#include "executor/site.hpp"
 
 namespace jounce {
 namespace {
@@ -23,80 +21,53 @@ using wire::OrderKind;
 
 const Units over_time{.x = "s", .position = "mm"};
 
-ExecutorOptions axis(const std::string& name) {
-  ExecutorOptions options;
-  options.axis.limits = limits(1000, 1e5);
-  options.receiver.executor = name;
-  return options;
-}
-
 std::vector<ExecutorOptions> feeder_and_knife() {
-  std::vector<ExecutorOptions> axes{axis("feeder"), axis("knife")};
+  std::vector<ExecutorOptions> axes{axis_named("feeder", limits(1000, 1e5)),
+                                    axis_named("knife", limits(1000, 1e5))};
   axes[0].switches = {.table = {.switches = {{.first_on_position = 2, .last_on_position = 4}}}};
   axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
   return axes;
 }
 
 /// Two axes on one link, the second following the first, and whoever talks to them.
-struct Site {
-  Site() {
-    network.on_wait = [this](Nanos time) { advance(time); };
+struct Two : Site {
+  Two() : Site(feeder_and_knife()) {
     for (const auto& one : axes)
       for (const auto lane : {wire::Lane::reply, wire::Lane::event})
         link.subscribe(wire::channel(one.receiver.executor, lane), 64);
   }
-
-  void advance(Nanos time) {
-    for (const Nanos end = clock() + time; clock() < end;) {
-      cycle.once();
-      dispatcher.turn(0ns);
-    }
+  StreamOutcome play_on(const std::string& name, const TablePtr& table) {
+    return stream({.executor = name, .tables = {{*table, over_time}}});
   }
-
-  StreamOutcome play(const std::string& name, const Table& table, std::int64_t session) {
-    return stream_tables(link, {.executor = name, .tables = {{table, over_time}}}, {}, clock,
-                         session);
-  }
-
-  std::vector<ExecutorOptions> axes = feeder_and_knife();
-  MemoryNetwork network;
-  MemoryTransport own_link{network};
-  MemoryTransport link{network};
-  Machine machine{machine_of(axes)};
-  VirtualPacer pacer;
-  Clock clock = [this] { return Nanos(pacer.now()); };
-  Post post{2};
-  Dispatcher dispatcher{own_link, axes, post, clock};
-  Cycle cycle{machine, pacer, post};
 };
 
 TEST(SeveralAxes, EachHasItsOwnSessionsAndStopsAlone) {
-  Site site;
-  ASSERT_TRUE(site.play("feeder", *there_and_back(0, 10, 1, Outside::wrap), 1).ok());
-  ASSERT_TRUE(site.play("knife", *there_and_back(0, 5, 1, Outside::wrap), 2).ok());
+  Two site;
+  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Outside::wrap)).ok());
+  ASSERT_TRUE(site.play_on("knife", there_and_back(0, 5, 1, Outside::wrap)).ok());
   site.advance(300ms);
   EXPECT_TRUE(operator_stop(site.link, "knife", wire::StopMode::stop, 2s, site.clock));
   site.advance(1s);
-  EXPECT_EQ(site.dispatcher.last(1).stopped, 1U);
-  EXPECT_EQ(site.dispatcher.last(1).state, State::standstill);
-  EXPECT_EQ(site.dispatcher.last(0).state, State::discrete_motion);
+  EXPECT_EQ(site.last(1).stopped, 1U);
+  EXPECT_EQ(site.last(1).state, State::standstill);
+  EXPECT_EQ(site.last(0).state, State::discrete_motion);
 }
 
 TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
-  Site site;
-  ASSERT_TRUE(site.play("feeder", *there_and_back(0, 10, 1, Outside::wrap), 1).ok());
+  Two site;
+  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Outside::wrap)).ok());
   const wire::Reply reply = operator_command(
       site.link, "feeder", wire::Order{.kind = OrderKind::override_, .value = {0.5}}, {}, 2s,
       site.clock);
   EXPECT_EQ(reply.outcome, wire::Outcome::accepted) << reply.reason;
   site.advance(200ms);
-  EXPECT_EQ(site.dispatcher.last(0).override_, 0.5);
-  EXPECT_EQ(site.dispatcher.last(1).override_, 1);
+  EXPECT_EQ(site.last(0).override_, 0.5);
+  EXPECT_EQ(site.last(1).override_, 1);
 }
 
 TEST(SeveralAxes, EdgesOfSwitchesAreMessagesTwiceEach) {
-  Site site;
-  ASSERT_TRUE(site.play("feeder", *trapezoid_table(5, 50, 1000, 1000), 1).ok());
+  Two site;
+  ASSERT_TRUE(site.play_on("feeder", trapezoid_table(5, 50, 1000, 1000)).ok());
   site.advance(500ms);
   std::vector<wire::Event> events;
   Rejects rejects;
@@ -131,7 +102,7 @@ TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
 
 // Arm and start that have reached the axis's mail are a first tick of motion two cycles later.
 TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
-  Site site;
+  Two site;
   site.advance(10ms);
   Job job(77, there_and_back(0, 1, 1, Outside::hold));
   Mail& mail = *site.post.mail[1];
@@ -149,7 +120,7 @@ TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
 // The same from the wire on, where a message comes between two cycles: the arm goes out after one, its
 // answer and the start after the next, and the one after that is the first tick of motion.
 TEST(SeveralAxes, FromTheArmOnTheWireToTheFirstTickAreTwoCycles) {
-  Site site;
+  Two site;
   const StreamPlan plan{.executor = "knife",
                         .tables = {{*there_and_back(0, 1, 1, Outside::hold), over_time}},
                         .goal = StreamGoal::download};
@@ -169,8 +140,8 @@ TEST(SeveralAxes, FromTheArmOnTheWireToTheFirstTickAreTwoCycles) {
     talk();
     site.cycle.once();
     site.dispatcher.turn(0ns);
-    if (asked == 0) asked = site.dispatcher.last(1).tick;
-    if (site.dispatcher.last(1).job != 0) moving = site.dispatcher.last(1).tick;
+    if (asked == 0) asked = site.last(1).tick;
+    if (site.last(1).job != 0) moving = site.last(1).tick;
   }
   EXPECT_EQ(moving - asked + 1, 2);
 }

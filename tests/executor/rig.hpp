@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "jounce/executor/cycle.hpp"
+
+#include "executor/virtual_pacer.hpp"
+
+namespace jounce::test {
+
+/// One axis and its cyclic thread, with nobody on the other side but the test.
+struct Rig {
+  explicit Rig(const AxisConfig& config) : machine({{.name = "feeder", .config = config}}) {}
+
+  Tick next() {
+    cycle.once();
+    Tick tick;
+    EXPECT_TRUE(mail.ticks.pop(tick));
+    return tick;
+  }
+  Tick tell(const Command& command) {
+    EXPECT_TRUE(mail.commands.push(command));
+    return next();
+  }
+
+  Machine machine;
+  VirtualPacer pacer;
+  Post post{1};
+  Mail& mail = *post.mail.front();
+  Cycle cycle{machine, pacer, post};
+};
+
+}  // namespace jounce::test

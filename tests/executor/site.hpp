@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jounce/executor/detail/run_record.hpp"
+#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/replay.hpp"
+#include "jounce/stream/memory_transport.hpp"
+
+#include "executor/virtual_pacer.hpp"
+
+namespace jounce::test {
+
+/// An axis by this name, in these units; x: its master's.
+ExecutorOptions axis_named(const std::string& name, const Limits& limits, const Units& units = {});
+
+/// What a site has beside its axes.
+struct SiteSpec {
+  std::vector<MachineMaster> masters = {};
+  bool recorded = false;
+  std::vector<ExecutorOptions> said = {};  ///< what the record says of the axes; empty: the truth
+};
+
+/// A whole executor and one who talks to it, on one memory network and one clock that only the test
+/// turns: whenever somebody waits for the network, the executor's two threads have their turns.
+///
+///     Site site({axis_named("feeder", limits(1000, 1e5), {"", "mm"})});
+///     ASSERT_TRUE(site.play(*trapezoid_table(50, 100, 1000, 1000)).ok());
+///     site.advance(1s);
+///     EXPECT_EQ(site.last().position, 50);
+class Site {
+ public:
+  explicit Site(std::vector<ExecutorOptions> of_axes, SiteSpec spec = {});
+  ~Site();
+  Site(const Site&) = delete;
+  Site& operator=(const Site&) = delete;
+
+  /// Cycle by cycle: before(), the cycle, the dispatcher's turn, after().
+  void advance(Nanos time);
+  void turn();
+  std::function<void()> before, after;
+
+  [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return dispatcher.last(axis); }
+
+  /// In a session of its own, which counts from 1; to the first axis unless the plan names one.
+  StreamOutcome stream(StreamPlan plan);
+  /// A table over time, in s and the first axis's unit.
+  StreamOutcome play(const Table& table);
+
+  /// Ends the run; the bytes of its record.
+  std::string record();
+  /// Ends it, and executes the record again.
+  Replay replayed(const std::function<void(const RecordedCycle&)>& each = {},
+                  const std::function<void(const RecordedSight&)>& sight = {});
+
+ private:
+  std::filesystem::path log_;
+  detail::RunRecord record_;
+
+ public:
+  std::vector<ExecutorOptions> axes;
+  std::vector<MachineMaster> masters;
+  MemoryNetwork network;
+  MemoryTransport own_link{network};  ///< the executor's
+  MemoryTransport link{network};      ///< of who talks to it
+  VirtualPacer pacer;
+  Clock clock = [this] { return Nanos(pacer.now()); };
+  Machine machine{machine_of(axes), masters.size()};
+  Post post{axes.size(), masters.size()};
+  Dispatcher dispatcher{own_link, axes, post, clock, masters};
+  Cycle cycle;
+  std::int64_t sessions = 0;
+};
+
+}  // namespace jounce::test
