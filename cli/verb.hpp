@@ -20,7 +20,7 @@ class Option;
 ///   verb.option("--steps", options->steps, "Lengths").check(whole(2, 100'000));
 ///   verb.work([options] { return run(*options); });
 ///
-/// The parser behind it (CLI11) stays in verb.cpp.
+/// The parser behind it (CLI11) stays in verb.cpp, command_line.cpp.
 namespace jounce::cli {
 
 /// Exit statuses, the same in every verb.
@@ -34,7 +34,7 @@ enum Exit : int {
 /// What a verb does once the command line is understood; answers the exit status.
 using Work = std::function<int()>;
 
-/// What is wrong with a value; empty where nothing is.
+/// The rule that a value breaks; empty where it breaks none.
 using Check = std::function<std::string(const std::string& text)>;
 
 Check one_of(std::vector<std::string> words);

@@ -97,8 +97,41 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
   EXPECT_EQ(option.status, 2);
   EXPECT_EQ(
       option.err,
-      "jounce: `--limt` is not an option here. Did you mean --limit? (jounce --help shows all)\n");
+      "jounce: `--limt` is not an option here. Did you mean --limit? (jounce check --help shows "
+      "all)\n");
   EXPECT_EQ(run("check nothing.toml").status, 2);
+}
+
+TEST_F(Cli, AValueThatDoesNotFitItsOptionIsToldWithItsRule) {
+  const auto told = [&](const std::string& words) {
+    const Result result = run(words);
+    EXPECT_EQ(result.status, 2) << words;
+    return result.err;
+  };
+  EXPECT_EQ(told("check " + cam + " --continuity 4"),
+            "jounce: --continuity = 4: must be a whole number, 0 to 3\n");
+  EXPECT_EQ(told("convert " + cam + " x.csv --most -3"),
+            "jounce: --most = -3: must be a number, not negative\n");
+  EXPECT_EQ(told("optimize " + cam + " --seconds soon"),
+            "jounce: --seconds = soon: must be a number\n");
+  EXPECT_EQ(told("plot " + cam + " --over tiem"),
+            "jounce: --over = tiem: must be one of master, time; did you mean time?\n");
+  EXPECT_EQ(told("stop a --patience nan"),
+            "jounce: --patience = nan: must be a number of seconds, 0.001 or more\n");
+  EXPECT_EQ(told("-x"), "jounce: `-x` is not an option here (jounce --help shows all)\n");
+  EXPECT_EQ(told("design " + cam + " -o"),
+            "jounce: --output: 1 required value missing (jounce design --help shows all)\n");
+}
+
+TEST_F(Cli, HelpTellsWhatTakesAValueAndWhatMustBeGiven) {
+  const std::string help = run("stream --help").out;
+  EXPECT_THAT(help,
+              HasSubstr("  --to ...                        Required. Name of the executor\n"));
+  EXPECT_THAT(help, HasSubstr("  --loops [1]  "));
+  EXPECT_THAT(help, HasSubstr("  --json                          Outcome"));
+  EXPECT_THAT(help, Not(HasSubstr("\n\n\n")));
+  std::istringstream lines(run("convert --help").out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 104U) << line;
 }
 
 TEST_F(Cli, SaysWhereAnAxisContradictsItsOwnLimits) {
