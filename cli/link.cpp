@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/stream/lcm_transport.hpp"
 #include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/message.hpp"
 
 namespace jounce::cli {
 
@@ -14,6 +16,11 @@ std::string said_of(StreamError error, const std::string& reason) {
   std::string said = std::string(name(error)) + ": " + reason;
   if (error == StreamError::no_answer) said += std::string("; ") + unheard_hint;
   return said;
+}
+
+void require_name_on_bus(const std::string& argument, const std::string& name) {
+  if (!wire::is_executor_name(name))
+    throw InputError(argument, name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
 }
 
 Nanos nanos(double seconds) {

@@ -25,6 +25,9 @@ struct LinkOptions {
 inline constexpr const char* unheard_hint =
     "is it running, on the same --url, with the same --key?";
 
+/// Throws InputError, of this argument, where no executor, axis or master can be called so.
+void require_name_on_bus(const std::string& argument, const std::string& name);
+
 /// What went wrong, in words, and the hint where there was no answer.
 std::string said_of(StreamError error, const std::string& reason);
 

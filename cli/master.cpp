@@ -186,8 +186,7 @@ void require_alone(Link link, const Options& options) {
 }
 
 int run(const Options& options) {
-  if (!wire::is_executor_name(options.name))
-    throw InputError("--as", options.name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  require_name_on_bus("--as", options.name);
   const Play play = play_of(options);
   (void)errors_of(options,
                   play.file.units.position);  // what is wrong is said before the bus is asked

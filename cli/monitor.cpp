@@ -190,9 +190,7 @@ int watch(Ear& ear, const Options& options) {
 }
 
 int run(Options options) {
-  for (const std::string& name : options.executors)
-    if (!wire::is_executor_name(name))
-      throw InputError("NAME", name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   std::sort(options.executors.begin(), options.executors.end());
   options.executors.erase(std::unique(options.executors.begin(), options.executors.end()),
                           options.executors.end());

@@ -237,8 +237,7 @@ int report(const Options& options, const CallOutcome& outcome) {
 }
 
 int run(const Options& options) {
-  if (!wire::is_executor_name(options.executor))
-    throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  require_name_on_bus("NAME", options.executor);
   require_meant(options);
   Link link(options.link);
   wire::Order order = order_of(options, units_of(link.transport(), options, link.key()));

@@ -38,8 +38,7 @@ std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string&
 }
 
 int run(const Options& options) {
-  if (!wire::is_executor_name(options.executor))
-    throw InputError("NAME", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  require_name_on_bus("NAME", options.executor);
   Link link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
   link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);

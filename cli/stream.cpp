@@ -150,6 +150,7 @@ int run_banks(const Options& options) {
 }
 
 int run(const Options& options) {
+  require_name_on_bus("--to", options.to);
   if (!options.live && !options.start_at.empty())
     throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
   if (!options.bank.empty()) return run_banks(options);
