@@ -91,7 +91,8 @@ Both range_of(const Disc& disc, double scale, Function g) {
   const auto greatest = [&](double sign) {
     return detail::maximum(
         disc.lift(), disc.spec().angle,
-        [&](const detail::Stretch& over) { return sign * g(detail::pitch(disc, over)); }, scale);
+        [&](const detail::SegmentPart& over) { return sign * g(detail::pitch(disc, over)); },
+        scale);
   };
   const detail::Certified max = greatest(1);
   detail::Certified min = greatest(-1);

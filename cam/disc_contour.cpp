@@ -21,7 +21,7 @@ namespace {
 
 using detail::Interval;
 using detail::Plane;
-using detail::Stretch;
+using detail::SegmentPart;
 using detail::Taylor;
 
 struct Circle {
@@ -60,18 +60,18 @@ class Flattening {
     return {p.x.c[0].middle(), p.y.c[0].middle(), 0, detail::position(disc_.lift(), segment, s)};
   }
 
-  [[nodiscard]] Plane<3> seen(const Stretch& over) const {
+  [[nodiscard]] Plane<3> seen(const SegmentPart& over) const {
     const detail::Pitch pitch = detail::pitch(disc_, over);
     return detail::seen_from_cam(pitch.parallel(distance_), detail::turned<3>(disc_, over),
                                  pitch.sigma);
   }
 
-  [[nodiscard]] double half_width(const Stretch& over) const {
+  [[nodiscard]] double half_width(const SegmentPart& over) const {
     return (over.s1 - over.s0) / 2 * disc_.lift().segments()[over.segment].length *
            disc_.spec().angle;
   }
 
-  void run(const Stretch& over) {
+  void run(const SegmentPart& over) {
     Vertex a = vertex(over.segment, over.s0);
     const Vertex b = vertex(over.segment, over.s1);
     const Plane<3> p = seen(over);
@@ -87,14 +87,14 @@ class Flattening {
   }
 
   /// (1)
-  [[nodiscard]] bool is_line(const Stretch& over, const Plane<3>& p) const {
+  [[nodiscard]] bool is_line(const SegmentPart& over, const Plane<3>& p) const {
     const double k = half_width(over);
     const double second = 2 * std::hypot(p.x.c[2].magnitude(), p.y.c[2].magnitude());
     return second * k * k / 2 <= tolerance_;
   }
 
   /// (2)
-  [[nodiscard]] std::optional<double> arc(const Stretch& over, const Vertex& a, const Vertex& b,
+  [[nodiscard]] std::optional<double> arc(const SegmentPart& over, const Vertex& a, const Vertex& b,
                                           const Plane<3>& p) const {
     if (pieces_ == Pieces::lines) return std::nullopt;
     const Interval along = Interval(b.x - a.x) * p.x.c[1] + Interval(b.y - a.y) * p.y.c[1];

@@ -23,7 +23,7 @@ namespace jounce {
 namespace {
 
 using detail::Interval;
-using detail::Stretch;
+using detail::SegmentPart;
 
 constexpr double touching = 1e-5;   // of the radius: a clearance that counts as none
 constexpr double precision = 1e-3;  // of the radius: to which the depth is found
@@ -31,7 +31,7 @@ constexpr double precision = 1e-3;  // of the radius: to which the depth is foun
 /// A stretch of the turn with a circle around all its contacts, and one around all centres of the
 /// rolled circle.
 struct Arc {
-  Stretch over;
+  SegmentPart over;
   Place contact, centre;
   double contact_radius = 0;
   double centre_radius = 0;
@@ -53,9 +53,9 @@ class Search {
   }
 
  private:
-  [[nodiscard]] Arc arc(const Stretch& over) const {
+  [[nodiscard]] Arc arc(const SegmentPart& over) const {
     const detail::Pitch whole = detail::pitch(disc_, over);
-    const Stretch middle = over.at(over.middle());
+    const SegmentPart middle = over.at(over.middle());
     const detail::Pitch there = detail::pitch(disc_, middle);
     const auto place = [&](double distance) {
       const auto p = detail::seen_from_cam(there.parallel(distance).to<0>(),
@@ -78,12 +78,12 @@ class Search {
             2 * half * turning.magnitude()};
   }
 
-  [[nodiscard]] double length(const Stretch& over) const {
+  [[nodiscard]] double length(const SegmentPart& over) const {
     return disc_.lift().segments()[over.segment].length;
   }
 
   /// Into arcs that turn by a twentieth of a turn at the most.
-  void divide(const Stretch& over) {
+  void divide(const SegmentPart& over) {
     const Arc whole = arc(over);
     if (whole.turning <= std::numbers::pi / 10 || over.s1 - over.s0 < 1e-9) {
       arcs_.push_back(whole);

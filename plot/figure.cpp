@@ -31,8 +31,8 @@ struct Entry {
   double y = 0;
 };
 
-Extent x_extent(const Figure& figure) {
-  Extent extent;
+PlotRange x_extent(const Figure& figure) {
+  PlotRange extent;
   for (const Panel& panel : figure.panels) {
     for (const Series& series : panel.series)
       for (const double x : series.x) extent.add(x);
@@ -47,7 +47,7 @@ double widest(const std::vector<std::string>& labels) {
 }
 
 /// As many ticks as fit beside each other on `width` px.
-Ticks x_ticks(const Figure& figure, Extent extent, double width) {
+Ticks x_ticks(const Figure& figure, PlotRange extent, double width) {
   for (int most = 12; most > 1; --most) {
     Ticks found = figure.degrees ? angle_ticks(extent, most) : ticks(extent, most);
     const double needed = (widest(found.labels) + 14) * static_cast<double>(found.at.size());
@@ -134,7 +134,7 @@ Layout lay_out(const Figure& figure, const SvgOptions& options) {
     widest_tick = std::max(widest_tick, widest(at.axes.back().ticks.labels));
   }
   at.left = margin + widest_tick + 8;
-  const Extent extent = x_extent(figure);
+  const PlotRange extent = x_extent(figure);
   at.x_ticks = x_ticks(figure, extent, options.width - at.left - 40);
   const double last_label = at.x_ticks.labels.empty() ? 0 : widest(at.x_ticks.labels);
   at.right = std::max(at.left + 10, options.width - margin - std::max(4.0, last_label / 2));

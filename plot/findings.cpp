@@ -54,7 +54,7 @@ DataTable findings_table(const Report& report, const Labels& labels, std::string
   return table;
 }
 
-Verdict verdict(const Report& report) {
+Headline verdict(const Report& report) {
   const std::size_t warnings = report.warnings();
   const std::size_t total = report.findings.size() - warnings;
   const std::size_t broken = report.broken();

@@ -13,6 +13,6 @@ namespace jounce {
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 
 /// "All 4 limits hold.", "2 of 5 findings are broken.", ...
-Verdict verdict(const Report& report);
+Headline verdict(const Report& report);
 
 }  // namespace jounce

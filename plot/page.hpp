@@ -47,7 +47,7 @@ struct Section {
 };
 
 /// What the page says first: a sign, and a sentence.
-struct Verdict {
+struct Headline {
   bool ok = true;
   std::string text{};
 };
@@ -55,7 +55,7 @@ struct Verdict {
 struct Page {
   std::string title{};
   std::string subtitle{};
-  std::optional<Verdict> verdict{};
+  std::optional<Headline> verdict{};
   std::vector<Section> sections{};
   std::string footer{};  ///< where it comes from: version, hash of the table
 };

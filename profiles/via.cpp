@@ -145,7 +145,7 @@ Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
   Built built;
   std::vector<detail::Sequence> paths(knots.front().begin(), knots.front().end());
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const detail::Stretch stretch = detail::stretch(axes, knots[k], knots[k + 1]);
+    const detail::Hop stretch = detail::stretch(axes, knots[k], knots[k + 1]);
     built.times.push_back(built.times.back() + stretch.duration);
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const Profile& profile = stretch.profiles[i];

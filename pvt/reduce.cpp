@@ -34,7 +34,7 @@ namespace {
 
 using detail::inf;
 using detail::Knot;
-using detail::Stretch;
+using detail::Straight;
 using detail::Tolerances;
 
 constexpr std::size_t many = 1'000'000;
@@ -93,7 +93,7 @@ class Reduction {
   /// layers, the i-th of all tables worth going on with; see (2).
   [[nodiscard]] Attempt attempt(double scale, std::size_t most) const {
     const Tolerances allowed = tolerances(scale);
-    const std::vector<Stretch> kept = kept_within(allowed);
+    const std::vector<Straight> kept = kept_within(allowed);
     std::vector<Node> nodes{
         {detail::held_at(f_, target_, f_.start(), Side::right), 0, f_.length()}};
     std::size_t first = 0;  // of the last layer
@@ -120,9 +120,9 @@ class Reduction {
   }
 
   /// All dwells, and the straight lines that the rounding of their ends bends by no more than this.
-  [[nodiscard]] std::vector<Stretch> kept_within(const Tolerances& allowed) const {
-    std::vector<Stretch> kept = stretches_;
-    std::erase_if(kept, [&](const Stretch& each) {
+  [[nodiscard]] std::vector<Straight> kept_within(const Tolerances& allowed) const {
+    std::vector<Straight> kept = stretches_;
+    std::erase_if(kept, [&](const Straight& each) {
       return !each.dwell && detail::share(f_, target_.rule, each.begin, each.end, allowed) > 1;
     });
     return kept;
@@ -173,7 +173,7 @@ class Reduction {
   /// The knots without those that two intervals as one do without.
   [[nodiscard]] std::vector<Knot> needed(std::vector<Knot> knots, const Tolerances& allowed) const {
     std::vector<double> fixed;
-    for (const Stretch& each : kept_within(allowed))
+    for (const Straight& each : kept_within(allowed))
       fixed.insert(fixed.end(), {each.begin.x, each.end.x});
     for (std::size_t before = 0; before != knots.size();) {
       before = knots.size();
@@ -281,7 +281,7 @@ class Reduction {
 
   const Curve<Over>& f_;
   const Target& target_;
-  std::vector<Stretch> stretches_;  ///< intervals of the table
+  std::vector<Straight> stretches_;  ///< intervals of the table
   Tolerances asked_;
   double floor_ = 0;  ///< of the position tolerance: the rounding of the curve
 };

@@ -76,7 +76,7 @@ class Run {
   }
 
   DriveResponse result() {
-    for (const Piece& piece : pieces_)
+    for (const SignalPiece& piece : pieces_)
       if (next_ < spec_.times.size() && !follow(piece)) break;
     answer_.integration = solver_.integration();
     answer_.integration.reached = origin_ + solver_.time();
@@ -157,7 +157,7 @@ class Run {
 
   const Jet& at(double t) { return reference_.at(t); }
 
-  bool follow(const Piece& piece) {
+  bool follow(const SignalPiece& piece) {
     enter(piece);
     for (;;) {
       const Step step = solver_.step(piece.end - origin_);
@@ -170,7 +170,7 @@ class Run {
     return true;
   }
 
-  void enter(const Piece& piece) {
+  void enter(const SignalPiece& piece) {
     const bool anew = reference_.enter(piece, size_, model_, here_.switches, solver_);
     if (anew) static_cast<void>(here_.switches.update(at(solver_.time()), solver_.state().data()));
     share_mode();
@@ -234,7 +234,7 @@ class Run {
   }
 
   /// The samples within the step just made.
-  void sample(const Piece& piece) {
+  void sample(const SignalPiece& piece) {
     for (; next_ < spec_.times.size(); ++next_) {
       const double t = spec_.times[next_] - origin_;
       if (t > solver_.time() + closest_) return;
@@ -242,7 +242,7 @@ class Run {
     }
   }
 
-  void take(double t, const Piece& piece) {
+  void take(double t, const SignalPiece& piece) {
     auto& y = scratch_[0];
     solver_.interpolate(t, y);
     solver_.interpolate_sensitivities(t, s_);
@@ -278,7 +278,7 @@ class Run {
   const ResponseSpec& spec_;
   double origin_;
   double closest_;
-  std::vector<Piece> pieces_;
+  std::vector<SignalPiece> pieces_;
   Scales size_;
   Standstill standstill_;
   SignalView held_;
@@ -290,7 +290,7 @@ class Run {
   LockedReference reference_;
   std::array<std::vector<double>, 3> scratch_ = {}, events_ = {};
   std::vector<double> moves_ = {};
-  Solver solver_;
+  OdeSolver solver_;
   std::vector<double> s_ = {};
   std::size_t next_ = 0;
   DriveResponse answer_ = {};

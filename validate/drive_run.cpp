@@ -103,13 +103,13 @@ class Run {
 
   const Jet& at(double t) { return reference_.at(t); }
 
-  [[nodiscard]] double next_stop(const Piece& piece) const {
+  [[nodiscard]] double next_stop(const SignalPiece& piece) const {
     const double end = piece.end - origin_;
     return sampled_ ? std::min(end, sampled_->next()) : end;
   }
 
   /// One interval of the reference; false if the solver gave up.
-  bool follow(const Piece& piece) {
+  bool follow(const SignalPiece& piece) {
     if (reference_.enter(piece, size_, model_, switches_, solver_)) {
       static_cast<void>(update());
       solver_.restart(solver_.time());
@@ -191,7 +191,7 @@ class Run {
   double origin_;
   double end_;
   double closest_;
-  std::vector<Piece> pieces_;
+  std::vector<SignalPiece> pieces_;
   Scales size_;
   Standstill standstill_;
   DriveModel model_;
@@ -199,7 +199,7 @@ class Run {
   Switches switches_;
   Jet begin_;  // what the reference was until then
   LockedReference reference_;
-  Solver solver_;
+  OdeSolver solver_;
   Observer observer_;
   std::optional<SampledController> sampled_ = {};
   std::vector<Saturation> saturation_;

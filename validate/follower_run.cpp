@@ -159,7 +159,7 @@ class Run {
 
   [[nodiscard]] Jet at(double t) const { return model_.lift(piece_.at(origin_ + t)); }
 
-  bool along(const Piece& piece) {
+  bool along(const SignalPiece& piece) {
     enter(piece);
     for (;;) {
       const Step step = solver_.step(piece.end - origin_);
@@ -173,7 +173,7 @@ class Run {
   }
 
   /// Mass and tip stay where they are when the cam steps.
-  void enter(const Piece& piece) {
+  void enter(const SignalPiece& piece) {
     piece_ = piece;
     const Jet y = piece.at(piece.begin);
     const double cap = longest_step * std::min(piece.length(), model_.radian());
@@ -279,14 +279,14 @@ class Run {
   double origin_;
   double end_;
   double closest_;
-  std::vector<Piece> pieces_;
+  std::vector<SignalPiece> pieces_;
   Scales size_;
   Standstill standstill_;
   FollowerModel model_;
-  Piece piece_;
+  SignalPiece piece_;
   Jet before_;
   double spacing_;
-  Solver solver_;
+  OdeSolver solver_;
   FollowerResult result_;
   double height_ = 0;  // m
   bool settling_ = false;

@@ -4,8 +4,8 @@
 
 namespace jounce::detail {
 
-bool LockedReference::enter(const Piece& piece, const Scales& size, DriveModel& model,
-                            Switches& switches, Solver& solver) {
+bool LockedReference::enter(const SignalPiece& piece, const Scales& size, DriveModel& model,
+                            Switches& switches, OdeSolver& solver) {
   piece_ = piece;
   asked_ = std::numeric_limits<double>::quiet_NaN();
   const Jet r = piece.at(piece.begin);

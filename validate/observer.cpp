@@ -18,7 +18,7 @@ Observer::Observer(const DriveModel& model, const DriveOptions& options, double 
   found_.samples.reserve(options.samples);
 }
 
-Observer::Point Observer::point(const double* y, const Piece& reference, double t) const {
+Observer::Point Observer::point(const double* y, const SignalPiece& reference, double t) const {
   const Jet r = reference.at(origin_ + t);
   const double limit = model_.drive().motor.torque_limit;
   const std::size_t load = model_.load();
@@ -32,12 +32,12 @@ Observer::Point Observer::point(const double* y, const Piece& reference, double 
           r[0]};
 }
 
-Observer::Point Observer::between(const Solver& solver, const Piece& reference, double t) {
+Observer::Point Observer::between(const OdeSolver& solver, const SignalPiece& reference, double t) {
   solver.interpolate(t, scratch_);
   return point(scratch_.data(), reference, t);
 }
 
-void Observer::step(const Solver& solver, const Piece& reference) {
+void Observer::step(const OdeSolver& solver, const SignalPiece& reference) {
   const double h = (solver.time() - solver.before()) / 2;
   if (h == 0) return;
   const double begin = origin_ + solver.before();
@@ -98,8 +98,8 @@ void Observer::power(const Points& p, double done) {
 
 /// The instant between a and b (either first) where `outside` changes: of a itself it is true.
 template <class Outside>
-double Observer::crossing(const Solver& solver, const Piece& reference, double out, double in,
-                          Outside outside) {
+double Observer::crossing(const OdeSolver& solver, const SignalPiece& reference, double out,
+                          double in, Outside outside) {
   for (int k = 0; k < 40 && out != in; ++k) {
     const double middle = out + (in - out) / 2;
     (outside(between(solver, reference, middle - origin_)) ? out : in) = middle;
@@ -108,7 +108,7 @@ double Observer::crossing(const Solver& solver, const Piece& reference, double o
 }
 
 /// Keeps where the following error is beyond its limit.
-void Observer::beyond(const Solver& solver, const Piece& reference, const Points& p) {
+void Observer::beyond(const OdeSolver& solver, const SignalPiece& reference, const Points& p) {
   if (!options_.limits.following_error) return;
   const double limit = *options_.limits.following_error * model_.radians_per_unit();
   const auto outside = [&](const Point& at) { return std::abs(at.motor) > limit; };
@@ -138,7 +138,7 @@ void Observer::beyond(const Solver& solver, const Piece& reference, const Points
 }
 
 /// Keeps since when the load is within the band; its entry is a zero of the dense output.
-void Observer::settling(const Solver& solver, const Piece& reference, const Points& p) {
+void Observer::settling(const OdeSolver& solver, const SignalPiece& reference, const Points& p) {
   if (!options_.limits.settling_band) return;
   const double band = *options_.limits.settling_band * model_.radians_per_unit();
   const auto outside = [&](const Point& at) { return std::abs(at.load) > band; };
@@ -159,7 +159,7 @@ void Observer::swing(const Point& a, const Point& b) {
   swings_.zero(a.time + part * (b.time - a.time));
 }
 
-void Observer::sample(const Solver& solver, const Piece& reference) {
+void Observer::sample(const OdeSolver& solver, const SignalPiece& reference) {
   const double unit = 1 / model_.radians_per_unit();
   const double slack = 1e-9 * spacing_;  // the last one must not be lost to rounding
   while (found_.samples.size() < options_.samples) {

@@ -26,25 +26,25 @@ void require_breaks(const SignalView& signal, std::span<const double> breaks) {
 
 }  // namespace
 
-Jet Piece::at(double x) const {
+Jet SignalPiece::at(double x) const {
   const double inside = std::clamp(x, begin, end);
   return signal->jet(inside, inside - begin < end - inside ? Side::right : Side::left);
 }
 
-std::vector<Piece> pieces(const SignalView& signal, double shortest) {
+std::vector<SignalPiece> pieces(const SignalView& signal, double shortest) {
   const auto breaks = signal.breaks();
   require_breaks(signal, breaks);
-  std::vector<Piece> found;
+  std::vector<SignalPiece> found;
   for (std::size_t i = 1; i < breaks.size(); ++i)
     if (breaks[i] - breaks[i - 1] > shortest) found.push_back({&signal, breaks[i - 1], breaks[i]});
   return found;
 }
 
-Scales scales(const std::vector<Piece>& pieces) {
+Scales scales(const std::vector<SignalPiece>& pieces) {
   Scales sizes;
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
-  for (const Piece& piece : pieces) {
+  for (const SignalPiece& piece : pieces) {
     for (const double s : std::array{0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
       const Jet f = piece.at(piece.begin + s * piece.length());
       least = std::min(least, f[0]);

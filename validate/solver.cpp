@@ -101,7 +101,7 @@ bool all_finite(std::span<const double> values) {
 
 }  // namespace
 
-Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double> y0)
+OdeSolver::OdeSolver(Ode ode, SolverOptions options, double t0, std::span<const double> y0)
     : ode_(std::move(ode)),
       options_(std::move(options)),
       size_(y0.size()),
@@ -118,29 +118,29 @@ Solver::Solver(Ode ode, SolverOptions options, double t0, std::span<const double
       before_(t0) {
   std::copy(y0.begin(), y0.end(), state().begin());
   void* cvode = cvode_.get();
-  set_up(CVodeSetErrHandlerFn(cvode, &Solver::message, this));
-  set_up(CVodeInit(cvode, &Solver::rhs, t0, y_.get()));
+  set_up(CVodeSetErrHandlerFn(cvode, &OdeSolver::message, this));
+  set_up(CVodeInit(cvode, &OdeSolver::rhs, t0, y_.get()));
   set_up(CVodeSetUserData(cvode, this));
   set_up(CVodeSetMaxErrTestFails(cvode, 20));  // enough to find its way over a small step of rhs
-  set_up(CVodeWFtolerances(cvode, &Solver::weights));
+  set_up(CVodeWFtolerances(cvode, &OdeSolver::weights));
   set_up(CVodeSetLinearSolver(cvode, linear_.get(), matrix_.get()));
-  set_up(CVodeSetJacFn(cvode, &Solver::jacobian));
+  set_up(CVodeSetJacFn(cvode, &OdeSolver::jacobian));
   if (!ode_.parameters.empty()) set_up_sensitivities();
   if (ode_.events > 0) {
-    set_up(CVodeRootInit(cvode, ode_.events, &Solver::event));
+    set_up(CVodeRootInit(cvode, ode_.events, &OdeSolver::event));
     set_up(CVodeSetNoInactiveRootWarn(cvode));
   }
 }
 
-void Solver::tolerate(double relative, std::span<const double> absolute) {
+void OdeSolver::tolerate(double relative, std::span<const double> absolute) {
   assert(absolute.size() == size_);
   options_.relative = relative;
   std::copy(absolute.begin(), absolute.end(), options_.absolute.begin());
 }
 
 /// One pass instead of the five of CVodeSVtolerances.
-int Solver::weights(N_Vector y, N_Vector weight, void* self) {
-  const auto& s = *static_cast<Solver*>(self);
+int OdeSolver::weights(N_Vector y, N_Vector weight, void* self) {
+  const auto& s = *static_cast<OdeSolver*>(self);
   const double* values = N_VGetArrayPointer(y);
   double* w = N_VGetArrayPointer(weight);
   for (std::size_t i = 0; i < s.size_; ++i)
@@ -148,7 +148,7 @@ int Solver::weights(N_Vector y, N_Vector weight, void* self) {
   return 0;
 }
 
-void Solver::restart(double t) {
+void OdeSolver::restart(double t) {
   set_up(CVodeReInit(cvode_.get(), t, y_.get()));
   if (!ode_.parameters.empty())
     set_up(CVodeSensReInit(cvode_.get(), CV_STAGGERED, sensitivities_.at.data()));
@@ -157,17 +157,17 @@ void Solver::restart(double t) {
   ++integration_.restarts;
 }
 
-void Solver::limit_step(double longest) {
+void OdeSolver::limit_step(double longest) {
   set_up(CVodeSetMaxStep(cvode_.get(), longest));
 }
 
-double Solver::next_step() const {
+double OdeSolver::next_step() const {
   double h = 0;
   if (!fresh_) set_up(CVodeGetCurrentStep(cvode_.get(), &h));
   return h;
 }
 
-Step Solver::step(double stop) {
+Step OdeSolver::step(double stop) {
   before_ = time_;
   if (stop - time_ <= options_.closest) return Step::stop;
   if (integration_.steps >= options_.max_steps) {
@@ -193,20 +193,20 @@ Step Solver::step(double stop) {
   return flag == CV_TSTOP_RETURN ? Step::stop : Step::inside;
 }
 
-Step Solver::fail(Ended ended, std::string reason) {
+Step OdeSolver::fail(Ended ended, std::string reason) {
   integration_.ended = ended;
   integration_.reason = std::move(reason);
   return Step::failed;
 }
 
-void Solver::interpolate(double t, std::span<double> state) const {
+void OdeSolver::interpolate(double t, std::span<double> state) const {
   assert(state.size() == size_);
   set_up(CVodeGetDky(cvode_.get(), t, 0, between_.get()));
   const double* y = N_VGetArrayPointer(between_.get());
   std::copy(y, y + size_, state.begin());
 }
 
-Solver::Vectors::Vectors(std::size_t count, N_Vector like) {
+OdeSolver::Vectors::Vectors(std::size_t count, N_Vector like) {
   at.reserve(count);
   for (std::size_t j = 0; j < count; ++j) {
     at.push_back(made(N_VClone(like)));
@@ -214,23 +214,23 @@ Solver::Vectors::Vectors(std::size_t count, N_Vector like) {
   }
 }
 
-Solver::Vectors::~Vectors() {
+OdeSolver::Vectors::~Vectors() {
   for (N_Vector v : at) N_VDestroy(v);
 }
 
-void Solver::set_up_sensitivities() {
+void OdeSolver::set_up_sensitivities() {
   void* cvode = cvode_.get();
   const std::size_t count = ode_.parameters.size();
   dfdy_.resize(size_ * size_);
   dfdp_.resize(size_ * count);
-  set_up(CVodeSensInit(cvode, static_cast<int>(count), CV_STAGGERED, &Solver::sensitivity_rhs,
+  set_up(CVodeSensInit(cvode, static_cast<int>(count), CV_STAGGERED, &OdeSolver::sensitivity_rhs,
                        sensitivities_.at.data()));
   set_up(CVodeSetSensParams(cvode, nullptr, ode_.parameters.data(), nullptr));
   set_up(CVodeSensEEtolerances(cvode));  // those of the state, over the size of the parameter
   set_up(CVodeSetSensErrCon(cvode, SUNTRUE));
 }
 
-void Solver::interpolate_sensitivities(double t, std::span<double> sensitivities) const {
+void OdeSolver::interpolate_sensitivities(double t, std::span<double> sensitivities) const {
   assert(sensitivities.size() == size_ * ode_.parameters.size());
   if (sensitivities.empty()) return;
   // CVODES takes an array it may write to; the vectors are ours alone.
@@ -242,7 +242,7 @@ void Solver::interpolate_sensitivities(double t, std::span<double> sensitivities
 
 /// No exception may pass through C. What was thrown is kept, and the solver told to stop.
 template <class Call>
-int Solver::guarded(Call call) noexcept {
+int OdeSolver::guarded(Call call) noexcept {
   try {
     finite_ = call();
   } catch (...) {
@@ -251,17 +251,17 @@ int Solver::guarded(Call call) noexcept {
   return finite_ && !thrown_ ? 0 : -1;
 }
 
-int Solver::rhs(double t, N_Vector y, N_Vector dy, void* self) {
-  auto& s = *static_cast<Solver*>(self);
+int OdeSolver::rhs(double t, N_Vector y, N_Vector dy, void* self) {
+  auto& s = *static_cast<OdeSolver*>(self);
   return s.guarded([&] {
     s.ode_.rhs(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dy));
     return all_finite({N_VGetArrayPointer(dy), s.size_});
   });
 }
 
-int Solver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
-                     N_Vector) {
-  auto& s = *static_cast<Solver*>(self);
+int OdeSolver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
+                        N_Vector) {
+  auto& s = *static_cast<OdeSolver*>(self);
   return s.guarded([&] {
     std::fill_n(SUNDenseMatrix_Data(j), s.size_ * s.size_, 0.0);
     s.ode_.jacobian(t, N_VGetArrayPointer(y), SUNDenseMatrix_Data(j));
@@ -269,9 +269,9 @@ int Solver::jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* self, N_
   });
 }
 
-int Solver::sensitivity_rhs(int count, double t, N_Vector y, N_Vector, N_Vector* s, N_Vector* ds,
-                            void* self, N_Vector, N_Vector) {
-  auto& solver = *static_cast<Solver*>(self);
+int OdeSolver::sensitivity_rhs(int count, double t, N_Vector y, N_Vector, N_Vector* s, N_Vector* ds,
+                               void* self, N_Vector, N_Vector) {
+  auto& solver = *static_cast<OdeSolver*>(self);
   const std::size_t n = solver.size_;
   return solver.guarded([&] {
     std::fill(solver.dfdy_.begin(), solver.dfdy_.end(), 0.0);
@@ -290,16 +290,16 @@ int Solver::sensitivity_rhs(int count, double t, N_Vector y, N_Vector, N_Vector*
   });
 }
 
-int Solver::event(double t, N_Vector y, double* g, void* self) {
-  auto& s = *static_cast<Solver*>(self);
+int OdeSolver::event(double t, N_Vector y, double* g, void* self) {
+  auto& s = *static_cast<OdeSolver*>(self);
   return s.guarded([&] {
     s.ode_.event(t, N_VGetArrayPointer(y), g);
     return true;
   });
 }
 
-void Solver::message(int, const char*, const char*, char* text, void* self) {
-  static_cast<Solver*>(self)->message_ = text;
+void OdeSolver::message(int, const char*, const char*, char* text, void* self) {
+  static_cast<OdeSolver*>(self)->message_ = text;
 }
 
 }  // namespace jounce::detail

@@ -35,8 +35,8 @@
 namespace jounce {
 namespace {
 
-using detail::Piece;
-using detail::Solver;
+using detail::OdeSolver;
+using detail::SignalPiece;
 
 /// Chebyshev points: stops that force the solver to look into every interval, at places that are
 /// not all zeros of any sine of whole periods.
@@ -60,7 +60,7 @@ void require_valid(const WitnessOptions& options) {
 }
 
 /// The largest jerk seen in an interval: only a scale, so that a few places are enough.
-double jerk_size(const Piece& piece) {
+double jerk_size(const SignalPiece& piece) {
   double size = std::abs(piece.at(piece.begin)[3]);
   for (const double s : stops)
     size = std::max(size, std::abs(piece.at(piece.begin + s * piece.length())[3]));
@@ -70,14 +70,14 @@ double jerk_size(const Piece& piece) {
 /// (1) and (2), for one piece after another.
 class JerkIntegral {
  public:
-  JerkIntegral(const Piece& first, const WitnessOptions& options)
+  JerkIntegral(const SignalPiece& first, const WitnessOptions& options)
       : piece_(first),
         tolerance_(options.tolerance),
         solver_(ode(), {detail::Method::adams, 1e-3, {1, 1, 1}, 0, options.max_steps}, 0,
                 std::array{0.0, 0.0, 0.0}) {}
 
   /// `x` is the size of the piece's breaks, known to eps x.
-  void enter(const Piece& piece, double jerk, double x) {
+  void enter(const SignalPiece& piece, double jerk, double x) {
     piece_ = piece;
     size_ = jerk > 0 ? jerk : 1;
     const double tolerance = std::clamp(eps * x / piece.length(), tolerance_, 1e-3);
@@ -125,10 +125,10 @@ class JerkIntegral {
     return ode;
   }
 
-  Piece piece_;
+  SignalPiece piece_;
   double tolerance_;
   double size_ = 1;
-  Solver solver_;
+  OdeSolver solver_;
 };
 
 /// Keeps whatever is worst for its own limit; a difference that is not finite is.
@@ -144,14 +144,14 @@ void compare(Disagreement& worst, double integrated, double signal, double where
 /// The witness on its way along the signal.
 class Walk {
  public:
-  Walk(const std::vector<Piece>& pieces, const WitnessOptions& options, Witness& witness)
+  Walk(const std::vector<SignalPiece>& pieces, const WitnessOptions& options, Witness& witness)
       : options_(options), witness_(witness), jerk_(pieces.front(), options) {
     before_ = pieces.front().at(pieces.front().begin);
     y_ = {before_[0], before_[1], before_[2]};
   }
 
   /// Over one interval and the break it begins with; false if the solver gave up.
-  bool cross(const Piece& piece) {
+  bool cross(const SignalPiece& piece) {
     const double x = std::max(std::abs(piece.begin), std::abs(piece.end));
     const double jerk = jerk_size(piece);
     step(piece.at(piece.begin), std::max(jerk, std::abs(before_[3])), x);

@@ -64,11 +64,11 @@ class Maximum {
   [[nodiscard]] double noise() const {
     return 1e-13 * std::max(scale_, std::abs(best_.extremum.value));
   }
-  [[nodiscard]] double half_width(const Stretch& over) const {
+  [[nodiscard]] double half_width(const SegmentPart& over) const {
     return (over.s1 - over.s0) / 2 * f_.segments()[over.segment].length * angle_;
   }
 
-  Taylor<2> look(const Stretch& over, double s) {
+  Taylor<2> look(const SegmentPart& over, double s) {
     const Taylor<2> g = observed_(over.at(s));
     const double value = g.c[0].middle();
     if (!(value <= best_.extremum.value + noise() / 4))
@@ -76,7 +76,7 @@ class Maximum {
     return g;
   }
 
-  void run(const Stretch& over) {
+  void run(const SegmentPart& over) {
     const Taylor<2> g = observed_(over);
     const Interval at_middle = observed_(over.at(over.middle())).c[0];
     const double upper =
@@ -91,14 +91,14 @@ class Maximum {
     run(over.right());
   }
 
-  void ends(const Stretch& over) {
+  void ends(const SegmentPart& over) {
     look(over, over.s0);
     look(over, over.s1);
   }
 
   /// g' is monotone over the stretch: it is 0 at one place at the most, found by Newton kept inside a
   /// bracket.
-  void bend(const Stretch& over) {
+  void bend(const SegmentPart& over) {
     const double first = look(over, over.s0).c[1].middle();
     const double last = look(over, over.s1).c[1].middle();
     if (!(first > 0 && last < 0)) return;  // a minimum, or none
@@ -133,7 +133,7 @@ double position(const Cam& f, std::size_t segment, double s) {
   return f.breaks()[segment] + s * f.segments()[segment].length;
 }
 
-Taylor<4> enclosure(const Cam& f, const Stretch& over, double angle) {
+Taylor<4> enclosure(const Cam& f, const SegmentPart& over, double angle) {
   const Segment& g = f.segments()[over.segment];
   const double m = over.middle();
   const double h = (over.s1 - over.s0) / 2;

@@ -9,25 +9,25 @@
 namespace jounce::detail {
 
 /// A stretch of a curve: a segment of it, from s0 to s1 in [0, 1]; a single place where they agree.
-struct Stretch {
+struct SegmentPart {
   std::size_t segment = 0;
   double s0 = 0;
   double s1 = 1;
 
   [[nodiscard]] double middle() const { return (s0 + s1) / 2; }
-  [[nodiscard]] Stretch left() const { return {segment, s0, middle()}; }
-  [[nodiscard]] Stretch right() const { return {segment, middle(), s1}; }
-  [[nodiscard]] Stretch at(double s) const { return {segment, s, s}; }
+  [[nodiscard]] SegmentPart left() const { return {segment, s0, middle()}; }
+  [[nodiscard]] SegmentPart right() const { return {segment, middle(), s1}; }
+  [[nodiscard]] SegmentPart at(double s) const { return {segment, s, s}; }
 };
 
 /// Position on the curve's axis of s on a segment, the segment's ends exactly.
 double position(const Cam& f, std::size_t segment, double s);
 
 /// f and four derivatives over a stretch, by x = angle * (position on the curve's axis).
-Taylor<4> enclosure(const Cam& f, const Stretch& over, double angle);
+Taylor<4> enclosure(const Cam& f, const SegmentPart& over, double angle);
 
 /// A function of the curve: its value with two derivatives over a stretch, by x as above.
-using Observed = std::function<Taylor<2>(const Stretch&)>;
+using Observed = std::function<Taylor<2>(const SegmentPart&)>;
 
 /// An upper bound's excess over the value beside it.
 struct Certified {

@@ -126,7 +126,7 @@ inline Pitch pitch(const DiscSpec& spec, double start, const Taylor<4>& lift) {
 }
 
 /// The same over a stretch of the disc's cam.
-inline Pitch pitch(const Disc& disc, const Stretch& over) {
+inline Pitch pitch(const Disc& disc, const SegmentPart& over) {
   return pitch(disc.spec(), disc.start(), enclosure(disc.lift(), over, disc.spec().angle));
 }
 
@@ -139,7 +139,7 @@ Plane<N> seen_from_cam(const Plane<N>& a, const Taylor<N>& t, double sigma) {
 
 /// t over a stretch.
 template <std::size_t N>
-Taylor<N> turned(const Disc& disc, const Stretch& over) {
+Taylor<N> turned(const Disc& disc, const SegmentPart& over) {
   Taylor<N> t(disc.spec().angle * Interval{position(disc.lift(), over.segment, over.s0),
                                            position(disc.lift(), over.segment, over.s1)});
   if constexpr (N > 0) t.c[1] = Interval(1);

@@ -58,7 +58,7 @@ double Heading::target(bool up) const {
   return sign >= 0 ? high - hysteresis : -never;
 }
 
-void Heading::follow(const Stretch& done) {
+void Heading::follow(const MonotonePart& done) {
   low = std::min(low, done.to);
   high = std::max(high, done.to);
 }
@@ -177,7 +177,7 @@ template <class Source>
 void SwitchMachine::seek(Source& source) const {
   const SwitchPath& p = paths_[source.path];
   for (; source.stretch < p.stretches().size(); ++source.stretch) {
-    const Stretch& part = p.stretches()[source.stretch];
+    const MonotonePart& part = p.stretches()[source.stretch];
     source.rising = part.to > part.from;
     const double target = source.target(source.rising);
     if (source.rising ? part.to > target : part.to < target) {

@@ -36,7 +36,7 @@ struct Boundary : Event {
   void place(double y);
   /// What y has to pass next, upwards or downwards, to change anything.
   [[nodiscard]] double target(bool up) const;
-  void follow(const Stretch& /*stretch*/) {}
+  void follow(const MonotonePart& /*stretch*/) {}
   /// y has passed the target: the change of `passed`, 1, 0 or -1.
   int pass(bool up);
 };
@@ -49,7 +49,7 @@ struct Heading : Event {
 
   void place(double x, double velocity);
   [[nodiscard]] double target(bool up) const;
-  void follow(const Stretch& done);
+  void follow(const MonotonePart& done);
   void turn(bool up);
 };
 
@@ -110,7 +110,7 @@ class SwitchMachine {
   std::vector<SwitchPath> paths_;
   std::vector<Track> tracks_;
   std::vector<Switch> switches_;
-  Piece piece_;
+  TurningPiece piece_;
   std::uint32_t enabled_ = 0;
   std::uint32_t outputs_ = 0;
   double now_ = 0;

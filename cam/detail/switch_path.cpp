@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t room = 32;
 
 /// y = x - c x'.                                                                             (1)
-Segment compensated(const Piece& piece, double c) {
+Segment compensated(const TurningPiece& piece, double c) {
   if (c == 0) return piece.x;
   const auto y = sum(piece.x, scaled(piece.velocity, -c));
   assert(y);  // the sines of x' are those of x
@@ -44,11 +44,11 @@ void find_turns(const Segment& f, const Segment& derivative, std::vector<double>
 
 }  // namespace
 
-Piece::Piece() {
+TurningPiece::TurningPiece() {
   turns.reserve(room);
 }
 
-void Piece::set(const Segment& motion) {
+void TurningPiece::set(const Segment& motion) {
   x = motion;
   velocity = derivative(motion);
   find_turns(x, velocity, turns);
@@ -66,7 +66,7 @@ void SwitchPath::place(double x, double velocity) {
   last_ = x - (velocity > 0 ? forwards_ : backwards_) * velocity;
 }
 
-void SwitchPath::begin(const Piece& piece) {
+void SwitchPath::begin(const TurningPiece& piece) {
   stretches_.clear();
   if (forwards_ != 0 || backwards_ != 0) {
     ahead_ = compensated(piece, forwards_);
@@ -80,7 +80,7 @@ void SwitchPath::begin(const Piece& piece) {
 }
 
 /// The stretches of one way, whose y may itself turn round: a lead under hard braking.
-void SwitchPath::add(const Piece& piece, double begin, double end) {
+void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
   const bool forwards = value(piece.velocity, (begin + end) / 2) >= 0;
   const Segment& y = forwards ? ahead_ : back_;
   turns_.clear();
@@ -88,7 +88,7 @@ void SwitchPath::add(const Piece& piece, double begin, double end) {
   const double from = value(y, begin);
   // Where the velocity jumps, y does: the boundaries in between are passed at that instant.
   if (from != last_) stretches_.push_back({begin, begin, last_, from, forwards});
-  Stretch next{begin, begin, from, from, forwards};
+  MonotonePart next{begin, begin, from, from, forwards};
   const auto close = [&](double s) {
     next = {next.end, s, next.to, value(y, s), forwards};
     stretches_.push_back(next);
@@ -100,7 +100,7 @@ void SwitchPath::add(const Piece& piece, double begin, double end) {
 }
 
 /// Newton's method, kept within a bracket: y - target changes sign once over the stretch.
-double SwitchPath::time(const Stretch& stretch, double target) const {
+double SwitchPath::time(const MonotonePart& stretch, double target) const {
   const Segment& y = stretch.forwards ? ahead_ : back_;
   double a = stretch.begin;
   double b = stretch.end;

@@ -8,17 +8,17 @@
 namespace jounce::detail {
 
 /// One piece of an axis' motion x(s), and where within it the axis turns round.
-struct Piece {
+struct TurningPiece {
   Segment x, velocity;
   std::vector<double> turns = {};  ///< s in [0, 1], 0 and 1 included
 
-  Piece();
+  TurningPiece();
   /// Allocates nothing while `turns` has room, which it has for a degree of 3.
   void set(const Segment& motion);
 };
 
 /// A stretch of a piece over which the compensated position is monotone.
-struct Stretch {
+struct MonotonePart {
   double begin = 0, end = 0;  ///< s in [0, 1]; equal: a jump
   double from = 0, to = 0;    ///< positions
   bool forwards = true;       ///< the axis; the compensated position may go the other way
@@ -34,21 +34,21 @@ class SwitchPath {
   [[nodiscard]] double backwards() const { return backwards_; }
 
   void place(double x, double velocity);
-  void begin(const Piece& piece);
+  void begin(const TurningPiece& piece);
   void shift(double distance) { last_ -= distance; }
 
-  [[nodiscard]] std::span<const Stretch> stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const MonotonePart> stretches() const { return stretches_; }
   /// When y takes the target, which lies within the stretch: s from the piece's start.
-  [[nodiscard]] double time(const Stretch& stretch, double target) const;
+  [[nodiscard]] double time(const MonotonePart& stretch, double target) const;
   /// y at the end of the piece before.
   [[nodiscard]] double last() const { return last_; }
 
  private:
-  void add(const Piece& piece, double begin, double end);
+  void add(const TurningPiece& piece, double begin, double end);
 
   double forwards_, backwards_;
   Segment ahead_, back_;  // y for either direction
-  std::vector<Stretch> stretches_;
+  std::vector<MonotonePart> stretches_;
   std::vector<double> turns_;
   double last_ = 0;
 };

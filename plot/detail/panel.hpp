@@ -16,7 +16,7 @@ constexpr double title_font = 15;
 
 /// A stretch of an axis and where its ends are drawn, px.
 struct Scale {
-  Extent of;
+  PlotRange of;
   double at_lo = 0;
   double at_hi = 1;
 
@@ -27,7 +27,7 @@ struct Scale {
 
 /// The y axis of a panel, and what is said above it.
 struct PanelAxis {
-  Extent extent;
+  PlotRange extent;
   Ticks ticks;
   bool lower = false;  ///< whether the limit is drawn
   bool upper = false;

@@ -16,8 +16,8 @@ constexpr double least_knot_distance = 4;  // px, on average
 /// A limit is drawn to scale unless it makes the axis this much longer than the data need.
 constexpr double most_stretch = 3;
 
-Extent data_extent(const Panel& panel) {
-  Extent data;
+PlotRange data_extent(const Panel& panel) {
+  PlotRange data;
   for (const Series& series : panel.series)
     for (const double y : series.y) data.add(y);
   for (const Marker& marker : panel.markers) data.add(marker.y);
@@ -25,9 +25,10 @@ Extent data_extent(const Panel& panel) {
 }
 
 /// Makes the axis show the limit, unless that is held by far. `flat`: the data are a constant.
-bool include(Extent& axis, const Extent& data, bool flat, std::optional<double> limit, bool held) {
+bool include(PlotRange& axis, const PlotRange& data, bool flat, std::optional<double> limit,
+             bool held) {
   if (!limit || !drawable(*limit)) return false;
-  Extent longer = data;
+  PlotRange longer = data;
   longer.add(*limit);
   if (held && !flat && longer.span() > most_stretch * data.span()) return false;
   axis.add(*limit);
@@ -49,10 +50,10 @@ std::vector<std::string> off_scale(const Panel& panel, const PanelAxis& axis) {
 
 PanelAxis panel_axis(const Panel& panel, double height) {
   PanelAxis axis;
-  const Extent data = data_extent(panel);
-  const Extent shown = axis_extent(data, panel.noise);
+  const PlotRange data = data_extent(panel);
+  const PlotRange shown = axis_extent(data, panel.noise);
   const bool flat = data.empty() || shown.lo != data.lo || shown.hi != data.hi;
-  Extent extent = flat ? data : shown;
+  PlotRange extent = flat ? data : shown;
   axis.upper = include(extent, data, flat, panel.upper, data.hi <= panel.upper);
   axis.lower = include(extent, data, flat, panel.lower, data.lo >= panel.lower);
   axis.notes = off_scale(panel, axis);

@@ -48,7 +48,7 @@ std::string label(double value, int decimals) {
   return value < 0 ? "−" + text : text;
 }
 
-Ticks ticks_at(Extent axis, Step step) {
+Ticks ticks_at(PlotRange axis, Step step) {
   const double width = step.value();
   const double first = std::ceil(axis.lo / width - 1e-9);
   const double last = std::floor(axis.hi / width + 1e-9);
@@ -68,7 +68,7 @@ Ticks ticks_at(Extent axis, Step step) {
 
 }  // namespace
 
-void Extent::add(double value) {
+void PlotRange::add(double value) {
   if (!drawable(value)) return;
   const bool first = empty();
   lo = first ? value : std::min(lo, value);
@@ -79,7 +79,7 @@ bool drawable(double value) {
   return std::abs(value) <= 1e300;  // false for nan, too
 }
 
-Extent axis_extent(Extent data, double noise) {
+PlotRange axis_extent(PlotRange data, double noise) {
   if (data.empty()) return {-1, 1};
   const double largest = std::max(std::abs(data.lo), std::abs(data.hi));
   // The last term: below it, a step of the axis would be no normal number.
@@ -89,11 +89,11 @@ Extent axis_extent(Extent data, double noise) {
   return {middle - 0.1 * std::abs(middle), middle + 0.1 * std::abs(middle)};
 }
 
-Ticks ticks(Extent axis, int most) {
+Ticks ticks(PlotRange axis, int most) {
   return ticks_at(axis, nice_step(axis.span(), most));
 }
 
-Ticks angle_ticks(Extent axis, int most) {
+Ticks angle_ticks(PlotRange axis, int most) {
   const bool wide = axis.span() >= 60 && axis.span() <= 1e6;
   return wide ? ticks_at(axis, angle_step(axis.span(), most)) : ticks(axis, most);
 }

@@ -6,7 +6,7 @@
 namespace jounce {
 
 /// An interval of the numbers that a plot shows; empty until something finite is added.
-struct Extent {
+struct PlotRange {
   double lo = 1;
   double hi = -1;
 
@@ -21,7 +21,7 @@ bool drawable(double value);
 
 /// An interval that an axis can show: around `data`, never empty or a single point. A variation of
 /// no more than `noise`, or than rounding, is taken for a constant.
-Extent axis_extent(Extent data, double noise = 0);
+PlotRange axis_extent(PlotRange data, double noise = 0);
 
 /// Where an axis is marked, and with what.
 struct Ticks {
@@ -31,10 +31,10 @@ struct Ticks {
 };
 
 /// Ticks at steps of 1, 2 or 5 times a power of ten, at most `most` >= 1 intervals.
-Ticks ticks(Extent axis, int most);
+Ticks ticks(PlotRange axis, int most);
 
 /// The same for an angle in degrees: from 60 deg on, steps are 5, 10, 15, 30, 45, 60, 90, 180 or
 /// multiples of 360.
-Ticks angle_ticks(Extent axis, int most);
+Ticks angle_ticks(PlotRange axis, int most);
 
 }  // namespace jounce

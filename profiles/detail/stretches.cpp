@@ -194,9 +194,9 @@ bool Search::accept(std::size_t knot, const Knot& candidate) {
 
 }  // namespace
 
-Stretch stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to) {
+Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to) {
   std::vector<AxisMove> moves(axes.size());
-  Stretch result{none, std::vector<Profile>(axes.size())};
+  Hop result{none, std::vector<Profile>(axes.size())};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     moves[i] = {from[i], to[i], axes[i]};
     if (!is_inside(from[i], axes[i])) return result;

@@ -11,14 +11,14 @@ namespace jounce::detail {
 using Knot = std::vector<MotionState>;
 
 /// The motion between two neighbouring knots.
-struct Stretch {
+struct Hop {
   double duration = 0;  ///< s; infinite where there is none
   std::vector<Profile> profiles;
 };
 
 /// All axes from one knot to the next in the least common time, if every axis gets there without
 /// turning back on the way.
-Stretch stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
+Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
 
 /// The durations between the knots.
 std::vector<double> durations(std::span<const Bounds> axes, std::span<const Knot> knots);

@@ -166,16 +166,16 @@ std::vector<double> places(const Target& target, double a, double reach, double 
 }
 
 /// The stretch that the next knot after one at x is for; null behind the last.
-const Stretch* stretch_behind(const std::vector<Stretch>& stretches, double x) {
+const Straight* stretch_behind(const std::vector<Straight>& stretches, double x) {
   const auto at =
       std::upper_bound(stretches.begin(), stretches.end(), x,
-                       [](double place, const Stretch& each) { return place < each.end.x; });
+                       [](double place, const Straight& each) { return place < each.end.x; });
   return at == stretches.end() ? nullptr : &*at;
 }
 
 /// The knot that the intervals from x on must not pass.
 template <class Over>
-Knot limit_behind(const Curve<Over>& f, const Target& target, const Stretch* stretch, double x) {
+Knot limit_behind(const Curve<Over>& f, const Target& target, const Straight* stretch, double x) {
   if (stretch == nullptr) return held_at(f, target, f.end(), Side::left);
   return x < stretch->begin.x ? stretch->begin : stretch->end;
 }
@@ -184,7 +184,7 @@ template <class Over>
 class Followers {
  public:
   Followers(const Curve<Over>& f, const Target& target, const Knot& a, const Tolerances& tolerances,
-            const Stretch* stretch)
+            const Straight* stretch)
       : f_(f),
         target_(target),
         a_(a),
@@ -266,9 +266,9 @@ class Followers {
 
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
-                            const Tolerances& tolerances, const std::vector<Stretch>& stretches,
+                            const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess) {
-  const Stretch* stretch = stretch_behind(stretches, a.x);
+  const Straight* stretch = stretch_behind(stretches, a.x);
   return Followers<Over>(f, target, a, tolerances, stretch).run(guess);
 }
 
@@ -276,7 +276,7 @@ std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Kn
   template Knot knot_at(const Curve<Over>&, double, Side);                             \
   template Knot held_at(const Curve<Over>&, const Target&, double, Side);              \
   template std::vector<Knot> followers(const Curve<Over>&, const Target&, const Knot&, \
-                                       const Tolerances&, const std::vector<Stretch>&, double);
+                                       const Tolerances&, const std::vector<Straight>&, double);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

@@ -22,7 +22,7 @@ Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 /// before.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
-                            const Tolerances& tolerances, const std::vector<Stretch>& stretches,
+                            const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess);
 
 /// Which power of its length the error of an interval goes with: 2, 4, 6.

@@ -78,11 +78,11 @@ double step_from(double x, double step, double towards) {
 }
 
 template <class Over>
-Stretch knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
+Straight knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
   const double begin = step_from(f.breaks()[run.first], target.x_step, 1);
   const double end = step_from(f.breaks()[run.last], target.x_step, -1);
-  Stretch made{held_at(f, target, begin, Side::right), held_at(f, target, end, Side::left),
-               run.travel == 0};
+  Straight made{held_at(f, target, begin, Side::right), held_at(f, target, end, Side::left),
+                run.travel == 0};
   if (!made.dwell) return made;
   // A dwell at the end of a period has the position that closes it.
   const Knot& level = end == f.end() && begin != f.start() ? made.end : made.begin;
@@ -98,11 +98,11 @@ bool apart(double x, double next, double spacing) {
 }  // namespace
 
 template <class Over>
-std::vector<Stretch> kept_stretches(const Curve<Over>& f, const Target& target) {
-  std::vector<Stretch> all;
+std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target) {
+  std::vector<Straight> all;
   for (const Run& run : runs(f)) {
     if (!is_kept(f, run)) continue;
-    const Stretch made = knots_of(f, target, run);
+    const Straight made = knots_of(f, target, run);
     if (made.dwell && !all.empty() && !all.back().dwell &&
         !apart(all.back().end.x, made.begin.x, target.spacing))
       all.pop_back();  // the dwell matters more
@@ -114,7 +114,7 @@ std::vector<Stretch> kept_stretches(const Curve<Over>& f, const Target& target) 
   return all;
 }
 
-template std::vector<Stretch> kept_stretches(const Curve<OverTime>&, const Target&);
-template std::vector<Stretch> kept_stretches(const Curve<OverMaster>&, const Target&);
+template std::vector<Straight> kept_stretches(const Curve<OverTime>&, const Target&);
+template std::vector<Straight> kept_stretches(const Curve<OverMaster>&, const Target&);
 
 }  // namespace jounce::detail

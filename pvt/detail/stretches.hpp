@@ -8,7 +8,7 @@
 namespace jounce::detail {
 
 /// Where the curve is one straight line, which a reduced table keeps: from knot to knot.
-struct Stretch {
+struct Straight {
   Knot begin;
   Knot end;
   bool dwell = false;  ///< stands still
@@ -18,6 +18,6 @@ struct Stretch {
 /// stretches.cpp). Their knots are on the target's steps, never outside of the stretch, and have its
 /// rate; those of a dwell have one position and stand still.
 template <class Over>
-std::vector<Stretch> kept_stretches(const Curve<Over>& f, const Target& target);
+std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target);
 
 }  // namespace jounce::detail

@@ -90,7 +90,7 @@ TEST(Html, RefusesScriptsAndRequests) {
 TEST(Html, EscapesEveryText) {
   const std::string evil = "<script>alert('1')</script><img src=x onerror=\"x\">&\x02";
   Page page{.title = evil, .subtitle = evil};
-  page.verdict = Verdict{true, evil};
+  page.verdict = Headline{true, evil};
   CurveLook look = pmc600_look();
   look.title = look.label = look.axis = look.unit = look.axis_unit = evil;
   look.shades[0].label = evil;

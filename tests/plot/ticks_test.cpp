@@ -56,7 +56,7 @@ TEST(Ticks, AreFewFiniteAndDistinctOnAnyAxis) {
     const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     const double size = std::pow(10, -290 + 580 * uniform());
     const double middle = size * (2 * uniform() - 1) * std::pow(10, 6 * uniform());
-    const Extent axis = axis_extent({middle - size * uniform(), middle + size * uniform()});
+    const PlotRange axis = axis_extent({middle - size * uniform(), middle + size * uniform()});
     const int most = 1 + static_cast<int>(12 * uniform());
     const Ticks t = i % 2 == 0 ? ticks(axis, most) : angle_ticks(axis, most);
     ASSERT_EQ(t.at.size(), t.labels.size());
@@ -73,9 +73,10 @@ TEST(Ticks, AreFewFiniteAndDistinctOnAnyAxis) {
 }
 
 TEST(AxisExtent, IsNeverEmpty) {
-  for (const Extent data : {Extent{}, Extent{0, 0}, Extent{5, 5}, Extent{-1e300, -1e300},
-                            Extent{1e-320, 2e-320}, Extent{1e12, 1e12 + 1e-4}}) {
-    const Extent axis = axis_extent(data);
+  for (const PlotRange data :
+       {PlotRange{}, PlotRange{0, 0}, PlotRange{5, 5}, PlotRange{-1e300, -1e300},
+        PlotRange{1e-320, 2e-320}, PlotRange{1e12, 1e12 + 1e-4}}) {
+    const PlotRange axis = axis_extent(data);
     EXPECT_GT(axis.span(), 0);
     EXPECT_TRUE(std::isfinite(axis.span()));
     if (!data.empty()) {
@@ -91,8 +92,8 @@ TEST(AxisExtent, TakesNoiseForAConstant) {
   EXPECT_EQ(axis_extent({2, 2 + 1e-10}, 1e-11).lo, 2);
 }
 
-TEST(Extent, IgnoresWhatCannotBeDrawn) {
-  Extent extent;
+TEST(PlotRange, IgnoresWhatCannotBeDrawn) {
+  PlotRange extent;
   extent.add(std::numeric_limits<double>::quiet_NaN());
   extent.add(std::numeric_limits<double>::infinity());
   extent.add(std::numeric_limits<double>::max());

@@ -15,7 +15,7 @@ namespace jounce {
 namespace {
 
 using detail::Ode;
-using detail::Solver;
+using detail::OdeSolver;
 using detail::SolverOptions;
 using detail::Step;
 
@@ -28,7 +28,7 @@ SolverOptions settings(std::size_t states, double tolerance, double scale = 1) {
   return options;
 }
 
-void run_to(Solver& solver, double t) {
+void run_to(OdeSolver& solver, double t) {
   for (;;) {
     const Step step = solver.step(t);
     ASSERT_NE(step, Step::failed) << solver.integration().reason;
@@ -62,7 +62,7 @@ struct Decay {
 
 double decay_error(double tolerance) {
   const Decay decay;
-  Solver solver(decay.ode(), settings(1, tolerance), 0, std::array{decay.y0});
+  OdeSolver solver(decay.ode(), settings(1, tolerance), 0, std::array{decay.y0});
   run_to(solver, 1.5);
   return std::max(std::abs(solver.sensitivity(0)[0] - decay.by_p(1.5)),
                   std::abs(solver.sensitivity(1)[0] - decay.by_q(1.5)));
@@ -82,7 +82,7 @@ TEST(Sensitivity, ErrorFollowsTheTolerance) {
 
 TEST(Sensitivity, IsInterpolatedInsideAStep) {
   const Decay decay;
-  Solver solver(decay.ode(), settings(1, 1e-10), 0, std::array{decay.y0});
+  OdeSolver solver(decay.ode(), settings(1, 1e-10), 0, std::array{decay.y0});
   for (int i = 0; i < 200 && solver.time() < 0.5; ++i) {
     ASSERT_NE(solver.step(1), Step::failed);
     const double t = 0.3 * solver.before() + 0.7 * solver.time();
@@ -97,7 +97,7 @@ TEST(Sensitivity, IsInterpolatedInsideAStep) {
 /// At t = 1 the state jumps by p q: the sensitivities jump by q and p, and go on.
 TEST(Sensitivity, GoesOnAfterAJumpThatDependsOnTheParameters) {
   const Decay decay;
-  Solver solver(decay.ode(), settings(1, 1e-10), 0, std::array{decay.y0});
+  OdeSolver solver(decay.ode(), settings(1, 1e-10), 0, std::array{decay.y0});
   run_to(solver, 1);
   solver.state()[0] += decay.p * decay.q;
   solver.sensitivity(0)[0] += decay.q;
@@ -134,10 +134,10 @@ TEST(Sensitivity, OfASmoothProblemAgreesWithDifferences) {
   const std::array start{0.7, -0.2};
   Ode ode = van_der_pol(p);
   ode.parameters = {p[0], p[1]};
-  Solver solver(ode, settings(2, 1e-10), 0, start);
+  OdeSolver solver(ode, settings(2, 1e-10), 0, start);
   run_to(solver, 4);
   const auto end = [&](std::array<double, 2> q) {
-    Solver plain(van_der_pol(q), settings(2, 1e-12), 0, start);
+    OdeSolver plain(van_der_pol(q), settings(2, 1e-12), 0, start);
     run_to(plain, 4);
     return std::array{plain.state()[0], plain.state()[1]};
   };
@@ -160,7 +160,7 @@ TEST(Sensitivity, NotFiniteIsAnOutcome) {
   ode.by_parameter = [](double t, const double*, double* dfdp) {
     dfdp[0] = t < 0.5 ? 1 : std::nan("");
   };
-  Solver solver(ode, settings(1, 1e-8), 0, std::array{1.0});
+  OdeSolver solver(ode, settings(1, 1e-8), 0, std::array{1.0});
   Step step = Step::inside;
   while (step == Step::inside) step = solver.step(1);
   EXPECT_EQ(step, Step::failed);
@@ -293,7 +293,7 @@ Eigen::VectorXd Driven::forward_gradient(double tolerance) const {
   SolverOptions options = settings(6, tolerance);
   options.absolute = {1e-5, 1e-3, 1e-5, 1e-3, 1e-1, 1e-10};
   for (double& absolute : options.absolute) absolute *= tolerance;
-  Solver solver(with_integral, options, 0, std::array<double, 6>{});
+  OdeSolver solver(with_integral, options, 0, std::array<double, 6>{});
   solver.limit_step(interval());
   run_to(solver, 1);
   Eigen::VectorXd gradient(n + 1);

@@ -13,7 +13,7 @@ namespace jounce::detail {
 class LockedReference {
  public:
   /// `before`: what the axis did until the first piece.
-  LockedReference(double origin, const Piece& first, const Jet& before)
+  LockedReference(double origin, const SignalPiece& first, const Jet& before)
       : origin_(origin), piece_(first), before_(before) {}
 
   /// The last answer is kept, since right-hand side, Jacobian and events ask for the same instants.
@@ -25,13 +25,13 @@ class LockedReference {
   /// Locks it to the piece, and tells solver and switches. True where the solver must begin anew, at the start,
   /// at a step of the reference, where its own step has become too long, and where the friction fed
   /// forward changes its sign; then the deviations have stepped as the reference does, since the axis moves on as it is.
-  bool enter(const Piece& piece, const Scales& size, DriveModel& model, Switches& switches,
-             Solver& solver);
+  bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
+             OdeSolver& solver);
   void leave() { before_ = piece_.at(piece_.end); }
 
  private:
   double origin_;
-  Piece piece_;
+  SignalPiece piece_;
   Jet before_;
   Jet jet_{};
   double asked_ = std::numeric_limits<double>::quiet_NaN();

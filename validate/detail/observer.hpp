@@ -23,7 +23,7 @@ class Observer {
   Observer(const DriveModel& model, const DriveOptions& options, double origin, double duration);
 
   /// After each step, with the reference it was made along. Reads the solver's dense output.
-  void step(const Solver& solver, const Piece& reference);
+  void step(const OdeSolver& solver, const SignalPiece& reference);
 
   /// From here on, the reference's end, it stands still: residual and swings are watched.
   void settle(double end) { settling_ = true, end_ = end; }
@@ -44,16 +44,16 @@ class Observer {
   };
   using Points = std::array<Point, 3>;  ///< beginning, middle and end of a step
 
-  [[nodiscard]] Point point(const double* y, const Piece& reference, double t) const;
-  [[nodiscard]] Point between(const Solver& solver, const Piece& reference, double t);
+  [[nodiscard]] Point point(const double* y, const SignalPiece& reference, double t) const;
+  [[nodiscard]] Point between(const OdeSolver& solver, const SignalPiece& reference, double t);
   void swing(const Point& a, const Point& b);
   template <class Outside>
-  [[nodiscard]] double crossing(const Solver& solver, const Piece& reference, double out, double in,
-                                Outside outside);
-  void beyond(const Solver& solver, const Piece& reference, const Points& p);
-  void settling(const Solver& solver, const Piece& reference, const Points& p);
+  [[nodiscard]] double crossing(const OdeSolver& solver, const SignalPiece& reference, double out,
+                                double in, Outside outside);
+  void beyond(const OdeSolver& solver, const SignalPiece& reference, const Points& p);
+  void settling(const OdeSolver& solver, const SignalPiece& reference, const Points& p);
   void power(const Points& p, double done);
-  void sample(const Solver& solver, const Piece& reference);
+  void sample(const OdeSolver& solver, const SignalPiece& reference);
 
   const DriveModel& model_;
   const DriveOptions& options_;

@@ -8,7 +8,7 @@ namespace jounce::detail {
 
 /// One interval of a signal between two breaks, locked: every query is answered from inside it, so
 /// that an integrator that looks past a break does not see the other side.
-struct Piece {
+struct SignalPiece {
   const SignalView* signal;
   double begin;
   double end;
@@ -21,7 +21,7 @@ struct Piece {
 /// The intervals of a signal, which must outlive them, in order; those no longer than `shortest`
 /// are left out. Throws InputError for breaks that do not ascend from the signal's start to its
 /// end.
-std::vector<Piece> pieces(const SignalView& signal, double shortest = 0);
+std::vector<SignalPiece> pieces(const SignalView& signal, double shortest = 0);
 
 /// The size of each quantity of a signal, read at the ends of every piece and between them: the
 /// scale that errors are measured against, not a bound.
@@ -30,6 +30,6 @@ struct Scales {
   Jet peak{};        ///< greatest magnitude of position and each derivative
 };
 
-Scales scales(const std::vector<Piece>& pieces);
+Scales scales(const std::vector<SignalPiece>& pieces);
 
 }  // namespace jounce::detail

@@ -62,11 +62,11 @@ enum class Step { inside, stop, event, failed };
 ///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
 ///
 /// At a jump of the state whoever changes state() changes sensitivity() too, before restart().
-class Solver {
+class OdeSolver {
  public:
-  Solver(Ode ode, SolverOptions options, double t0, std::span<const double> y0);
-  Solver(const Solver&) = delete;
-  Solver& operator=(const Solver&) = delete;
+  OdeSolver(Ode ode, SolverOptions options, double t0, std::span<const double> y0);
+  OdeSolver(const OdeSolver&) = delete;
+  OdeSolver& operator=(const OdeSolver&) = delete;
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::span<double> state() { return {N_VGetArrayPointer(y_.get()), size_}; }

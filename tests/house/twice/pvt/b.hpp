@@ -1,0 +1,7 @@
+namespace jounce::detail {
+template <int degree>
+struct Piece {};
+namespace {
+struct Own {};
+}  // namespace
+}  // namespace jounce::detail
