@@ -169,8 +169,8 @@ std::size_t TomlReader::choice(const char* key, std::span<const std::string> per
     if (permitted[i] == given) return i;
   const std::string hint = nearest(given, permitted);
   fail(key, '"' + given + '"',
-       (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") + std::string("must be one of ") +
-           join(permitted));
+       (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") +
+           (permitted.size() > 1 ? "must be one of " : "must be ") + join(permitted));
 }
 
 std::optional<std::size_t> TomlReader::optional_choice(const char* key,

@@ -105,7 +105,10 @@ void require_free(const CamProblem& problem) {
   }
   const auto freedom = optimizer::freedom(problem);
   if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
-    throw InputError("free", "nothing", "an optimisation needs at least one free quantity");
+    throw InputError(
+        "free", "nothing",
+        "an optimisation needs at least one free quantity: a knot's free = { slave = [30, "
+        "60] }, a segment's free = { shape = 60 }");
 }
 
 void require_objectives(const std::vector<Objective>& minimize) {
