@@ -59,7 +59,7 @@ void MotionAxis::report() {
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
-  now_.override_ = on_path() ? granted(std::min(factor_, highest_rate(peaks_, config_))) : factor_;
+  now_.override_ = on_path() ? granted(std::min(factor_, most_rate())) : factor_;
   now_.rate = on_path() ? clock_.at(now_.tick).rate : 1;
 }
 
@@ -123,7 +123,7 @@ Cause MotionAxis::advance(Setpoint& next) {
     if (active_->progress() != Progress::broken) return Cause::none;
     return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
   }
-  if (passes() && plan_time() >= plan_.duration())
+  while (passes() && plan_time() >= plan_.duration())  // a late cycle may pass several
     if (const Cause no = pass_target(); no != Cause::none) return no;
   const double t = plan_time();
   const auto [p, v, a, j] = plan_.at(t);

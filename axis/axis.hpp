@@ -161,12 +161,13 @@ class MotionAxis {
   void govern();
   [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
   [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] double most_rate() const;
   [[nodiscard]] double granted(double wanted) const;
   [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
   bool change_rate(double rate);
   [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
   bool stop_on_path();
-  void replan();
+  bool replan();
 
   // axis_moves.cpp: moves of its own
   void move(const Command& command);
@@ -232,7 +233,7 @@ class MotionAxis {
   PathClock shown_;          // the same as the last setpoint was given out
   std::int64_t from_ = 0;    // the first tick in which that may still be changed
   double played_to_ = 0;     // path time of the tick before, s
-  Peaks peaks_;              // of it, and of what it will be swapped for
+  Peaks peaks_;              // of it
   Boundary boundary_ = Boundary::none;
   double boundary_at_ = 0;  // path time, s
   Goal goal_;               // of the move

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "jounce/axis/axis.hpp"
 
@@ -130,14 +131,17 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
 void MotionAxis::hold(bool on) {
   if (base_ == Base::movement && !on_path()) return refuse(Cause::not_on_path);
   if (ending_ != Ending::none) return refuse(Cause::halting);
-  held_ = on;
-  replan();
+  const bool before = std::exchange(held_, on);
+  if (!replan()) held_ = before;
 }
 
 void MotionAxis::set_override(double factor) {
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
-  factor_ = factor;
-  if (moving() && ending_ == Ending::none && (base_ == Base::move || on_path())) replan();
+  // What is superimposed was given what the factor left.
+  if (lifting_ && factor > factor_) return refuse(Cause::in_motion, factor, factor_);
+  const double before = std::exchange(factor_, factor);
+  if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path())) return;
+  if (!replan()) factor_ = before;
 }
 
 /// Agito StopRep: the stroke is finished, the next one does not begin.

@@ -78,7 +78,13 @@ bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
 /// The rate that is asked for now; a path may grant less.
 double MotionAxis::wanted_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
-  return on_path() ? std::min(factor_, highest_rate(peaks_, config_)) : factor_;
+  return on_path() ? std::min(factor_, most_rate()) : factor_;
+}
+
+/// What this path takes, and the one that it is about to be swapped for.
+double MotionAxis::most_rate() const {
+  const double own = highest_rate(peaks_, config_);
+  return waiting_ && pending_ ? std::min(own, highest_rate(pending_->peaks(), config_)) : own;
 }
 
 /// What of it a path takes now: above full speed, one that grows has its rate from govern(), and what
@@ -120,10 +126,11 @@ double MotionAxis::slope_to(double rate, std::int64_t tick) const {
 }
 
 /// The rate has changed: the path runs at another one, a move is planned anew.
-void MotionAxis::replan() {
+bool MotionAxis::replan() {
   const bool done =
       on_path() ? change_rate(granted_rate()) : plan_from(bare_, emitted_, goal_, wanted_rate());
   if (!done) refuse(Cause::no_such_move);
+  return done;
 }
 
 }  // namespace jounce

@@ -21,7 +21,6 @@ void MotionAxis::start_at_end() {
   boundary_ = Boundary::swap;
   boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
   if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
-  waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
 }
@@ -60,15 +59,8 @@ bool MotionAxis::ready_to_swap() {
   if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
   if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
   if (now_.refused) return false;
-  const Peaks own = peaks_;
-  const Peaks next = pending_->peaks();
-  peaks_ = {std::max(peaks_.velocity, next.velocity),
-            std::max(peaks_.acceleration, next.acceleration), std::max(peaks_.jerk, next.jerk),
-            std::max(peaks_.velocity_step, next.velocity_step)};
-  const double rate = pending_->growing() ? std::min(granted_rate(), 1.0) : granted_rate();
-  const Peaks both = std::exchange(peaks_, own);
-  change_rate(rate);
-  peaks_ = both;
+  waiting_ = true;
+  change_rate(granted_rate());
   return true;
 }
 

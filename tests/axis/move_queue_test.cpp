@@ -46,6 +46,32 @@ Profile first_of_two(const AxisConfig& config, double from = 0) {
   return *profile;
 }
 
+// A cycle that is late by more than a short move takes: it goes on where it would have been in time.
+TEST(Blending, ALateCycleMayPassSeveralTargets) {
+  for (const std::int64_t late : {5, 20, 40, 90}) {
+    Bench in_time(config_with(0)), too_late(config_with(0));
+    for (Bench* each : {&in_time, &too_late}) {
+      each->tell(Kind::enable);
+      each->step(to(100, 50, BufferMode::aborting));
+      for (int i = 1; i <= 6; ++i) each->step(to(100 + 0.5 * i, 50, BufferMode::blending_previous));
+      each->step(to(150, 50, BufferMode::blending_previous));
+      while (each->step().position < 99.5) continue;
+    }
+    const Tick there = in_time.run(late);
+    too_late.tick += late - 1;
+    const Tick here = too_late.step();
+    ASSERT_EQ(here.tick, there.tick);
+    ASSERT_EQ(here.fault, Cause::none);
+    EXPECT_NEAR(here.position, there.position, 1e-9) << late << " ticks late";
+    EXPECT_NEAR(here.velocity, there.velocity, 1e-9) << late << " ticks late";
+    EXPECT_EQ(here.finished, there.finished);
+    const Tick last = too_late.run(5000);
+    EXPECT_EQ(last.state, State::standstill);
+    EXPECT_NEAR(last.position, 150, 1e-9);
+    EXPECT_EQ(last.finished, 8);
+  }
+}
+
 // PLCopen: through the target at the higher velocity. From 50 to 100 u/s at a takes 50 ms and 3.75 u: it
 // begins 3.75 u before the target, and no sooner.
 TEST(Blending, SpeedsUpForAFasterMoveAsLateAsItCan) {

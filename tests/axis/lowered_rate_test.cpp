@@ -1,0 +1,91 @@
+// A rate that is above full speed and comes down for a swap, or must not go up: what is told meanwhile.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/job.hpp"
+
+#include "axis/tables.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+/// A table at twice its speed, and one that takes full speed only armed to follow it; two ticks later
+/// the rate is on its way down.
+struct Lowering {
+  Lowering() {
+    bench.play(fast);
+    bench.step({.kind = Kind::override_, .factor = 2});
+    EXPECT_EQ(bench.run(300).rate, 2);
+    arm();
+    EXPECT_LT(bench.run(2).rate, 2);
+  }
+  void arm() {
+    bench.arm(slow);
+    EXPECT_EQ(refusal(bench.step({.kind = Kind::start, .start_at = StartAt::end_of_table})),
+              Cause::none);
+  }
+
+  Job fast{1, there_and_back(0, 10, 2, Outside::wrap)};     // 58 u/s^2
+  Job slow{2, there_and_back(0, 10, 0.5, Outside::hold)};  // 924 u/s^2
+  Bench bench{{.limits = limits(100, 1000)}};
+};
+
+TEST(LoweredRate, AStopStaysOnThePath) {
+  for (const Kind kind : {Kind::stop, Kind::halt}) {
+    Lowering at;
+    EXPECT_EQ(refusal(at.bench.tell(kind)), Cause::none);
+    Tick tick;
+    for (int i = 0; i < 2000; ++i) {
+      tick = at.bench.step();
+      if (tick.state == State::standstill) break;
+      ASSERT_EQ(tick.job, 1U) << "on its path";
+    }
+    EXPECT_EQ(tick.state, State::standstill);
+  }
+}
+
+TEST(LoweredRate, AHoldAndAnOverrideAreTaken) {
+  Lowering held;
+  EXPECT_EQ(refusal(held.bench.tell(Kind::hold)), Cause::none);
+  Tick tick = held.bench.run(200);
+  EXPECT_EQ(tick.job, 1U);
+  EXPECT_EQ(tick.rate, 0);
+  Lowering slower;
+  EXPECT_EQ(refusal(slower.bench.step({.kind = Kind::override_, .factor = 0.5})), Cause::none);
+  tick = slower.bench.run(200);
+  EXPECT_EQ(tick.job, 1U);
+  EXPECT_EQ(tick.rate, 0.5);
+}
+
+TEST(LoweredRate, GoesUpAgainWhereAnotherIsArmedInstead) {
+  Lowering at;
+  EXPECT_NEAR(at.bench.run(100).rate, std::sqrt(1000 / 923.76), 1e-3) << "what the next one takes";
+  Job other(3, there_and_back(0, 5, 2, Outside::hold));
+  EXPECT_EQ(refusal(at.bench.arm(other)), Cause::none);
+  const Tick tick = at.bench.run(300);
+  EXPECT_EQ(tick.rate, 2);
+  EXPECT_EQ(tick.override_, 2);
+}
+
+// A superimposed move was given what the factor left of the velocity.
+TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
+  Bench bench{{.limits = limits(1, 10)}};
+  bench.tell(Kind::enable);
+  bench.step({.kind = Kind::move_absolute, .position = 2, .dynamics = {.velocity = 0.5}});
+  bench.run(200);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 0.3})), Cause::none);
+  bench.run(150);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::in_motion);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 0.5})), Cause::none);
+  const Tick tick = bench.run(10'000);
+  EXPECT_EQ(tick.fault, Cause::none);
+  EXPECT_NEAR(tick.position, 2.3, 1e-9);
+}
+
+}  // namespace
+}  // namespace jounce
