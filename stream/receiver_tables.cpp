@@ -80,6 +80,11 @@ void Receiver::take(const wire::Chunk& chunk) {
 /// The hash that the first header did not tell: of a table that is here, or complete, or under way.
 void Receiver::learn(Slot& slot, const Sha256& hash) {
   slot.header.hash = hash;
+  if (slot.refused.refusal == wire::Refusal::out_of_memory) {  // what needs no room may be here
+    Slot again = announced(slot.header);
+    slot = std::move(again);
+    return;
+  }
   if (!slot.assembly) return;
   if (slot.assembly->complete()) return finish(slot);
   slot.stored = store_.find(hash);

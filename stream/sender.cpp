@@ -184,6 +184,7 @@ void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   // A chunk has overtaken its header, or the session is forgotten: the header opens it anew.
   if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
   if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
+  if (ack.refusal == wire::Refusal::out_of_memory && asks_by_name(now)) return;
   if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
   if (ack.complete && headers_[table_].has_hash()) return next_table(now);
   if (!window_) {
@@ -194,6 +195,17 @@ void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   }
   if (window_->acknowledge(ack, now)) progressed_ = now;
   count();
+}
+
+/// There is no room for a table that was announced without its hash; but it may be there already, where
+/// it is played, or twice in this plan: so the hash is told, and what was answered before that passed over.
+bool Sender::asks_by_name(Nanos now) {
+  if (!headers_[table_].has_hash()) {
+    while (hash()) continue;
+    header_sent_.reset();
+    named_ = now;
+  }
+  return named_ && now - *named_ < options_.patience / 4;
 }
 
 /// Nothing counts that was sent before the executor told its challenge.
@@ -210,6 +222,7 @@ void Sender::next_table(Nanos now) {
   window_.reset();
   arrived_before_ += headers_[table_].chunks;
   header_sent_.reset();
+  named_.reset();
   progressed_ = now;
   ++table_;
   count();

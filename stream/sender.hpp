@@ -130,6 +130,7 @@ class Sender {
   void take(const wire::Status& status, std::int64_t challenge, Nanos now);
   template <class Other>
   void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
+  bool asks_by_name(Nanos now);
   void begin_anew(std::int64_t challenge);
   [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
   void accepted();
@@ -173,6 +174,7 @@ class Sender {
   bool farewell_due_ = false;
   Nanos heard_{}, progressed_{}, sent_{};
   std::optional<Nanos> header_sent_;
+  std::optional<Nanos> named_;  ///< since when a table without room is asked for by its hash
 };
 
 }  // namespace jounce

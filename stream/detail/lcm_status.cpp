@@ -113,8 +113,9 @@ bool get(const jounce_lcm::master_t& from, Master& to) {
   to.clock = from.clock;
   to.position = from.position;
   to.velocity = from.velocity;
-  return to.seq >= 0 && to.stamp_ns >= 0 && to.clock >= 0 && get_flag(from.valid, to.valid) &&
-         std::isfinite(to.position) && !std::isinf(to.velocity) &&
+  constexpr std::int64_t latest = std::int64_t{1} << 62;  // 146 years: differences are numbers
+  return to.seq >= 0 && to.stamp_ns >= 0 && to.stamp_ns <= latest && to.clock >= 0 &&
+         get_flag(from.valid, to.valid) && std::isfinite(to.position) && !std::isinf(to.velocity) &&
          get_text(from.unit, unit_bytes, to.unit) && !to.unit.empty();
 }
 

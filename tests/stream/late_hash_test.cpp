@@ -105,6 +105,30 @@ TEST_F(LateHash, RefusesASecondOne) {
   EXPECT_TRUE(receiver.store().find(last.hash).has_value());
 }
 
+TEST_F(LateHash, OfATableWithoutRoomMayNameOneThatIsThere) {
+  Receiver small{{.executor = "feeder", .memory = 3000 * 4 * sizeof(double) + 4096}, 77};
+  const auto put_in = [&](std::int64_t session, const wire::Body& body) {
+    small.receive({"feeder", session, body, small.challenge()}, now);
+  };
+  const auto last_ack = [&] {
+    wire::Ack newest;
+    for (const auto& message : small.poll(now))
+      if (const auto* body = std::get_if<wire::Ack>(&message.body)) newest = *body;
+    return newest;
+  };
+  put_in(1, last);
+  for (std::size_t i = 0; i < chunks; ++i) put_in(1, download[i + 1].body);
+  ASSERT_TRUE(last_ack().complete);
+  const auto played = small.store().find(last.hash);
+  ASSERT_TRUE(played);
+  wire::Header again = first, named = last;
+  again.table = named.table = 1;
+  put_in(1, again);
+  EXPECT_EQ(last_ack().refusal, Refusal::out_of_memory);
+  put_in(1, named);
+  EXPECT_TRUE(last_ack().complete);
+}
+
 TEST_F(LateHash, BelongsToTheTableThatWasAnnounced) {
   const auto refuses = [&](auto change) {
     wire::Header header = last;
