@@ -8,6 +8,7 @@
 
 #include "jounce/io/nearest.hpp"
 #include "jounce/io/table_file.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "verb.hpp"
 
@@ -60,6 +61,21 @@ class Help : public CLI::Formatter {
 /// "-x" or "--x", not "-", nor a negative number.
 bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
+}
+
+/// The words in the parser's order, last first. "--log=" has no value, of which the parser would make the
+/// next word; and -.5 is a number, which it would take for an option.
+std::vector<std::string> meant(std::span<char*> given) {
+  std::vector<std::string> words(given.begin(), given.end());
+  const auto end = std::find(words.begin(), words.end(), "--");
+  for (std::string& word : std::span(words.begin(), end)) {
+    if (word.starts_with("--") && word.ends_with('='))
+      throw InputError(word.substr(0, word.size() - 1), "", "has no value behind its =");
+    if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
+      word.insert(1, "0");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
 }
 
 /// The first of the words that is meant as an option and is none.
@@ -129,7 +145,7 @@ Verb CommandLine::verb(const std::string& name, const std::string& description,
 
 int CommandLine::run(int argc, char** argv) {
   try {
-    app_->parse(argc, argv);
+    app_->parse(meant(std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", app_->help());
     return fine;

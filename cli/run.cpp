@@ -141,7 +141,18 @@ void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
              enabled ? "enabled" : "disabled until told: jounce order " + first + " enable");
 }
 
+/// A spec is not lost to a log of the same name.
+void require_other_files(const Options& options) {
+  const RecorderOptions& record = options.run.record;
+  for (const std::string& spec : options.machine.files) {
+    require_other_file(spec, options.machine.log, "--log");
+    if (record.log) require_other_file(spec, record.log->string(), "--record");
+    if (record.black_box) require_other_file(spec, record.black_box->string(), "--black-box");
+  }
+}
+
 int run(const Options& options) {
+  require_other_files(options);
   auto [axes, masters, watchdog] = parts_of(options.machine);
   (void)Machine(machine_of(axes), masters.size());
   for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
@@ -193,7 +204,10 @@ void add_run(CommandLine& line) {
   verb.option("--watchdog", options->watchdog,
               "Stop all axes where the communication hangs for so many seconds; 0: never; not "
               "given: what a machine's spec says, or 0.5")
-      .check(within(0.0, 1e6));
+      .check([](const std::string& text) -> std::string {
+        const double value = number_in(text).value_or(-1);
+        return value == 0 || (value >= 0.01 && value <= 3600) ? "" : "must be 0.01 to 3600, or 0";
+      });
   verb.option("--web", options->web,
               "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
               "address as it is printed; 0: any free port")

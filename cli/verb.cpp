@@ -1,6 +1,7 @@
 #include "verb.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -16,6 +17,18 @@
 namespace jounce::cli {
 namespace {
 
+/// The whole word; whole numbers are decimal, with a 0 before them, too.
+template <class Number>
+bool read(const std::string& word, Number& number) {
+  if constexpr (std::is_integral_v<Number>) {
+    const char* const end = word.data() + word.size();
+    const auto [rest, error] = std::from_chars(word.data(), end, number);
+    return error == std::errc() && rest == end;
+  } else {
+    return CLI::detail::lexical_cast(word, number);
+  }
+}
+
 /// Puts a word into the target; the rule that it breaks, if it does not fit.
 template <class Target>
 std::string put(const std::string& word, Target& target) {
@@ -23,9 +36,9 @@ std::string put(const std::string& word, Target& target) {
     target = word;
     return "";
   } else {
-    if (std::is_unsigned_v<Target> && word.find('-') != std::string::npos)
-      return "must be a number, not negative";  // the parser would wrap it around
-    return CLI::detail::lexical_cast(word, target) ? "" : "must be a number";
+    if (std::is_unsigned_v<Target> && word.starts_with('-'))
+      return "must be a number, not negative";
+    return read(word, target) ? "" : "must be a number";
   }
 }
 
@@ -82,7 +95,7 @@ Check seconds() {
   return [](const std::string& text) {
     const auto value = number_in(text);
     const bool good = value && *value >= 1e-3 && *value <= 1e12;
-    return good ? std::string() : "must be a number of seconds, 0.001 or more";
+    return good ? std::string() : "must be a number of seconds, 0.001 to 1e12";
   };
 }
 
@@ -183,11 +196,11 @@ void Verb::work(Work work) const {
   verb_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
 }
 
-void require_other_file(const std::string& input, const std::string& output) {
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option) {
   std::error_code none;  // a file that is not there is another one
   if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
-    throw InputError("--output", output,
-                     "is the input: it would be replaced by what is made from it");
+    throw InputError(option, output, "is the input: it would be replaced by what is made from it");
 }
 
 }  // namespace jounce::cli

@@ -128,6 +128,7 @@ void add_monitor(CommandLine& line);
 void add_replay(CommandLine& line);
 
 /// Throws InputError where both are one file: what is made must not replace what it is made from.
-void require_other_file(const std::string& input, const std::string& output);
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option = "--output");
 
 }  // namespace jounce::cli

@@ -117,10 +117,27 @@ TEST_F(Cli, AValueThatDoesNotFitItsOptionIsToldWithItsRule) {
   EXPECT_EQ(told("plot " + cam + " --over tiem"),
             "jounce: --over = tiem: must be one of master, time; did you mean time?\n");
   EXPECT_EQ(told("stop a --patience nan"),
-            "jounce: --patience = nan: must be a number of seconds, 0.001 or more\n");
+            "jounce: --patience = nan: must be a number of seconds, 0.001 to 1e12\n");
   EXPECT_EQ(told("-x"), "jounce: `-x` is not an option here (jounce --help shows all)\n");
   EXPECT_EQ(told("design " + cam + " -o"),
             "jounce: --output: 1 required value missing (jounce design --help shows all)\n");
+}
+
+// The parser would take the next word for the value, and the spec would be lost to the log.
+TEST_F(Cli, AValueThatIsLeftOutIsNotTheNextWord) {
+  EXPECT_EQ(run("new axis -o a.toml").status, 0);
+  EXPECT_EQ(run("run --log= a.toml a.toml --url memq:// --seconds 0.1").err,
+            "jounce: --log: has no value behind its =\n");
+  EXPECT_THAT(run("run a.toml --log a.toml --url memq:// --seconds 0.1").err,
+              HasSubstr("--log = a.toml: is the input"));
+  EXPECT_THAT(slurp(folder / "a.toml"), HasSubstr("kind = \"axis\""));
+}
+
+TEST_F(Cli, NumbersAreDecimal) {
+  EXPECT_EQ(run("check " + cam + " --continuity 02").status,
+            run("check " + cam + " --continuity 2").status);
+  EXPECT_THAT(run("check " + cam + " --continuity 010").err, HasSubstr("0 to 3"));
+  EXPECT_THAT(run("order feeder jog -.5mm/s --url memq://").err, Not(HasSubstr("not expected")));
 }
 
 TEST_F(Cli, HelpTellsWhatTakesAValueAndWhatMustBeGiven) {
