@@ -4,6 +4,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,6 +87,15 @@ void require_unbuffered(const Options& options, const std::string& what) {
                      "waits for nothing: move --to, move --by and jog do");
 }
 
+/// " VALUE relative " as VALUE, --relative.
+std::string listed(const std::string& options) {
+  std::istringstream words(options);
+  std::string list;
+  for (std::string word; words >> word;)
+    list += (list.empty() ? "" : ", ") + (word == "VALUE" ? word : "--" + word);
+  return list;
+}
+
 /// "50%" or "0.5".
 double factor_of(const std::string& text) {
   const bool percent = !text.empty() && text.back() == '%';
@@ -125,7 +136,8 @@ void require_meant(const Options& options) {
         found != meant.end() && found->second.find(" " + option + " ") != std::string::npos;
     if (given && !known)
       throw InputError(option == "VALUE" ? option : "--" + option, text,
-                       options.what + " does not take it");
+                       options.what + " takes " +
+                           (found == meant.end() ? "nothing more" : listed(found->second)));
   };
   require("VALUE", options.value, !options.value.empty());
   require("relative", "", options.relative);
@@ -283,8 +295,9 @@ void add_order(CommandLine& line) {
   add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
       .check(one_of({"shortest", "positive", "negative"}));
   add("blend",
-      "Of move --to, --by and jog: pass the target of the move under way without a stop, at "
-      "the lower, its own, this one's or the higher velocity")
+      "low, previous, next or high: of move --to, --by and jog; pass the target of the move under "
+      "way "
+      "without a stop, at the lower velocity, its own, this one's or the higher")
       .check(one_of({"low", "previous", "next", "high"}));
   add("master-sync", "gear-in-pos: where the master is when both run in step");
   add("slave-sync", "gear-in-pos: where the axis is then");

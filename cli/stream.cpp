@@ -118,9 +118,14 @@ int report(const StreamOutcome& outcome, const Options& options) {
   return outcome.error == StreamError::refused ? finding : fault;
 }
 
+/// Whether something is asked for that only whole tables know.
+bool is_of_tables(const Options& options) {
+  return !options.swaps.empty() || !options.master.empty() || options.live ||
+         options.until != "start";
+}
+
 int run_rolling(const Options& options) {
-  if (!options.swaps.empty() || !options.master.empty() || options.live ||
-      options.until != "start") {
+  if (is_of_tables(options)) {
     throw InputError("--rolling", "",
                      "streams one table over time: without --swap, --master, --live and --until");
   }
@@ -134,8 +139,7 @@ int run_rolling(const Options& options) {
 }
 
 int run_banks(const Options& options) {
-  if (options.rolling || !options.swaps.empty() || !options.master.empty() || options.live ||
-      options.until != "start") {
+  if (options.rolling || is_of_tables(options)) {
     throw InputError(
         "--bank", options.bank,
         "fills two banks of rows: without --rolling, --swap, --master, --live, --until");

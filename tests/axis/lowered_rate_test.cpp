@@ -30,7 +30,7 @@ struct Lowering {
               Cause::none);
   }
 
-  Job fast{1, there_and_back(0, 10, 2, Outside::wrap)};     // 58 u/s^2
+  Job fast{1, there_and_back(0, 10, 2, Outside::wrap)};    // 58 u/s^2
   Job slow{2, there_and_back(0, 10, 0.5, Outside::hold)};  // 924 u/s^2
   Bench bench{{.limits = limits(100, 1000)}};
 };
@@ -85,6 +85,18 @@ TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
   const Tick tick = bench.run(10'000);
   EXPECT_EQ(tick.fault, Cause::none);
   EXPECT_NEAR(tick.position, 2.3, 1e-9);
+}
+
+TEST(LoweredRate, NorOnAPath) {
+  Bench bench{{.limits = limits(100, 1000)}};
+  Job table(1, there_and_back(0, 10, 2, Outside::wrap));
+  bench.play(table, 100);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 1})), Cause::none);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::in_motion);
+  const Tick tick = bench.run(1000);
+  EXPECT_EQ(tick.fault, Cause::none);
+  EXPECT_EQ(tick.rate, 1);
+  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::none) << "over";
 }
 
 }  // namespace
