@@ -35,11 +35,27 @@ void in_position_unit(Report& report, const std::string& unit) {
 }
 
 Played played(const Input& input, const std::string& log) {
-  const Reference designed = exact_reference(input);
-  const Range travel = std::visit([](const auto& curve) { return extrema(curve, 0); }, input.curve);
-  return compare_played(read_played(read_file(log), log),
-                        {[&](double t) { return at(designed, t).position; }, duration(designed),
-                         travel.max.value - travel.min.value});
+  const Reference table = table_reference(input);
+  Designed designed{.table = [&](double t) { return at(table, t); }, .duration = duration(table)};
+  std::optional<Reference> curve;
+  if (const auto tolerance = table_tolerance(input)) {
+    curve = exact_reference(input);
+    designed.curve = [&](double t) { return at(*curve, t).position; };
+    designed.tolerance = *tolerance;
+  }
+  return compare_played(read_played(read_file(log), log), designed);
+}
+
+std::string played_text(const Played& played, const std::string& unit) {
+  const auto part = [&](const Deviation& from, const char* what) {
+    return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
+                       rounded(from.limit));
+  };
+  std::string text = fmt::format("  {:<12} {}: {} ticks, {}", "executor",
+                                 played.report.ok() ? "ok" : "BROKEN", played.ticks,
+                                 part(played.table, "table"));
+  if (played.curve) text += ", " + part(*played.curve, "exact curve");
+  return text + "\n";
 }
 
 }  // namespace
@@ -98,10 +114,7 @@ std::string proof_text(const Proof& proof, const Input& input) {
   if (proof.drive) text += drive_text(*proof.drive, *input.drive, u);
   if (proof.tolerances) text += robustness_text(*proof.tolerances, u);
   if (proof.follower) text += follower_text(*proof.follower, u);
-  if (proof.played)
-    line("executor", fmt::format("{}: {} ticks, at most {} {} from the designed curve",
-                                 proof.played->report.ok() ? "ok" : "BROKEN", proof.played->ticks,
-                                 rounded(proof.played->error), u));
+  if (proof.played) text += played_text(*proof.played, u);
   return text;
 }
 

@@ -20,6 +20,16 @@ struct Options {
   bool json = false;
 };
 
+nlohmann::ordered_json played_json(const Played& played) {
+  using Json = nlohmann::ordered_json;
+  const auto part = [](const Deviation& from) {
+    return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
+  };
+  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
+  if (played.curve) json["curve"] = part(*played.curve);
+  return json;
+}
+
 nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   using Json = nlohmann::ordered_json;
   Json document = Json::parse(to_json(proof.report, input.labels));
@@ -34,10 +44,7 @@ nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
   if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
   if (proof.follower) document["follower"] = follower_json(*proof.follower);
-  if (proof.played)
-    document["executor"] = {{"ticks", proof.played->ticks},
-                            {"error", proof.played->error},
-                            {"where", proof.played->where}};
+  if (proof.played) document["executor"] = played_json(*proof.played);
   return document;
 }
 
@@ -78,7 +85,8 @@ void add_validate(CommandLine& line) {
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
   verb.option("--log", options->log,
-              "Tick log of an executor: compare every tick with the exact curve");
+              "Tick log of an executor: compare every tick with the table, to rounding, and with the exact "
+              "curve, within the tolerance of the table");
   verb.flag("--json", options->json, "Everything for machines, numbers in full");
   verb.work([options] { return run(*options); });
 }

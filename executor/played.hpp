@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/jet.hpp"
 #include "jounce/profiles/limits.hpp"
 
 namespace jounce {
@@ -15,32 +17,44 @@ struct PlayedTick {
   std::int64_t tick = 0;
   double time = 0;      ///< s, since the motion's first tick
   double position = 0;  ///< commanded, u
+  double clock = 0;     ///< s, since the log's tick 0: its rounding is in `time`
 };
 
 /// The ticks of the last motion in a tick log (see TickLog), from the log's text. Throws InputError
 /// with `name`, line and key for a text that is no tick log, or one without a motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
-/// What a motion should have been.
+/// What a motion should have been. Times are s since its start.
 struct Designed {
-  std::function<double(double)> position;  ///< u, at s since its start
-  double duration = 0;                     ///< s
-  double stroke = 0;                       ///< u, > 0: what an error is measured by
+  std::function<Motion(double)> table;    ///< what the executor interpolates
+  std::function<double(double)> curve{};   ///< u, the exact curve; empty: the table is all there is
+  double tolerance = 0;                   ///< u: how far the table may stray from the curve
+  double duration = 0;                    ///< s
+};
+
+/// How far what was commanded lies from something.
+struct Deviation {
+  double error = 0;  ///< the greatest, u
+  double where = 0;  ///< s since the start
+  double limit = 0;  ///< u
 };
 
 /// How far what was commanded lies from what was designed.
 struct Played {
   std::size_t ticks = 0;
-  double error = 0;  ///< the greatest, u
-  double where = 0;  ///< s since the start
-  /// "played/position" against `limit`; "played/gap": the most ticks left out in one place, against
+  Deviation table{};
+  std::optional<Deviation> curve{};  ///< where there is one beside the table
+  /// "played/table": against the rounding of the arithmetic. "played/curve": against the tolerance of
+  /// the table, and that rounding. "played/gap": the most ticks left out in one place, against
   /// a tenth of a second (a late cycle leaves some out, a log with a hole more); "played/complete":
   /// broken where the log ends before the motion does.
   Report report;
 };
 
-/// Compares every tick. `limit` is the greatest error, relative to the stroke.
-Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed,
-                      double limit = 1e-9);
+/// Compares every tick. The rounding is `most_roundings` units in the last place of the greatest
+/// position, and of the way that the fastest tick would make in the time of the log: a position is
+/// computed from a time, and a rounded time shifts it by the velocity.
+Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
+inline constexpr double most_roundings = 32;
 
 }  // namespace jounce

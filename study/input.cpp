@@ -36,12 +36,9 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           made.sampled.binding};
 }
 
-/// What the table was allowed to differ: the tolerance asked for, or a millionth of the stroke where
-/// only a number of intervals was.
-double allowed_error(const Input& input, const Range& travel) {
-  const double stroke = travel.max.value - travel.min.value;
-  if (input.options.tolerance) return *input.options.tolerance;
-  return (input.options.intervals ? 1e-6 : 1e-9) * (stroke > 0 ? stroke : 1);
+/// Whether the table is the best one of so many knots: it has the error that it has.
+bool is_best_of_so_many(const Input& input) {
+  return input.options.target && !input.options.tolerance;
 }
 
 /// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
@@ -76,11 +73,8 @@ Report check_table(const Table& table, const Limits& limits, const Report& of_cu
 }
 
 /// How far the table is from its curve, against what was asked for.
-template <class Over>
-Finding table_error(const Curve<Over>& curve, const Input& input) {
-  const Range travel = extrema(curve, 0);
-  const double allowed =
-      std::max(allowed_error(input, travel), 1e-14 * std::abs(travel.peak().value));
+Finding table_error(const Input& input) {
+  const double allowed = *table_tolerance(input);
   const bool broken = input.error->position > allowed;
   return {"table/position",
           "table",
@@ -105,9 +99,7 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
   };
   add(input.error ? check_continuity(curve, continuity) : check_continuity(table, continuity));
   if (!input.error) return report;
-  // The best table of so many knots has the error that it has.
-  if (!input.options.target || input.options.tolerance)
-    report.findings.push_back(table_error(curve, input));
+  if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // Where the curve keeps a limit, its table may still break it between the knots.
   add(check_table(table, input.limits, report));
   return report;
@@ -137,6 +129,16 @@ Report merged(Report warnings, Report& found) {
 }
 
 }  // namespace
+
+std::optional<double> table_tolerance(const Input& input) {
+  if (!input.error) return std::nullopt;
+  if (is_best_of_so_many(input)) return input.error->position;
+  const Range travel = std::visit([](const auto& curve) { return extrema(curve, 0); }, input.curve);
+  const double stroke = travel.max.value - travel.min.value;
+  const double asked = input.options.tolerance.value_or((input.options.intervals ? 1e-6 : 1e-9) *
+                                                        (stroke > 0 ? stroke : 1));
+  return std::max(asked, 1e-14 * std::abs(travel.peak().value));
+}
 
 Input input_of(TableFile file, const std::string& path) {
   std::variant<Cam, Trajectory> curve =

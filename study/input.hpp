@@ -33,6 +33,11 @@ struct Input {
 /// error, and limits that the table alone breaks.
 Report check_all(const Input& input, int continuity = 1);
 
+/// How far the table may stray from its curve, in the unit of the position: the tolerance asked for;
+/// a millionth of the stroke where a number of intervals was; the error that it has where the number
+/// of its knots was. None where the table is all there is.
+std::optional<double> table_tolerance(const Input& input);
+
 /// What a table file holds, and what a spec makes: one input for each axis. `path` names it where the
 /// spec has no name.
 Input input_of(TableFile file, const std::string& path);

@@ -23,7 +23,7 @@ std::string two_motions(double last_position) {
          number(last_position) + ",2,none\n";
 }
 
-const Designed ramp{[](double t) { return 10 * t; }, 0.2, 2};
+const Designed ramp{.table = [](double t) { return Motion{10 * t, 10, 0, 0}; }, .duration = 0.2};
 
 TEST(Played, ComparesEveryTickOfTheLastMotion) {
   const auto ticks = read_played(two_motions(2), "run.csv");
@@ -31,15 +31,56 @@ TEST(Played, ComparesEveryTickOfTheLastMotion) {
   EXPECT_NEAR(ticks[1].time, 0.1, 1e-15);
   const Played played = compare_played(ticks, ramp);
   EXPECT_TRUE(played.report.ok());
-  EXPECT_LT(played.error, 1e-14);
+  EXPECT_LT(played.table.error, 1e-14);
+  EXPECT_FALSE(played.curve) << "the table is all there is";
 }
 
 TEST(Played, FindsOneWrongTick) {
   const Played played = compare_played(read_played(two_motions(2.5), "run.csv"), ramp);
   EXPECT_FALSE(played.report.ok());
-  EXPECT_EQ(played.report.findings.front().rule, "played/position");
-  EXPECT_NEAR(played.error, 0.5, 1e-14);
-  EXPECT_NEAR(played.where, 0.2, 1e-14);
+  EXPECT_EQ(played.report.findings.front().rule, "played/table");
+  EXPECT_NEAR(played.table.error, 0.5, 1e-14);
+  EXPECT_NEAR(played.table.where, 0.2, 1e-14);
+}
+
+// The table may stray from its curve by its tolerance; what is played may not stray from the table.
+TEST(Played, TakesTheToleranceOfTheTableForTheCurveAlone) {
+  Designed designed = ramp;
+  designed.curve = [](double t) { return 10 * t + 0.001; };
+  designed.tolerance = 0.0011;
+  const auto ticks = read_played(two_motions(2), "run.csv");
+  const Played played = compare_played(ticks, designed);
+  EXPECT_TRUE(played.report.ok());
+  EXPECT_LT(played.table.error, 1e-14);
+  ASSERT_TRUE(played.curve);
+  EXPECT_NEAR(played.curve->error, 0.001, 1e-14);
+  EXPECT_NEAR(played.curve->limit, 0.0011, 1e-12);
+
+  designed.tolerance = 0.0009;
+  const Played strays = compare_played(ticks, designed);
+  ASSERT_FALSE(strays.report.ok());
+  EXPECT_EQ(strays.report.findings.front().rule, "played/curve");
+
+  designed.tolerance = 1;
+  designed.table = [](double t) { return Motion{10 * t + 0.001, 10, 0, 0}; };
+  const Played other = compare_played(ticks, designed);
+  EXPECT_EQ(other.report.findings.front().rule, "played/table")
+      << "within the tolerance of the curve, yet another table";
+}
+
+// The limit of the table's comparison is rounding: it grows with what the numbers are, not with the stroke.
+TEST(Played, MeasuresRoundingByThePositionAndTheTime) {
+  const double late = 86400;
+  std::string log = header;
+  for (int k = 0; k <= 200; ++k)
+    log += std::to_string(k) + "," + number(late + k * 0.001) + ",discrete_motion,0," +
+           number(1e6 + 100 * k * 0.001) + ",1,none\n";
+  const auto far = [](double t) { return Motion{1e6 + 100 * t, 100, 0, 0}; };
+  const Played played =
+      compare_played(read_played(log, "run.csv"), {.table = far, .duration = 0.2});
+  EXPECT_TRUE(played.report.ok()) << played.table.error;
+  EXPECT_GT(played.table.error, 0);
+  EXPECT_LT(played.table.limit, 1e-7);
 }
 
 TEST(Played, FindsAMotionThatWasCutShort) {
@@ -60,7 +101,7 @@ TEST(Played, FindsAHoleInTheLog) {
       log += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
              number(k * 0.01) + ",1,none\n";
   const Played played =
-      compare_played(read_played(log, "run.csv"), {[](double t) { return 10 * t; }, 0.4, 4});
+      compare_played(read_played(log, "run.csv"), {.table = ramp.table, .duration = 0.4});
   EXPECT_FALSE(played.report.ok());
   EXPECT_EQ(played.report.findings.front().rule, "played/gap");
   EXPECT_EQ(played.report.findings.front().value, 151);
