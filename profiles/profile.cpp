@@ -67,6 +67,22 @@ Profile Profile::scaled(double factor, const MotionState& start,
   return f;
 }
 
+Profile Profile::after(double t) const noexcept {
+  const Motion now = at(t);
+  Profile f(state(now), order_);
+  f.level_ = level_;
+  f.end_ = end_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double left = std::min(duration_[i], duration_[i] - t);
+    t -= std::min(t, duration_[i]);
+    if (!(left > 0)) continue;
+    f.duration_[f.count_] = left;
+    f.code_[f.count_] = code_[i];
+    ++f.count_;
+  }
+  return f;
+}
+
 double Profile::duration() const noexcept {
   double t = 0;
   for (std::size_t i = 0; i < count_; ++i) t += duration_[i];

@@ -78,6 +78,8 @@ class Profile {
   /// The same phases with their values times a factor, between two other states.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
                                const MotionState& end) const noexcept;
+  /// The rest of the motion from t on: begins with the state at t, ends where this one ends.
+  [[nodiscard]] Profile after(double t) const noexcept;
   /// Where the last phase is meant to end: what at() and curve() answer there, so that rounding in
   /// the phases does not show.
   void finish(const MotionState& end) noexcept { end_ = end; }

@@ -4,48 +4,84 @@
 #include <cassert>
 #include <cmath>
 
-#include "jounce/profiles/detail/solver.hpp"
+#include "jounce/profiles/detail/axis_task.hpp"
 
 namespace jounce {
 namespace {
 
-using detail::Solver;
+using detail::AxisTask;
 
-Solver solver(const AxisMove& axis) {
-  return {axis.from, axis.to, axis.bounds};
+/// What is asked of the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
+struct Timing {
+  double minimum;
+  double grid;
+};
+
+/// A duration that differs from a multiple by this share is one.
+constexpr double same_duration = 1e-12;
+
+/// The next multiple of the grid.
+double on_grid(double t, double grid) {
+  return grid > 0 ? std::ceil(t / grid * (1 - same_duration)) * grid : t;
 }
 
-Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, double minimum = 0) {
+/// The least duration on the grid that is not less than t and is allowed.
+double at_least(const Durations& allowed, double t, double grid) {
+  double next = on_grid(allowed.at_least(t), grid);
+  while (!allowed.allows(next)) next = on_grid(allowed.at_least(next), grid);
+  return next;
+}
+
+/// The motion that lasts t, or where that is blocked the next possible duration, which becomes t.
+MoveStatus lasting(const AxisTask& task, double& t, double grid, Profile& out) {
+  MoveStatus status = task.lasting(t, out);
+  // At the very edge of a blocked interval rounding decides: then a little later.
+  for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
+    t = at_least(task.durations(), t * (1 + more), grid);
+    status = task.lasting(t, out);
+  }
+  return status;
+}
+
+Profile left_out(const AxisMove& axis) {
+  return {axis.from, 3};
+}
+
+Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
   Synchronised result;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const auto& [from, to, bounds] = axes[i];
-    MoveStatus status = detail::status_of(from, to, bounds);
-    if (status == MoveStatus::ok) status = solver(axes[i]).shortest(out[i]);
-    if (status == MoveStatus::ok && minimum > out[i].duration())
-      status = solver(axes[i]).lasting(solver(axes[i]).durations().at_least(minimum), out[i]);
+    out[i] = left_out(axes[i]);
+    if (!axes[i].enabled) continue;
+    const AxisTask task(axes[i]);
+    MoveStatus status = task.status();
+    if (status == MoveStatus::ok) status = task.shortest(out[i]);
+    double t = on_grid(std::max(out[i].duration(), timing.minimum), timing.grid);
+    if (status == MoveStatus::ok && t > out[i].duration() * (1 + same_duration))
+      status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
     result.duration = std::max(result.duration, out[i].duration());
   }
   return result;
 }
 
-/// All in the least time that each can do: whenever one cannot, in the next time that it can.
-Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, double minimum) {
-  Synchronised result = each(axes, out);
+bool rests(const AxisMove& axis) {
+  return axis.goal != Goal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
+}
+
+/// All in the least time that each can do: whenever one cannot, in the next time that it can. With
+/// `if_moving`, an axis whose target rests stays as fast as it is.
+Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+                     bool if_moving) {
+  Synchronised result = each(axes, out, {0, if_moving ? timing.grid : 0});
   if (result.status != MoveStatus::ok) return result;
   double& t = result.duration;
-  t = std::max(t, minimum);
+  t = on_grid(std::max(t, timing.minimum), timing.grid);
   for (std::size_t i = 0, agreed = 0; agreed < axes.size(); i = (i + 1) % axes.size(), ++agreed) {
-    if (out[i].duration() == t) continue;
-    const Solver axis = solver(axes[i]);
-    MoveStatus status = axis.lasting(t, out[i]);
-    // At the very edge of a blocked interval rounding decides: then a little later.
-    for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
-      t = axis.durations().at_least(t * (1 + more));
-      agreed = 0;
-      status = axis.lasting(t, out[i]);
-    }
+    if (!axes[i].enabled || (if_moving && rests(axes[i])) || out[i].duration() == t) continue;
+    const double before = t;
+    const MoveStatus status = lasting(AxisTask(axes[i]), t, timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
+    if (t != before) agreed = 0;
   }
   return result;
 }
@@ -73,11 +109,18 @@ struct Leader {
 };
 
 Leader leader(std::span<const AxisMove> axes) {
-  for (Leader l; l.which < 5; ++l.which) {
-    for (std::size_t i = 0; i < axes.size(); ++i)
-      if (std::abs(component(axes[i], l.which)) > std::abs(component(axes[l.axis], l.which)))
-        l.axis = i;
-    if (component(axes[l.axis], l.which) != 0) return l;
+  for (int which = 0; which < 5; ++which) {
+    Leader l{0, 5};
+    double most = 0;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!axes[i].enabled) continue;
+      const double rate = std::abs(component(detail::posed(axes[i]), which));
+      if (rate > most) {
+        most = rate;
+        l = {i, which};
+      }
+    }
+    if (most > 0) return l;
   }
   return {0, 5};
 }
@@ -123,50 +166,65 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
   return std::abs(here - ratio * there) <= slack;
 }
 
-Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out, double minimum) {
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (const MoveStatus s = detail::status_of(axes[i].from, axes[i].to, axes[i].bounds);
-        s != MoveStatus::ok)
-      return {s, i, 0};
+/// Whether all goals are of one kind and sound.
+Synchronised one_kind(std::span<const AxisMove> axes, Goal goal) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) continue;
+    const MoveStatus status = AxisTask(axes[i]).status();
+    if (status != MoveStatus::ok) return {status, i, 0};
+    if (axes[i].goal != goal) return {MoveStatus::not_straight, i, 0};
+  }
+  return {};
+}
+
+Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
+                      const Timing& timing) {
   const Leader lead = leader(axes);
-  if (lead.which == 5) return each(axes, out, minimum);
-  const AxisMove& first = axes[lead.axis];
+  if (const Synchronised s = one_kind(axes, axes[lead.axis].goal); s.status != MoveStatus::ok)
+    return s;
+  if (lead.which == 5) return each(axes, out, timing);
+  AxisMove first = detail::posed(axes[lead.axis]);
   const double scale = component(first, lead.which);
   Bounds bounds = first.bounds;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double ratio = component(axes[i], lead.which) / scale;
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double ratio = component(axis, lead.which) / scale;
     for (int k = 0; k < 5; ++k)
-      if (!on_line(axes[i], first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
-    if (ratio != 0) intersect(bounds, axes[i], first.from.position, ratio);
+      if (!on_line(axis, first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
+    if (ratio != 0) intersect(bounds, axis, first.from.position, ratio);
   }
-  Move move = move_to(first.from, first.to, bounds);
-  if (move && minimum > move.profile.duration())
-    move = move_to(first.from, first.to, bounds,
-                   durations(first.from, first.to, bounds).at_least(minimum));
-  if (!move) return {move.status, lead.axis, 0};
+  Profile along;
+  first = {first.from, first.to, bounds};
+  if (const Synchronised s = each({&first, 1}, {&along, 1}, timing); s.status != MoveStatus::ok)
+    return {s.status, lead.axis, 0};
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double ratio = component(axes[i], lead.which) / scale;
-    out[i] = move.profile.scaled(ratio, axes[i].from, axes[i].to);
+    out[i] = left_out(axes[i]);
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double ratio = component(axis, lead.which) / scale;
+    const MoveStatus status =
+        detail::answered(axes[i], along.scaled(ratio, axis.from, axis.to), out[i]);
+    if (status != MoveStatus::ok) return {status, i, 0};
   }
-  return {MoveStatus::ok, 0, move.profile.duration()};
+  return {MoveStatus::ok, 0, along.duration()};
 }
 
 }  // namespace
 
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
-                         double minimum_duration) noexcept {
+                         double minimum_duration, double grid) noexcept {
   assert(axes.size() == out.size());
-  if (!std::isfinite(minimum_duration)) return {MoveStatus::not_finite, 0, 0};
+  if (!std::isfinite(minimum_duration) || !std::isfinite(grid))
+    return {MoveStatus::not_finite, 0, 0};
   if (axes.empty()) return {};
-  switch (sync) {
-    case Sync::none:
-      return each(axes, out, minimum_duration);
-    case Sync::time:
-      return in_time(axes, out, minimum_duration);
-    case Sync::phase:
-      break;
+  const Timing timing{minimum_duration, grid};
+  if (sync == Sync::none) return each(axes, out, timing);
+  if (sync == Sync::phase || sync == Sync::phase_or_time) {
+    const Synchronised straight = in_phase(axes, out, timing);
+    if (sync == Sync::phase || straight.status != MoveStatus::not_straight) return straight;
   }
-  return in_phase(axes, out, minimum_duration);
+  return in_time(axes, out, timing, sync == Sync::time_if_moving);
 }
 
 }  // namespace jounce

@@ -1,0 +1,144 @@
+#include "jounce/profiles/detail/axis_task.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/detail/solver.hpp"
+#include "jounce/profiles/detail/travel.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// A duration that differs by this share is the same.
+constexpr double same_duration = 1e-12;
+
+MotionState lowered(const MotionState& s) {
+  return {s.velocity, s.acceleration, 0};
+}
+
+/// Without the position limits: the fastest change of velocity leaves those of the velocity no
+/// farther than it must.
+Bounds lowered(const Bounds& b) {
+  Bounds low;
+  low.velocity_min = b.acceleration_min;
+  low.velocity_max = b.acceleration_max;
+  low.acceleration_min = b.jerk_min;
+  low.acceleration_max = b.jerk_max;
+  return low;
+}
+
+MotionState less(const MotionState& s, const MotionState& target) {
+  return {s.position - target.position, s.velocity - target.velocity, s.acceleration};
+}
+
+/// One order up: the phases of a change of velocity as those of a motion.
+Profile raised(const Profile& change, const MotionState& from, const MotionState& to) {
+  Profile p(from, change.order() + 1);
+  for (std::size_t i = 0; i < change.phases(); ++i)
+    p.add(change.phase(i).duration, change.phase(i).value);
+  const double covered = travelled(p).distance;
+  p.finish({from.position + covered, to.velocity, to.acceleration});
+  return p;
+}
+
+/// From the coordinates of a target that moves at `velocity`.
+Profile unmoved(const Profile& relative, const MotionState& from, const MotionState& target) {
+  const double t = relative.duration();
+  const MotionState end{target.position + t * target.velocity, target.velocity, 0};
+  if (relative.order() > 1) return relative.scaled(1, from, end);
+  Profile p(from, 1);
+  for (std::size_t i = 0; i < relative.phases(); ++i)
+    p.add(relative.phase(i).duration, relative.phase(i).value + target.velocity);
+  p.finish(end);
+  return p;
+}
+
+}  // namespace
+
+AxisMove posed(const AxisMove& axis) noexcept {
+  AxisMove m = axis;
+  if (axis.goal == Goal::velocity) {
+    m.from = lowered(axis.from);
+    m.to = lowered(axis.to);
+    m.bounds = lowered(axis.bounds);
+  }
+  if (axis.goal == Goal::moving) {
+    const double w = axis.to.velocity;
+    m.from = less(axis.from, axis.to);
+    m.to = {};
+    m.bounds.velocity_min -= w;
+    m.bounds.velocity_max -= w;
+    m.bounds.position_min = -Bounds::none;
+    m.bounds.position_max = Bounds::none;
+  }
+  return m;
+}
+
+MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) noexcept {
+  out = axis.goal == Goal::velocity ? raised(solved, axis.from, axis.to)
+        : axis.goal == Goal::moving ? unmoved(solved, axis.from, axis.to)
+                                    : solved;
+  if (axis.goal == Goal::state) return MoveStatus::ok;
+  const Travel travel = travelled(out);
+  const double slack = 0x1p-46 * (std::abs(out.start().position) + std::abs(out.end().position));
+  const double lowest = std::min(axis.bounds.position_min, axis.from.position) - slack;
+  const double highest = std::max(axis.bounds.position_max, axis.from.position) + slack;
+  const bool keeps = axis.from.position + travel.lowest >= lowest &&
+                     axis.from.position + travel.highest <= highest;
+  return keeps ? MoveStatus::ok : MoveStatus::position_limit;
+}
+
+/// Whether the goal is a velocity and the velocity may step.
+bool AxisTask::steps() const noexcept {
+  return axis_.goal == Goal::velocity && order_of(axis_.bounds) == 1;
+}
+
+MoveStatus AxisTask::status() const noexcept {
+  MotionState to = axis_.to;
+  if (axis_.goal != Goal::state) to.position = axis_.from.position;
+  if (axis_.goal == Goal::moving) to.acceleration = 0;
+  const MoveStatus asked = status_of(axis_.from, to, axis_.bounds);
+  if (asked != MoveStatus::ok || steps()) return asked;
+  const Bounds& b = posed_.bounds;  // a target as fast as the limit cannot be caught up with
+  if (axis_.goal == Goal::moving && !(b.velocity_min < 0 && b.velocity_max > 0))
+    return MoveStatus::target_outside;
+  return status_of(posed_.from, posed_.to, posed_.bounds);
+}
+
+Durations AxisTask::durations() const noexcept {
+  if (steps()) return {};
+  Durations d = Solver(posed_.from, posed_.to, posed_.bounds).durations();
+  if (axis_.under_way) d.minimum = std::min(d.minimum, axis_.under_way->duration());
+  return d;
+}
+
+MoveStatus AxisTask::shortest(Profile& out) const noexcept {
+  if (steps()) return lasting(0, out);
+  Profile solved;
+  const MoveStatus status = Solver(posed_.from, posed_.to, posed_.bounds).shortest(solved);
+  const Profile* kept = axis_.under_way;
+  if (kept &&
+      (status != MoveStatus::ok || kept->duration() <= solved.duration() * (1 + same_duration))) {
+    out = *kept;
+    return MoveStatus::ok;
+  }
+  return status == MoveStatus::ok ? answered(axis_, solved, out) : status;
+}
+
+MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
+  if (axis_.under_way && std::abs(axis_.under_way->duration() - t) <= same_duration * t) {
+    out = *axis_.under_way;
+    return MoveStatus::ok;
+  }
+  if (steps()) {
+    out = Profile({axis_.from.position, axis_.to.velocity, 0}, 1);
+    out.add(t, axis_.to.velocity);
+    out.finish({axis_.from.position + t * axis_.to.velocity, axis_.to.velocity, 0});
+    return MoveStatus::ok;
+  }
+  Profile solved;
+  const MoveStatus status = Solver(posed_.from, posed_.to, posed_.bounds).lasting(t, solved);
+  return status == MoveStatus::ok ? answered(axis_, solved, out) : status;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "jounce/profiles/synchronise.hpp"
+
+namespace jounce::detail {
+
+// Every goal is a move between two states, in coordinates of its own:
+//
+//   state     the axis as it is
+//   velocity  one derivative lower: the velocity takes the place of the position, the acceleration
+//             that of the velocity, the jerk that of the acceleration
+//   moving    seen from the target, which rests there: velocities less by its own
+//
+// The phases of a motion are the same in all of them, but for the velocities of first order.
+
+/// The goal of an axis as a move between two states, in those coordinates.
+AxisMove posed(const AxisMove& axis) noexcept;
+/// A solution in those coordinates as the motion of the axis. `position_limit` where it leaves the
+/// axis's position limits; `out` is the motion all the same.
+MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) noexcept;
+
+/// What can be asked about one axis and its goal. The AxisMove must outlive it.
+class AxisTask {
+ public:
+  explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis), posed_(posed(axis)) {}
+
+  /// The questions below need `ok`.
+  [[nodiscard]] MoveStatus status() const noexcept;
+  [[nodiscard]] Durations durations() const noexcept;
+  MoveStatus shortest(Profile& out) const noexcept;
+  /// `blocked` where no motion lasts t.
+  MoveStatus lasting(double t, Profile& out) const noexcept;
+
+ private:
+  [[nodiscard]] bool steps() const noexcept;
+
+  const AxisMove& axis_;
+  AxisMove posed_;
+};
+
+}  // namespace jounce::detail
