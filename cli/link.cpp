@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/lcm_transport.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 #include "jounce/stream/message.hpp"
+#include "jounce/stream/open_transport.hpp"
 
 namespace jounce::cli {
 
@@ -29,7 +29,8 @@ Nanos nanos(double seconds) {
 
 void add_link_options(const Verb& verb, LinkOptions& options) {
   verb.option("--url", options.url,
-              "LCM URL; without a ttl it stays on this machine, with ?ttl=1 it reaches others")
+              "Where programs meet: udpm://GROUP:PORT is LCM's multicast, which stays on this machine "
+              "unless ?ttl=1 is added; unix://FOLDER needs neither network nor rights")
       .shown();
   verb.option("--key", options.key,
               "File with the key that commands are signed with; see jounce new key");
@@ -37,11 +38,11 @@ void add_link_options(const Verb& verb, LinkOptions& options) {
   verb.option("--seed", options.seed, "Of --inject-loss").hidden();
 }
 
-Link::Link(const LinkOptions& options) : lcm_(std::make_unique<LcmTransport>(options.url)) {
+Link::Link(const LinkOptions& options) : link_(open_transport(options.url)) {
   if (!options.key.empty()) key_ = read_key(options.key);
   if (options.inject_loss > 0)
     lossy_ = std::make_unique<LossyTransport>(
-        *lcm_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);
+        *link_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);
 }
 
 }  // namespace jounce::cli

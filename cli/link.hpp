@@ -42,11 +42,11 @@ void add_link_options(const Verb& verb, LinkOptions& options);
 class Link {
  public:
   explicit Link(const LinkOptions& options);
-  [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *lcm_; }
+  [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *link_; }
   [[nodiscard]] const std::optional<wire::Key>& key() const { return key_; }
 
  private:
-  std::unique_ptr<Transport> lcm_;
+  std::unique_ptr<Transport> link_;
   std::unique_ptr<Transport> lossy_;
   std::optional<wire::Key> key_;
 };

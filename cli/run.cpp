@@ -12,7 +12,7 @@
 #include "jounce/executor/shell.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
-#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/open_transport.hpp"
 #include "jounce/web/panel.hpp"
 
 #include "link.hpp"
@@ -127,7 +127,7 @@ std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
   web::PanelOptions panel{.port = *options.web, .key = link.key(), .title = "Jounce"};
   for (const auto& axis : axes) panel.axes.push_back(axis.receiver.executor);
   auto made = std::make_unique<web::Panel>(
-      panel, [url = options.link.url] { return std::make_unique<LcmTransport>(url); });
+      panel, [url = options.link.url] { return open_transport(url); });
   fmt::print(stderr, "jounce: live page at {}\n", made->address());
   return made;
 }

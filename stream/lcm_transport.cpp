@@ -48,7 +48,8 @@ struct LcmTransport::Impl {
     if (fd < 0) {
       throw TransportError("cannot use " + url +
                            ": is it a multicast group, and is there a route to it (for this "
-                           "machine alone: ip route add 224.0.0.0/4 dev lo)?");
+                           "machine alone: ip route add 224.0.0.0/4 dev lo)? --url "
+                           "unix://FOLDER needs no network");
     }
   }
 

@@ -1,11 +1,16 @@
-# Sourced: runs the function `inside` in a network namespace of its own, with multicast on loopback
-# only, and a scratch folder that goes away.
+# Sourced by a script whose first argument is JOUNCE: runs the script in scripts/own_network, where nothing leaves
+# this machine, with a scratch folder that goes away, and makes its first argument the jounce that meets others there.
+root=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "${JOUNCE_INSIDE:-}" != 1 ]; then
-  if unshare -rnm true 2> /dev/null; then isolate="unshare -rnm"; else isolate="unshare -nm"; fi
-  JOUNCE_INSIDE=1 exec $isolate "$0" "$@"
+  JOUNCE_INSIDE=1 exec "$root/scripts/own_network" "$0" "$@"
 fi
-ip link set lo up
-ip route add 224.0.0.0/4 dev lo
+export JOUNCE_EXE="$1"
+shift
+set -- "$root/tests/cli/bus/jounce" "$@"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $1"; exit 1; }
+# Ends a test that needs a network of its own where there is none.
+needs_network() {
+  case $JOUNCE_BUS in unix:*) echo "skipped: $1 needs a network namespace"; exit 77 ;; esac
+}

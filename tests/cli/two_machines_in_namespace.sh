@@ -3,6 +3,7 @@
 # cable, as docs/executor/two-machines.md says. The cable is pulled while the axis moves.
 set -eu
 . "$(dirname "$0")/namespace.sh"
+needs_network "a second machine"
 jounce=$1 example=$2
 url='udpm://239.255.76.67:7667?ttl=1'
 ip route del 224.0.0.0/4 dev lo

@@ -1,4 +1,4 @@
-// Floods a bus: flood RATE EXECUTOR [SECONDS]. Of all messages a second, most are foreign (channels and
+// Floods a bus: flood URL RATE EXECUTOR [SECONDS]. Of all messages a second, most are foreign (channels and
 // magic numbers of somebody else), and every hundredth is malformed on a channel of this executor: cut
 // short, too long, random, or one bit turned over. To be run in a namespace of its own, beside an
 // executor; ended by a signal, then it says how many it sent.
@@ -10,7 +10,7 @@
 
 #include <time.h>
 
-#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/open_transport.hpp"
 #include "jounce/stream/wire.hpp"
 
 #include "support/random.hpp"
@@ -45,14 +45,14 @@ wire::Bytes malformed(jounce::testing::Random& random, const wire::Bytes& whole)
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 3) return 2;
-  const int rate = std::atoi(arguments[1]);
-  const std::string executor = arguments[2];
-  const double seconds = count > 3 ? std::atof(arguments[3]) : 60;
+  if (count < 4) return 2;
+  const int rate = std::atoi(arguments[2]);
+  const std::string executor = arguments[3];
+  const double seconds = count > 4 ? std::atof(arguments[4]) : 60;
   std::signal(SIGTERM, [](int) { over = 1; });
   std::signal(SIGINT, [](int) { over = 1; });
 
-  LcmTransport link("udpm://239.255.76.67:7667?ttl=0");
+  const auto link = open_transport(arguments[1]);
   jounce::testing::Random random(1);
   const wire::Bytes start = wire::encode({executor, 1, wire::Start{.command = 1}});
   const wire::Bytes foreign(64, std::byte{0x55});
@@ -63,10 +63,10 @@ int main(int count, char** arguments) {
     const long due = static_cast<long>(elapsed * rate);
     for (; sent < due && over == 0; ++sent) {
       if (sent % 100 != 0) {
-        link.send("FOREIGN." + std::to_string(sent % 50), foreign);
+        link->send("FOREIGN." + std::to_string(sent % 50), foreign);
       } else {
         const auto lane = sent % 200 == 0 ? wire::Lane::command : wire::Lane::table;
-        link.send(wire::channel(executor, lane), malformed(random, start));
+        link->send(wire::channel(executor, lane), malformed(random, start));
       }
     }
     const timespec nap{0, 500'000};

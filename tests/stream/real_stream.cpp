@@ -1,14 +1,14 @@
-// Streams over real UDP multicast, each side with its own LCM object and thread. To be run in a
-// network namespace of its own: see udpm_in_namespace.sh.
+// Streams over a real link, each side with its own transport and thread: see real_stream.sh.
 //
-//     udpm_stream no-route    where there is no route for multicast: expects the advice
-//     udpm_stream stream      expects whole streams, on a good link and on a lossy one
+//     real_stream no-route URL    where there is no route for multicast: expects the advice
+//     real_stream stream URL      expects whole streams, on a good link and on a lossy one
 #include <atomic>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <thread>
 
-#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/open_transport.hpp"
 
 #include "stream/harness.hpp"
 
@@ -17,11 +17,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* url = "udpm://239.255.76.67:7667?ttl=0";
-
-int expect_advice() {
+int expect_advice(const std::string& url) {
   try {
-    LcmTransport link(url);
+    (void)open_transport(url);
   } catch (const TransportError& error) {
     std::printf("%s\n", error.what());
     return std::string(error.what()).find("ip route add 224.0.0.0/4 dev lo") == std::string::npos;
@@ -33,7 +31,10 @@ int expect_advice() {
 /// An executor in its own thread, as long as it lives.
 class ExecutorThread {
  public:
-  ExecutorThread() : executor_(link_, steady_now, random_id()), thread_([this] { run(); }) {}
+  explicit ExecutorThread(const std::string& url)
+      : link_(open_transport(url)),
+        executor_(*link_, steady_now, random_id()),
+        thread_([this] { run(); }) {}
   ~ExecutorThread() { join(); }
   ExecutorThread(const ExecutorThread&) = delete;
   ExecutorThread& operator=(const ExecutorThread&) = delete;
@@ -54,7 +55,7 @@ class ExecutorThread {
     }
   }
 
-  LcmTransport link_{url};
+  std::unique_ptr<Transport> link_;
   test::Executor executor_;
   std::atomic<bool> quit_ = false;
   std::thread thread_;
@@ -70,15 +71,15 @@ bool has_status(Transport& link) {
   return false;
 }
 
-int stream_once(const char* label, std::size_t knots, const LossSpec& spec) {
-  ExecutorThread executor;
-  LcmTransport link(url);
-  LossyTransport lossy(link, spec, steady_now);
+int stream_once(const std::string& url, const char* label, std::size_t knots, const LossSpec& spec) {
+  ExecutorThread executor(url);
+  const auto link = open_transport(url);
+  LossyTransport lossy(*link, spec, steady_now);
   const Table table = test::sine_table(knots, Rule::quintic_hermite);
   const Nanos begin = steady_now();
   const StreamOutcome outcome = stream_tables(lossy, test::plan_of(table), {}, steady_now, 1);
   const double seconds = std::chrono::duration<double>(steady_now() - begin).count();
-  const bool status = has_status(link);
+  const bool status = has_status(*link);
 
   const test::Executor& after = executor.join();
   const auto stored = after.pump.receiver().store().find(content_hash(table, test::move_units));
@@ -94,7 +95,10 @@ int stream_once(const char* label, std::size_t knots, const LossSpec& spec) {
 }  // namespace jounce
 
 int main(int count, char** arguments) {
-  if (count == 2 && std::string(arguments[1]) == "no-route") return jounce::expect_advice();
-  return jounce::stream_once("good link", 500'000, {}) +
-         jounce::stream_once("lossy link", 100'000, {.seed = 1, .lost = 0.05, .doubled = 0.05});
+  if (count != 3) return 2;
+  const std::string url = arguments[2];
+  if (std::string(arguments[1]) == "no-route") return jounce::expect_advice(url);
+  return jounce::stream_once(url, "good link", 500'000, {}) +
+         jounce::stream_once(url, "lossy link", 100'000,
+                             {.seed = 1, .lost = 0.05, .doubled = 0.05});
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "jounce/stream/transport.hpp"
+
+namespace jounce {
+
+/// The link that an address names, the only place where an address chooses one:
+///
+///     udpm://239.255.76.67:7667    LCM's multicast, see LcmTransport
+///     memq://                      LCM within this object
+///     unix://FOLDER                Unix sockets in a folder, see UnixTransport
+///
+/// Throws InputError for any other, and what that transport throws.
+std::unique_ptr<Transport> open_transport(const std::string& url);
+
+}  // namespace jounce
