@@ -1,0 +1,157 @@
+#include "jounce/profiles/detail/online_group.hpp"
+
+#include <cmath>
+
+#include "jounce/profiles/detail/axis_task.hpp"
+
+namespace jounce::detail {
+
+OnlineStep OnlineGroup::step(double dt) noexcept {
+  OnlineStep result{.arrived = true, .planned = regroup};
+  if (!(dt >= 0 && std::isfinite(dt))) {
+    dt = 0;
+    result.status = MoveStatus::not_finite;
+  }
+  for (OnlineAxis& axis : axes) result.planned = axis.look() || result.planned;
+  if (result.planned) plan();
+  bool halts = false;
+  for (OnlineAxis& axis : axes) {
+    if (axis.runs_out(dt)) axis.halt(MoveStatus::position_limit);
+    halts = halts || axis.halts();
+  }
+  if (halts) stop();
+  result.planned = result.planned || halts;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    axes[i].advance(dt);
+    result.arrived = result.arrived && axes[i].arrived();
+    if (result.status == MoveStatus::ok && axes[i].status() != MoveStatus::ok) {
+      result.status = axes[i].status();
+      result.axis = i;
+    }
+  }
+  return result;
+}
+
+bool OnlineGroup::in_phase() const noexcept {
+  return sync == Sync::phase || sync == Sync::phase_or_time;
+}
+
+/// Each turn plans all axes, or leaves one out that cannot go to its goal.
+void OnlineGroup::plan() noexcept {
+  bool held = false;
+  for (OnlineAxis& axis : axes) {
+    if (sync == Sync::phase || regroup) axis.reconsider();
+    if (axis.stale() && axis.must_stop()) axis.halt(MoveStatus::ok);
+    held = held || axis.is_held();
+  }
+  if (held && sync == Sync::phase) {  // the line cannot be kept without it
+    for (OnlineAxis& axis : axes)
+      if (axis.takes_part()) axis.halt(MoveStatus::not_straight);
+  }
+  while (gather(false)) {
+    const Synchronised result = solve();
+    if (result.status == MoveStatus::ok) return go();
+    refuse(result);
+  }
+}
+
+/// Collects the parts of the axes. False: there are none.
+bool OnlineGroup::gather(bool widened) noexcept {
+  bool any = false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const OnlineAxis& axis = axes[i];
+    const bool alone = sync == Sync::none && !regroup;
+    if (!axis.takes_part() || (alone && !axis.stale())) {
+      moves[i].enabled = false;
+      continue;
+    }
+    any = true;
+    moves[i] = axis.move(widened);
+    if (axis.stale() || in_phase()) continue;
+    rests[i] = axis.rest_of_plan();
+    moves[i].under_way = &rests[i];
+  }
+  return any;
+}
+
+Synchronised OnlineGroup::solve() noexcept {
+  Synchronised result = synchronise(moves, sync, next, 0, grid);
+  if (in_phase() && result.status == MoveStatus::ok && detours_for_lack_of_limits()) {
+    gather(true);
+    result = synchronise(moves, sync, next, 0, grid);
+    if (result.status != MoveStatus::ok || detours_for_lack_of_limits()) {
+      gather(false);
+      result = synchronise(moves, sync, next, 0, grid);
+    }
+  }
+  if (sync != Sync::phase && sync != Sync::none && result.status == MoveStatus::ok)
+    wait_rather_than_turn_round();
+  return result;
+}
+
+/// On a line the limits of one axis are those of all: one that passes its target may do so because
+/// another's were lowered.
+bool OnlineGroup::detours_for_lack_of_limits() const noexcept {
+  bool wider = false;
+  bool detour = false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!moves[i].enabled) continue;
+    wider = wider || axes[i].can_widen();
+    detour = detour || detours(moves[i], next[i]);
+  }
+  return wider && detour;
+}
+
+/// An axis that brakes already cannot take longer without turning round: if its target rests, it
+/// arrives earlier and waits there.
+void OnlineGroup::wait_rather_than_turn_round() noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const AxisMove& m = moves[i];
+    const bool rests_there =
+        m.goal == Goal::moving || (m.to.velocity == 0 && m.to.acceleration == 0);
+    if (!m.enabled || !rests_there || !detours(m, next[i])) continue;
+    Profile shortest;
+    if (AxisTask(m).shortest(shortest) == MoveStatus::ok && !detours(m, shortest))
+      next[i] = shortest;
+  }
+}
+
+void OnlineGroup::refuse(const Synchronised& why) noexcept {
+  if (why.status != MoveStatus::not_straight) return axes[why.axis].refuse(why.status);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (moves[i].enabled) axes[i].refuse(why.status);
+}
+
+void OnlineGroup::go() noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const AxisMove& m = moves[i];
+    if (!m.enabled) continue;
+    const bool kept = m.under_way && next[i].duration() == m.under_way->duration() &&
+                      next[i].end() == m.under_way->end();
+    if (kept) continue;
+    if (axes[i].permits(next[i]))
+      axes[i].go(m, next[i]);
+    else
+      axes[i].refuse(MoveStatus::target_outside);
+  }
+}
+
+/// On the line, where the axes move on one.
+void OnlineGroup::stop() noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    moves[i].enabled = axes[i].halts();
+    if (axes[i].halts()) moves[i] = axes[i].stopping();
+  }
+  if (!in_phase() || synchronise(moves, Sync::phase, next).status != MoveStatus::ok) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!moves[i].enabled) continue;
+      const AxisTask task(moves[i]);
+      if (task.status() != MoveStatus::ok || task.shortest(next[i]) != MoveStatus::ok)
+        next[i] = Profile(moves[i].from, 3);
+    }
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (moves[i].enabled) axes[i].stop(moves[i], next[i]);
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+
+#include "jounce/profiles/detail/online_axis.hpp"
+
+namespace jounce {
+
+/// What a step found.
+struct OnlineStep {
+  MoveStatus status = MoveStatus::ok;  ///< why an axis cannot go to its goal
+  std::size_t axis = 0;                ///< the first such axis, where the status is not ok
+  bool arrived = false;                ///< every enabled axis is at its goal
+  bool planned = false;                ///< a motion was planned; otherwise all were kept
+};
+
+namespace detail {
+
+/// The axes of an OnlineGenerator and the room that planning needs, all of one size.
+struct OnlineGroup {
+  std::span<OnlineAxis> axes;
+  std::span<AxisMove> moves;
+  std::span<Profile> next, rests;
+  Sync sync;
+  double grid;
+  bool regroup;  ///< plan all, whether stale or not
+
+  OnlineStep step(double dt) noexcept;
+
+ private:
+  void plan() noexcept;
+  [[nodiscard]] bool in_phase() const noexcept;
+  bool gather(bool widened) noexcept;
+  Synchronised solve() noexcept;
+  [[nodiscard]] bool detours_for_lack_of_limits() const noexcept;
+  void wait_rather_than_turn_round() noexcept;
+  void refuse(const Synchronised& why) noexcept;
+  void go() noexcept;
+  void stop() noexcept;
+};
+
+}  // namespace detail
+}  // namespace jounce

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/online.hpp"
+
+#include "support/random.hpp"
+
+// Two promises over random cases: a limit lowered in flight makes no axis pass its target or turn round,
+// and orders repeated in every cycle make no axis late. The judges see setpoints alone. JOUNCE_CASES
+// sets how many cases there are.
+
+namespace jounce {
+namespace {
+
+int cases(int usual) {
+  const char* text = std::getenv("JOUNCE_CASES");
+  return text ? std::atoi(text) : usual;
+}
+
+/// The limits of an axis, the same in both directions.
+struct Triple {
+  double v, a, j;
+
+  [[nodiscard]] Bounds bounds() const { return within(v, a, j); }
+};
+
+/// How far an axis with v > 0 goes before it can stand, integrated numerically: the acceleration is taken
+/// down as fast as it may be until letting it go again takes off the velocity that is left. Negative
+/// where the velocity passes zero whatever is done.
+double braking_distance(double v, double a, const Triple& limits) {
+  if (a < 0 && a * a > 2 * limits.j * v * (1 + 1e-9)) return -1;
+  const double dt = (v / limits.a + (limits.a + std::abs(a)) / limits.j) / 4000;
+  double x = 0;
+  while (a > 0 || v > a * a / (2 * limits.j)) {
+    const double next = a < -limits.a ? std::min(a + limits.j * dt, -limits.a)
+                                      : std::max(a - limits.j * dt, -limits.a);
+    x += v * dt + (2 * a + next) * dt * dt / 6;
+    v += (a + next) / 2 * dt;
+    a = next;
+  }
+  const double release = -a / limits.j;  // v + a t + j t^2/2 falls to rest
+  return x + release * std::max(v, 0.0) / 3;
+}
+
+/// Watches an axis on its way forwards to a target at rest.
+class Judge {
+ public:
+  Judge(double target, const Triple& before, double dt)
+      : target_(target), before_(before), after_(before), dt_(dt) {}
+
+  /// From the next setpoint on.
+  void lowered(const Triple& after) {
+    after_ = after;
+    const double rise = std::max(last_.acceleration, 0.0);
+    highest_ = std::max(after.v, last_.velocity + rise * rise / (2 * after.j));
+  }
+
+  void see(const Motion& m, const Bounds& in_force) {
+    overshoot = std::max(overshoot, (m.position - target_) / target_);
+    reversal = std::max(reversal, -m.velocity / before_.v);
+    const bool wide = in_force.jerk_max > after_.j || in_force.acceleration_max > after_.a;
+    judge_integral(m, wide ? before_.j : after_.j);
+    judge_acceleration(m, wide ? before_ : after_);
+    judge_velocity(m);
+    if (wide && last_.velocity <= after_.v && ++seen_ % 8 == 1) judge_need();
+    last_ = m;
+  }
+
+  double overshoot = 0, reversal = 0;
+  int jerks = 0, accelerations = 0, velocities = 0, breaks = 0, needless = 0;
+
+ private:
+  /// Position and velocity are the integrals of what stands beside them.
+  void judge_integral(const Motion& m, double jerk) {
+    const double dv = m.velocity - last_.velocity - dt_ * (last_.acceleration + m.acceleration) / 2;
+    const double dx = m.position - last_.position - dt_ * (last_.velocity + m.velocity) / 2 +
+                      dt_ * dt_ * (m.acceleration - last_.acceleration) / 12;
+    if (std::abs(dv) > jerk * dt_ * dt_ / 4 * (1 + 1e-6) + 1e-9 * before_.v) ++breaks;
+    if (std::abs(dx) > jerk * dt_ * dt_ * dt_ / 8 + 1e-9 * target_) ++breaks;
+    if (std::abs(m.acceleration - last_.acceleration) > jerk * dt_ * (1 + 1e-6)) ++jerks;
+  }
+  /// Inside the limit, or on the way there at full jerk.
+  void judge_acceleration(const Motion& m, const Triple& limits) {
+    const double above = std::abs(last_.acceleration) - limits.j * dt_;
+    if (std::abs(m.acceleration) > std::max(limits.a, above) + 1e-6 * before_.a) ++accelerations;
+  }
+  /// Never higher than it had to be, and once inside never outside.
+  void judge_velocity(const Motion& m) {
+    if (m.velocity > highest_ * (1 + 1e-9)) ++velocities;
+    if (m.velocity <= after_.v && m.acceleration <= 0) highest_ = after_.v;
+  }
+  /// Wider limits than those that are set: only where these would pass the target or turn round.
+  void judge_need() {
+    const double s = braking_distance(last_.velocity, last_.acceleration, after_);
+    if (s >= 0 && s < (target_ - last_.position) * (1 - 1e-2) - 1e-6 * target_) ++needless;
+  }
+
+  double target_;
+  Triple before_, after_;
+  double dt_;
+  double highest_ = Bounds::none;
+  Motion last_;
+  int seen_ = 0;
+};
+
+struct Tally {
+  int overshoot = 0, reversal = 0, late = 0, wide = 0, other = 0;
+};
+
+/// One axis from rest to rest whose limits are lowered on the way, each in `which` or not.
+void lower_in_flight(testing::Random& r, const std::array<bool, 3>& which, Tally& tally) {
+  const Triple before{r.log_uniform(0.1, 10), r.log_uniform(0.1, 30), r.log_uniform(0.5, 200)};
+  const auto share = [&](bool lowers) { return lowers ? r.log_uniform(0.05, 1) : 1; };
+  const Triple after{before.v * share(which[0]), before.a * share(which[1]),
+                     before.j * share(which[2])};
+  const double target = r.log_uniform(0.01, 50);
+  OnlineGenerator<1> g;
+  g.set_bounds(0, before.bounds());
+  g.set_target(0, {.position = target});
+  (void)g.step(0);
+  const double dt = g.remaining() / 400;
+  Judge judge(target, before, dt);
+  const int lowered = 1 + r.below(398);
+  bool wide = false;
+  bool arrived = false;
+  for (int k = 0; k < 400000 && !arrived; ++k) {
+    if (k == lowered) {
+      g.set_bounds(0, after.bounds());
+      judge.lowered(after);
+    }
+    const OnlineStep s = g.step(dt);
+    arrived = s.arrived;
+    judge.see(g[0], g.in_force(0));
+    wide = wide || (k > lowered && g.in_force(0) != after.bounds());
+    tally.other += s.status != MoveStatus::ok;
+  }
+  tally.overshoot += judge.overshoot > 1e-9;
+  tally.reversal += judge.reversal > 1e-9;
+  tally.late += !arrived;
+  tally.wide += wide;
+  tally.other += judge.breaks > 0 || judge.jerks > 0 || judge.accelerations > 0 ||
+                 judge.velocities > 0 || judge.needless > 0;
+  if (judge.breaks + judge.jerks + judge.accelerations + judge.velocities + judge.needless > 0 &&
+      tally.other < 3)
+    std::printf(
+        "v %.17g a %.17g j %.17g, lowered to %.17g %.17g %.17g in cycle %d, target %.17g: breaks "
+        "%d, "
+        "jerk %d, acceleration %d, velocity %d, needless %d\n",
+        before.v, before.a, before.j, after.v, after.a, after.j, lowered, target, judge.breaks,
+        judge.jerks, judge.accelerations, judge.velocities, judge.needless);
+}
+
+void expect_nothing(const std::array<bool, 3>& which, std::uint64_t seed) {
+  testing::Random random(seed);
+  Tally tally;
+  const int n = cases(1000);
+  for (int i = 0; i < n; ++i) lower_in_flight(random, which, tally);
+  EXPECT_EQ(tally.overshoot, 0) << "of " << n << ", seed " << seed;
+  EXPECT_EQ(tally.reversal, 0) << "of " << n << ", seed " << seed;
+  EXPECT_EQ(tally.late, 0) << "of " << n << ", seed " << seed;
+  EXPECT_EQ(tally.other, 0) << "of " << n << ", seed " << seed;
+}
+
+TEST(OnlineLowered, TheAcceleration) {
+  expect_nothing({false, true, false}, 61);
+}
+TEST(OnlineLowered, TheJerk) {
+  expect_nothing({false, false, true}, 62);
+}
+TEST(OnlineLowered, AccelerationAndJerk) {
+  expect_nothing({false, true, true}, 63);
+}
+}  // namespace
+}  // namespace jounce
