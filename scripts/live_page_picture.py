@@ -19,10 +19,9 @@ from browser import Browser  # noqa: E402
 
 if os.environ.get("JOUNCE_INSIDE") != "1":  # in a network of its own
     os.environ["JOUNCE_INSIDE"] = "1"
-    # A namespace of users would take root's right to SCHED_FIFO away.
-    os.execvp("unshare", ["unshare", "-n" if os.geteuid() == 0 else "-rn", sys.executable, *sys.argv])
-subprocess.run("ip link set lo up; ip route add 224.0.0.0/4 dev lo", shell=True, check=True)
+    os.execv(str(ROOT / "scripts" / "own_network"), ["own_network", sys.executable, *sys.argv])
 
+BUS = ["--url", os.environ["JOUNCE_BUS"]]
 EXAMPLE = ROOT / "examples" / "external-master"
 
 
@@ -37,16 +36,16 @@ def main():
 
     with tempfile.TemporaryDirectory() as folder:
         try:
-            executor = start("run", EXAMPLE / "machine.toml", "--enable", "--realtime", 80, "--web", 0, stderr=subprocess.PIPE,
+            executor = start("run", EXAMPLE / "machine.toml", "--enable", "--realtime", 80, "--web", 0, *BUS, stderr=subprocess.PIPE,
                              stdout=subprocess.DEVNULL)
             address = next(m[1] for m in (re.search(r"live page at (\S+)", line) for line in executor.stderr) if m)
             browser = Browser(chromium, folder, height=560)
             browser.open(address)
             browser.wait_for("document.querySelector('[data-is=state]') !== null")
-            start("master", EXAMPLE / "line.toml", "--as", "line", "--before", 2, "--noise", "10um",
+            start("master", EXAMPLE / "line.toml", "--as", "line", "--before", 2, "--noise", "10um", *BUS,
                   stdout=subprocess.DEVNULL)
             time.sleep(1)
-            start("stream", EXAMPLE / "cam.toml", "--to", "label", "--live", "--start-at", "250mm",
+            start("stream", EXAMPLE / "cam.toml", "--to", "label", "--live", "--start-at", "250mm", *BUS,
                   stdout=subprocess.DEVNULL)
             browser.wait_for("parseFloat(document.querySelector('[data-is=position]').textContent) > 550")
             for name, dark in (("live-page", False), ("live-page-dark", True)):
