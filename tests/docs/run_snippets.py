@@ -3,9 +3,9 @@
 
 usage: run_snippets.py JOUNCE PAGE.md...
 
-A fence tagged `sh run` is executed with the jounce given, in one scratch folder per page; `exit N` as a
-second tag (`sh run exit=1`) is the status expected. A fence `output` right after it must be found in what
-was printed, line by line. A fence `toml examples/NAME.toml` must stand in that file as it is. Prints file and line of
+A fence tagged `sh run` is executed with the jounce given, in one scratch folder per page in which `examples` and
+`docs` are the repository's, as for a reader in its root; `exit N` as a second tag (`sh run exit=1`) is the status
+expected. A fence `output` right after it must be found in what was printed, line by line. A fence `toml examples/NAME.toml` must stand in that file as it is. Prints file and line of
 what fails.
 """
 import os
@@ -17,8 +17,11 @@ import tempfile
 FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.M | re.S)
 
 
-def source(name, env):
-    with open(os.path.join(os.path.dirname(env["EXAMPLES"]), name), encoding="utf-8") as file:
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+
+
+def source(name):
+    with open(os.path.join(ROOT, name), encoding="utf-8") as file:
         return file.read()
 
 
@@ -26,6 +29,8 @@ def run_page(path, env):
     text = open(path, encoding="utf-8").read()
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
+        for name in ("examples", "docs"):
+            os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
         printed = None
         for fence in FENCE.finditer(text):
             line = text.count("\n", 0, fence.start()) + 1
@@ -44,7 +49,7 @@ def run_page(path, env):
                         print(f"{path}:{line}: not printed: {wanted}\n{printed}")
                         failures += 1
                 printed = None
-            elif tags[:1] == ["toml"] and len(tags) > 1 and body not in source(tags[1], env):
+            elif tags[:1] == ["toml"] and len(tags) > 1 and body not in source(tags[1]):
                 print(f"{path}:{line}: does not stand in {tags[1]}")
                 failures += 1
     return failures
@@ -52,8 +57,7 @@ def run_page(path, env):
 
 def main():
     jounce, pages = os.path.abspath(sys.argv[1]), sys.argv[2:]
-    root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-    env = dict(os.environ, PATH=os.path.dirname(jounce) + ":" + os.environ["PATH"], EXAMPLES=root + "/examples")
+    env = dict(os.environ, PATH=os.path.dirname(jounce) + ":" + os.environ["PATH"])
     sys.exit(1 if sum(run_page(page, env) for page in pages) else 0)
 
 
