@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "jounce/profiles/detail/online_group.hpp"
+#include "jounce/profiles/online_group.hpp"
 
 namespace jounce {
 

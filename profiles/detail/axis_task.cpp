@@ -94,35 +94,45 @@ bool AxisTask::steps() const noexcept {
 }
 
 MoveStatus AxisTask::status() const noexcept {
-  MotionState to = axis_.to;
-  if (axis_.goal != Goal::state) to.position = axis_.from.position;
-  if (axis_.goal == Goal::moving) to.acceleration = 0;
+  if (!posed_) return status_of(axis_.from, axis_.to, axis_.bounds);
+  const MotionState to{axis_.from.position, axis_.to.velocity,
+                       axis_.goal == Goal::moving ? 0 : axis_.to.acceleration};
   const MoveStatus asked = status_of(axis_.from, to, axis_.bounds);
   if (asked != MoveStatus::ok || steps()) return asked;
-  const Bounds& b = posed_.bounds;  // a target as fast as the limit cannot be caught up with
+  const Bounds& b = posed_->bounds;  // a target as fast as the limit cannot be caught up with
   if (axis_.goal == Goal::moving && !(b.velocity_min < 0 && b.velocity_max > 0))
     return MoveStatus::target_outside;
-  return status_of(posed_.from, posed_.to, posed_.bounds);
+  return status_of(posed_->from, posed_->to, b);
+}
+
+Solver AxisTask::solver() const noexcept {
+  const AxisMove& m = posed_ ? *posed_ : axis_;
+  return {m.from, m.to, m.bounds};
+}
+
+/// From the coordinates of the goal.
+MoveStatus AxisTask::answer(MoveStatus solved, Profile& out) const noexcept {
+  if (!posed_ || solved != MoveStatus::ok) return solved;
+  const Profile profile = out;
+  return answered(axis_, profile, out);
 }
 
 Durations AxisTask::durations() const noexcept {
   if (steps()) return {};
-  Durations d = Solver(posed_.from, posed_.to, posed_.bounds).durations();
+  Durations d = solver().durations();
   if (axis_.under_way) d.minimum = std::min(d.minimum, axis_.under_way->duration());
   return d;
 }
 
 MoveStatus AxisTask::shortest(Profile& out) const noexcept {
   if (steps()) return lasting(0, out);
-  Profile solved;
-  const MoveStatus status = Solver(posed_.from, posed_.to, posed_.bounds).shortest(solved);
+  const MoveStatus status = solver().shortest(out);
   const Profile* kept = axis_.under_way;
-  if (kept &&
-      (status != MoveStatus::ok || kept->duration() <= solved.duration() * (1 + same_duration))) {
-    out = *kept;
-    return MoveStatus::ok;
-  }
-  return status == MoveStatus::ok ? answered(axis_, solved, out) : status;
+  const bool is_kept = kept && (status != MoveStatus::ok ||
+                                kept->duration() <= out.duration() * (1 + same_duration));
+  if (!is_kept) return answer(status, out);
+  out = *kept;
+  return MoveStatus::ok;
 }
 
 MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
@@ -130,15 +140,11 @@ MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
     out = *axis_.under_way;
     return MoveStatus::ok;
   }
-  if (steps()) {
-    out = Profile({axis_.from.position, axis_.to.velocity, 0}, 1);
-    out.add(t, axis_.to.velocity);
-    out.finish({axis_.from.position + t * axis_.to.velocity, axis_.to.velocity, 0});
-    return MoveStatus::ok;
-  }
-  Profile solved;
-  const MoveStatus status = Solver(posed_.from, posed_.to, posed_.bounds).lasting(t, solved);
-  return status == MoveStatus::ok ? answered(axis_, solved, out) : status;
+  if (!steps()) return answer(solver().lasting(t, out), out);
+  out = Profile({axis_.from.position, axis_.to.velocity, 0}, 1);
+  out.add(t, axis_.to.velocity);
+  out.finish({axis_.from.position + t * axis_.to.velocity, axis_.to.velocity, 0});
+  return MoveStatus::ok;
 }
 
 }  // namespace jounce::detail

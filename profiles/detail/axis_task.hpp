@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "jounce/profiles/detail/solver.hpp"
 #include "jounce/profiles/synchronise.hpp"
 
 namespace jounce::detail {
@@ -22,7 +25,9 @@ MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) n
 /// What can be asked about one axis and its goal. The AxisMove must outlive it.
 class AxisTask {
  public:
-  explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis), posed_(posed(axis)) {}
+  explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis) {
+    if (axis.goal != Goal::state) posed_ = posed(axis);
+  }
 
   /// The questions below need `ok`.
   [[nodiscard]] MoveStatus status() const noexcept;
@@ -33,9 +38,11 @@ class AxisTask {
 
  private:
   [[nodiscard]] bool steps() const noexcept;
+  [[nodiscard]] Solver solver() const noexcept;
+  MoveStatus answer(MoveStatus solved, Profile& out) const noexcept;
 
   const AxisMove& axis_;
-  AxisMove posed_;
+  std::optional<AxisMove> posed_;  ///< of other goals than a state
 };
 
 }  // namespace jounce::detail

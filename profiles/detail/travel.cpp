@@ -108,8 +108,8 @@ bool keeps(const Profile& profile, const Bounds& b) noexcept {
          lies_within(x + way.lowest, x + way.highest, b.position_min, b.position_max, rounding);
 }
 
-bool turns_round(const Travel& travel, double rounding) noexcept {
-  return travel.path - std::abs(travel.distance) > 1e-10 * travel.path + rounding;
+bool turns_round(const Travel& travel, double share, double rounding) noexcept {
+  return travel.path - std::abs(travel.distance) > share * travel.path + rounding;
 }
 
 }  // namespace jounce::detail

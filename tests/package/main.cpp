@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include <jounce/profiles/extrema.hpp>
+#include <jounce/profiles/online.hpp>
 #include <jounce/profiles/s_curve.hpp>
 
 int main() {
@@ -8,5 +9,8 @@ int main() {
       jounce::trapezoid({.to = 50000, .velocity = 50, .acceleration = 0.25, .deceleration = 0.125})
           .curve();
   const jounce::Range v = jounce::extrema(move, 1);
+  jounce::OnlineGenerator<1> axis;
+  axis.set_bounds(0, jounce::within(2, 10, 100));
+  if (!axis.step(0.001).arrived) return 1;
   std::printf("%g ms, at most %g pulse/ms\n", move.end(), v.max.value);
 }

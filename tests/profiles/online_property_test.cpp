@@ -62,7 +62,8 @@ class Judge {
 
   void see(const Motion& m, const Bounds& in_force) {
     overshoot = std::max(overshoot, (m.position - target_) / target_);
-    reversal = std::max(reversal, -m.velocity / before_.v);
+    farthest_ = std::max(farthest_, m.position);
+    reversal = std::max(reversal, (farthest_ - m.position) / target_);
     const bool wide = in_force.jerk_max > after_.j || in_force.acceleration_max > after_.a;
     judge_integral(m, wide ? before_.j : after_.j);
     judge_acceleration(m, wide ? before_ : after_);
@@ -71,7 +72,7 @@ class Judge {
     last_ = m;
   }
 
-  double overshoot = 0, reversal = 0;
+  double overshoot = 0, reversal = 0;  ///< shares of the target: passed, gone back
   int jerks = 0, accelerations = 0, velocities = 0, breaks = 0, needless = 0;
 
  private:
@@ -94,8 +95,11 @@ class Judge {
     if (m.velocity > highest_ * (1 + 1e-9)) ++velocities;
     if (m.velocity <= after_.v && m.acceleration <= 0) highest_ = after_.v;
   }
-  /// Wider limits than those that are set: only where these would pass the target or turn round.
+  /// Wider limits than those that are set: only where these would pass the target or turn round, or the
+  /// velocity would leave its limit again.
   void judge_need() {
+    const double rise = std::max(last_.acceleration, 0.0);
+    if (last_.velocity + rise * rise / (2 * after_.j) > after_.v * (1 - 1e-9)) return;
     const double s = braking_distance(last_.velocity, last_.acceleration, after_);
     if (s >= 0 && s < (target_ - last_.position) * (1 - 1e-2) - 1e-6 * target_) ++needless;
   }
@@ -104,13 +108,17 @@ class Judge {
   Triple before_, after_;
   double dt_;
   double highest_ = Bounds::none;
+  double farthest_ = 0;
   Motion last_;
   int seen_ = 0;
 };
 
 struct Tally {
-  int overshoot = 0, reversal = 0, late = 0, wide = 0, other = 0;
+  int overshoot = 0, reversal = 0, late = 0, wide = 0, other = 0, printed = 0;
 };
+
+/// What rounding may do, as a share of the target.
+constexpr double rounding = 1e-11;
 
 /// One axis from rest to rest whose limits are lowered on the way, each in `which` or not.
 void lower_in_flight(testing::Random& r, const std::array<bool, 3>& which, Tally& tally) {
@@ -139,20 +147,22 @@ void lower_in_flight(testing::Random& r, const std::array<bool, 3>& which, Tally
     wide = wide || (k > lowered && g.in_force(0) != after.bounds());
     tally.other += s.status != MoveStatus::ok;
   }
-  tally.overshoot += judge.overshoot > 1e-9;
-  tally.reversal += judge.reversal > 1e-9;
+  tally.overshoot += judge.overshoot > rounding;
+  tally.reversal += judge.reversal > rounding;
   tally.late += !arrived;
   tally.wide += wide;
-  tally.other += judge.breaks > 0 || judge.jerks > 0 || judge.accelerations > 0 ||
-                 judge.velocities > 0 || judge.needless > 0;
-  if (judge.breaks + judge.jerks + judge.accelerations + judge.velocities + judge.needless > 0 &&
-      tally.other < 3)
+  const int breaches =
+      judge.breaks + judge.jerks + judge.accelerations + judge.velocities + judge.needless;
+  tally.other += breaches > 0;
+  if ((breaches > 0 || judge.overshoot > rounding || judge.reversal > rounding) &&
+      ++tally.printed < 4)
     std::printf(
-        "v %.17g a %.17g j %.17g, lowered to %.17g %.17g %.17g in cycle %d, target %.17g: breaks "
-        "%d, "
-        "jerk %d, acceleration %d, velocity %d, needless %d\n",
-        before.v, before.a, before.j, after.v, after.a, after.j, lowered, target, judge.breaks,
-        judge.jerks, judge.accelerations, judge.velocities, judge.needless);
+        "v %.17g a %.17g j %.17g, lowered to %.17g %.17g %.17g in cycle %d, target %.17g: passes "
+        "it by "
+        "%g, goes back by %g, breaks %d, jerk %d, acceleration %d, velocity %d, needless %d\n",
+        before.v, before.a, before.j, after.v, after.a, after.j, lowered, target, judge.overshoot,
+        judge.reversal, judge.breaks, judge.jerks, judge.accelerations, judge.velocities,
+        judge.needless);
 }
 
 void expect_nothing(const std::array<bool, 3>& which, std::uint64_t seed) {

@@ -1,4 +1,4 @@
-#include "jounce/profiles/detail/online_axis.hpp"
+#include "jounce/profiles/online_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,14 +63,15 @@ bool limits_position(const Bounds& b) {
 
 }  // namespace
 
-bool detours(const AxisMove& move, const Profile& plan) noexcept {
+bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept {
+  const double share = judged == Judged::strictly ? 1e-13 : 1e-10;
   if (move.goal == Goal::velocity) {
     const double scale = std::abs(plan.start().velocity) + std::abs(plan.end().velocity);
-    return turns_round(travelled_in_velocity(plan), 0x1p-40 * scale);
+    return turns_round(travelled_in_velocity(plan), share, digits * scale);
   }
   const double scale = std::abs(plan.start().position) + std::abs(plan.end().position);
   const double velocity = move.goal == Goal::moving ? move.to.velocity : 0;
-  return turns_round(travelled(plan, velocity), 0x1p-44 * scale);
+  return turns_round(travelled(plan, velocity), share, digits * scale);
 }
 
 MoveStatus OnlineAxis::set_state(const MotionState& state) noexcept {
@@ -160,11 +161,15 @@ bool OnlineAxis::fits_bounds() noexcept {
 /// Whether the limits that were kept for the sake of the target are no longer needed.
 bool OnlineAxis::may_narrow() const noexcept {
   if (wider(bounds_) == bounds_ || ended() || must_stop()) return false;
-  if (now_.velocity > bounds_.velocity_max || now_.velocity < bounds_.velocity_min) return false;
+  const double v = now_.velocity;
+  const double released = order_of(bounds_) == 3 ? natural_velocity(state(), bounds_) : v;
+  if (std::max(v, released) > bounds_.velocity_max || std::min(v, released) < bounds_.velocity_min)
+    return false;
   const AxisMove narrow = towards_goal(bounds_);
   Profile plan;
   return AxisTask(narrow).status() == MoveStatus::ok &&
-         AxisTask(narrow).shortest(plan) == MoveStatus::ok && !detours(narrow, plan);
+         AxisTask(narrow).shortest(plan) == MoveStatus::ok &&
+         !detours(narrow, plan, Judged::strictly);
 }
 
 bool OnlineAxis::is_stale() noexcept {
@@ -208,9 +213,10 @@ AxisMove OnlineAxis::move(bool widened) const noexcept {
   if (widened) return wide;
   Profile plan;
   if (AxisTask(narrow).status() != MoveStatus::ok ||
-      AxisTask(narrow).shortest(plan) != MoveStatus::ok || !detours(narrow, plan))
+      AxisTask(narrow).shortest(plan) != MoveStatus::ok || !detours(narrow, plan, Judged::strictly))
     return narrow;
-  const bool helps = AxisTask(wide).shortest(plan) == MoveStatus::ok && !detours(wide, plan);
+  const bool helps =
+      AxisTask(wide).shortest(plan) == MoveStatus::ok && !detours(wide, plan, Judged::mildly);
   return helps ? wide : narrow;
 }
 
@@ -221,10 +227,11 @@ AxisMove OnlineAxis::stopping() const noexcept {
   m.bounds.position_max = Bounds::none;
   if (wider(bounds) == bounds) return m;
   Profile plan;
-  if (AxisTask(m).shortest(plan) == MoveStatus::ok && detours(m, plan)) {
+  if (AxisTask(m).shortest(plan) == MoveStatus::ok && detours(m, plan, Judged::strictly)) {
     AxisMove wide = m;
     wide.bounds = wider(m.bounds);
-    if (AxisTask(wide).shortest(plan) == MoveStatus::ok && !detours(wide, plan)) return wide;
+    if (AxisTask(wide).shortest(plan) == MoveStatus::ok && !detours(wide, plan, Judged::mildly))
+      return wide;
   }
   return m;
 }

@@ -106,8 +106,10 @@ class OnlineAxis {
   MoveStatus status_ = MoveStatus::ok;
 };
 
+/// How strictly a motion is judged: one that is to be chosen, and one for want of which another is.
+enum class Judged : std::uint8_t { strictly, mildly };
 /// Whether a motion towards a goal passes it or turns round on its way (for a goal that is a velocity:
-/// the velocity does).
-bool detours(const AxisMove& move, const Profile& plan) noexcept;
+/// the velocity does), by more than rounding.
+bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept;
 
 }  // namespace jounce::detail

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "jounce/profiles/detail/online_axis.hpp"
+#include "jounce/profiles/online_axis.hpp"
 
 namespace jounce {
 
@@ -32,7 +32,7 @@ struct OnlineGroup {
   [[nodiscard]] bool in_phase() const noexcept;
   bool gather(bool widened) noexcept;
   Synchronised solve() noexcept;
-  [[nodiscard]] bool detours_for_lack_of_limits() const noexcept;
+  [[nodiscard]] bool detours_for_lack_of_limits(Judged judged) const noexcept;
   void wait_rather_than_turn_round() noexcept;
   void refuse(const Synchronised& why) noexcept;
   void go() noexcept;

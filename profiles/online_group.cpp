@@ -1,4 +1,4 @@
-#include "jounce/profiles/detail/online_group.hpp"
+#include "jounce/profiles/online_group.hpp"
 
 #include <cmath>
 
@@ -76,10 +76,11 @@ bool OnlineGroup::gather(bool widened) noexcept {
 
 Synchronised OnlineGroup::solve() noexcept {
   Synchronised result = synchronise(moves, sync, next, 0, grid);
-  if (in_phase() && result.status == MoveStatus::ok && detours_for_lack_of_limits()) {
+  if (in_phase() && result.status == MoveStatus::ok &&
+      detours_for_lack_of_limits(Judged::strictly)) {
     gather(true);
     result = synchronise(moves, sync, next, 0, grid);
-    if (result.status != MoveStatus::ok || detours_for_lack_of_limits()) {
+    if (result.status != MoveStatus::ok || detours_for_lack_of_limits(Judged::mildly)) {
       gather(false);
       result = synchronise(moves, sync, next, 0, grid);
     }
@@ -91,13 +92,13 @@ Synchronised OnlineGroup::solve() noexcept {
 
 /// On a line the limits of one axis are those of all: one that passes its target may do so because
 /// another's were lowered.
-bool OnlineGroup::detours_for_lack_of_limits() const noexcept {
+bool OnlineGroup::detours_for_lack_of_limits(Judged judged) const noexcept {
   bool wider = false;
   bool detour = false;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!moves[i].enabled) continue;
     wider = wider || axes[i].can_widen();
-    detour = detour || detours(moves[i], next[i]);
+    detour = detour || detours(moves[i], next[i], judged);
   }
   return wider && detour;
 }
@@ -109,9 +110,9 @@ void OnlineGroup::wait_rather_than_turn_round() noexcept {
     const AxisMove& m = moves[i];
     const bool rests_there =
         m.goal == Goal::moving || (m.to.velocity == 0 && m.to.acceleration == 0);
-    if (!m.enabled || !rests_there || !detours(m, next[i])) continue;
+    if (!m.enabled || !rests_there || !detours(m, next[i], Judged::mildly)) continue;
     Profile shortest;
-    if (AxisTask(m).shortest(shortest) == MoveStatus::ok && !detours(m, shortest))
+    if (AxisTask(m).shortest(shortest) == MoveStatus::ok && !detours(m, shortest, Judged::mildly))
       next[i] = shortest;
   }
 }
