@@ -33,14 +33,14 @@ class OnlineGenerator {
   MoveStatus set_state(std::size_t axis, const MotionState& state) noexcept {
     return axes_[axis].set_state(state);
   }
-  /// What the axis is to reach; Goal::moving: where the target is at the beginning of the next step.
+  /// What the axis is to reach; MoveGoal::moving: where the target is at the beginning of the next step.
   MoveStatus set_target(std::size_t axis, const MotionState& target,
-                        Goal goal = Goal::state) noexcept {
+                        MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
   }
   /// A velocity in u/s, wherever that is reached. One beyond the bounds counts as their limit.
   MoveStatus set_velocity(std::size_t axis, double velocity) noexcept {
-    return axes_[axis].set_target(Goal::velocity, {0, velocity, 0});
+    return axes_[axis].set_target(MoveGoal::velocity, {0, velocity, 0});
   }
   /// A velocity limit of 0 forbids that direction. Where both are 0, or one of acceleration or jerk is,
   /// the axis comes to rest under the limits before, and stays.

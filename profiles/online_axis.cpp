@@ -65,12 +65,12 @@ bool limits_position(const Bounds& b) {
 
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept {
   const double share = judged == Judged::strictly ? 1e-13 : 1e-10;
-  if (move.goal == Goal::velocity) {
+  if (move.goal == MoveGoal::velocity) {
     const double scale = std::abs(plan.start().velocity) + std::abs(plan.end().velocity);
     return turns_round(travelled_in_velocity(plan), share, digits * scale);
   }
   const double scale = std::abs(plan.start().position) + std::abs(plan.end().position);
-  const double velocity = move.goal == Goal::moving ? move.to.velocity : 0;
+  const double velocity = move.goal == MoveGoal::moving ? move.to.velocity : 0;
   return turns_round(travelled(plan, velocity), share, digits * scale);
 }
 
@@ -86,13 +86,13 @@ MoveStatus OnlineAxis::set_state(const MotionState& state) noexcept {
   return MoveStatus::ok;
 }
 
-MoveStatus OnlineAxis::set_target(Goal goal, const MotionState& target) noexcept {
+MoveStatus OnlineAxis::set_target(MoveGoal goal, const MotionState& target) noexcept {
   const MoveStatus status = status_of(target, target, within(1e50));
   if (status == MoveStatus::not_finite) return status;
-  const bool same = goal == goal_ && target == target_ && goal != Goal::moving;
+  const bool same = goal == goal_ && target == target_ && goal != MoveGoal::moving;
   goal_ = goal;
   target_ = target;
-  if (goal == Goal::moving) target_.acceleration = 0;
+  if (goal == MoveGoal::moving) target_.acceleration = 0;
   age_ = 0;
   changed_ = changed_ || !same;
   return MoveStatus::ok;
@@ -127,14 +127,14 @@ bool OnlineAxis::must_stop() const noexcept {
 }
 
 bool OnlineAxis::arrived() const noexcept {
-  const bool there = ended() || (passed_ && aim_goal_ == Goal::state);
+  const bool there = ended() || (passed_ && aim_goal_ == MoveGoal::state);
   return !enabled_ || (purpose_ == Purpose::goal && status_ == MoveStatus::ok && there) ||
          (!bounded_ && !has_goal());
 }
 
 MotionState OnlineAxis::target_now() const noexcept {
   MotionState t = target_;
-  if (goal_ == Goal::moving) t.position += age_ * t.velocity;
+  if (goal_ == MoveGoal::moving) t.position += age_ * t.velocity;
   return t;
 }
 
@@ -144,8 +144,8 @@ bool OnlineAxis::is_aimed() const noexcept {
   const MotionState t = target_now();
   if (!agree(t.velocity, aim_.velocity, velocity_tolerance_)) return false;
   if (!agree(t.acceleration, aim_.acceleration, 0)) return false;
-  if (goal_ == Goal::velocity) return true;
-  const double moved = goal_ == Goal::moving ? elapsed_ * aim_.velocity : 0;
+  if (goal_ == MoveGoal::velocity) return true;
+  const double moved = goal_ == MoveGoal::moving ? elapsed_ * aim_.velocity : 0;
   const double rounding = digits * std::abs(plan_.start().position) + drift * std::abs(moved);
   return agree(t.position, aim_.position + moved, position_tolerance_ + rounding);
 }
@@ -200,8 +200,8 @@ bool OnlineAxis::can_widen() const noexcept {
 
 AxisMove OnlineAxis::towards_goal(const Bounds& bounds) const noexcept {
   AxisMove m{state(), target_now(), where_zero(bounds, mirrored(bounds)), goal_};
-  if (goal_ == Goal::state && passed_ && is_aimed()) m.goal = Goal::velocity;
-  if (m.goal == Goal::velocity)
+  if (goal_ == MoveGoal::state && passed_ && is_aimed()) m.goal = MoveGoal::velocity;
+  if (m.goal == MoveGoal::velocity)
     m.to.velocity = std::clamp(m.to.velocity, bounds.velocity_min, bounds.velocity_max);
   return m;
 }
@@ -222,7 +222,7 @@ AxisMove OnlineAxis::move(bool widened) const noexcept {
 
 AxisMove OnlineAxis::stopping() const noexcept {
   const Bounds bounds = where_zero(bounds_, in_force_);
-  AxisMove m{state(), {}, bounds, Goal::velocity};
+  AxisMove m{state(), {}, bounds, MoveGoal::velocity};
   m.bounds.position_min = -Bounds::none;
   m.bounds.position_max = Bounds::none;
   if (wider(bounds) == bounds) return m;
@@ -298,7 +298,7 @@ bool OnlineAxis::runs_out(double dt) const noexcept {
     return false;
   const Motion next = at(elapsed_ + dt);
   const MotionState start{next.position, next.velocity, next.acceleration};
-  AxisMove m{start, {}, in_force_, Goal::velocity};
+  AxisMove m{start, {}, in_force_, MoveGoal::velocity};
   Profile plan;
   return AxisTask(m).shortest(plan) == MoveStatus::position_limit;
 }
@@ -307,11 +307,11 @@ void OnlineAxis::advance(double dt) noexcept {
   age_ += dt;
   elapsed_ += dt;
   if (std::abs(elapsed_ - duration_) <= same_instant * dt) elapsed_ = duration_;
-  if (ended() && purpose_ == Purpose::goal && aim_goal_ == Goal::state)
+  if (ended() && purpose_ == Purpose::goal && aim_goal_ == MoveGoal::state)
     passed_ = passed_ || aim_.velocity != 0 || aim_.acceleration != 0;
   if (ended() && plan_.end().acceleration != 0) {  // released, on the way at the velocity reached
     const double late = elapsed_ - duration_;
-    const AxisMove m{plan_.end(), {0, plan_.end().velocity, 0}, in_force_, Goal::velocity};
+    const AxisMove m{plan_.end(), {0, plan_.end().velocity, 0}, in_force_, MoveGoal::velocity};
     Profile on;
     (void)AxisTask(m).shortest(on);
     plan_ = on;

@@ -10,7 +10,7 @@ class OnlineAxis {
  public:
   // Orders.
   MoveStatus set_state(const MotionState& state) noexcept;
-  MoveStatus set_target(Goal goal, const MotionState& target) noexcept;
+  MoveStatus set_target(MoveGoal goal, const MotionState& target) noexcept;
   MoveStatus set_bounds(const Bounds& bounds) noexcept;
   void set_enabled(bool enabled) noexcept;
   void set_tolerance(double position, double velocity) noexcept;
@@ -63,7 +63,7 @@ class OnlineAxis {
   enum class Purpose : std::uint8_t { goal, stop };
 
   [[nodiscard]] bool has_goal() const noexcept {
-    return goal_ != Goal::velocity || target_.velocity != 0;
+    return goal_ != MoveGoal::velocity || target_.velocity != 0;
   }
   [[nodiscard]] bool is_stale() noexcept;
   [[nodiscard]] bool ended() const noexcept { return elapsed_ >= duration_; }
@@ -85,7 +85,7 @@ class OnlineAxis {
   Bounds bounds_;
   double position_tolerance_ = 0;
   double velocity_tolerance_ = 0;
-  Goal goal_ = Goal::velocity;
+  MoveGoal goal_ = MoveGoal::velocity;
   bool bounded_ = false;
   bool enabled_ = true;
   bool changed_ = false;  ///< since the motion under way was planned or found to fit
@@ -100,7 +100,7 @@ class OnlineAxis {
   Bounds asked_;     ///< the bounds that were set when it was planned or last found to fit
   Bounds in_force_;  ///< those that it was planned under
   Motion now_;
-  Goal aim_goal_ = Goal::velocity;
+  MoveGoal aim_goal_ = MoveGoal::velocity;
   Purpose purpose_ = Purpose::stop;
   bool passed_ = false;  ///< a state that is not at rest has been reached: on at its velocity
   MoveStatus status_ = MoveStatus::ok;

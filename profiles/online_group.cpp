@@ -109,7 +109,7 @@ void OnlineGroup::wait_rather_than_turn_round() noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const AxisMove& m = moves[i];
     const bool rests_there =
-        m.goal == Goal::moving || (m.to.velocity == 0 && m.to.acceleration == 0);
+        m.goal == MoveGoal::moving || (m.to.velocity == 0 && m.to.acceleration == 0);
     if (!m.enabled || !rests_there || !detours(m, next[i], Judged::mildly)) continue;
     Profile shortest;
     if (AxisTask(m).shortest(shortest) == MoveStatus::ok && !detours(m, shortest, Judged::mildly))

@@ -65,7 +65,7 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
 }
 
 bool rests(const AxisMove& axis) {
-  return axis.goal != Goal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
+  return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
 }
 
 /// All in the least time that each can do: whenever one cannot, in the next time that it can. With
@@ -167,7 +167,7 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
 }
 
 /// Whether all goals are of one kind and sound.
-Synchronised one_kind(std::span<const AxisMove> axes, Goal goal) {
+Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;
     const MoveStatus status = AxisTask(axes[i]).status();

@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// What an axis is to reach.
-enum class Goal : std::uint8_t {
+enum class MoveGoal : std::uint8_t {
   state,     ///< `to`: position, velocity and acceleration at one instant
   velocity,  ///< the velocity and acceleration of `to`, wherever that is
   moving,  ///< a target that is at `to` when the motion begins and goes on at the velocity of `to`
@@ -18,7 +18,7 @@ enum class Goal : std::uint8_t {
 struct AxisMove {
   MotionState from, to;
   Bounds bounds;
-  Goal goal = Goal::state;
+  MoveGoal goal = MoveGoal::state;
   /// An axis that is not enabled takes no part: its profile is `from`, of no duration.
   bool enabled = true;
   /// A motion from `from` to the goal that is known to keep the bounds, or null. It is taken where no

@@ -24,7 +24,7 @@ int main() {
   double noise = 1e-5;
   for (bool there = false; !there; t += 0.001) {
     noise = -noise;
-    pusher.set_target(0, {.position = 1 + 0.3 * t + noise, .velocity = 0.3}, Goal::moving);
+    pusher.set_target(0, {.position = 1 + 0.3 * t + noise, .velocity = 0.3}, MoveGoal::moving);
     const OnlineStep step = pusher.step(0.001);
     plans += step.planned ? 1 : 0;
     there = step.arrived;

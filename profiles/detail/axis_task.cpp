@@ -57,12 +57,12 @@ Profile unmoved(const Profile& relative, const MotionState& from, const MotionSt
 
 AxisMove posed(const AxisMove& axis) noexcept {
   AxisMove m = axis;
-  if (axis.goal == Goal::velocity) {
+  if (axis.goal == MoveGoal::velocity) {
     m.from = lowered(axis.from);
     m.to = lowered(axis.to);
     m.bounds = lowered(axis.bounds);
   }
-  if (axis.goal == Goal::moving) {
+  if (axis.goal == MoveGoal::moving) {
     const double w = axis.to.velocity;
     m.from = less(axis.from, axis.to);
     m.to = {};
@@ -75,10 +75,10 @@ AxisMove posed(const AxisMove& axis) noexcept {
 }
 
 MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) noexcept {
-  out = axis.goal == Goal::velocity ? raised(solved, axis.from, axis.to)
-        : axis.goal == Goal::moving ? unmoved(solved, axis.from, axis.to)
+  out = axis.goal == MoveGoal::velocity ? raised(solved, axis.from, axis.to)
+        : axis.goal == MoveGoal::moving ? unmoved(solved, axis.from, axis.to)
                                     : solved;
-  if (axis.goal == Goal::state) return MoveStatus::ok;
+  if (axis.goal == MoveGoal::state) return MoveStatus::ok;
   const Travel travel = travelled(out);
   const double slack = 0x1p-46 * (std::abs(out.start().position) + std::abs(out.end().position));
   const double lowest = std::min(axis.bounds.position_min, axis.from.position) - slack;
@@ -90,17 +90,17 @@ MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) n
 
 /// Whether the goal is a velocity and the velocity may step.
 bool AxisTask::steps() const noexcept {
-  return axis_.goal == Goal::velocity && order_of(axis_.bounds) == 1;
+  return axis_.goal == MoveGoal::velocity && order_of(axis_.bounds) == 1;
 }
 
 MoveStatus AxisTask::status() const noexcept {
   if (!posed_) return status_of(axis_.from, axis_.to, axis_.bounds);
   const MotionState to{axis_.from.position, axis_.to.velocity,
-                       axis_.goal == Goal::moving ? 0 : axis_.to.acceleration};
+                       axis_.goal == MoveGoal::moving ? 0 : axis_.to.acceleration};
   const MoveStatus asked = status_of(axis_.from, to, axis_.bounds);
   if (asked != MoveStatus::ok || steps()) return asked;
   const Bounds& b = posed_->bounds;  // a target as fast as the limit cannot be caught up with
-  if (axis_.goal == Goal::moving && !(b.velocity_min < 0 && b.velocity_max > 0))
+  if (axis_.goal == MoveGoal::moving && !(b.velocity_min < 0 && b.velocity_max > 0))
     return MoveStatus::target_outside;
   return status_of(posed_->from, posed_->to, b);
 }

@@ -26,7 +26,7 @@ MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) n
 class AxisTask {
  public:
   explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis) {
-    if (axis.goal != Goal::state) posed_ = posed(axis);
+    if (axis.goal != MoveGoal::state) posed_ = posed(axis);
   }
 
   /// The questions below need `ok`.

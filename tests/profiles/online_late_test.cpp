@@ -30,10 +30,10 @@ MotionState random_state(testing::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
 }
 
-AxisMove random_move(testing::Random& random, Goal goal) {
+AxisMove random_move(testing::Random& random, MoveGoal goal) {
   AxisMove m{random_state(random), random_state(random),
              within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20)), goal};
-  if (goal == Goal::moving) m.to.acceleration = 0;
+  if (goal == MoveGoal::moving) m.to.acceleration = 0;
   return m;
 }
 
@@ -49,7 +49,7 @@ using Target = std::function<MotionState(double t)>;
 Target as_it_moves(const AxisMove& m) {
   return [m](double t) {
     MotionState now = m.to;
-    if (m.goal == Goal::moving) now.position += t * now.velocity;
+    if (m.goal == MoveGoal::moving) now.position += t * now.velocity;
     return now;
   };
 }
@@ -87,7 +87,7 @@ struct Late {
 };
 
 /// How many moves are late, the target as it is plus noise of this size.
-Late late_moves(Goal goal, double noise, double tolerance, std::uint64_t seed, int n) {
+Late late_moves(MoveGoal goal, double noise, double tolerance, std::uint64_t seed, int n) {
   testing::Random random(seed);
   Late count;
   for (int i = 0; i < n; ++i) {
@@ -109,25 +109,25 @@ Late late_moves(Goal goal, double noise, double tolerance, std::uint64_t seed, i
 }
 
 TEST(OnlineLate, NoMoveToAStateThatIsSetInEveryCycle) {
-  const Late count = late_moves(Goal::state, 0, 0, 71, cases(1000));
+  const Late count = late_moves(MoveGoal::state, 0, 0, 71, cases(1000));
   EXPECT_EQ(count.generator, 0);
   EXPECT_GT(count.replanned, cases(1000) / 20);  // what planning in every cycle costs
 }
 
 TEST(OnlineLate, NoMoveToAStateWithTheNoiseOfRounding) {
-  EXPECT_EQ(late_moves(Goal::state, 0x1p-52, 0, 72, cases(1000)).generator, 0);
+  EXPECT_EQ(late_moves(MoveGoal::state, 0x1p-52, 0, 72, cases(1000)).generator, 0);
 }
 
 TEST(OnlineLate, NoMoveToAStateWithNoiseWithinTheTolerance) {
-  const Late count = late_moves(Goal::state, 1e-6, 1e-5, 73, cases(500));
+  const Late count = late_moves(MoveGoal::state, 1e-6, 1e-5, 73, cases(500));
   EXPECT_EQ(count.generator, 0);
   EXPECT_GT(count.replanned, cases(500) / 20);
 }
 
 TEST(OnlineLate, NoMeetingOfATargetThatMoves) {
-  EXPECT_EQ(late_moves(Goal::moving, 0, 0, 74, cases(1000)).generator, 0);
-  EXPECT_EQ(late_moves(Goal::moving, 0x1p-52, 0, 75, cases(1000)).generator, 0);
-  EXPECT_EQ(late_moves(Goal::moving, 1e-6, 1e-4, 76, cases(500)).generator, 0);
+  EXPECT_EQ(late_moves(MoveGoal::moving, 0, 0, 74, cases(1000)).generator, 0);
+  EXPECT_EQ(late_moves(MoveGoal::moving, 0x1p-52, 0, 75, cases(1000)).generator, 0);
+  EXPECT_EQ(late_moves(MoveGoal::moving, 1e-6, 1e-4, 76, cases(500)).generator, 0);
 }
 
 /// A target at rest that creeps on and stays where it is before the axis begins to brake: the optimum
@@ -159,7 +159,7 @@ TEST(OnlineLate, NoCommonMoveOfSeveralAxes) {
   int n = 0;
   for (int i = 0; i < cases(500); ++i) {
     std::array<AxisMove, 3> moves;
-    for (auto& m : moves) m = random_move(random, Goal::state);
+    for (auto& m : moves) m = random_move(random, MoveGoal::state);
     std::array<Profile, 3> best;
     const double t = synchronise(moves, Sync::time, best).duration;
     OnlineGenerator<3> g(Sync::time);

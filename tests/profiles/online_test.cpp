@@ -101,7 +101,7 @@ TEST(Online, MeetsATargetThatMovesAndStaysWithIt) {
   auto g = axes_with<1>(within(2, 10, 100));
   int planned = 0;
   for (int k = 0; k < 3000; ++k) {
-    g.set_target(0, {1 + 0.3 * k * cycle, 0.3, 0}, Goal::moving);
+    g.set_target(0, {1 + 0.3 * k * cycle, 0.3, 0}, MoveGoal::moving);
     planned += g.step(cycle).planned ? 1 : 0;
   }
   EXPECT_EQ(planned, 1);

@@ -46,7 +46,7 @@ TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
   testing::Random random(51);
   for (int i = 0; i < 5000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
-    axis.goal = Goal::velocity;
+    axis.goal = MoveGoal::velocity;
     Profile out;
     ASSERT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::ok) << i;
     const Move alone =
@@ -65,7 +65,7 @@ TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
     for (auto& axis : axes) {
       axis = {random_state(random), random_state(random), random_bounds(random)};
       axis.from.acceleration = axis.to.acceleration = 0;  // no blocked durations
-      axis.goal = Goal::velocity;
+      axis.goal = MoveGoal::velocity;
       longest = std::max(
           longest, move_velocity(axis.from, axis.to.velocity, axis.bounds).profile.duration());
     }
@@ -89,7 +89,7 @@ TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
     for (auto& axis : axes) {
       axis = {random_state(random), random_state(random), random_bounds(random)};
       axis.from.acceleration = axis.to.acceleration = 0;
-      axis.goal = Goal::velocity;
+      axis.goal = MoveGoal::velocity;
     }
     std::array<Profile, 3> out;
     const Synchronised s = synchronise(axes, Sync::phase, out);
@@ -107,7 +107,7 @@ TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
 }
 
 TEST(SynchroniseGoals, AnOrderWithoutAccelerationLimitsStepsToItsVelocity) {
-  AxisMove axis{{1, 0, 0}, {0, 0.5, 0}, within(2), Goal::velocity};
+  AxisMove axis{{1, 0, 0}, {0, 0.5, 0}, within(2), MoveGoal::velocity};
   Profile out;
   ASSERT_EQ(synchronise({&axis, 1}, Sync::time, {&out, 1}, 2).status, MoveStatus::ok);
   EXPECT_EQ(out.duration(), 2);
@@ -130,7 +130,7 @@ TEST(SynchroniseGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
     axis.to.acceleration = 0;
-    axis.goal = Goal::moving;
+    axis.goal = MoveGoal::moving;
     Profile out;
     const Synchronised s = synchronise({&axis, 1}, Sync::none, {&out, 1});
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
@@ -144,7 +144,7 @@ TEST(SynchroniseGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
 
 TEST(SynchroniseGoals, MovingTargetsInEveryOrder) {
   for (const Bounds& b : {within(3), within(3, 10), within(3, 10, 100)}) {
-    const AxisMove axis{{0, 0, 0}, {2, 1, 0}, b, Goal::moving};
+    const AxisMove axis{{0, 0, 0}, {2, 1, 0}, b, MoveGoal::moving};
     Profile out;
     const Synchronised s = synchronise({&axis, 1}, Sync::none, {&out, 1});
     ASSERT_EQ(s.status, MoveStatus::ok);
@@ -152,19 +152,19 @@ TEST(SynchroniseGoals, MovingTargetsInEveryOrder) {
     EXPECT_NEAR(out.at(s.duration / 2 * (1 - 1e-9)).position,
                 out.at(s.duration / 2 * (1 + 1e-9)).position, 1e-6);
   }
-  const AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3), Goal::moving};
+  const AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3), MoveGoal::moving};
   Profile out;
   EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).duration, 1);  // 3 t = 2 + t
 }
 
 TEST(SynchroniseGoals, ATargetAsFastAsTheLimitCannotBeMet) {
-  const AxisMove axis{{0, 0, 0}, {2, 3, 0}, within(3, 10, 100), Goal::moving};
+  const AxisMove axis{{0, 0, 0}, {2, 3, 0}, within(3, 10, 100), MoveGoal::moving};
   Profile out;
   EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::target_outside);
 }
 
 TEST(SynchroniseGoals, AMeetingBeyondThePositionLimitIsNone) {
-  AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3, 10, 100), Goal::moving};
+  AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3, 10, 100), MoveGoal::moving};
   axis.bounds.position_max = 2.5;
   Profile out;
   EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::position_limit);
@@ -232,7 +232,7 @@ TEST(SynchroniseGoals, InPhaseWhereTheStatesAllowItOtherwiseInTime) {
 
 TEST(SynchroniseGoals, GoalsOfTwoKindsHaveNoCommonLine) {
   std::array<AxisMove, 2> axes{AxisMove{{0, 0, 0}, {1, 0, 0}, within(1, 1, 1)},
-                               AxisMove{{0, 0, 0}, {0, 1, 0}, within(1, 1, 1), Goal::velocity}};
+                               AxisMove{{0, 0, 0}, {0, 1, 0}, within(1, 1, 1), MoveGoal::velocity}};
   std::array<Profile, 2> out;
   EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::not_straight);
   EXPECT_EQ(synchronise(axes, Sync::time, out).status, MoveStatus::ok);
