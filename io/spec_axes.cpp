@@ -7,7 +7,9 @@
 namespace jounce::detail {
 namespace {
 
-const std::vector<std::string> syncs{"none", "time", "phase"};
+// In the order of Sync.
+const std::vector<std::string> syncs{"none", "time", "phase", "time_if_moving", "phase_or_time"};
+static_assert(static_cast<int>(Sync::phase) == 2 && static_cast<int>(Sync::phase_or_time) == 4);
 
 /// A name becomes part of file names.
 std::string read_name(TomlReader& axis, std::set<std::string>& taken) {

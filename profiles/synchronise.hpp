@@ -30,8 +30,8 @@ struct AxisMove {
 enum class Sync : std::uint8_t {
   none,            ///< each as fast as it can
   time,            ///< all arrive at the same instant, the earliest at which every axis can
-  time_if_moving,  ///< as time, but an axis whose target rests goes as fast as it can and waits there
   phase,           ///< all on one straight line at every instant
+  time_if_moving,  ///< as time, but an axis whose target rests goes as fast as it can and waits there
   phase_or_time,  ///< phase where the states lie on one line, otherwise time
 };
 

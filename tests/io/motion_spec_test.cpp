@@ -283,6 +283,20 @@ jerk = 100000
 velocity = 801
 )";
 
+TEST(AxesSpec, EveryWordOfSyncMeansTheLibrarys) {
+  const std::string text = axes_spec;
+  const std::size_t at = text.find("\"phase\"");
+  const auto synchronised_by = [&](const std::string& word) {
+    const Spec spec = parse_spec(std::string(text).replace(at, 7, '"' + word + '"'), "a.toml");
+    return std::get<AxesSpec>(spec.subject).sync;
+  };
+  EXPECT_EQ(synchronised_by("none"), Sync::none);
+  EXPECT_EQ(synchronised_by("time"), Sync::time);
+  EXPECT_EQ(synchronised_by("time_if_moving"), Sync::time_if_moving);
+  EXPECT_EQ(synchronised_by("phase"), Sync::phase);
+  EXPECT_EQ(synchronised_by("phase_or_time"), Sync::phase_or_time);
+}
+
 TEST(AxesSpec, AreTheLibrarysSynchronisedAxes) {
   const std::vector<AxisMove> moves{{{}, {.position = 300}, within(1000, 5000, 100000)},
                                     {{.position = 180}, {.position = 90}, within(800, 4000, 1e5)}};
@@ -568,7 +582,7 @@ INSTANTIATE_TEST_SUITE_P(
         // Axes.
         BadMotion{with(axes_spec, "\"phase\"", "\"fase\""),
                   "a.toml:4:8: sync = \"fase\": did you mean \"phase\"? It must be one of none, "
-                  "time, phase"},
+                  "time, phase, time_if_moving, phase_or_time"},
         BadMotion{with(axes_spec, "\"c\"", "\"x\""),
                   "a.toml:14:8: axis[2].name = \"x\": is the name of another axis already"},
         BadMotion{with(axes_spec, "\"c\"", "\"a/b\""),
