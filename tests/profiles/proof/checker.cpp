@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "profiles/proof/envelope.hpp"
+
 namespace jounce::proof {
 namespace {
 
@@ -120,17 +122,10 @@ State signed_by(const State& s, Real sign) {
   return {sign * s.p, sign * s.v, sign * s.a, sign * s.j};
 }
 
-/// The upper bounds of one side, and the braking rates towards the inside (> 0).
-struct Ceiling {
-  Real p, v, a, j;
-  Real brake_a, brake_j;
-  const char* side;
-};
-
 class Check {
  public:
   Check(const Profile& f, const Case& c)
-      : f_(f), c_(c), pieces_(integrated(f)), sizes_(uncancelled(pieces_, c.from)) {
+      : f_(f), c_(c), b_(in_force(c.from, c.to, c.bounds)), pieces_(integrated(f)), sizes_(uncancelled(pieces_, c.from)) {
     verdict_.floor = floor_of(sizes_, c.bounds);
     verdict_.scale = scale_of(sums(pieces_, c), verdict_.floor);
     for (const Piece& piece : pieces_) verdict_.duration += piece.length;
@@ -140,11 +135,8 @@ class Check {
     exact();
     if (!verdict_.ok()) return verdict_;
     end();
-    const Bounds& b = c_.bounds;
-    limits(1, {b.position_max, b.velocity_max, b.acceleration_max, b.jerk_max, -b.acceleration_min,
-               -b.jerk_min, "max"});
-    limits(-1, {-b.position_min, -b.velocity_min, -b.acceleration_min, -b.jerk_min,
-                b.acceleration_max, b.jerk_max, "min"});
+    limits(1, upper(b_));
+    limits(-1, lower(b_));
     return verdict_;
   }
 
@@ -155,16 +147,18 @@ class Check {
   void exact();
   [[nodiscard]] Real instant() const;
   void end();
-  void limits(Real sign, const Ceiling& top);
-  void acceleration(Real sign, const Ceiling& top);
-  void velocity(Real sign, const Ceiling& top);
+  void limits(Real sign, const Side& side);
+  void acceleration(Real sign, const Side& side);
+  void velocity(Real sign, const Side& side);
   [[nodiscard]] Real start_peak() const;  ///< of the velocity, in magnitude, unavoidable
-  void position(Real sign, const Ceiling& top);
+  void position(Real sign);
   /// Notes how far x lies above a bound; false where that is too far.
-  bool below(Real x, Real bound, Real scale, const std::string& what);
+  bool below(Real x, Real bound, Real scale, const char* what);
 
   const Profile& f_;
   const Case& c_;
+  Bounds b_;       ///< in force
+  Real sign_ = 1;  ///< of the side that is checked
   std::vector<Piece> pieces_;
   std::vector<State> sizes_;  ///< see uncancelled
   Verdict verdict_;
@@ -229,12 +223,12 @@ void Check::end() {
     compare(s.a, f_.end().acceleration, verdict_.scale.acceleration, "acceleration");
 }
 
-bool Check::below(Real x, Real bound, Real scale, const std::string& what) {
+bool Check::below(Real x, Real bound, Real scale, const char* what) {
   if (x <= bound) return true;
   const Real excess = (x - bound) / scale;
   verdict_.excess = std::max(verdict_.excess, static_cast<double>(excess));
   if (excess <= tolerance) return true;
-  fail(what + " exceeds its bound by " + text(excess) + " of its scale");
+  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) + " of its scale");
   return false;
 }
 
@@ -246,69 +240,75 @@ Real magnitude(double min, double max, Real start) {
   return m;
 }
 
-void Check::limits(Real sign, const Ceiling& top) {
-  const Bounds& b = c_.bounds;
-  const std::string side = std::string("_") + top.side;
+void Check::limits(Real sign, const Side& side) {
+  sign_ = sign;
+  const auto control = [&](Real x, Real bound, double least, double most, const char* what) {
+    below(x, bound, magnitude(least, most, 0), what);
+  };
+  const Bounds& b = b_;
   for (const Piece& piece : pieces_) {
     const State s = signed_by(piece.begin, sign);
-    if (f_.order() == 3) below(s.j, top.j, magnitude(b.jerk_min, b.jerk_max, 0), "jerk" + side);
+    if (f_.order() == 3) control(s.j, side.rise, b.jerk_min, b.jerk_max, "jerk");
     if (f_.order() == 2)
-      below(s.a, top.a, magnitude(b.acceleration_min, b.acceleration_max, 0),
-            "acceleration" + side);
-    if (f_.order() == 1)
-      below(s.v, top.v, magnitude(b.velocity_min, b.velocity_max, 0), "velocity" + side);
+      control(s.a, side.a_max, b.acceleration_min, b.acceleration_max, "acceleration");
+    if (f_.order() == 1) control(s.v, side.top, b.velocity_min, b.velocity_max, "velocity");
   }
-  if (f_.order() == 3) acceleration(sign, top);
-  if (f_.order() > 1) velocity(sign, top);
-  position(sign, top);
+  if (f_.order() == 3) acceleration(sign, side);
+  if (f_.order() > 1) velocity(sign, side);
+  position(sign);
 }
 
-void Check::acceleration(Real sign, const Ceiling& top) {
+/// Outside, it returns at full jerk.
+void Check::acceleration(Real sign, const Side& side) {
   const Real start = sign * c_.from.acceleration;
-  const Bounds& b = c_.bounds;
-  const Real bound = magnitude(b.acceleration_min, b.acceleration_max, start);
-  bool outside = start > top.a + tolerance * bound;  // until it has come inside
+  const Real bound = magnitude(b_.acceleration_min, b_.acceleration_max, start);
+  const auto envelope = [&](Real t) { return std::max(side.a_max, start - side.fall * t); };
+  const Real inside = (start - side.a_max) / side.fall;
+  Real begin = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Real scale = std::max(bound, sizes_[i].a * floor_ulps);
-    const State s = signed_by(pieces_[i].begin, sign);
-    const Real last = s.a + s.j * pieces_[i].length;
-    if (outside && s.j >= 0) fail("acceleration does not come inside at once");
-    outside = outside && last > top.a + tolerance * scale;
-    if (!outside) below(last, top.a, scale, std::string("acceleration_") + top.side);
+    const auto compare = [&](Real t) {
+      below(sign * pieces_[i].at(t).a, envelope(begin + t), scale, "acceleration");
+    };
+    const Real length = pieces_[i].length;
+    if (inside > begin && inside < begin + length) compare(inside - begin);
+    compare(length);
+    begin += length;
   }
 }
 
-/// The velocity is unimodal while outside: up to the unavoidable peak, then down and inside.
-void Check::velocity(Real sign, const Ceiling& top) {
-  const MotionState& from = c_.from;
-  const std::string what = std::string("velocity_") + top.side;
-  Real peak = sign * from.velocity;
-  if (const Real a = sign * from.acceleration; f_.order() == 3 && a > 0)
-    peak += a * a / (2 * top.brake_j);
-  const Real bound = std::max(
-      magnitude(c_.bounds.velocity_min, c_.bounds.velocity_max, from.velocity), start_peak());
-  bool outside = peak > top.v + tolerance * bound;
-  bool falling = false;
+/// The instants of a piece at which its velocity can pass another most: where their accelerations are
+/// equal, where the other's jerk steps, and the end. From the piece's own begin: that of a late
+/// piece has lost digits.
+std::vector<Real> instants(const Piece& piece, Real begin, const Envelope& envelope, Real sign) {
+  std::vector<Real> times{piece.length};
+  for (std::size_t i = 0; i < envelope.arcs.size(); ++i) {
+    const Arc& arc = envelope.arcs[i];
+    const Real from = std::max<Real>(arc.begin - begin, 0);
+    const Real to = i + 1 < envelope.arcs.size()
+                        ? std::min(envelope.arcs[i + 1].begin - begin, piece.length)
+                        : piece.length;
+    if (from >= to) continue;
+    if (from > 0) times.push_back(from);
+    const State at = signed_by(piece.at(from), sign);
+    const Real other = arc.acceleration(std::max(arc.begin, begin));
+    for (const Real t : zeros(at.a - other, at.j - arc.j, 0, to - from)) times.push_back(from + t);
+  }
+  return times;
+}
+
+void Check::velocity(Real sign, const Side& side) {
+  const Envelope limit =
+      envelope(sign * c_.from.velocity, sign * c_.from.acceleration, side);
+  const Real bound =
+      std::max(magnitude(b_.velocity_min, b_.velocity_max, c_.from.velocity), start_peak());
+  Real begin = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
     const Real scale = std::max(bound, sizes_[i].v * floor_ulps);
-    const Real slack = tolerance * scale;
-    std::vector<Real> times = zeros(piece.begin.a, piece.begin.j, 0, piece.length);
-    times.push_back(piece.length);
-    Real before = sign * piece.begin.v;
-    for (const Real t : times) {
-      const Real v = sign * piece.at(t).v;
-      if (outside) {
-        if (falling && v > before + slack && v > top.v + slack)
-          fail(what + ": rises again before it is inside");
-        falling = falling || v < before;
-        below(v, peak, scale, what + ": the unavoidable peak");
-        outside = !(falling && v <= top.v + slack);
-      } else {
-        below(v, top.v, scale, what);
-      }
-      before = v;
-    }
+    for (const Real t : instants(pieces_[i], begin, limit, sign))
+      below(sign * pieces_[i].at(t).v, limit.velocity(begin + t), scale,
+            "velocity");
+    begin += pieces_[i].length;
   }
 }
 
@@ -319,13 +319,14 @@ Real Check::start_peak() const {
   return std::abs(c_.from.velocity + a * std::abs(a) / (2 * brake));
 }
 
-void Check::position(Real sign, const Ceiling& top) {
+void Check::position(Real sign) {
+  const Real top = sign > 0 ? c_.bounds.position_max : -c_.bounds.position_min;
   for (const Piece& piece : pieces_) {
     std::vector<Real> times = zeros(piece.begin.v, piece.begin.a, piece.begin.j / 2, piece.length);
     times.push_back(piece.length);
     for (const Real t : times)
-      below(sign * piece.at(t).p, top.p, verdict_.scale.position,
-            std::string("position_") + top.side);
+      below(sign * piece.at(t).p, top, verdict_.scale.position,
+            "position");
   }
 }
 

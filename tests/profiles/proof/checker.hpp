@@ -66,9 +66,10 @@ constexpr double tolerance = 1e-12;
 /// - jerk, acceleration, velocity and position keep their bounds, extrema inside the phases
 ///   included, to `tolerance` of the larger magnitude of that quantity's two bounds, of the start
 ///   and its unavoidable peak (a position: of the scale above), or to the floor above;
-/// - a start outside comes inside monotonically and stays: velocity may be outside only on an
-///   initial stretch, on which it rises at most to the peak that the bounds of jerk (or those of
-///   acceleration) make unavoidable, and then falls; likewise acceleration, which only falls.
+/// - from a start outside, acceleration and velocity keep their envelopes instead (envelope.hpp): an
+///   acceleration returns at full jerk, a velocity is at no instant beyond that of the fastest level
+///   return. A start that brakes towards the target harder than its limit may go on so only as far as
+///   that keeps it from passing the target (`in_force`).
 Verdict check(const Profile& profile, const Case& c);
 
 }  // namespace jounce::proof

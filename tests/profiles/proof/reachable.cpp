@@ -42,20 +42,11 @@
 // p = a_min / (2 m q)), the slope is monotone; cut once more where it vanishes, hi is monotone, and
 // a change of sign between neighbours is the only way to have a root. Nothing is sampled.
 //
-// **A start outside.** Safe is a state inside the bounds that can stay there: with v* = v + a^2/(2 m)
-// for a > 0 and v for a <= 0, v* <= v_max, and the mirror image. While v* > v_max there are two ways
-// into the safe set, both of the form: a falls with m, is held at a_min, and rises with k, until v
-// is v_max. The fastest is that of the change of velocity to (v_min, 0), cut where v passes v_max.
-// Without the rise that is plain braking; the rise is what keeps it from falling out of the other
-// side,
-//
-//     a^2 <= 2 k (v_max - v_min) at v = v_max.                                             (8)
-//
-// The level one is that of the change to (v_max, 0); where the acceleration is already so low that v
-// passes v_max whatever is done, it passes as level as it can, a rising all the way. Acceleration
-// alone outside comes in with full jerk. The
-// durations are those from the state so reached, later by the time it took; of both ways, those of
-// the one with the shorter minimum.
+// **A start outside** is first brought to where its freedom begins (`freedom` in envelope.hpp): up to
+// there only one motion is admissible. From there on, the envelope of its velocity rises with k and
+// ends level on v_max. Then (3) holds unchanged: no motion with these jerks is above that arc; the
+// farthest one follows it first, as `up` does, and where it passes v_max it stays there, from the end
+// of the arc on. The nearest one never meets the envelope.
 #include "profiles/proof/reachable.hpp"
 
 #include <algorithm>
@@ -343,92 +334,19 @@ std::vector<Span> second(const Level& x, const Level& y, Real min, Real max, Rea
 
 namespace {
 
-/// A start that has been brought inside.
-struct Entry {
-  Point at{};
-  Real time = 0;
-};
-
 /// The velocity at which the acceleration vanishes, if it is brought there by jerk j.
-Real at_rest(const Point& s, Real j) {
-  return s.v - s.a * s.a / (2 * j);
-}
-
-/// Down to v_max while the acceleration rises from where it is below 0.
-Entry risen(Point s, Real v_max, Real k, Real time) {
-  const Real last = -std::sqrt(std::max<Real>(s.a * s.a - 2 * k * (s.v - v_max), 0));
-  const Real t = (last - s.a) / k;
-  s.advance(t, k);
-  return {{s.x, v_max, last}, time + t};
-}
-
-/// The way into the safe set from v* > v_max, of third order, arriving with an acceleration not
-/// below `steep` <= 0, or as little below as it can.
-Entry from_above(Point s, const Level& v, const Level& a, Real k, Real m, Real steep) {
-  Real time = 0;
-  const auto go = [&](Real t, Real j) {
-    if (!(t > 0)) return;
-    s.advance(t, j);
-    time += t;
-  };
-  if (s.a > a.min) go((s.a - std::min<Real>(a.max, s.a)) / m, -m);
-  go((a.min - s.a) / k, k);  // from below a_min: this side first
-  s.a = std::max(s.a, a.min);
-  if (s.a <= 0 && s.v <= v.max) return {s, time};
-  // Down to a level `low`, held until v_max, or until the rise to `steep` brings it there.
-  const Real to_zero = s.a > 0 ? at_rest(s, -m) : s.v + s.a * s.a / (2 * m);
-  const Real plain = -std::sqrt(std::max<Real>(2 * m * (to_zero - v.max), 0));
-  if (std::max(plain, a.min) >= steep) {
-    const Real low = std::max(plain, a.min);
-    go((s.a - low) / m, -m);
-    if (s.v > v.max) go((s.v - v.max) / -low, 0);
-  } else {
-    // to_zero - low^2/(2 m) - (low^2 - steep^2)/(2 k) = v_max
-    const Real both = (to_zero - v.max + steep * steep / (2 * k)) / (1 / (2 * m) + 1 / (2 * k));
-    const Real low = std::max(-std::sqrt(std::max<Real>(both, 0)), a.min);
-    if (low > s.a) return risen(s, v.max, k, time);
-    go((s.a - low) / m, -m);
-    go((s.v - (low * low - steep * steep) / (2 * k) - v.max) / -low, 0);
-    go((steep - low) / k, k);
-  }
-  s.v = std::min(s.v, v.max);
-  return {s, time};
-}
-
-Point negated(const Point& s) {
-  return {-s.x, -s.v, -s.a};
-}
-
-using Entries = std::vector<Entry>;
-
-/// Both ways from v* > v_max.
-Entries both_from_above(const Point& s, const Level& v, const Level& a, Real k, Real m) {
-  const Real steepest = -std::sqrt(2 * k * (v.max - v.min));  // (8)
-  return {from_above(s, v, a, k, m, steepest), from_above(s, v, a, k, m, 0)};
-}
-
-/// Of third order: from wherever it is into the safe set. Where the acceleration already makes it
-/// pass one bound, that comes first, even if the velocity is still beyond the other.
-Entries entered(const Point& s, const Level& v, const Level& a, Real k, Real m) {
-  const bool over = s.a > 0 ? at_rest(s, -m) > v.max : s.v > v.max;
-  const bool under = s.a < 0 ? at_rest(s, k) < v.min : s.v < v.min;
-  if (over && (s.a > 0 || !under)) return both_from_above(s, v, a, k, m);
-  if (under) {
-    Entries ways = both_from_above(negated(s), v.mirrored(), a.mirrored(), m, k);
-    for (Entry& e : ways) e.at = negated(e.at);
-    return ways;
-  }
-  Entry e{s, std::max({(s.a - a.max) / m, (a.min - s.a) / k, Real{0}})};
-  e.at.advance(e.time, s.a > 0 ? -m : k);
-  return {e};
+Real at_rest(Real v, Real a, Real j) {
+  return v - a * a / (2 * j);
 }
 
 /// Of second order: brakes until the velocity is inside.
-Entries entered(const Point& s, const Level& v, Real k, Real m) {
-  Entry e{s, std::max({(s.v - v.max) / m, (v.min - s.v) / k, Real{0}})};
-  e.at.a = s.v > 0 ? -m : k;
-  e.at.advance(e.time, 0);
-  return {e};
+Freedom braked(const MotionState& from, const Bounds& b) {
+  const Real v = from.velocity;
+  const Real down = (v - b.velocity_max) / -b.acceleration_min;
+  const Real up = (b.velocity_min - v) / b.acceleration_max;
+  const Real t = std::max({down, up, Real{0}});
+  const Real a = v > 0 ? b.acceleration_min : b.acceleration_max;
+  return {t, from.position + t * (v + t * a / 2), v + t * a, 0};
 }
 
 std::vector<Span> later(std::vector<Span> spans, Real time) {
@@ -436,47 +354,46 @@ std::vector<Span> later(std::vector<Span> spans, Real time) {
   return spans;
 }
 
-}  // namespace
-
-std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& b,
-                            const Slack& slack) {
-  Level x{from.position, to.position, -infinity, infinity};
-  Level v{from.velocity, to.velocity, b.velocity_min, b.velocity_max};
-  Level a{from.acceleration, to.acceleration, b.acceleration_min, b.acceleration_max};
-  if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
-    return first(x, v.min, v.max, slack.position);
-  const bool third = std::isfinite(b.jerk_max);
-  const Real k = third ? b.jerk_max : b.acceleration_max;
-  const Real m = third ? -b.jerk_min : -b.acceleration_min;
-  const Point start{x.from, v.from, a.from};
-  std::vector<Span> shortest;
-  for (const Entry& inside : third ? entered(start, v, a, k, m) : entered(start, v, k, m)) {
-    x.from = inside.at.x;
-    v.from = inside.at.v;
-    a.from = inside.at.a;
-    const std::vector<Span> spans = later(
-        third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
-                        third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
-                        x.to - x.from, slack.position)
-              : second(x, v, -m, k, slack.position, slack.velocity),
-        inside.time);
-    if (shortest.empty() || (!spans.empty() && spans.front().from < shortest.front().from))
-      shortest = spans;
-  }
-  // One that is its target may also stay, outside too; afterwards it has to come inside.
-  if (from == to && (shortest.empty() || shortest.front().from > 0))
-    shortest.insert(shortest.begin(), Span{});
-  return shortest;
+/// A quantity from where the freedom begins.
+Level level(Real from, double to, Real min, Real max) {
+  return {from, to, min, max};
 }
 
-// Starts outside are not brought inside first: on the fastest way they come inside by themselves.
+}  // namespace
+
+std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
+                            const Slack& slack) {
+  const Bounds b = in_force(from, to, bounds, slack.position);
+  const Level x{from.position, to.position, -infinity, infinity};
+  if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
+    return first(x, b.velocity_min, b.velocity_max, slack.position);
+  const bool third = std::isfinite(b.jerk_max);
+  const Freedom free = third ? freedom(from, b) : braked(from, b);
+  const Level v = level(free.v, to.velocity, b.velocity_min, b.velocity_max);
+  const Level a = level(free.a, to.acceleration, b.acceleration_min, b.acceleration_max);
+  const Level rest = level(free.x, to.position, x.min, x.max);
+  const Real k = third ? b.jerk_max : b.acceleration_max;
+  const Real m = third ? -b.jerk_min : -b.acceleration_min;
+  std::vector<Span> spans = later(
+      third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
+                      third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
+                      rest.to - rest.from, slack.position)
+            : second(rest, v, -m, k, slack.position, slack.velocity),
+      free.time);
+  // One that is its target may also stay, outside too; afterwards it has to come inside.
+  if (from == to && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
+  return spans;
+}
+
 std::vector<Span> reachable_velocity(const MotionState& from, double velocity, double acceleration,
                                      const Bounds& b, const Slack& slack) {
-  const Level v{from.velocity, velocity, b.velocity_min, b.velocity_max};
-  if (!std::isfinite(b.jerk_max))
-    return first(v, b.acceleration_min, b.acceleration_max, slack.velocity);
-  const Level a{from.acceleration, acceleration, b.acceleration_min, b.acceleration_max};
-  return second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration);
+  if (!std::isfinite(b.jerk_max))  // braking is the fastest, whatever is outside
+    return first({from.velocity, velocity, b.velocity_min, b.velocity_max}, b.acceleration_min,
+                 b.acceleration_max, slack.velocity);
+  const Freedom free = freedom(from, b);
+  const Level v = level(free.v, velocity, b.velocity_min, b.velocity_max);
+  const Level a = level(free.a, acceleration, b.acceleration_min, b.acceleration_max);
+  return later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time);
 }
 
 namespace {
@@ -491,8 +408,7 @@ bool safe_start(const MotionState& s, const Bounds& b) {
   if (!inside(s.velocity, b.velocity_min, b.velocity_max)) return false;
   if (!std::isfinite(b.jerk_max)) return true;
   if (!inside(s.acceleration, b.acceleration_min, b.acceleration_max)) return false;
-  const Real v =
-      at_rest({0, s.velocity, s.acceleration}, s.acceleration > 0 ? b.jerk_min : b.jerk_max);
+  const Real v = at_rest(s.velocity, s.acceleration, s.acceleration > 0 ? b.jerk_min : b.jerk_max);
   return v >= b.velocity_min && v <= b.velocity_max;
 }
 
@@ -500,8 +416,7 @@ bool safe_target(const MotionState& s, const Bounds& b) {
   if (!inside(s.velocity, b.velocity_min, b.velocity_max)) return false;
   if (!std::isfinite(b.jerk_max)) return true;
   if (!inside(s.acceleration, b.acceleration_min, b.acceleration_max)) return false;
-  const Real v =
-      at_rest({0, s.velocity, s.acceleration}, s.acceleration > 0 ? b.jerk_max : b.jerk_min);
+  const Real v = at_rest(s.velocity, s.acceleration, s.acceleration > 0 ? b.jerk_max : b.jerk_min);
   return v >= b.velocity_min && v <= b.velocity_max;
 }
 

@@ -4,9 +4,9 @@
 
 #include "jounce/profiles/move.hpp"
 
-namespace jounce::proof {
+#include "profiles/proof/envelope.hpp"
 
-using Real = long double;
+namespace jounce::proof {
 
 /// A closed interval of durations; `to` may be infinite.
 struct Span {
@@ -30,15 +30,13 @@ struct Slack {
 ///     T.front().from;                       // the minimum duration
 ///     T[i].to, T[i + 1].from;               // a blocked interval
 ///
-/// The target must be safe (`safe_target`). A start that is not (`safe_start`) is brought inside
-/// first, passing the limit fastest or arriving at it level, whichever gives the shorter minimum;
-/// acceleration comes inside at once. A start that is the target can stay: T = 0. Position limits are not considered. Derivation:
-/// reachable.cpp.
+/// The target must be safe (`safe_target`). The start may lie anywhere: outside, the durations are
+/// those of the motions that the rule for such starts admits (envelope.hpp). A start that is the
+/// target can stay: T = 0. Position limits are not considered. Derivation: reachable.cpp.
 std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
                             const Slack& slack = {});
 
-/// The same for velocity and acceleration alone, wherever that ends (move_velocity), from a safe
-/// start.
+/// The same for velocity and acceleration alone, wherever that ends (move_velocity).
 std::vector<Span> reachable_velocity(const MotionState& from, double velocity, double acceleration,
                                      const Bounds& bounds, const Slack& slack = {});
 
