@@ -38,16 +38,17 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 /// Why there is no move; `ok` where there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,         ///< a state or the duration is not finite, or greater than 1e50
-  invalid_bounds,     ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-50 to
-                      ///< 1e50 that is not infinite, NaN, or the highest derivative that is limited
-                      ///< limited in one direction alone
+  not_finite,      ///< a state or the duration is not finite, or greater than 1e50
+  invalid_bounds,  ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-50 to
+                   ///< 1e50 that is not infinite, NaN, or the highest derivative that is limited
+                   ///< limited in one direction alone
   target_outside,  ///< the target's velocity or acceleration lies outside the bounds
   target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside
   position_limit,      ///< no move keeps the position limits: start or target runs into them
   too_short,           ///< less than the minimum duration was asked for
   blocked,             ///< the duration asked for lies in a blocked interval
-  not_straight,        ///< phase synchronisation of states that do not lie on one line
+  not_straight,        ///< phase synchronisation of states that do not lie on one line, or on which
+                       ///< an axis would pass its velocity limit
 };
 
 /// One sentence for a status, for people.
@@ -68,7 +69,16 @@ struct Move {
 ///     if (!move) throw std::runtime_error(explain(move.status));
 ///     const Motion now = move.profile.at(0.1);
 ///
-/// A start outside the bounds is brought inside first, as fast as the bounds allow. The target must
+/// **A start outside the bounds** (a limit or an override was lowered in flight) comes back inside by
+/// one rule. The acceleration returns at full jerk. The velocity is never higher than on the fastest
+/// return that ends level at its limit, and it may brake harder than that; once inside it stays
+/// there. Of all such motions the move is the shortest. A target at rest that the fastest stop does
+/// not pass is not passed, and the motion does not reverse. Where the start brakes towards a target
+/// at rest harder than the limit of acceleration, and with that limit would pass the target, the
+/// deceleration stays above the limit, but only by as much as the stop needs and never above that of
+/// the start.
+///
+/// The target must
 /// lie inside (what may step, as the acceleration of a second-order motion, steps to it at the end).
 /// Never longer than the true minimum by more than rounding; ends at `to` exactly;
 /// results do not depend on the unit. Where a position limit forbids the shortest motion, the move
@@ -101,6 +111,7 @@ struct Durations {
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
 /// The fastest change to a velocity (and acceleration), wherever that ends (PLCopen MC_MoveVelocity).
+/// A start outside the bounds comes inside as in move_to(); its acceleration returns at full jerk.
 Move move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                    double acceleration = 0) noexcept;
 

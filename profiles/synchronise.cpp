@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/axis_task.hpp"
+#include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/detail/solver.hpp"
 
 namespace jounce {
 namespace {
@@ -166,6 +168,26 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
   return std::abs(here - ratio * there) <= slack;
 }
 
+/// Whether all axes inside their own bounds keep their velocity limits: the line's velocity has to pass
+/// the one at which its acceleration is back at zero.
+Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
+                             const Bounds& line) {
+  constexpr double forgiven = 1e-12;
+  if (detail::order_of(line) < 3) return {};
+  const double peak = detail::natural_velocity(lead.from, line);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double v = component(axis, which) / component(lead, which) * peak;
+    const bool outside = v > axis.bounds.velocity_max * (1 + forgiven) ||
+                         v < axis.bounds.velocity_min * (1 + forgiven);
+    // One that is outside comes inside as the line does.
+    if (outside && detail::is_inside(axis.from, axis.bounds, forgiven))
+      return {MoveStatus::not_straight, i, 0};
+  }
+  return {};
+}
+
 /// Whether all goals are of one kind and sound.
 Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -194,6 +216,9 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
       if (!on_line(axis, first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
     if (ratio != 0) intersect(bounds, axis, first.from.position, ratio);
   }
+  if (const Synchronised s = kept_velocities(axes, first, lead.which, bounds);
+      s.status != MoveStatus::ok)
+    return s;
   Profile along;
   first = {first.from, first.to, bounds};
   if (const Synchronised s = each({&first, 1}, {&along, 1}, timing); s.status != MoveStatus::ok)

@@ -47,7 +47,10 @@ struct Synchronised {
 /// Sync::phase needs states that lie on the line from start to target (velocities and accelerations
 /// proportional to the distances) and one kind of goal: otherwise `not_straight`, never a bent path.
 /// The line of velocity goals lies in the space of velocities, and that of moving targets is seen
-/// from the targets. Does not allocate, does not throw.
+/// from the targets. A line also needs jerk limits with which an axis inside its own bounds can
+/// stay there (the axis with the least jerk for its share of the way decides how fast all
+/// accelerations fall): otherwise `not_straight`. A start outside the bounds: see move_to(). Does not
+/// allocate, does not throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
 

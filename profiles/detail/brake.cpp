@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/velocity_change.hpp"
 
 namespace jounce::detail {
@@ -17,29 +18,33 @@ MotionState after(Profile& profile, const MotionState& s, double t, double jerk)
           s.velocity + t * (s.acceleration + t * (jerk / 2)), s.acceleration + t * jerk};
 }
 
-/// The acceleration inside its limits, at once.
-MotionState limited(const MotionState& s, const Bounds& b, Profile& profile) {
-  const double a = std::clamp(s.acceleration, b.acceleration_min, b.acceleration_max);
-  if (a == s.acceleration) return s;
-  const double jerk = a < s.acceleration ? b.jerk_min : b.jerk_max;
-  MotionState inside = after(profile, s, (a - s.acceleration) / jerk, jerk);
-  inside.acceleration = a;
-  return inside;
+/// Which velocity limit the natural velocity n passes: 1 the upper, -1 the lower, 0 none.
+int violated(const MotionState& s, const Bounds& b, double n) {
+  const double terms = rounding * (std::abs(s.velocity) + std::abs(n));
+  if (n > b.velocity_max + (forgiven * b.velocity_max + terms)) return 1;
+  return n < b.velocity_min + (forgiven * b.velocity_min - terms) ? -1 : 0;
 }
 
-/// The greatest acceleration with which the violated velocity limit may be passed, so that the other
-/// one can be kept: towards the inside, signed.
-double entry(const MotionState& s, const Bounds& b, bool above) {
-  const double width = b.velocity_max - b.velocity_min;
-  const double limit = above ? b.velocity_max : b.velocity_min;
-  const double jerk = above ? b.jerk_min : b.jerk_max;  // towards the inside
-  const double back = above ? b.jerk_max : b.jerk_min;  // out of it
-  const double most = above ? b.acceleration_min : b.acceleration_max;
-  // What the bare ramp arrives with: as if it had set out from zero acceleration.
-  const double top = s.velocity - s.acceleration * s.acceleration / (2 * jerk);
-  const double arrives = std::sqrt(std::max(2 * jerk * (limit - top), 0.0));
-  const double stops = std::sqrt(2 * std::abs(back) * width);
-  return std::copysign(std::min({arrives, std::abs(most), stops}), jerk);
+/// (8): the motion returns level to the limit, which the natural velocity passes by `excess`; up to
+/// where its acceleration begins its way back to zero. `side` is 1 at the upper limit.
+MotionState level_return(const MotionState& from, const Bounds& b, int side, double excess,
+                         Profile& profile) {
+  const double limit = side > 0 ? b.velocity_max : b.velocity_min;
+  const double inwards = side > 0 ? b.jerk_min : b.jerk_max;
+  const double back = side > 0 ? b.jerk_max : b.jerk_min;
+  const double most = side > 0 ? -b.acceleration_min : b.acceleration_max;
+  const double a = side * from.acceleration;
+  const double k = 1 / std::abs(inwards) + 1 / std::abs(back);
+  const double begun = std::min(a, 0.0);
+  const double free = std::sqrt(begun * begun + 2 * excess / k);
+  const double z = std::min(free, most);
+  // a + z without cancellation where the acceleration has its sign already
+  const double change = a < 0 && free < most ? 2 * excess / (k * (z - a)) : z + a;
+  const double hold = free > most ? (excess - k * (z - begun) * (z + begun) / 2) / most : 0;
+  MotionState s = after(profile, from, change / std::abs(inwards), inwards);
+  s.acceleration = -side * z;
+  s = after(profile, s, hold, 0);
+  return {s.position, limit + z * z / (2 * back), -side * z};
 }
 
 }  // namespace
@@ -62,40 +67,53 @@ double natural_velocity(const MotionState& s, const Bounds& b) noexcept {
   return s.velocity - s.acceleration * s.acceleration / (2 * jerk);
 }
 
-MotionState brought_inside(const MotionState& from, const Bounds& b, Return way,
-                           Profile& profile) noexcept {
+MotionState acceleration_inside(const MotionState& from, const Bounds& b,
+                                Profile& profile) noexcept {
   MotionState s = from;
-  if (is_inside(s, b, forgiven)) {
-    s.acceleration = std::clamp(s.acceleration, b.acceleration_min, b.acceleration_max);
-    return s;
-  }
-  s = limited(s, b, profile);
-  // Twice at most: a velocity that falls too fast to be held passes the other limit first.
-  for (int i = 0; i < 2 && !is_inside(s, b, forgiven); ++i) {
-    const bool above =
-        s.velocity > b.velocity_max || (s.velocity >= b.velocity_min && s.acceleration > 0);
-    const double limit = above ? b.velocity_max : b.velocity_min;
-    const double a = way == Return::level ? 0 : entry(s, b, above);
-    // An acceleration that carries the velocity through the limit whatever is done is raised on the
-    // way, until it is there.
-    const double out = above ? b.jerk_max : b.jerk_min;
-    const double ramp = (a - s.acceleration) * (a + s.acceleration) / (2 * out);
-    const bool too_steep = above ? s.acceleration < a && s.velocity + ramp < limit
-                                 : s.acceleration > a && s.velocity + ramp > limit;
-    if (too_steep) {
-      const double square = s.acceleration * s.acceleration;
-      const double left = square - 2 * out * (s.velocity - limit);
-      // What is left by rounding alone is nothing: its root would not be small.
-      const bool is_left = left > 0x1p-48 * (square + std::abs(out * limit));
-      const double at_limit = is_left ? std::copysign(std::sqrt(left), s.acceleration) : 0;
-      s = after(profile, s, (at_limit - s.acceleration) / out, out);
-      s.velocity = limit;
-      s.acceleration = at_limit;
-    } else {
-      s = change_velocity(s, limit, a, b, profile);
-    }
-  }
+  s.acceleration = std::clamp(from.acceleration, b.acceleration_min, b.acceleration_max);
+  const double change = s.acceleration - from.acceleration;
+  if (std::abs(change) <= forgiven * std::abs(s.acceleration)) return s;
+  const double jerk = change < 0 ? b.jerk_min : b.jerk_max;
+  const double a = s.acceleration;
+  s = after(profile, from, change / jerk, jerk);
+  s.acceleration = a;
   return s;
+}
+
+MotionState begin_inside(const MotionState& from, const Bounds& b, Profile& profile) noexcept {
+  const MotionState s = acceleration_inside(from, b, profile);
+  const double n = natural_velocity(s, b);
+  const int side = violated(s, b, n);
+  if (side == 0) return s;
+  const double excess = side > 0 ? n - b.velocity_max : b.velocity_min - n;
+  return level_return(s, b, side, excess, profile);
+}
+
+Braking braking_under_way(const MotionState& from, const MotionState& to,
+                          const Bounds& b) noexcept {
+  const double distance = to.position - from.position;
+  const double way = distance < 0 ? -1 : 1;
+  const double v = way * from.velocity;
+  const double a = -way * from.acceleration;  // how it brakes
+  const double most = way > 0 ? -b.acceleration_min : b.acceleration_max;
+  const double rise = way > 0 ? b.jerk_max : -b.jerk_min;
+  const double n = v - a * a / (2 * rise);
+  const bool rests = to.velocity == 0 && to.acceleration == 0;
+  if (!rests || distance == 0 || !(a > most * (1 + forgiven)) || !(n > 0)) return {};
+  // (10) for what is left beside the ramp to zero acceleration
+  const double ramp = a / rise * (v - a * a / (3 * rise));
+  const double e = rise * (way * distance - ramp);
+  const double r = std::sqrt(e * e + n * n * n * rise);
+  const double x = e > 0 ? n * n * rise / (e + r) : (r - e) / n;
+  if (x <= most) return {};
+  // A last digit more, so that rounding leaves the axis before the target and not behind it.
+  if (x <= a) return {.limit = -way * std::min(x * (1 + 0x1p-48), a)};
+  return {.hold = n / a};
+}
+
+Bounds extended(Bounds b, double acceleration) noexcept {
+  (acceleration < 0 ? b.acceleration_min : b.acceleration_max) = acceleration;
+  return b;
 }
 
 }  // namespace jounce::detail

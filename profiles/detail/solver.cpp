@@ -24,12 +24,6 @@ MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) {
   return {s.position + t * (s.velocity + v) / 2, v, 0};
 }
 
-MotionState brought_inside(const MotionState& s, const Bounds& b, int order, Return way,
-                           Profile& profile) {
-  if (order == 3) return detail::brought_inside(s, b, way, profile);
-  return order == 2 ? slowed(s, b, profile) : s;
-}
-
 bool limits_position(const Bounds& b) {
   return b.position_min > -Bounds::none || b.position_max < Bounds::none;
 }
@@ -66,40 +60,56 @@ bool keeps_positions(const Profile& profile, const Bounds& b) {
 
 }  // namespace
 
-Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept
+Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bounds,
+               bool keeps_braking) noexcept
     : order_(order_of(bounds)),
       bounds_(bounds),
       start_(of_order(from, order_)),
       to_(of_order(to, order_)),
       asked_(to),
       inside_(start_) {
-  if (start_ == to_ || (order_ == 3 && is_inside(start_, bounds_, 0))) return;
-  come_inside(Return::fastest);
-  if (order_ != 3 || !(before_ > 0)) return;
-  // A limit that was lowered far from the target is best met level: the fastest way inside would
-  // carry the velocity on below it. Whichever arrives first:
-  const double fastest = minimum();
-  come_inside(Return::level);
-  if (!(minimum() < fastest)) come_inside(Return::fastest);
-}
-
-void Solver::come_inside(Return way) noexcept {
+  if (order_ == 1 || start_ == to_ || (order_ == 3 && is_inside(start_, bounds_, 0))) return;
+  if (order_ == 3 && keeps_braking) {
+    const Braking braking = braking_under_way(start_, to_, bounds_);
+    extended_ = braking.limit != 0;
+    if (extended_) bounds_ = extended(bounds_, braking.limit);
+    hold_ = braking.hold;
+  }
   Profile p(start_, order_);
-  inside_ = brought_inside(start_, bounds_, order_, way, p);
+  inside_ = begin(p);
   before_ = p.duration();
-  way_ = way;
 }
 
-/// The way inside, to be gone on from.
+MotionState Solver::begin(Profile& profile) const noexcept {
+  if (order_ == 2) return slowed(start_, bounds_, profile);
+  const double t = hold_;
+  profile.add(t, 0);
+  const auto [p, v, a] = start_;
+  const MotionState held{p + t * (v + t * (a / 2)), v + t * a, a};
+  return begin_inside(held, bounds_, profile);
+}
+
+/// The beginning, to be gone on from.
 Profile Solver::begun() const noexcept {
   Profile p(start_, order_);
-  if (before_ > 0) (void)brought_inside(start_, bounds_, order_, way_, p);
+  if (before_ > 0) (void)begin(p);
   p.finish(asked_);
   return p;
 }
 
+/// A motion that lasts longer than the shortest may need all of the braking under way in order not to
+/// turn back.
+Solver Solver::with_all_braking() const noexcept {
+  return {start_, asked_, extended(bounds_, start_.acceleration)};
+}
+
 double Solver::minimum() const noexcept {
-  if (order_ == 3) return before_ + PointToPoint(inside_, to_, bounds_).minimum();
+  if (order_ == 3 && before_ == 0) return PointToPoint(inside_, to_, bounds_).minimum();
+  if (order_ == 3) {  // summed as the phases of the motion itself are
+    Profile motion = begun();
+    PointToPoint(inside_, to_, bounds_).append_shortest(motion);
+    return motion.duration();
+  }
   if (order_ == 2) return before_ + SecondOrder(inside_, to_, bounds_).minimum();
   const double distance = to_.position - inside_.position;
   return distance / (distance > 0 ? bounds_.velocity_max : bounds_.velocity_min);
@@ -107,10 +117,17 @@ double Solver::minimum() const noexcept {
 
 Durations Solver::durations() const noexcept {
   Durations d;
+  if (extended_) {
+    d = with_all_braking().durations();
+    const double shortest = minimum();
+    // To a target at rest no duration is blocked but these.
+    if (d.minimum > shortest && d.count == 0) d.blocked[d.count++] = {shortest, d.minimum};
+    d.minimum = shortest;
+    return d;
+  }
   if (order_ == 3) d = PointToPoint(inside_, to_, bounds_).durations();
   if (order_ == 2) d = SecondOrder(inside_, to_, bounds_).durations();
-  if (order_ == 1) d.minimum = minimum();
-  d.minimum += before_;
+  d.minimum = order_ == 2 ? d.minimum + before_ : minimum();
   for (auto& interval : d.blocked) interval = {interval.from + before_, interval.to + before_};
   return d;
 }
@@ -134,6 +151,7 @@ MoveStatus Solver::shortest(Profile& out) const noexcept {
 }
 
 MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
+  if (extended_) return with_all_braking().lasting(t, out);
   out = begun();
   bool possible = true;
   if (order_ == 3) possible = PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
@@ -180,7 +198,7 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
   const auto assembled = [&](const MotionState& rest, const Bounds& second, Profile& whole) {
     Profile there;
     Profile on;
-    (void)Solver(start_, rest, free).shortest(there);
+    (void)Solver(start_, rest, free, false).shortest(there);
     (void)Solver(rest, to_, second).shortest(on);
     whole = Profile(start_, order_);
     whole.finish(asked_);
@@ -217,8 +235,11 @@ MoveStatus to_velocity(const MotionState& from, double velocity, double accelera
                        const Bounds& bounds, Profile& out) noexcept {
   const int order = order_of(bounds);
   out = Profile(of_order(from, order), order);
-  MotionState s = brought_inside(out.start(), bounds, order, Return::fastest, out);
-  if (order == 3) s = change_velocity(s, velocity, acceleration, bounds, out);
+  MotionState s = out.start();
+  if (order == 3) {
+    s = acceleration_inside(s, bounds, out);
+    s = change_velocity(s, velocity, acceleration, bounds, out);
+  }
   if (order == 2) {
     const double dv = velocity - s.velocity;
     const double a = dv > 0 ? bounds.acceleration_max : bounds.acceleration_min;

@@ -16,11 +16,13 @@ inline int order_of(const Bounds& b) {
 /// Whether states and bounds make a sound question.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// One move whose input is sound: the start's way inside the bounds, then whichever solver the order
-/// asks for, then the position limits. The bounds must outlive it.
+/// One move whose input is sound: the beginning that all motions from a start outside the bounds share,
+/// then whichever solver the order asks for, then the position limits.
 class Solver {
  public:
-  Solver(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+  /// `keeps_braking`: whether the target is one that braking under way may be kept for.
+  Solver(const MotionState& from, const MotionState& to, const Bounds& bounds,
+         bool keeps_braking = true) noexcept;
 
   /// Without position limits.
   [[nodiscard]] Durations durations() const noexcept;
@@ -31,18 +33,20 @@ class Solver {
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
-  void come_inside(Return way) noexcept;
+  [[nodiscard]] MotionState begin(Profile& profile) const noexcept;
   [[nodiscard]] Profile begun() const noexcept;
+  [[nodiscard]] Solver with_all_braking() const noexcept;
   void straight(double t, Profile& out) const noexcept;
   [[nodiscard]] bool by_way_of_rest(Profile& out) const noexcept;
 
   int order_;
-  const Bounds& bounds_;
+  Bounds bounds_;
   MotionState start_, to_;  ///< without what is not part of the order's state
   MotionState asked_;       ///< the target as it was given
-  MotionState inside_;      ///< where the way inside ends
+  MotionState inside_;      ///< where the shared beginning ends
   double before_ = 0;       ///< how long it takes
-  Return way_ = Return::fastest;
+  double hold_ = 0;         ///< how long it holds the start's acceleration
+  bool extended_ = false;   ///< the bounds, by braking under way
 };
 
 /// The fastest change to a velocity and acceleration.

@@ -125,7 +125,13 @@ State signed_by(const State& s, Real sign) {
 class Check {
  public:
   Check(const Profile& f, const Case& c)
-      : f_(f), c_(c), b_(in_force(c.from, c.to, c.bounds)), pieces_(integrated(f)), sizes_(uncancelled(pieces_, c.from)) {
+      : f_(f),
+        c_(c),
+        in_force_(c.by_velocity ? InForce{c.bounds}
+                                : in_force(c.from, c.to, c.bounds, c.duration.has_value())),
+        b_(in_force_.bounds),
+        pieces_(integrated(f)),
+        sizes_(uncancelled(pieces_, c.from)) {
     verdict_.floor = floor_of(sizes_, c.bounds);
     verdict_.scale = scale_of(sums(pieces_, c), verdict_.floor);
     for (const Piece& piece : pieces_) verdict_.duration += piece.length;
@@ -157,7 +163,8 @@ class Check {
 
   const Profile& f_;
   const Case& c_;
-  Bounds b_;       ///< in force
+  InForce in_force_;
+  Bounds b_;       ///< of in_force_
   Real sign_ = 1;  ///< of the side that is checked
   std::vector<Piece> pieces_;
   std::vector<State> sizes_;  ///< see uncancelled
@@ -228,7 +235,8 @@ bool Check::below(Real x, Real bound, Real scale, const char* what) {
   const Real excess = (x - bound) / scale;
   verdict_.excess = std::max(verdict_.excess, static_cast<double>(excess));
   if (excess <= tolerance) return true;
-  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) + " of its scale");
+  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) +
+       " of its scale");
   return false;
 }
 
@@ -262,8 +270,11 @@ void Check::limits(Real sign, const Side& side) {
 void Check::acceleration(Real sign, const Side& side) {
   const Real start = sign * c_.from.acceleration;
   const Real bound = magnitude(b_.acceleration_min, b_.acceleration_max, start);
-  const auto envelope = [&](Real t) { return std::max(side.a_max, start - side.fall * t); };
-  const Real inside = (start - side.a_max) / side.fall;
+  const Real hold = in_force_.hold;
+  const auto envelope = [&](Real t) {
+    return std::max(side.a_max, start - side.fall * std::max<Real>(t - hold, 0));
+  };
+  const Real inside = hold + (start - side.a_max) / side.fall;
   Real begin = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Real scale = std::max(bound, sizes_[i].a * floor_ulps);
@@ -298,16 +309,20 @@ std::vector<Real> instants(const Piece& piece, Real begin, const Envelope& envel
 }
 
 void Check::velocity(Real sign, const Side& side) {
-  const Envelope limit =
-      envelope(sign * c_.from.velocity, sign * c_.from.acceleration, side);
+  const MotionState from = after_hold(c_.from, in_force_.hold);
+  Envelope limit = envelope(sign * from.velocity, sign * from.acceleration, side);
+  if (in_force_.hold > 0) {
+    for (Arc& arc : limit.arcs) arc.begin += in_force_.hold;
+    limit.arcs.insert(limit.arcs.begin(),
+                      Arc{0, sign * c_.from.velocity, sign * c_.from.acceleration, 0});
+  }
   const Real bound =
       std::max(magnitude(b_.velocity_min, b_.velocity_max, c_.from.velocity), start_peak());
   Real begin = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Real scale = std::max(bound, sizes_[i].v * floor_ulps);
     for (const Real t : instants(pieces_[i], begin, limit, sign))
-      below(sign * pieces_[i].at(t).v, limit.velocity(begin + t), scale,
-            "velocity");
+      below(sign * pieces_[i].at(t).v, limit.velocity(begin + t), scale, "velocity");
     begin += pieces_[i].length;
   }
 }
@@ -325,8 +340,7 @@ void Check::position(Real sign) {
     std::vector<Real> times = zeros(piece.begin.v, piece.begin.a, piece.begin.j / 2, piece.length);
     times.push_back(piece.length);
     for (const Real t : times)
-      below(sign * piece.at(t).p, top, verdict_.scale.position,
-            "position");
+      below(sign * piece.at(t).p, top, verdict_.scale.position, "position");
   }
 }
 

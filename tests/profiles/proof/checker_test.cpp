@@ -153,7 +153,8 @@ TEST(Checker, LetsAStartOutsideComeInsideOnceAndMonotonically) {
   const Case c{{0, 2, 0}, {2.5, 1, 0}, b, {}};
   EXPECT_EQ(fault(c, 2, {{1, -1}, {1, 0}}), "");
   EXPECT_THAT(fault({{0, 2, 0}, {4.25, 1, 0}, b, {}}, 2, {{0.5, -1}, {0.5, 1}, {1, -1}, {1, 0}}),
-              HasSubstr("rises again"));
+              HasSubstr("velocity_max"))
+      << "rises again";
   EXPECT_THAT(fault({{0, 2, 0}, {2.75, 1, 0}, b, {}}, 2, {{1, -1}, {0.5, 1}, {0.5, -1}, {0, 0}}),
               HasSubstr("velocity_max"))
       << "outside again";
@@ -161,7 +162,8 @@ TEST(Checker, LetsAStartOutsideComeInsideOnceAndMonotonically) {
   const Bounds j = within(10, 1, 1);
   EXPECT_EQ(fault({{0, 0, 2}, {8.0 / 3, 2, 0}, j, {}}, 3, {{2, -1}}), "");
   EXPECT_THAT(fault({{0, 0, 2}, {9 - 4.0 / 3, 4, 0}, j, {}}, 3, {{1, 0}, {2, -1}}),
-              HasSubstr("does not come inside at once"));
+              HasSubstr("acceleration_max"))
+      << "does not come inside at once";
 }
 
 TEST(Checker, PrintsALineThatAsksAgain) {

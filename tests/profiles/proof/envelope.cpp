@@ -6,6 +6,8 @@
 namespace jounce::proof {
 namespace {
 
+constexpr Real forgiven = 1e-13L;  ///< beyond a limit by less is rounding
+
 /// Where a predicate that holds at y and not at x begins to hold.
 template <class F>
 Real bisected(F holds, Real x, Real y) {
@@ -93,9 +95,14 @@ Envelope envelope(Real v, Real a, const Side& s) {
   }
   const std::vector<Arc> brake = braking(v, a, s);
   const Real first = releasable(a, s);
-  const Real natural =
-      a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
-  if (natural > s.top) return level_return(brake, first, s);
+  const Real natural = a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
+  if (natural > s.top) {
+    Envelope e = level_return(brake, first, s);
+    const Arc& arc = brake.front();
+    if (v < s.top && a > 0)
+      e.passes = bisected([&](Real t) { return arc.velocity(t) >= s.top; }, 0, a / s.fall);
+    return e;
+  }
   const Real into = std::max((a - s.a_max) / s.fall, a < s.a_min ? first : 0);
   if (v <= s.top) return {{limit}, std::max<Real>(into, 0)};
   const Arc rising{0, v, a, s.rise};
@@ -107,7 +114,7 @@ namespace {
 
 /// Positions along arcs.
 Freedom along(const std::vector<Arc>& arcs, Real x, Real time) {
-  Freedom f{time, x, 0, 0};
+  Freedom f{time, x, 0, 0, 0};
   for (std::size_t i = 0; i < arcs.size() && arcs[i].begin <= time; ++i) {
     const Arc& arc = arcs[i];
     const Real end = i + 1 < arcs.size() ? std::min(arcs[i + 1].begin, time) : time;
@@ -124,12 +131,24 @@ Freedom along(const std::vector<Arc>& arcs, Real x, Real time) {
 Freedom freedom(const MotionState& from, const Bounds& b) {
   const Real v = from.velocity;
   const Real a = from.acceleration;
-  const Real from_above = envelope(v, a, upper(b)).forced;
-  const Real from_below = envelope(-v, -a, lower(b)).forced;
-  if (from_above >= from_below)
-    return along(braking(v, a, upper(b)), from.position, from_above);
-  const Freedom f = along(braking(-v, -a, lower(b)), -from.position, from_below);
-  return {f.time, -f.x, -f.v, -f.a};
+  const Envelope above = envelope(v, a, upper(b));
+  const Envelope below = envelope(-v, -a, lower(b));
+  const Real passes = std::max(above.passes, below.passes);
+  if (above.forced >= below.forced) {
+    Freedom f = along(braking(v, a, upper(b)), from.position, above.forced);
+    f.passes = passes;
+    return f;
+  }
+  const Freedom f = along(braking(-v, -a, lower(b)), -from.position, below.forced);
+  return {f.time, -f.x, -f.v, -f.a, passes};
+}
+
+Freedom acceleration_inside(const MotionState& from, const Bounds& b) {
+  const Real a = from.acceleration;
+  const Real down = (a - b.acceleration_max) / -Real{b.jerk_min};
+  const Real up = (b.acceleration_min - a) / b.jerk_max;
+  const Real j = down > 0 ? b.jerk_min : b.jerk_max;
+  return along({{0, from.velocity, a, j}}, from.position, std::max({down, up, Real{0}}));
 }
 
 namespace {
@@ -143,28 +162,6 @@ Real stop_distance(const MotionState& from, Real rise, Real x) {
   return along({up, hold, last}, 0, last.begin + x / rise).x;
 }
 
-/// The distance of the fastest change from rest to a velocity and acceleration.
-Real change_distance(const MotionState& to, const Side& s) {
-  const auto arcs = [&](Real high) {  // rise to `high`, fall to the end's acceleration
-    return std::vector<Arc>{{0, 0, 0, s.rise}, {high / s.rise, high * high / (2 * s.rise), high, -s.fall}};
-  };
-  const auto length = [&](Real high) { return high / s.rise + (high - to.acceleration) / s.fall; };
-  const auto end = [&](Real high) { return along(arcs(high), 0, length(high)); };
-  const auto enough = [&](Real high) { return end(high).v >= to.velocity; };
-  const Real least = std::max<Real>(to.acceleration, 0);
-  Real most = s.a_max;
-  if (!std::isfinite(most))
-    for (most = std::max<Real>(least, 1e-30L); !enough(most);) most *= 2;
-  if (enough(most)) {
-    const Real high = bisected(enough, least, most);
-    return end(high).x;
-  }
-  const Real hold = (to.velocity - end(most).v) / most;  // all that follows is faster by hold * most
-  const Real begin = most / s.rise;
-  const Real v = most * begin / 2;
-  return end(most).x + hold * (v + hold * most / 2) + hold * most * (length(most) - begin);
-}
-
 Bounds negated(const Bounds& b) {
   return {-b.velocity_max, -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
           -b.jerk_max,     -b.jerk_min,     -b.position_max,     -b.position_min};
@@ -174,28 +171,34 @@ MotionState negated(const MotionState& s) {
   return {-s.position, -s.velocity, -s.acceleration};
 }
 
-/// Can be reached from rest without moving backwards.
-bool forward(const MotionState& to, Real rise) {
-  const Real a = to.acceleration;
-  return to.velocity >= 0 && (a <= 0 || a * a <= 2 * rise * to.velocity);
-}
-
 }  // namespace
 
-Bounds in_force(const MotionState& from, const MotionState& to, const Bounds& b, Real slack) {
+InForce in_force(const MotionState& from, const MotionState& to, const Bounds& b, bool longer) {
   const Real d = Real{to.position} - from.position;
-  if (d < 0) return negated(in_force(negated(from), negated(to), negated(b), slack));
+  if (d < 0) {
+    const InForce other = in_force(negated(from), negated(to), negated(b), longer);
+    return {negated(other.bounds), other.hold};
+  }
   const Side s = upper(b);
-  if (!(d > 0) || !std::isfinite(s.rise) || !(from.velocity > 0 && from.acceleration < s.a_min) ||
-      level({0, from.velocity, from.acceleration, s.rise}) < 0 || !forward(to, s.rise))
-    return b;
-  const Real go = change_distance(to, s);
-  const auto fits = [&](Real x) { return stop_distance(from, s.rise, x) + go <= d + slack; };
-  if (fits(-s.a_min) || !fits(-from.acceleration)) return b;
-  Bounds extended = b;
-  extended.acceleration_min =
-      static_cast<double>(-bisected(fits, -s.a_min, -from.acceleration));
+  const Real n = level({0, from.velocity, from.acceleration, s.rise});
+  const bool rests = to.velocity == 0 && to.acceleration == 0;
+  if (!(d > 0) || !rests || !std::isfinite(s.rise) || !(n > 0) ||
+      !(from.acceleration < s.a_min * (1 + forgiven)))
+    return {b};
+  const auto fits = [&](Real x) { return stop_distance(from, s.rise, x) <= d; };
+  if (fits(-s.a_min)) return {b};
+  if (!fits(-from.acceleration)) return {b, n / -from.acceleration};
+  InForce extended{b};
+  const Real x = longer ? -from.acceleration : bisected(fits, -s.a_min, -from.acceleration);
+  extended.bounds.acceleration_min =
+      std::max(std::nextafter(static_cast<double>(-x), -HUGE_VAL), from.acceleration);
   return extended;
+}
+
+MotionState after_hold(const MotionState& s, Real t) {
+  const Real v = s.velocity + t * s.acceleration;
+  return {static_cast<double>(s.position + t * (s.velocity + v) / 2), static_cast<double>(v),
+          s.acceleration};
 }
 
 }  // namespace jounce::proof

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "jounce/profiles/move.hpp"
@@ -47,7 +48,10 @@ struct Envelope {
   Real forced = 0;        ///< until then there is only one admissible motion
 
   [[nodiscard]] const Arc& arc(Real t) const;
-  [[nodiscard]] Real velocity(Real t) const { return arc(t).velocity(t); }
+  Real passes = 0;  ///< when the velocity has to pass its limit from inside; 0: it has not
+
+  /// What ends before the velocity has to pass its limit need only keep that.
+  [[nodiscard]] Real velocity(Real t) const { return std::max(arc(t).velocity(t), arcs.back().v); }
 };
 /// Of third order, or of second where `rise` is infinite.
 Envelope envelope(Real v, Real a, const Side& side);
@@ -56,15 +60,25 @@ Envelope envelope(Real v, Real a, const Side& side);
 /// velocity come inside in the only way that is admissible. Third order.
 struct Freedom {
   Real time = 0, x = 0, v = 0, a = 0;
+  Real passes = 0;  ///< what ends until then is free from the beginning
 };
 Freedom freedom(const MotionState& from, const Bounds& bounds);
+/// The state in which the acceleration is inside.
+Freedom acceleration_inside(const MotionState& from, const Bounds& bounds);
 
-/// The bounds that hold for a move to a target: those given, except where the start brakes towards
-/// the target harder than its limit, and needs to go on so as not to pass it. Then the limit is
-/// the least of these (in magnitude) that does not pass it, never beyond the start's own
-/// acceleration. Found by integrating the stop and bisecting the limit.
-/// `slack`: how much farther away the target is taken to be, u.
-Bounds in_force(const MotionState& from, const MotionState& to, const Bounds& bounds,
-                Real slack = 0);
+/// What holds for a move to a target from a start that brakes towards it harder than its limit, and
+/// needs to go on so as not to pass it: the least limit (in magnitude) that does not pass it. Where
+/// even the start's own acceleration passes it, that is held as long as the stop needs it.
+/// Elsewhere the bounds given.
+struct InForce {
+  Bounds bounds;
+  Real hold = 0;  ///< s, before all else
+};
+/// Found by integrating the stop and bisecting the limit. `longer`: for a motion that lasts longer than
+/// the shortest; the limit is then the start's own acceleration.
+InForce in_force(const MotionState& from, const MotionState& to, const Bounds& bounds,
+                 bool longer = false);
+/// A start after its hold.
+MotionState after_hold(const MotionState& from, Real hold);
 
 }  // namespace jounce::proof

@@ -361,9 +361,11 @@ Level level(Real from, double to, Real min, Real max) {
 
 }  // namespace
 
-std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
-                            const Slack& slack) {
-  const Bounds b = in_force(from, to, bounds, slack.position);
+namespace {
+
+/// Within the bounds in force.
+std::vector<Span> reachable_within(const MotionState& from, const MotionState& to, const Bounds& b,
+                                   const Slack& slack) {
   const Level x{from.position, to.position, -infinity, infinity};
   if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
     return first(x, b.velocity_min, b.velocity_max, slack.position);
@@ -374,14 +376,32 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
   const Level rest = level(free.x, to.position, x.min, x.max);
   const Real k = third ? b.jerk_max : b.acceleration_max;
   const Real m = third ? -b.jerk_min : -b.acceleration_min;
-  std::vector<Span> spans = later(
-      third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
-                      third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
-                      rest.to - rest.from, slack.position)
-            : second(rest, v, -m, k, slack.position, slack.velocity),
-      free.time);
+  std::vector<Span> spans =
+      later(third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
+                            third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
+                            rest.to - rest.from, slack.position)
+                  : second(rest, v, -m, k, slack.position, slack.velocity),
+            free.time);
   // One that is its target may also stay, outside too; afterwards it has to come inside.
   if (from == to && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
+  return spans;
+}
+
+}  // namespace
+
+std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
+                            const Slack& slack) {
+  const InForce least = in_force(from, to, bounds);
+  if (least.hold > 0)
+    return later(reachable_within(after_hold(from, least.hold), to, bounds, slack), least.hold);
+  std::vector<Span> spans = reachable_within(from, to, least.bounds, slack);
+  if (least.bounds == bounds || spans.empty()) return spans;
+  const Real shortest = spans.front().from;
+  spans = reachable_within(from, to, in_force(from, to, bounds, true).bounds, slack);
+  std::erase_if(spans, [&](const Span& s) { return s.to < shortest; });
+  if (!spans.empty()) spans.front().from = std::max(spans.front().from, shortest);
+  if (spans.empty() || spans.front().from > shortest)
+    spans.insert(spans.begin(), Span{shortest, shortest});
   return spans;
 }
 
@@ -393,7 +413,24 @@ std::vector<Span> reachable_velocity(const MotionState& from, double velocity, d
   const Freedom free = freedom(from, b);
   const Level v = level(free.v, velocity, b.velocity_min, b.velocity_max);
   const Level a = level(free.a, acceleration, b.acceleration_min, b.acceleration_max);
-  return later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time);
+  std::vector<Span> spans =
+      later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time);
+  // What ends before the velocity has to pass its limit needs not come back from it.
+  if (free.passes > 0) {
+    const Freedom begin = acceleration_inside(from, b);
+    const Level v0 = level(begin.v, velocity, v.min, v.max);
+    const Level a0 = level(begin.a, acceleration, a.min, a.max);
+    for (const Span& s :
+         later(second(v0, a0, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration),
+               begin.time))
+      if (s.from <= free.passes) {
+        spans.insert(spans.begin(), {s.from, std::min(s.to, free.passes)});
+        break;
+      }
+  }
+  const bool is_there = from.velocity == velocity && from.acceleration == acceleration;
+  if (is_there && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
+  return spans;
 }
 
 namespace {

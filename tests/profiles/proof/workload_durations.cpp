@@ -115,9 +115,10 @@ void velocity(Random& r, Tally& tally) {
   ++tally.cases;
   if (!move) return tally.fail(std::string("move_velocity refused: ") + explain(move.status), c);
   c.to.position = move.profile.end().position;
+  c.by_velocity = true;
   const Verdict verdict = check(move.profile, c);
   tally.note(verdict, c);
-  if (!verdict.ok() || !safe_start(c.from, c.bounds)) return;
+  if (!verdict.ok()) return;
   compare(
       verdict.duration,
       [&](Real share) {
