@@ -68,7 +68,7 @@ class Judge {
     judge_integral(m, wide ? before_.j : after_.j);
     judge_acceleration(m, wide ? before_ : after_);
     judge_velocity(m);
-    if (wide && last_.velocity <= after_.v && ++seen_ % 8 == 1) judge_need();
+    if (wide && last_.velocity <= after_.v) judge_need();
     last_ = m;
   }
 
@@ -85,10 +85,17 @@ class Judge {
     if (std::abs(dx) > jerk * dt_ * dt_ * dt_ / 8 + 1e-9 * target_) ++breaks;
     if (std::abs(m.acceleration - last_.acceleration) > jerk * dt_ * (1 + 1e-6)) ++jerks;
   }
-  /// Inside the limit, or on the way there at full jerk.
+  /// Inside the limit, or on the way there at full jerk, or held where the axis could not stop in time
+  /// otherwise.
   void judge_acceleration(const Motion& m, const Triple& limits) {
-    const double above = std::abs(last_.acceleration) - limits.j * dt_;
-    if (std::abs(m.acceleration) > std::max(limits.a, above) + 1e-6 * before_.a) ++accelerations;
+    const double a = std::abs(m.acceleration);
+    const double before = std::abs(last_.acceleration);
+    const double slack = 1e-6 * before_.a;
+    if (a <= std::max(limits.a, before - limits.j * dt_) + slack) return;
+    if (a > before + slack)
+      ++accelerations;
+    else
+      judge_need();
   }
   /// Never higher than it had to be, and once inside never outside.
   void judge_velocity(const Motion& m) {
@@ -98,6 +105,7 @@ class Judge {
   /// Wider limits than those that are set: only where these would pass the target or turn round, or the
   /// velocity would leave its limit again.
   void judge_need() {
+    if (++seen_ % 8 != 1) return;
     const double rise = std::max(last_.acceleration, 0.0);
     if (last_.velocity + rise * rise / (2 * after_.j) > after_.v * (1 - 1e-9)) return;
     const double s = braking_distance(last_.velocity, last_.acceleration, after_);
