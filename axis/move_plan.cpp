@@ -35,10 +35,20 @@ double stopping_point(const MotionState& from, const MoveDynamics& d) {
   return from.position + from.velocity * std::abs(from.velocity) / (2 * d.deceleration);
 }
 
+/// Whether a move to the target slows down on its way up. An axis that stops exactly at the target goes
+/// on as it does: rounding does not turn it round.
+bool brakes_upwards(const MotionState& from, double target, const MoveDynamics& d) {
+  const double rounding = 1e-12 * (std::abs(from.position) + std::abs(target));
+  const double beyond = target - stopping_point(from, d);
+  return std::abs(beyond) > rounding ? beyond > 0 : from.velocity >= 0;
+}
+
 Bounds towards(const MotionState& from, double target, const MoveDynamics& d, double velocity) {
   Bounds bounds = within(velocity, d.acceleration, d.jerk);
-  (target >= stopping_point(from, d) ? bounds.acceleration_min : bounds.acceleration_max) =
-      target >= stopping_point(from, d) ? -d.deceleration : d.deceleration;
+  if (brakes_upwards(from, target, d))
+    bounds.acceleration_min = -d.deceleration;
+  else
+    bounds.acceleration_max = d.deceleration;
   return bounds;
 }
 
