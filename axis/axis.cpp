@@ -43,7 +43,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   if (moving()) play();
   operate_outputs();
   last_tick_ = tick;
-  last_master_ = inputs_.master[0];
+  last_master_ = inputs_.master;
   report();
   return now_;
 }
@@ -160,7 +160,8 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   // What was admitted ends within the range; what goes where a master, a velocity or a slower stop
   // leads may not.
   const bool to_target = base_ == Base::move && goal_.kind == Goal::Kind::position;
-  const bool admitted = (on_path() || (to_target && ending_ == Ending::none)) && shift_ == 0;
+  const bool bounded = on_path() && active_->bounded();
+  const bool admitted = (bounded || (to_target && ending_ == Ending::none)) && shift_ == 0;
   if ((admitted && !lifting_) || ending_ == Ending::fault) return Cause::none;
   return check_stopping(state, config_);
 }

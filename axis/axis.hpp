@@ -100,7 +100,8 @@ class MotionAxis {
 
  private:
   enum class Base : std::uint8_t { rest, movement, move };
-  enum class Ending : std::uint8_t { none, stop, halt, fault };
+  /// table: what was played ended at a velocity.
+  enum class Ending : std::uint8_t { none, stop, halt, table, fault };
   enum class Boundary : std::uint8_t { none, swap, finish };
 
   // axis.cpp: one tick
@@ -140,12 +141,17 @@ class MotionAxis {
   void start(const Command& command);
   void gear_in(const Command& command);
   void begin_due();
-  void begin_pending(const MotionState& from, double ahead);
+  [[nodiscard]] std::optional<Moment> begins_at();
+  [[nodiscard]] std::optional<Moment> crossing() const;
+  [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
+  void begin_pending(const Moment& at);
+  [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
   [[nodiscard]] std::optional<MotionState> expected_end() const;
   [[nodiscard]] bool stands() const;
 
   // axis_swap.cpp: from one path onto the next
   void start_at_end();
+  void start_at_pass_end();
   bool ready_to_swap();
   [[nodiscard]] bool ends_somewhere() const;
   void seek_boundary();
@@ -182,7 +188,7 @@ class MotionAxis {
   bool adopt(const Goal& goal, double factor);
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
-  void leave();
+  void leave(Goal::Kind kind);
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
   // axis_buffer.cpp: what waits for its tick, and the moves after this one
@@ -213,7 +219,7 @@ class MotionAxis {
   std::int64_t last_tick_ = -1;
   std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
   Inputs inputs_;
-  double last_master_ = std::numeric_limits<double>::quiet_NaN();  // of the live one
+  Jet last_master_ = Inputs{}.master;  // of the live one
   Supervision windows_;
 
   Movement* active_ = nullptr;

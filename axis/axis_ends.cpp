@@ -18,10 +18,10 @@ void MotionAxis::conclude() {
   }
   if (!on_path()) {
     if (active_->progress() != Progress::done) return;
-    // A coupling that ends at speed leaves the slave at its velocity, as CamOut does.
     const double still = 1e-9 * *config_.limits.velocity;  // rounding
     if (!(std::abs(now_.velocity) > still)) return rest();
-    leave();
+    const bool keeps = active_->keeps_velocity();
+    leave(keeps ? Goal::Kind::velocity : Goal::Kind::rest);
     origin_ = now_.tick;  // of what was given out just now, not in the tick before
     return;
   }
@@ -36,9 +36,10 @@ void MotionAxis::conclude() {
 void MotionAxis::rest() {
   const bool stopped = ending_ == Ending::stop || ending_ == Ending::halt;
   if (stopped) ++now_.stopped;
-  if (ending_ == Ending::none) ++now_.finished;
+  if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
   now_.reason = ending_ == Ending::stop         ? Cause::stopped
                 : ending_ == Ending::halt       ? Cause::halted
+                : ending_ == Ending::table      ? Cause::end_velocity
                 : ending_ == Ending::fault      ? now_.fault
                 : boundary_ == Boundary::finish ? Cause::pass_ended
                                                 : Cause::none;

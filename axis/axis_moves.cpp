@@ -130,7 +130,7 @@ void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
 void MotionAxis::decouple() {
   if (!active_) return refuse(Cause::not_synchronized);
-  leave();
+  leave(Goal::Kind::velocity);
   if (base_ != Base::move) refuse(Cause::no_such_move);
 }
 
@@ -181,15 +181,16 @@ void MotionAxis::brake(double deceleration) {
   ending_ = Ending::fault;
 }
 
-/// The coupling ends, the velocity stays.
-void MotionAxis::leave() {
+/// The coupling ends: the velocity stays, or the axis comes to rest.
+void MotionAxis::leave(Goal::Kind kind) {
+  const bool rests = kind == Goal::Kind::rest;
   MoveDynamics dynamics;
   fill(dynamics, config_);
   const double most = *config_.limits.velocity;
-  const double velocity = std::clamp(now_.velocity, -most, most);
-  if (!adopt({Goal::Kind::velocity, velocity, dynamics}, 1)) return fail(Cause::jump);
-  state_ = State::continuous_motion;
-  ending_ = Ending::none;
+  const double velocity = rests ? 0 : std::clamp(now_.velocity, -most, most);
+  if (!adopt({kind, velocity, dynamics}, 1)) return fail(Cause::jump);
+  state_ = rests ? State::discrete_motion : State::continuous_motion;
+  ending_ = rests ? Ending::table : Ending::none;
 }
 
 }  // namespace jounce

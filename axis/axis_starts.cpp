@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/cam/passing.hpp"
 
 // The slots of an axis: a movement is armed, its start accepted, and begun when it is due.
 
@@ -58,10 +59,12 @@ void MotionAxis::start(const Command& command) {
   const bool rests = !moving() || (stands() && !swaps);
   if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
   if (swaps && !ready_to_swap()) return;
-  if (rests) {
+  // A coupling that begins later is judged where it begins: its master will be elsewhere.
+  const bool later = command.start_at == StartAt::master_position || command.at > now_.tick;
+  if (rests && !(later && pending_->course() == Course::live)) {
     now_.refused = pending_->admit(config_, last());
     const Cause no = pending_->begin(last(), moment(0));
-    if (no != Cause::none) now_.refused = now_.refused.value_or(Refusal{});
+    if (no != Cause::none && !now_.refused) now_.refused = begin_refusal(no, last());
     if (no != Cause::none) now_.refused->cause = no;
     if (now_.refused) return;
   }
@@ -97,37 +100,86 @@ void MotionAxis::gear_in(const Command& command) {
   start_tick_ = std::max(command.at, now_.tick);
 }
 
-/// Begins what waits, if this is its tick, or the master passes its position.
+/// Begins what waits, if this is its tick, or the master passes its position, or a pass of the cam that
+/// is played ends.
 void MotionAxis::begin_due() {
-  if (!waiting_ || start_at_ == StartAt::end_of_table) return;
+  if (!waiting_) return;
   const bool on_cam = on_path() && pending_->course() == Course::path;
   if (start_at_ == StartAt::master_position && on_cam) return;  // swap_at_master()
-  double ahead = 0;
-  if (start_at_ == StartAt::tick) {
-    if (start_tick_ > now_.tick) return;
-    ahead = seconds(now_.tick - start_tick_);
-  } else {
-    const double before = last_master_ - start_position_;
-    const double after = inputs_.master[0] - start_position_;
-    if (!(before * after <= 0 && before != after)) return;
-    ahead = dt() * after / (after - before);
-  }
+  if (start_at_ == StartAt::end_of_table && on_path()) return;  // swap_at_boundary()
+  const auto at = begins_at();
+  if (!at) return;
   if (pending_->course() == Course::path && moving() && !stands())
     return drop({.cause = Cause::in_motion});
-  begin_pending(last(), ahead);
+  begin_pending(*at);
 }
 
-void MotionAxis::begin_pending(const MotionState& from, double ahead) {
-  const bool live = pending_->course() == Course::live;
-  MotionState state = from;
-  if (live && moving()) {  // where it would be by now
-    Setpoint next;
-    if (const Cause no = advance(next); no != Cause::none) return drop({.cause = no});
-    lift(next);
-    state = {next.slave[0], next.slave[1], next.slave[2]};
+/// The instant at which it begins, `t` s after this tick (0 or less); nothing: it is not due.
+std::optional<Moment> MotionAxis::begins_at() {
+  if (start_at_ == StartAt::tick) {
+    if (start_tick_ > now_.tick) return std::nullopt;
+    Moment at = moment(0);
+    at.t = -seconds(now_.tick - start_tick_);
+    return at;
   }
-  if (const Cause no = pending_->begin(state, moment(0)); no != Cause::none)
-    return drop({.cause = no, .value = state.position});
+  if (start_at_ == StartAt::master_position) return crossing();
+  if (base_ != Base::movement) {  // what was to end is gone
+    drop({.cause = Cause::no_movement});
+    return std::nullopt;
+  }
+  const double t = seconds(now_.tick - origin_);
+  auto at = active_->pass_end(moment(t));
+  if (at) at->t -= t;
+  return at;
+}
+
+/// Where the live master passes the position of the start, between the tick before and this one.
+std::optional<Moment> MotionAxis::crossing() const {
+  const double before = last_master_[0] - start_position_;
+  const double after = inputs_.master[0] - start_position_;
+  if (!(before * after <= 0 && before != after)) return std::nullopt;
+  const Sample earlier{-dt(), last_master_};
+  const Sample now{0, inputs_.master};
+  const Sample at = before == 0 ? earlier : jounce::passing(earlier, now, start_position_).value_or(now);
+  return Moment{at.t, dt(), at.master};
+}
+
+/// The axis at that instant: what a coupling goes on from.
+std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
+  if (!moving() || pending_->course() != Course::live) return last();
+  Setpoint next;
+  if (start_at_ != StartAt::tick && base_ == Base::movement && !on_path()) {
+    Moment there = at;
+    there.t += seconds(now_.tick - origin_);
+    next = active_->at(there);
+    if (active_->progress() == Progress::broken) no = active_->cause();
+  } else {
+    no = advance(next);
+  }
+  if (no != Cause::none) return std::nullopt;
+  lift(next);
+  return MotionState{next.slave[0], next.slave[1], next.slave[2]};
+}
+
+/// What the movement that waits said to an axis in this state.
+Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
+  const bool placed = no == Cause::start_position;
+  return {.cause = no,
+          .value = placed ? pending_->place() : state.position,
+          .limit = placed ? state.position : 0};
+}
+
+void MotionAxis::begin_pending(const Moment& at) {
+  const bool live = pending_->course() == Course::live;
+  const double ahead = -at.t;
+  Cause no = Cause::none;
+  const auto state = state_at(at, no);
+  if (!state) return drop({.cause = no});
+  if (const auto refusal = live ? pending_->admit(config_, *state) : std::nullopt)
+    return drop(*refusal);
+  const Moment begin = live && start_at_ != StartAt::tick ? at : moment(0);
+  no = pending_->begin(*state, begin);
+  if (no != Cause::none) return drop(begin_refusal(no, *state));
   Movement* const next = pending_;
   pending_ = nullptr;
   waiting_ = false;

@@ -12,6 +12,7 @@ namespace jounce {
 
 /// A swap where the path, or its present pass, ends.
 void MotionAxis::start_at_end() {
+  if (base_ == Base::movement && !on_path()) return start_at_pass_end();
   const auto end = expected_end();
   if (!on_path() || !(end || ends_somewhere())) return refuse(Cause::not_on_path);
   if (end) now_.refused = pending_->admit(config_, *end);
@@ -21,6 +22,15 @@ void MotionAxis::start_at_end() {
   boundary_ = Boundary::swap;
   boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
   if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
+  accepted_ = now_.tick;
+  start_at_ = StartAt::end_of_table;
+}
+
+/// Another coupling, where a pass of the cam behind the live master ends.
+void MotionAxis::start_at_pass_end() {
+  if (!active_->passes()) return refuse(Cause::no_movement);
+  if (pending_->course() != Course::live || lifting_) return refuse(Cause::in_motion);
+  waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "jounce/profiles/error.hpp"
 
@@ -127,6 +128,10 @@ const char* meaning(Cause cause) {
 std::string Refusal::text() const {
   const std::string words = std::string(name(cause)) + ": " + meaning(cause);
   if (!is_measured(cause)) return words;
+  if (cause == Cause::start_position) {
+    const std::string begins = std::isnan(value) ? "" : "it begins at " + number(value) + ", ";
+    return words + " (" + begins + "the axis stands at " + number(limit) + ")";
+  }
   return words + " (" + number(value) + " at " + number(where) + " s, limit " + number(limit) + ")";
 }
 

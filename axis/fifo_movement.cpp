@@ -1,5 +1,6 @@
 #include "jounce/axis/fifo_movement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -29,6 +30,35 @@ SegmentFifos::Layout layout(const FifoSpec& spec) {
           .open = spec.stream,
           .base = spec.stream ? spec.from.value_or(RowStart{}) : RowStart{},
           .limits = spec.limits};
+}
+
+std::optional<double> origin_of(const FifoSpec& spec) {
+  if (spec.origin) require_finite("origin", *spec.origin);
+  if (!(spec.range.lowest <= 0)) throw InputError("lowest", spec.range.lowest, "must be 0 or less");
+  if (!(spec.range.highest >= 0))
+    throw InputError("highest", spec.range.highest, "must be 0 or more");
+  if (spec.origin || !spec.from) return spec.origin;
+  return spec.from->position;
+}
+
+/// How far the motion goes from where it begins, at most: rows of a stream beyond their limits are refused.
+SegmentFifos::Reach range_of(const FifoSpec& spec) {
+  if (!spec.stream) return spec.range;
+  const double begin = spec.from ? spec.from->position : 0;
+  return {std::max(spec.range.lowest, spec.limits.position_min - begin),
+          std::min(spec.range.highest, spec.limits.position_max - begin)};
+}
+
+/// What counts as the same place: rounding, and 1e-9 of the stroke, as a whole table is forgiven.
+double near_of(const SegmentFifos::Reach& range, double origin) {
+  const double stroke = range.highest - range.lowest;
+  return 1e-12 * (1 + std::abs(origin)) + (std::isfinite(stroke) ? 1e-9 * stroke : 0);
+}
+
+/// Whether an axis there does not stand where the rows begin.
+bool misplaced(const std::optional<double>& origin, const SegmentFifos::Reach& range,
+               double position) {
+  return origin && !(std::abs(position - *origin) <= near_of(range, *origin));
 }
 
 /// What a state of the FIFOs means for what is played.
@@ -68,22 +98,55 @@ RowLimits row_limits(const AxisConfig& given, bool absolute) {
 // ---- over time -----------------------------------------------------------------------------------
 
 FifoPath::FifoPath(std::uint64_t id, const FifoSpec& spec)
-    : Movement(id, Course::path), fifos_(valid_each(spec)), from_(spec.from) {
+    : Movement(id, Course::path),
+      fifos_(valid_each(spec)),
+      origin_(origin_of(spec)),
+      range_(range_of(spec)) {
   fifos_.reset(layout(spec));
   fifos_.set_loops(spec.loops);
 }
 
-bool FifoPath::misplaced(const MotionState& axis) const {
-  if (!from_) return false;
-  const double near = 1e-12 * (1 + std::abs(from_->position));
-  return !(std::abs(axis.position - from_->position) <= near);
+/// The announced range against the axis's, where it has one.
+std::optional<Refusal> FifoPath::leaves(const AxisConfig& config, double from) const {
+  const double lowest = from + range_.lowest;
+  const double highest = from + range_.highest;
+  const double near = near_of(range_, from);
+  const Limits& most = config.limits;
+  if (most.position_max && !(highest <= *most.position_max + near))
+    return Refusal{Cause::position_limit, highest, *most.position_max, 0};
+  if (most.position_min && !(lowest >= *most.position_min - near))
+    return Refusal{Cause::position_limit, lowest, *most.position_min, 0};
+  return std::nullopt;
+}
+
+bool FifoPath::within(const SegmentFifos::Reach& pass) const {
+  const double near = near_of(range_, begun_at_);
+  return pass.lowest >= begun_at_ + range_.lowest - near &&
+         pass.highest <= begun_at_ + range_.highest + near;
+}
+
+/// Tables: a pass that leaves the range breaks the movement; one before it is supervised, as is one
+/// whose rates were not known when it was filled.
+void FifoPath::supervise() {
+  if (fifos_.stream() || !fifos_.moving()) return;
+  const SegmentFifos::Reach pass = fifos_.reach();
+  const bool known = std::isfinite(pass.lowest) && std::isfinite(pass.highest);
+  if (known && !within(pass)) {
+    progress_ = Progress::broken;
+    cause_ = Cause::out_of_range;
+    return;
+  }
+  const auto next = fifos_.next_reach();
+  bounded_ = known && (!next || within(*next));
 }
 
 std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
                                        const MotionState& axis) const noexcept {
   if (fifos_.visible(fifos_.stream() ? 0 : first_.load()) == 0)
     return Refusal{Cause::no_movement, 0, 1, 0};
-  if (misplaced(axis)) return Refusal{Cause::start_position, from_->position, axis.position, 0};
+  if (misplaced(origin_, range_, axis.position))
+    return Refusal{Cause::start_position, *origin_, axis.position, 0};
+  if (auto refusal = leaves(config, origin_.value_or(axis.position))) return refusal;
   const double most = *config.limits.acceleration * static_cast<double>(config.period) / 1e9;
   if (!(std::abs(axis.velocity) <= most))
     return Refusal{Cause::start_velocity, axis.velocity, most, 0};
@@ -96,11 +159,13 @@ std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
 }
 
 Cause FifoPath::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (misplaced(axis)) return Cause::start_position;
+  if (misplaced(origin_, range_, axis.position)) return Cause::start_position;
   if (fresh_) fifos_.give_back();
   fresh_ = fifos_.take(first_.load());
   if (!fresh_) return Cause::no_movement;
-  fifos_.start(now.t, from_ ? from_->position : axis.position);
+  begun_at_ = origin_.value_or(axis.position);
+  bounded_ = true;
+  fifos_.start(now.t, begun_at_);
   progress_ = Progress::running;
   cause_ = Cause::none;
   last_ = {0, 0, {axis.position, 0, 0, 0}};
@@ -114,10 +179,11 @@ Setpoint FifoPath::at(const Moment& now) noexcept {
   if (!dry) {
     const Jet f = fifos_.at(now.t);
     progress_ = progress_of(fifos_.state());
+    supervise();
     if (progress_ != Progress::broken) return last_ = {0, 0, f};
   }
   progress_ = Progress::broken;
-  cause_ = Cause::underrun;
+  if (cause_ == Cause::none) cause_ = Cause::underrun;
   return last_;
 }
 
@@ -140,15 +206,27 @@ Peaks FifoPath::peaks() const noexcept {
 // ---- over a live master --------------------------------------------------------------------------
 
 FifoFollow::FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& run)
-    : Movement(id, Course::live), fifos_(valid_each(spec)), run_(run) {
+    : Movement(id, Course::live),
+      fifos_(valid_each(spec)),
+      origin_(origin_of(spec)),
+      range_(spec.range),
+      run_(run) {
   require_valid(run.event);
   if (std::abs(run.dir) > 1) throw InputError("dir", std::to_string(run.dir), "must be -1, 0 or 1");
   fifos_.reset(layout(spec));
   fifos_.set_loops(spec.loops);
 }
 
+std::optional<Refusal> FifoFollow::admit(const AxisConfig& /*config*/,
+                                         const MotionState& axis) const noexcept {
+  if (misplaced(origin_, range_, axis.position))
+    return Refusal{Cause::start_position, *origin_, axis.position, 0};
+  return std::nullopt;
+}
+
 Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
   if (!detail::usable(now.master)) return Cause::no_master_input;
+  if (misplaced(origin_, range_, axis.position)) return Cause::start_position;
   if (fresh_) fifos_.give_back();
   fresh_ = fifos_.take(first_.load());
   if (!fresh_) return Cause::no_movement;

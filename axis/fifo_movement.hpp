@@ -29,14 +29,20 @@ namespace jounce {
 /// **Tables** (`stream = false`; Googol: static): each FIFO is one, `loops` passes of `first`; another
 /// is switched to at the end of a pass. A table that ends at a rate is broken too.
 ///
-/// **Where it lies.** Rows count from where the axis stands; with `from` they are positions, and
-/// begin() refuses an axis that does not stand there. Times in s, positions in u.
+/// **Where it lies.** With `origin` rows count from there, with `from` they are positions; begin()
+/// refuses an axis that does not stand there. Without either, rows count from where the axis stands.
+/// `range` is what the whole motion keeps to, from where it begins; admit() compares it with the axis's
+/// limits. Rows of a stream that leave it are refused when they are pushed. Of tables, whose passes may
+/// add up, each pass is compared before it begins: one that would leave the range does not begin, and the
+/// pass before it is not `bounded()`, so that the axis supervises it. Times in s, positions in u.
 struct FifoSpec {
   std::size_t each = 32;  ///< rows a FIFO holds, > 0: Googol 32 or 1024; the sender's credit is two
   bool stream = true;
   std::int64_t loops = 1;              ///< of tables; below 1: for ever
   std::optional<RowStart> from = {};   ///< of a stream: x and position of its first row's beginning
   RowLimits limits = {};               ///< a row beyond them is refused when it is pushed
+  std::optional<double> origin = {};   ///< u: where the axis must stand
+  SegmentFifos::Reach range{-RowLimits::none, RowLimits::none};  ///< u, from there: <= 0, >= 0
   std::optional<std::size_t> total{};  ///< rows of both together; left out: twice `each`
 };
 
@@ -65,12 +71,18 @@ class FifoPath final : public Movement {
   [[nodiscard]] double known() const noexcept override;
   [[nodiscard]] bool growing() const noexcept override { return fifos_.growing(); }
   [[nodiscard]] Peaks peaks() const noexcept override;
+  [[nodiscard]] bool bounded() const noexcept override { return bounded_; }
 
  private:
-  [[nodiscard]] bool misplaced(const MotionState& axis) const;
+  [[nodiscard]] std::optional<Refusal> leaves(const AxisConfig& config, double from) const;
+  [[nodiscard]] bool within(const SegmentFifos::Reach& pass) const;
+  void supervise();
 
   SegmentFifos fifos_;
-  std::optional<RowStart> from_;
+  std::optional<double> origin_;
+  SegmentFifos::Reach range_;  // from the origin
+  double begun_at_ = 0;        // u
+  bool bounded_ = true;
   std::atomic<int> first_{0};
   bool fresh_ = false;  // begun, and nothing was played
   Progress progress_ = Progress::running;
@@ -98,7 +110,10 @@ class FifoFollow final : public Movement {
   void choose(int fifo) { first_.store(fifo); }
   void see(std::uint64_t number) noexcept override { fifos_.see(number); }
 
-  /// no_master_input, no_movement.
+  /// start_position: the axis does not stand at the origin.
+  [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
+                                             const MotionState& axis) const noexcept override;
+  /// no_master_input, no_movement, start_position.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
@@ -106,6 +121,8 @@ class FifoFollow final : public Movement {
 
  private:
   SegmentFifos fifos_;
+  std::optional<double> origin_;
+  SegmentFifos::Reach range_;  // from the origin: how near is there
   FollowRun run_;
   std::atomic<int> first_{0};
   bool fresh_ = false;  // begun, and nothing was played

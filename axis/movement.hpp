@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "jounce/axis/cause.hpp"
@@ -92,6 +93,21 @@ class Movement {
   /// Of a path: more of it is to come. The axis stops on it, with the fault `underrun`, before less
   /// is known than the stop takes: the same as `starving`, but the axis works it out.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
+  /// Of a path: what is known of it stays within the range that it was admitted with. Where it does not,
+  /// the axis looks before every setpoint whether it can still stop within its limits.
+  [[nodiscard]] virtual bool bounded() const noexcept { return true; }
+  /// u, where begin() would have had the axis stand when it refused with start_position; NaN: not known.
+  [[nodiscard]] virtual double place() const noexcept {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  /// Of a live one: where it is done at a velocity, the axis keeps that; otherwise it comes to rest.
+  [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
+  /// Of a live one: whether it has passes, and the instant between its last moment and this one at
+  /// which a pass ends; nothing: none does.
+  [[nodiscard]] virtual bool passes() const noexcept { return false; }
+  [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
+    return std::nullopt;
+  }
   /// Of a path: the length of a pass, s of its own time, and the state at its end; where a swap is
   /// made. 0 and nothing: it has none.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }

@@ -1,95 +1,26 @@
 #include <algorithm>
-#include <csignal>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 
-#include "link.hpp"
 #include "progress.hpp"
-#include "reference.hpp"
 #include "stream_banks.hpp"
+#include "stream_options.hpp"
 #include "stream_rolling.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
 
-struct Options {
-  std::string file;
-  std::string axis;
-  std::string to;
-  std::string master;
-  bool live = false;
-  std::string start_at;
-  LinkOptions link;
-  std::vector<std::string> swaps;
-  std::string bank;
-  std::int32_t loops = 1;
-  bool rolling = false;
-  bool resume = false;
-  std::uint32_t capacity = 4096;
-  std::string until = "start";
-  double patience = 60;
-  bool json = false;
-};
+using Options = StreamVerb;
 
-/// Ctrl-C stops what was armed before the streamer leaves.
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Adds what this file plays to the tables of the plan.
-SwapPlan add_file(StreamPlan& plan, const std::string& file, const Options& options) {
-  Input input = load(file, options.axis);
-  const auto coupling = input.spec ? input.spec->coupling : std::nullopt;
-  Tables tables = [&] {
-    if (options.live) return Tables{input.table, std::nullopt};
-    if (options.master.empty()) return executor_tables(input);
-    return Tables{input.table, read_table(options.master)};
-  }();
-  SwapPlan added{.slave = plan.tables.size(), .master = plan.tables.size() + 1};
-  plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});
-  if (tables.master) {
-    plan.tables.push_back({std::move(tables.master->table), tables.master->units});
-    added.mode = wire::ArmMode::follow_table;
-    added.coupling = coupling.value_or(CouplingSpec{});
-  }
-  if (options.live) {
-    added.mode = wire::ArmMode::follow_input;
-    added.coupling = coupling.value_or(CouplingSpec{});
-  }
-  return added;
-}
-
-/// --start-at, in the unit of the master.
-double start_of(const Options& options, const std::string& unit) {
-  try {
-    return quantity(options.start_at, unit);
-  } catch (const InputError& error) {
-    throw InputError("--start-at", options.start_at, error.rule());
-  }
-}
-
-StreamPlan plan_of(const Options& options) {
-  if (options.live && !options.master.empty())
-    throw InputError("--master", options.master, "with --live the axis has a master of its own");
-  StreamPlan plan;
-  plan.executor = options.to;
-  const SwapPlan first = add_file(plan, options.file, options);
-  plan.mode = first.mode;
-  plan.coupling = first.coupling;
-  if (!options.start_at.empty()) {
-    plan.when = wire::StartAt::master_position;
-    plan.position = start_of(options, plan.tables.front().units.x);
-  }
-  for (const std::string& file : options.swaps) plan.swaps.push_back(add_file(plan, file, options));
-  plan.goal = options.until == "download" ? StreamGoal::download
-              : options.until == "arm"    ? StreamGoal::arm
-                                          : StreamGoal::start;
-  return plan;
+/// Whether the start may come later than it is accepted.
+bool waits(const Options& options) {
+  return !options.start_at.empty() || options.at_next_cut || !options.swaps.empty();
 }
 
 int report(const StreamOutcome& outcome, const Options& options) {
@@ -108,14 +39,17 @@ int report(const StreamOutcome& outcome, const Options& options) {
     fmt::print("{} chunks arrived at {}, {} sent again; {}\n", outcome.progress.chunks, options.to,
                outcome.progress.resent,
                outcome.swaps > 0 ? fmt::format("started, {} swaps", outcome.swaps)
-               : outcome.started ? "started"
+               : outcome.started ? (options.no_wait && waits(options) ? "accepted, waits for its start"
+                                                                      : "started")
                : outcome.armed   ? "armed"
                                  : "downloaded");
   } else {
     fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
   }
   if (outcome.ok()) return fine;
-  return outcome.error == StreamError::refused ? finding : fault;
+  const bool said_no =
+      outcome.error == StreamError::refused || outcome.error == StreamError::dropped;
+  return said_no ? finding : fault;
 }
 
 /// Whether something is asked for that only whole tables know.
@@ -134,6 +68,7 @@ int run_rolling(const Options& options) {
                          .to = options.to,
                          .ahead = options.capacity,
                          .resume = options.resume,
+                         .relative = options.relative,
                          .link = options.link,
                          .json = options.json});
 }
@@ -149,26 +84,57 @@ int run_banks(const Options& options) {
                        .axis = options.axis,
                        .to = options.to,
                        .loops = options.loops,
+                       .relative = options.relative,
                        .link = options.link,
                        .json = options.json});
 }
 
-int run(const Options& options) {
-  require_name_on_bus("--to", options.to);
-  if (!options.live && !options.start_at.empty())
+/// What needs a live master, where there is none.
+void require_live(const Options& options) {
+  if (options.live) return;
+  if (!options.start_at.empty())
     throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
+  if (options.at_next_cut)
+    throw InputError("--at-next-cut", "", "is where a cam behind a live master ends: with --live");
+  if (options.keep_velocity)
+    throw InputError("--keep-velocity", "", "is of a cam behind a live master: with --live");
+}
+
+/// Its tables, passes and event are played by the executor's two banks.
+int run_follow(const Input& input, const Options& options) {
+  const bool other = !options.start_at.empty() || options.at_next_cut || options.keep_velocity ||
+                     !options.swaps.empty() || options.until != "start" || !options.master.empty();
+  if (other)
+    throw InputError("FILE", options.file,
+                     "is a follow spec, which says itself when it begins and how it ends: without "
+                     "--start-at, --at-next-cut, --keep-velocity, --swap, --master and --until");
+  return stream_follow(input, {.to = options.to,
+                               .relative = options.relative,
+                               .wait = !options.no_wait,
+                               .link = options.link,
+                               .json = options.json});
+}
+
+int run(const Options& options) {
+  require_live(options);
+  if (!options.at.empty() && (!options.start_at.empty() || options.at_next_cut ||
+                              options.rolling || !options.bank.empty()))
+    throw InputError("--at", options.at,
+                     "is a tick: without --start-at, --at-next-cut, --rolling and --bank");
+  if (options.to.find(',') != std::string::npos) return stream_group(options);
+  require_name_on_bus("--to", options.to);
   if (!options.bank.empty()) return run_banks(options);
   if (options.rolling) return run_rolling(options);
-  const StreamPlan plan = plan_of(options);
+  Input input = load(options.file, options.axis);
+  if (is_live_follow(input, options)) return run_follow(input, options);
+  if (options.relative)
+    throw InputError("--relative", "",
+                     "is for --rolling, --bank and live follow specs: a whole table begins at its "
+                     "first position");
+  StreamPlan plan = plan_of(options, options.to, std::move(input));
   Link link(options.link);
-  StreamOptions stream;
-  stream.key = link.key();
-  stream.total = nanos(options.patience);
-  // Before the total is over: that nobody answers says more than that time is up.
-  stream.sender.patience = std::min(stream.sender.patience, stream.total * 3 / 4);
-  interrupted = 0;
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  stream.cancelled = [] { return interrupted != 0; };
+  plan.start_tick = tick_of(options, link, options.to);
+  StreamOptions stream = stream_options(options, link);
   Progress progress("streaming to " + options.to);
   stream.progress = [&](const StreamProgress& p) {
     progress.show(
@@ -187,18 +153,29 @@ void add_stream(CommandLine& line) {
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
       "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
+      "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut on\n"
+      "jounce stream xyz.toml --to x,y,z                        several axes: all or none\n"
       "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
-  verb.option("--to", options->to, "Name of the executor").required();
+  verb.option("--to", options->to,
+              "Name of the executor; several, with commas between them, start in one tick")
+      .required();
   verb.option("--master", options->master,
               "Table over time that drives a cam table; a cam spec has its own [master]");
   verb.flag("--live", options->live,
             "The cam follows the axis's live master, as its executor is configured");
   verb.option("--start-at", options->start_at,
               "With --live: begin where the master passes this position");
+  verb.option("--at", options->at, "Begin at this tick of the executor, or after +SECONDS");
+  verb.flag("--at-next-cut", options->at_next_cut,
+            "With --live: a knife or shear takes over where the cam that plays ends its pass");
+  verb.flag("--keep-velocity", options->keep_velocity,
+            "With --live: where the cam ends at a velocity the axis keeps it, instead of braking");
+  verb.flag("--no-wait", options->no_wait,
+            "Return once the start is accepted, not when it has taken place");
   verb.option("--swap", options->swaps,
               "Table that takes over where the one before ends, in motion; may be repeated");
   const Option bank = verb.option(
@@ -214,6 +191,8 @@ void add_stream(CommandLine& line) {
   verb.flag("--resume", options->resume,
             "With --rolling: go on after the axis had to stop for want of rows")
       .needs(rolling);
+  verb.flag("--relative", options->relative,
+            "With --rolling or --bank: from where the axis stands, wherever the table begins");
   verb.option("--ahead", options->capacity,
               "With --rolling: rows to begin with; twice as many may wait")
       .needs(rolling)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "input.hpp"
 #include "link.hpp"
 
 namespace jounce::cli {
@@ -14,11 +15,24 @@ struct BankOptions {
   std::string axis;           ///< of a spec of several axes; may be empty
   std::string to;             ///< name of the executor
   std::int32_t loops = 1;     ///< of the second
+  bool relative = false;      ///< from where the axis stands
+  LinkOptions link;
+  bool json = false;
+};
+
+/// A follow spec behind the axis's live master: its tables, passes and event in the banks of a static queue.
+struct FollowOptions {
+  std::string to;         ///< name of the executor
+  bool relative = false;  ///< from where the axis stands
+  bool wait = true;       ///< until the slave follows: a master may have to pass a position first
   LinkOptions link;
   bool json = false;
 };
 
 /// Until the second one has ended: the exit status. Ctrl-C stops the axis.
 int stream_banks(const BankOptions& options);
+
+/// Until the slave follows: the exit status. It goes on without the streamer; Ctrl-C before stops the axis.
+int stream_follow(const Input& input, const FollowOptions& options);
 
 }  // namespace jounce::cli

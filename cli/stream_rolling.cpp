@@ -22,10 +22,17 @@ RowPlan row_plan_of(const RollingOptions& options) {
   Tables tables = executor_tables(input);
   if (tables.slave.table.axis() != Axis::time)
     throw InputError("--rolling", options.file, "must be a table over time");
+  const Travel travel = travel_of(tables.slave.table);
   return {
       .executor = options.to,
-      .queue = {.units = tables.slave.units, .capacity = options.ahead, .prefill = options.ahead},
-      .rows = rows_of(std::move(tables.slave.table)),
+      .queue = {.units = tables.slave.units,
+                .capacity = options.ahead,
+                .prefill = options.ahead,
+                .relative = options.relative,
+                .origin = options.relative ? 0 : tables.slave.table.columns().p[0],
+                .lowest = travel.lowest,
+                .highest = travel.highest},
+      .rows = static_cast<RowSource (*)(Table)>(rows_of)(std::move(tables.slave.table)),
       .resume = options.resume};
 }
 

@@ -14,6 +14,7 @@ struct RollingOptions {
   std::string to;           ///< executor
   std::uint32_t ahead = 0;  ///< rows to begin with
   bool resume = false;      ///< after the axis had to stop for want of rows
+  bool relative = false;    ///< from where the axis stands
   LinkOptions link;
   bool json = false;
 };

@@ -108,11 +108,18 @@ void Desk::handle(const ArmRequested& arm) {
     build(arm);
 }
 
+/// On a modulo axis positions a turn apart are one: a coupling lies whole turns further where need be.
+ArmRequested Desk::on_axis(ArmRequested arm) const {
+  const double turn = options_.axis.modulo;
+  if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
+  return arm;
+}
+
 void Desk::build(const ArmRequested& arm) {
   const std::uint64_t id = ++numbers_;
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
-  auto now = [arm, id, period = options_.axis.period, position = next_rest()] {
+  auto now = [arm = on_axis(arm), id, period = options_.axis.period, position = next_rest()] {
     return movement_of(arm, id, period, position);
   };
   if (knots > options_.build_apart)
@@ -147,8 +154,8 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash) {
   if (adopts && !moving()) outbox_.order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
   outbox_.order({.kind = Kind::arm, .movement = made.movement.get()}, request);
-  const std::uint64_t id = made.movement->id();
-  movements_[id] = {std::move(made), hash};
+  armed_ = made.movement->id();
+  movements_[armed_] = {std::move(made), hash};
 }
 
 /// Before the axis is told of it.
@@ -161,6 +168,7 @@ void Desk::record(const MadeFrom& source) {
 void Desk::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
   motion_session_ = start.session;
+  start_ = {.session = start.session, .command = start.command, .movement = armed_};
   outbox_.order({.kind = Kind::start,
                  .start_at = static_cast<StartAt>(start.when),
                  .at = start.tick,
@@ -285,7 +293,7 @@ void Desk::handle(const QueueArmRequested& arm) {
   if (movements_.contains(movement->id()))
     return answer(request, Refusal{.cause = Cause::in_motion});
   queues_.begin_with(arm.queue, arm.bank);
-  this->arm(request, {.movement = movement}, {});
+  this->arm(request, {.movement = movement, .first = queues_.origin(arm.queue)}, {});
 }
 
 void Desk::handle(const QueueOpened& opened) {
@@ -323,6 +331,8 @@ void Desk::take_answers() {
 }
 
 void Desk::answer(const Request& request, const std::optional<Refusal>& refused) {
+  if (start_.is(request) && start_.outcome == wire::StartOutcome::none)
+    start_.outcome = refused ? wire::StartOutcome::none : wire::StartOutcome::waiting;
   // A stop that an axis in a fault does not obey is a stop all the same: it does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
@@ -340,7 +350,21 @@ void Desk::take_ticks() {
       event_count_ = event.count;
       events_.push_back(event);
     }
+    follow_start(tick);
     last_ = tick;
+  }
+}
+
+/// What becomes of the start that was accepted last: it begins, or what was armed for it is gone.
+void Desk::follow_start(const Tick& tick) {
+  if (start_.outcome != wire::StartOutcome::waiting) return;
+  const bool ended = tick.finished > last_.finished && tick.armed != start_.movement;
+  if (tick.job == start_.movement || (ended && !tick.dropped)) {
+    start_.outcome = wire::StartOutcome::begun;
+  } else if (tick.armed != start_.movement) {
+    start_.outcome = wire::StartOutcome::dropped;
+    const Cause cause = tick.fault != Cause::none ? tick.fault : Cause::stopped;
+    start_.why = tick.dropped.value_or(Refusal{.cause = cause});
   }
 }
 
@@ -391,6 +415,12 @@ wire::Status Desk::status() const {
                       .units = options_.units};
   if (last_.job != 0) status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
+  if (start_.session == receiver_.session() && start_.outcome != wire::StartOutcome::none) {
+    status.start_command = start_.command;
+    status.start = start_.outcome;
+    status.start_cause = static_cast<std::int32_t>(start_.why.cause);
+    if (start_.outcome == wire::StartOutcome::dropped) status.start_reason = start_.why.text();
+  }
   const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
   if (kept != movements_.end()) {
     std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());

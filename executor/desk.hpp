@@ -89,6 +89,20 @@ class Desk {
     bool void_ = false;  // a stop came, or the session's end: nobody wants it any more
   };
 
+  /// The last start of a stream, and what became of it.
+  struct Start {
+    std::int64_t session = 0;
+    std::int32_t command = 0;
+    std::uint64_t movement = 0;
+    wire::StartOutcome outcome = wire::StartOutcome::none;
+    Refusal why{};
+
+    [[nodiscard]] bool is(const Request& request) const {
+      return request.kind == Command::Kind::start && request.session == session &&
+             request.command == command;
+    }
+  };
+
   void handle(const TableReady& ready);
   void handle(const ArmRequested& arm);
   void handle(const StartRequested& start);
@@ -105,6 +119,8 @@ class Desk {
   void record_gear(const OrderRequested& requested, std::uint64_t id);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
+  [[nodiscard]] ArmRequested on_axis(ArmRequested arm) const;
+  void follow_start(const Tick& tick);
   void build(const ArmRequested& arm);
   void take_built();
   void arm(const Request& request, MadeMovement made, const Sha256& hash);
@@ -138,6 +154,8 @@ class Desk {
   bool retired_ = false;
   bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;
+  std::uint64_t armed_ = 0;          // the movement that was handed over last
+  Start start_;
   std::int64_t motion_session_ = 0;  // the one that asked for the last start
   Tick last_;
 };

@@ -13,8 +13,10 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
   const double tick = static_cast<double>(period) * 1e-9;
   try {
     if (arm.mode == wire::ArmMode::follow_input) {
-      const RecordedJob job{.id = id, .live = true, .tick = tick, .coupling = arm.coupling};
-      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling),
+      const auto end = static_cast<CamEnd>(arm.end);  // the numbers of both are the same
+      const RecordedJob job{
+          .id = id, .live = true, .tick = tick, .coupling = arm.coupling, .end = end};
+      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling, end),
               .source = MadeFrom{job, arm.slave}};
     }
     auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,

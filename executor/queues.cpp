@@ -40,6 +40,12 @@ FifoSpec spec_of(const wire::Queue& queue, const AxisConfig& config) {
                 .loops = queue.loops};
   // Over a master the rates are by its position: what they are by time is seen when they are played.
   if (queue.axis == Axis::time) spec.limits = row_limits(config);
+  if (!queue.relative) spec.origin = queue.origin;
+  spec.range = {queue.lowest, queue.highest};
+  if (spec.stream) {  // the passes of tables add up: they are compared when they begin
+    spec.limits.position_min = queue.lowest;
+    spec.limits.position_max = queue.highest;
+  }
   return spec;
 }
 
@@ -156,6 +162,12 @@ void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
 std::shared_ptr<Movement> Queues::movement(std::uint32_t queue) const {
   const Open* const open = find(queue);
   return open == nullptr ? nullptr : open->made.movement();
+}
+
+std::optional<double> Queues::origin(std::uint32_t queue) const {
+  const Open* const open = find(queue);
+  if (open == nullptr || open->queue.relative) return std::nullopt;
+  return open->queue.origin;
 }
 
 void Queues::begin_with(std::uint32_t queue, int bank) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,8 @@ class Queues {
   void take(const RowsArrived& arrived, Receiver& receiver);
   /// What is armed; nothing where the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
+  /// u, where the axis must stand for it; nothing where its rows count from where the axis stands.
+  [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
   /// The bank that it begins with. Not while the axis has it.
   void begin_with(std::uint32_t queue, int bank);
   /// The axis no longer looks at it: what was not played to its end is cut off there.

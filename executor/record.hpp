@@ -10,6 +10,7 @@
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/job.hpp"
+#include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/master.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/recorded_output.hpp"
@@ -56,6 +57,7 @@ struct RecordedJob {
   double tick = 1e-3;
   CouplingSpec coupling = {};
   double position = 0;
+  CamEnd end = CamEnd::brake;  ///< live
 };
 
 /// What a gear's movement is made from: the order (gear_of()), and where the slave stood.

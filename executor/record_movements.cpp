@@ -69,6 +69,7 @@ job_t on_wire(const RecordedJob& j) {
   w.tick = j.tick;
   w.position = j.position;
   each_coupling(j.coupling, w, Put{});
+  w.end = static_cast<std::int8_t>(j.end);
   return w;
 }
 
@@ -84,6 +85,7 @@ RecordedJob ours(const job_t& w) {
     std::copy(std::begin(w.cam), std::end(w.cam), j.cam->begin());
   }
   each_coupling(j.coupling, w, Get{});
+  Get{}("end", j.end, w.end);
   return j;
 }
 
@@ -119,6 +121,10 @@ queue_t on_wire(const RecordedQueue& q) {
   w.event = static_cast<std::int8_t>(q.queue.event);
   w.event_position = q.queue.event_position;
   w.event_direction = q.queue.event_direction;
+  w.relative = q.queue.relative ? 1 : 0;
+  w.origin = q.queue.origin;
+  w.lowest = q.queue.lowest;
+  w.highest = q.queue.highest;
   return w;
 }
 
@@ -133,6 +139,10 @@ RecordedQueue ours(const queue_t& w) {
   q.queue.loops = static_cast<std::int32_t>(w.loops);
   q.queue.event_position = w.event_position;
   q.queue.event_direction = static_cast<std::int8_t>(w.event_direction);
+  q.queue.relative = w.relative != 0;
+  q.queue.origin = w.origin;
+  q.queue.lowest = w.lowest;
+  q.queue.highest = w.highest;
   return q;
 }
 

@@ -83,7 +83,7 @@ class Replayer {
 
   void take(const RecordedJob& job) {
     if (job.live)
-      keep(job.axis, std::make_shared<LiveCam>(job.id, table(job.time), job.coupling));
+      keep(job.axis, std::make_shared<LiveCam>(job.id, table(job.time), job.coupling, job.end));
     else
       keep(job.axis,
            std::make_shared<Job>(job.id, table(job.time), job.cam ? table(*job.cam) : nullptr,

@@ -77,14 +77,15 @@ RowRule SegmentFifos::push(int fifo, const SegmentRow& row) {
   const auto [from, rate] = tail(fifo);
   const PtRate made = rates(row, from, rate);
   pushed_at_.store(stamp_);
-  if (!std::isnan(made.start)) note(jounce::peaks(row, from, rate));
+  std::optional<RowPeaks> f;
+  if (!std::isnan(made.start)) note(f.emplace(jounce::peaks(row, from, rate)));
   if (layout_.stream) {
     if (size(filling_) == layout_.each) filling_ = 1 - filling_;
     fifo = filling_;
   }
   Fifo& to = fifos_[index(fifo)];
   const std::size_t n = to.size.load();
-  to.slots[n] = {row, 0, stamp_, {}};
+  to.slots[n] = {row, 0, stamp_, {}, reach_with(to, n, f ? &*f : nullptr)};
   for (std::size_t k = 0; k < peaks_.size(); ++k) to.slots[n].peaks[k] = peaks_[k].load();
   to.size.store(n + 1);
   tails_[layout_.stream ? 0 : index(fifo)] = {end_of(row), made.end};
@@ -112,6 +113,16 @@ void SegmentFifos::note(const RowPeaks& f) {
     if (now[k] > peaks_[k].load()) peaks_[k].store(now[k]);
 }
 
+/// The reach of a FIFO's rows up to this new one; `peaks` are null where its rates are not known yet.
+SegmentFifos::Reach SegmentFifos::reach_with(const Fifo& to, std::size_t slot,
+                                             const RowPeaks* peaks) const {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  const Reach before = slot > 0 ? to.slots[slot - 1].reach : Reach{};
+  if (peaks == nullptr) return {-unknown, unknown};
+  return {std::min(before.lowest, peaks->position_min),
+          std::max(before.highest, peaks->position_max)};
+}
+
 bool SegmentFifos::clear(int fifo) {
   clearing_.store(true);
   const bool may = !in_use(fifo) && !(switch_queued() && fifo != active());
@@ -130,7 +141,9 @@ bool SegmentFifos::clear(int fifo) {
 }
 
 bool SegmentFifos::queue_switch() {
-  if (!moving() || layout_.stream || size(1 - active()) == 0) return false;
+  const State now = state();
+  const bool plays = now == State::moving || now == State::taken || now == State::idle;
+  if (!plays || layout_.stream || size(1 - active()) == 0) return false;
   queued_at_.store(stamp_);
   queued_.store(true);
   return true;
@@ -147,7 +160,7 @@ std::size_t SegmentFifos::visible(int fifo) const {
 }
 
 bool SegmentFifos::switch_seen() const {
-  return queued_.load() && queued_at_.load() <= sight_;
+  return queued_.load() && queued_at_.load() <= sight_ && visible(1 - active()) > 0;
 }
 
 /// The last row that is there, by its number: of a stream, its end.
@@ -162,6 +175,24 @@ const SegmentFifos::Slot* SegmentFifos::newest() const {
     if (later) last = &slot;
   }
   return last;
+}
+
+SegmentFifos::Reach SegmentFifos::reach_of(int fifo, std::size_t rows, double origin) const {
+  if (rows == 0) return {origin, origin};
+  const Reach& all = fifos_[index(fifo)].slots[rows - 1].reach;
+  return {origin + all.lowest, origin + all.highest};
+}
+
+SegmentFifos::Reach SegmentFifos::reach() const {
+  return reach_of(active(), visible(active()), origin_.position);
+}
+
+std::optional<SegmentFifos::Reach> SegmentFifos::next_reach() const {
+  const bool again = loops() < 1 || passes_.load() + 1 < loops();
+  const bool switches = switch_seen();
+  if (layout_.stream || !moving() || !(switches || again)) return std::nullopt;
+  const int next = switches ? 1 - active() : active();
+  return reach_of(next, visible(next), origin_.position + last_row().p_end);
 }
 
 bool SegmentFifos::take(int fifo) {
@@ -192,7 +223,6 @@ void SegmentFifos::start(double x, double position) {
   turns_ = 0;
   known_rates_ = 0;
   passes_ = 0;
-  queued_ = false;
   rate_ = 0;
   seen_ = visible(active());
   state_.store(State::moving);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "jounce/pvt/segment_row.hpp"
@@ -94,6 +95,16 @@ class SegmentFifos {
   /// the last reset, as far as they are known (what follows an open rate of a table is not).
   [[nodiscard]] RowPeaks peaks() const;
 
+  /// Where the position is within a pass.
+  struct Reach {
+    double lowest = 0;
+    double highest = 0;
+  };
+  /// Of the pass under way, in the player's thread; infinite where rates are open. Of tables.
+  [[nodiscard]] Reach reach() const;
+  /// Of the pass that follows as things stand; nothing where none does.
+  [[nodiscard]] std::optional<Reach> next_reach() const;
+
   // ---- producer ----------------------------------------------------------------------------------
 
   /// The number of what follows.
@@ -111,7 +122,8 @@ class SegmentFifos {
   /// Passes that a table is played; below 1: for ever. Counts at the end of a pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
-  /// At the end of the pass the other FIFO takes over. False unless tables move, and it has rows.
+  /// At the end of the pass the other FIFO takes over. False where tables have ended, or it has no
+  /// rows. Before the start it is queued for the end of the first pass.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------
@@ -150,6 +162,7 @@ class SegmentFifos {
     double rate = 0;  // at the end of the row before, as played last
     std::uint64_t stamp = 0;
     std::array<double, 4> peaks{};  // of all rows so far
+    Reach reach{};                  // of the rows of this FIFO so far, from its beginning
   };
   struct Fifo {
     std::vector<Slot> slots;
@@ -169,6 +182,8 @@ class SegmentFifos {
   static RowStart end_of(const SegmentRow& row) { return {row.x_end, row.p_end}; }
   [[nodiscard]] Tail tail(int fifo) const;
   void note(const RowPeaks& peaks);
+  [[nodiscard]] Reach reach_with(const Fifo& to, std::size_t slot, const RowPeaks* peaks) const;
+  [[nodiscard]] Reach reach_of(int fifo, std::size_t rows, double origin) const;
   [[nodiscard]] Fifo& playing() { return fifos_[index(active())]; }
   [[nodiscard]] const Fifo& playing() const { return fifos_[index(active())]; }
   [[nodiscard]] const SegmentRow& last_row() const { return playing().slots[seen_ - 1].row; }

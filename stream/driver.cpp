@@ -12,7 +12,7 @@ namespace jounce {
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
                             const Clock& clock, std::int64_t session) {
   const std::string replies = wire::channel(plan.executor, wire::Lane::reply);
-  if (!plan.swaps.empty())
+  if (!plan.swaps.empty() || plan.await)
     link.subscribe(wire::channel(plan.executor, wire::Lane::status), queue_capacity);
   Sender sender(std::move(plan), session, options.sender);
   link.subscribe(replies, queue_capacity);

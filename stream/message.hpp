@@ -76,6 +76,21 @@ enum class Refusal : std::int8_t {
 };
 inline constexpr int refusals = 22;
 
+/// What became of a start that was accepted: one for later is judged where it takes place.
+enum class StartOutcome : std::int8_t {
+  none = 0,     ///< none was accepted in this session
+  waiting = 1,  ///< for its tick, its master position, or the end of what plays
+  begun = 2,
+  dropped = 3,  ///< it did not begin: see start_reason
+};
+
+/// What an axis does where a cam behind its live master ends at a velocity.
+enum class CamEnd : std::int8_t {
+  brake = 0,          ///< it comes to rest within its limits
+  keep_velocity = 1,  ///< it goes on at that velocity, whatever the master does, until another command
+  extend = 2,         ///< the cam goes on at the ratio that it ends with: the axis stays coupled
+};
+
 /// How far a command has come.
 enum class Outcome : std::int8_t { pending = 0, accepted = 1, refused = 2 };
 
@@ -147,6 +162,7 @@ struct Arm {
   CouplingSpec coupling{};  ///< of a slave table over master; without master_jump
   std::uint32_t queue = 0;  ///< with mode queue: 64...127
   std::uint8_t bank = 0;    ///< of a static queue: the bank that begins
+  CamEnd end = CamEnd::brake;  ///< with follow_input
 };
 
 struct Start {
@@ -238,6 +254,10 @@ struct Status {
   Histogram lateness{};                 ///< of cycles: how late they woke up
   Histogram computing{};                ///< of cycles: how long they computed
   Units units{};                        ///< in which the axis counts; empty: any
+  std::int32_t start_command = 0;       ///< the last start of this session; 0: none
+  StartOutcome start = StartOutcome::none;  ///< what became of it
+  std::int32_t start_cause = 0;             ///< why it was dropped, as last_error
+  std::string start_reason{};               ///< in words
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };

@@ -8,7 +8,8 @@ namespace jounce::wire {
 bool operator==(const Queue& a, const Queue& b) {
   const auto fields = [](const Queue& q) {
     return std::tie(q.queue, q.axis, q.units.x, q.units.position, q.mode, q.capacity, q.loops,
-                    q.event, q.event_position, q.event_direction, q.prefill);
+                    q.event, q.event_position, q.event_direction, q.prefill, q.relative, q.origin,
+                    q.lowest, q.highest);
   };
   return fields(a) == fields(b);
 }
@@ -31,6 +32,10 @@ std::string contradiction(const Queue& queue) {
     return "the event's direction must be 1 or -1";
   if (!pass && (queue.event_position != 0 || queue.event_direction != 0))
     return "an event position and direction are for pass only";
+  if (!std::isfinite(queue.origin)) return "the origin must be finite";
+  if (queue.relative && queue.origin != 0) return "a relative queue has no origin: it must be 0";
+  if (!(queue.lowest <= 0 && queue.highest >= 0))
+    return "the range counts from the origin: lowest must be 0 or less, highest 0 or more";
   return "";
 }
 

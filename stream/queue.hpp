@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,12 @@
 /// Queues of rows: what is played while more of it arrives. A rolling stream is a dynamic queue, for
 /// motions longer than memory or computed on the fly; Googol's FIFOs are its banks.
 ///
-///     Queue{.queue = 64, .units = {"s", "mm"}, .capacity = 1024, .prefill = 200};
+///     Queue{.queue = 64, .units = {"s", "mm"}, .capacity = 1024, .prefill = 200,
+///           .origin = 120, .lowest = 0, .highest = 80};   // from 120 mm, and never beyond 200 mm
 ///     Rows{.queue = 64, .rows = {{.x_end = 0.1, .p_end = 2, .v_end = 40, .order = RowOrder::cubic}}};
+///
+/// **Place.** A queue says where it begins and how far it goes. An axis that stands elsewhere, or whose
+/// range is narrower, refuses it; rows that leave the announced range are refused, or the axis stops.
 ///
 /// u: the unit of p, m: that of x (s over time).
 namespace jounce::wire {
@@ -66,6 +71,14 @@ struct Queue {
   double event_position = 0;        ///< m, with pass
   std::int8_t event_direction = 0;  ///< 1 or -1 with pass
   std::uint32_t prefill = 1;        ///< rows without which it does not start
+  /// False: the axis must stand at `origin`, where the first row begins. True: the rows count from
+  /// where the axis stands.
+  bool relative = false;
+  double origin = 0;          ///< u; 0 where it is relative
+  double lowest = -no_bound;  ///< u, of the whole motion, from where it begins: <= 0
+  double highest = no_bound;  ///< u, likewise: >= 0
+
+  static constexpr double no_bound = std::numeric_limits<double>::infinity();
 };
 bool operator==(const Queue& a, const Queue& b);
 

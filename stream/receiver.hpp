@@ -45,6 +45,7 @@ struct ArmRequested {
   StoredTable slave;
   std::optional<StoredTable> master;  ///< with follow_table
   CouplingSpec coupling{};            ///< of a slave over master
+  wire::CamEnd end = wire::CamEnd::brake;  ///< with follow_input
 };
 
 /// The queue is open. Owes an answer.

@@ -62,7 +62,7 @@ void Receiver::take(const wire::Arm& arm) {
   if (Refused refused =
           misfit(arm.mode, {*slave->table, slave->units}, driver ? &*driver : nullptr))
     return settle(command_, std::move(refused));
-  events_.emplace_back(ArmRequested{session_, arm.command, arm.mode, *slave, master, arm.coupling});
+  events_.emplace_back(ArmRequested{session_, arm.command, arm.mode, *slave, master, arm.coupling, arm.end});
 }
 
 void Receiver::arm_queue(const wire::Arm& arm) {

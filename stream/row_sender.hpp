@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/command_slot.hpp"
 #include "jounce/stream/row_window.hpp"
 #include "jounce/stream/sender.hpp"
@@ -26,6 +27,18 @@ struct RowPlan {
 
 /// The rows of a table, from its first knot on: x and p count from there.
 RowSource rows_of(Table table);
+
+/// A row as it stands on the wire.
+wire::Row on_wire(const SegmentRow& row);
+
+/// Where a table goes, u, from its first knot on: what a queue of its rows announces.
+struct Travel {
+  double lowest = 0;   ///< <= 0
+  double highest = 0;  ///< >= 0
+  double net = 0;      ///< at its end
+};
+/// Exact: the rows' own extrema, as an executor computes them.
+Travel travel_of(const Table& table);
 
 /// How far a stream of rows has come.
 struct RowProgress {

@@ -1,6 +1,8 @@
 // The rows of a table, for a RowSender or a StaticQueue.
+#include <algorithm>
 #include <utility>
 
+#include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/row_sender.hpp"
 
 namespace jounce {
@@ -24,7 +26,42 @@ wire::Row row_to(const Table& table, std::size_t i) {
   return row;
 }
 
+/// The same row as the axis plays it.
+SegmentRow played(const wire::Row& row) {
+  return {.x_end = row.x_end,
+          .p_end = row.p_end,
+          .v_start = row.v_start,
+          .v_end = row.v_end,
+          .a_start = row.a_start,
+          .a_end = row.a_end,
+          .degree = static_cast<int>(row.order)};
+}
+
 }  // namespace
+
+wire::Row on_wire(const SegmentRow& row) {
+  wire::Row sent{.x_end = row.x_end,
+                 .p_end = row.p_end,
+                 .order = static_cast<wire::RowOrder>(row.degree),
+                 .last = row.last};
+  if (row.degree >= 2) sent.v_start = row.v_start, sent.v_end = row.v_end;
+  if (row.degree == 5) sent.a_start = row.a_start, sent.a_end = row.a_end;
+  return sent;
+}
+
+Travel travel_of(const Table& table) {
+  Travel travel;
+  RowStart from;
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    const SegmentRow row = played(row_to(table, i));
+    const RowPeaks peaks = jounce::peaks(row, from, 0);
+    travel.lowest = std::min(travel.lowest, peaks.position_min);
+    travel.highest = std::max(travel.highest, peaks.position_max);
+    from = {row.x_end, row.p_end};
+  }
+  travel.net = from.position;
+  return travel;
+}
 
 RowSource rows_of(Table table) {
   return [table = std::move(table), next = std::size_t{1}](std::size_t most) mutable {

@@ -241,6 +241,7 @@ void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos no
   if (reply.outcome == wire::Outcome::refused) {
     refused(reply.refusal, reply.reason, reply.cause);
   } else if (reply.outcome == wire::Outcome::accepted) {
+    if (stage() == StreamStage::starting) start_ = reply.command;
     accepted();
   }
 }
@@ -252,6 +253,7 @@ void Sender::accepted() {
       outcome_.armed = leg_armed_ = true;
       break;
     case StreamStage::starting:
+      if (plan_.await && leg_ + 1 == legs_.size()) return enter(StreamStage::waiting);
       outcome_.swaps = leg_;
       outcome_.started = true;
       leg_armed_ = false;
@@ -285,7 +287,8 @@ wire::Arm Sender::arm_of(const SwapPlan& leg) const {
   return {.mode = leg.mode,
           .slave = headers_[leg.slave].hash,
           .master = leg.mode == wire::ArmMode::follow_table ? headers_[leg.master].hash : Sha256{},
-          .coupling = leg.coupling};
+          .coupling = leg.coupling,
+          .end = leg.mode == wire::ArmMode::follow_input ? leg.end : wire::CamEnd::brake};
 }
 
 void Sender::pursue() {
@@ -308,6 +311,7 @@ void Sender::pursue() {
 /// be late: if it is the same table as before, this must have been so for a while.
 void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos now) {
   constexpr Nanos a_while = std::chrono::milliseconds(500);
+  if (stage() == StreamStage::waiting) return await_start(status);
   if (stage() != StreamStage::swapping) return;
   waited_ |= status.next == wire::Next::waiting;
   const Sha256& hash = headers_[legs_[leg_ - 1].slave].hash;
@@ -329,6 +333,21 @@ void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos 
   if (waited_ || new_table || now - *due_ >= a_while) pursue();
 }
 
+/// What became of the last start: the axis says so for as long as the session lives.
+void Sender::await_start(const wire::Status& status) {
+  if (status.start_command != start_) return;  // older than the start
+  if (status.start == wire::StartOutcome::begun) {
+    outcome_.swaps = leg_;
+    outcome_.started = true;
+    leg_armed_ = false;
+    ++leg_;
+    pursue();
+  } else if (status.start == wire::StartOutcome::dropped) {
+    outcome_.cause = status.start_cause;
+    fail(StreamError::dropped, status.start_reason);
+  }
+}
+
 /// The axis stands and waits for nothing: what was to begin has ended unseen, or never will begin.
 void Sender::be_over(const wire::Status& status) {
   outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
@@ -342,6 +361,11 @@ void Sender::raise(StreamGoal goal) {
   plan_.goal = goal;
   require_valid(plan_);
   if (stage() == StreamStage::holding) pursue();
+}
+
+void Sender::start_at(std::int64_t tick) {
+  plan_.start_tick = tick;
+  raise(StreamGoal::start);
 }
 
 void Sender::stop(wire::StopMode mode) {
@@ -361,6 +385,9 @@ void Sender::release() {
 
 void Sender::fail(StreamError error, std::string reason) {
   if (ended()) return;
+  // What waits is not taken back: a stop would end the motion under way, too.
+  if (stage() == StreamStage::waiting && error != StreamError::dropped)
+    reason += "; the start that was accepted still waits in the axis: a stop takes it back";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
   farewell_due_ = !boots_.empty();
@@ -370,13 +397,13 @@ void Sender::fail(StreamError error, std::string reason) {
 const char* name(StreamError error) {
   constexpr const char* names[] = {
       "none",        "no_answer", "contact_lost", "stalled",  "command_timeout",
-      "out_of_time", "restarted", "refused",      "underrun", "stopped"};
+      "out_of_time", "restarted", "refused",      "underrun", "stopped", "dropped"};
   return names[static_cast<std::size_t>(error)];
 }
 
 const char* name(StreamStage stage) {
-  constexpr const char* names[] = {"downloading", "arming",    "starting", "stopping", "swapping",
-                                   "holding",     "releasing", "released", "failed"};
+  constexpr const char* names[] = {"downloading", "arming",  "starting",  "stopping", "swapping",
+                                   "waiting",     "holding", "releasing", "released", "failed"};
   return names[static_cast<std::size_t>(stage)];
 }
 

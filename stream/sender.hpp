@@ -36,6 +36,7 @@ enum class StreamError {
   refused,          ///< see refusal and reason
   underrun,         ///< rows came too slowly, and the axis has stopped on its path
   stopped,          ///< somebody else has stopped the axis, or a fault of its own has
+  dropped,          ///< the start was accepted for later, and could not take place then: see reason
 };
 const char* name(StreamError error);
 
@@ -45,6 +46,7 @@ enum class StreamStage {
   starting,
   stopping,
   swapping,   ///< the swap is accepted, and waits for its boundary
+  waiting,    ///< the last start is accepted, and has not taken place yet
   holding,    ///< the goal is reached, heartbeats hold the session
   releasing,  ///< the session is about to end; a motion goes on
   released,
@@ -67,7 +69,7 @@ struct StreamOutcome {
   std::string reason;      ///< in words; may be empty
   bool downloaded = false;
   bool armed = false;
-  bool started = false;
+  bool started = false;  ///< with StreamPlan::await: it has begun; else it may still wait
   bool stopped = false;
   std::size_t swaps = 0;  ///< accepted
   StreamProgress progress;
@@ -100,6 +102,8 @@ class Sender {
 
   /// Goes on to a further goal.
   void raise(StreamGoal goal);
+  /// Goes on to the start, at this tick of the executor.
+  void start_at(std::int64_t tick);
   /// Stops the axis if anything was armed, and gives the goal up.
   void stop(wire::StopMode mode);
   /// Ends the session; a motion goes on.
@@ -111,6 +115,8 @@ class Sender {
   [[nodiscard]] bool ended() const {
     return stage() == StreamStage::released || stage() == StreamStage::failed;
   }
+  /// Nothing is left to be sent: a failed sender's farewell has gone out.
+  [[nodiscard]] bool farewelled() const { return !farewell_due_; }
   [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
@@ -136,6 +142,7 @@ class Sender {
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
   void next_table(Nanos now);
+  void await_start(const wire::Status& status);
   void be_over(const wire::Status& status);
   [[nodiscard]] wire::Arm arm_of(const SwapPlan& leg) const;
   void pursue();
@@ -145,6 +152,7 @@ class Sender {
   std::vector<SwapPlan> legs_;
   std::size_t leg_ = 0;  // the one that is to be armed or started next
   bool leg_armed_ = false;
+  std::int32_t start_ = 0;     // number of the last start that was accepted
   std::optional<Nanos> due_;   // the last start looks as if it had taken place, since then
   bool waited_ = false;        // it was seen to wait
   std::optional<Nanos> over_;  // the axis has stood since then, with nothing to begin

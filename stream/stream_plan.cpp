@@ -53,7 +53,8 @@ std::vector<SwapPlan> legs_of(const StreamPlan& plan) {
                               .mode = plan.mode,
                               .coupling = plan.coupling,
                               .when = plan.when,
-                              .position = plan.position}};
+                              .position = plan.position,
+                              .end = plan.end}};
   legs.insert(legs.end(), plan.swaps.begin(), plan.swaps.end());
   return legs;
 }

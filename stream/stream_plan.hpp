@@ -21,6 +21,7 @@ struct SwapPlan {
   CouplingSpec coupling{};  ///< of a slave that follows a master, in s; without master_jump
   wire::StartAt when = wire::StartAt::end_of_table;
   double position = 0;  ///< of the master, m, with master_position
+  wire::CamEnd end = wire::CamEnd::brake;  ///< with follow_input
 };
 
 /// What is to be streamed where, and what is to become of it.
@@ -38,6 +39,8 @@ struct StreamPlan {
   std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
   wire::StartAt when = wire::StartAt::tick;  ///< or where the live master passes `position`
   double position = 0;                       ///< of the master, m, with master_position
+  wire::CamEnd end = wire::CamEnd::brake;    ///< with follow_input
+  bool await = false;  ///< the goal is reached when the last start has taken place, not when it is accepted
   std::vector<SwapPlan>
       swaps{};  ///< then, one after the other, once the one before has taken place
 };

@@ -192,6 +192,8 @@ inline constexpr int count_of<Cause> = 256;
 template <>
 inline constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
 template <>
+inline constexpr int count_of<CamEnd> = static_cast<int>(CamEnd::extend) + 1;
+template <>
 inline constexpr int count_of<Axis> = 2;
 template <>
 inline constexpr int count_of<Rule> = 3;

@@ -45,6 +45,10 @@ inline constexpr int last_of<Next> = static_cast<int>(Next::waiting);
 template <>
 inline constexpr int last_of<StartAt> = static_cast<int>(StartAt::master_position);
 template <>
+inline constexpr int last_of<StartOutcome> = static_cast<int>(StartOutcome::dropped);
+template <>
+inline constexpr int last_of<CamEnd> = static_cast<int>(CamEnd::extend);
+template <>
 inline constexpr int last_of<Progress> = static_cast<int>(Progress::broken);
 template <>
 inline constexpr int last_of<OrderKind> = order_kinds - 1;

@@ -112,6 +112,7 @@ void put(const Arm& from, jounce_lcm::arm_t& to) {
   put(from.coupling, to.coupling);
   to.queue = put_count("queue", from.queue);
   to.bank = static_cast<std::int8_t>(from.bank);
+  to.end = number_of(from.end);
 }
 
 /// A queue is named where the mode wants one, and nowhere else.
@@ -124,7 +125,8 @@ bool get(const jounce_lcm::arm_t& from, Arm& to) {
   return get_command(from.command, to.command) && get_enum(from.mode, to.mode) &&
          get_bytes(from.slave_hash, to.slave) && get_bytes(from.master_hash, to.master) &&
          get(from.coupling, to.coupling) && get_count(from.queue, to.queue) &&
-         get_bank(from.bank, to.bank) && names_queue(to);
+         get_bank(from.bank, to.bank) && names_queue(to) && get_enum(from.end, to.end) &&
+         (to.end == CamEnd::brake || to.mode == ArmMode::follow_input);
 }
 
 void put(const Start& from, jounce_lcm::start_t& to) {

@@ -50,12 +50,21 @@ void put(const Queue& from, jounce_lcm::queue_t& to) {
   to.event_position = from.event_position;
   to.event_direction = from.event_direction;
   to.prefill = put_count("prefill", from.prefill);
+  to.relative = from.relative ? 1 : 0;
+  to.origin = from.origin;
+  to.lowest = from.lowest;
+  to.highest = from.highest;
 }
 
 bool get(const jounce_lcm::queue_t& from, Queue& to) {
   to.loops = from.loops;
   to.event_position = from.event_position;
   to.event_direction = from.event_direction;
+  to.relative = from.relative != 0;
+  to.origin = from.origin;
+  to.lowest = from.lowest;
+  to.highest = from.highest;
+  if (from.relative != 0 && from.relative != 1) return false;
   return get_queue(from.queue, to.queue) && get_enum(from.axis, to.axis) &&
          get_enum(from.mode, to.mode) && get_text(from.unit_x, unit_bytes, to.units.x) &&
          get_text(from.unit_position, unit_bytes, to.units.position) &&

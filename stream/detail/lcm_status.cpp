@@ -43,6 +43,10 @@ void put(const Status& from, jounce_lcm::status_t& to) {
   std::copy(from.computing.begin(), from.computing.end(), to.computing);
   put_unit("unit of x", from.units.x, to.unit_x);
   put_unit("unit of position", from.units.position, to.unit_position);
+  to.start_command = from.start_command;
+  to.start_outcome = number_of(from.start);
+  to.start_cause = from.start_cause;
+  put_text(from.start_reason, to.start_reason, reason_bytes);
 }
 
 bool get(const jounce_lcm::status_t& from, Status& to) {
@@ -64,6 +68,8 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
   to.boot = from.boot;
   to.rejected = from.rejected;
   to.not_authentic = from.not_authentic;
+  to.start_command = from.start_command;
+  to.start_cause = from.start_cause;
   return get_enum(from.state, to.state) && get_enum(from.next, to.next) && to.tick >= 0 &&
          to.cycle_ns > 0 && to.late_ticks >= 0 && to.finished >= 0 && to.stopped >= 0 &&
          get_bytes(from.table_prefix, to.table) && to.override_ >= 0 && to.override_ <= 2 &&
@@ -72,7 +78,9 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
          to.not_authentic >= 0 && get_histogram(from.lateness, to.lateness) &&
          get_histogram(from.computing, to.computing) &&
          get_text(from.unit_x, unit_bytes, to.units.x) &&
-         get_text(from.unit_position, unit_bytes, to.units.position);
+         get_text(from.unit_position, unit_bytes, to.units.position) && to.start_command >= 0 &&
+         get_enum(from.start_outcome, to.start) &&
+         get_text(from.start_reason, reason_bytes, to.start_reason);
 }
 
 void put(const Event& from, jounce_lcm::event_t& to) {

@@ -258,6 +258,61 @@ TEST(FifoPath, RefusesWhatCannotBegin) {
   EXPECT_THROW(FifoPath(1, {.from = RowStart{NAN, 0}}), InputError);
 }
 
+const SegmentFifos::Reach up_to_80{0, 80};
+
+AxisConfig in_300() {
+  AxisConfig config = fast;
+  config.limits.position_min = 0;
+  config.limits.position_max = 300;
+  return resolved(config);
+}
+
+// Issue: a table of 200..280 played at 0, and one of 0..80 played at 250 past 300.
+TEST(FifoPath, BeginsAtItsOriginAloneAndWhereItsRangeFits) {
+  const auto refused = [](FifoPath& path, double position) {
+    const auto refusal = path.admit(in_300(), {position, 0, 0});
+    return refusal ? refusal->cause : Cause::none;
+  };
+  FifoPath absolute(1, {.origin = 200, .range = up_to_80});
+  absolute.fifos().push(0, {.x_end = 1, .p_end = 80, .degree = 1});
+  EXPECT_EQ(refused(absolute, 200), Cause::none);
+  EXPECT_EQ(refused(absolute, 0), Cause::start_position);
+  EXPECT_EQ(absolute.begin({0, 0, 0}, {}), Cause::start_position);
+  ASSERT_EQ(absolute.begin({200, 0, 0}, {}), Cause::none);
+  EXPECT_EQ(absolute.at({0.5, 1e-3, {}}).slave[0], 240);
+  FifoPath relative(2, {.range = up_to_80});
+  relative.fifos().push(0, {.x_end = 1, .p_end = 80, .degree = 1});
+  EXPECT_EQ(refused(relative, 220), Cause::none);
+  EXPECT_EQ(refused(relative, 250), Cause::position_limit);
+  FifoPath unannounced(3, {});
+  unannounced.fifos().push(0, {.x_end = 1, .p_end = 80, .degree = 1});
+  EXPECT_EQ(refused(unannounced, 0), Cause::position_limit) << "it may go anywhere";
+  EXPECT_THROW(FifoPath(1, {.range = {1, 2}}), InputError);
+  EXPECT_THROW(FifoPath(1, {.range = {-1, -0.5}}), InputError);
+  EXPECT_THROW(FifoPath(1, {.origin = NAN}), InputError);
+}
+
+// Passes add up. The sender announces 80 and loops a bank that gains 60 a pass: the axis rests inside.
+TEST(FifoPath, APassThatLeavesTheAnnouncedRangeDoesNotBegin) {
+  for (const double rate : {60.0, 600.0}) {
+    FifoPath path(1, {.stream = false, .loops = 0, .range = {0, 290}});
+    const double t = 60 / rate;
+    ASSERT_EQ(path.fifos().push(0, {.x_end = t, .p_end = 60, .v_start = rate, .v_end = rate,
+                                    .degree = 3}),
+              RowRule::none);
+    Bench bench(in_300());
+    bench.tell(Kind::enable);
+    ASSERT_EQ(refusal(bench.arm(path)), Cause::none);
+    bench.tell(Kind::start);
+    double most = 0;
+    for (int k = 0; k < 6000; ++k) most = std::max(most, bench.step().position);
+    EXPECT_LE(most, 300 + 1e-9) << rate;
+    EXPECT_GE(most, 240 - rate * 1e-3 - 1e-9) << "the passes that fit are played, to the last tick";
+    EXPECT_EQ(bench.step().velocity, 0);
+    EXPECT_NE(bench.step().fault, Cause::none);
+  }
+}
+
 // ---- follow --------------------------------------------------------------------------------------
 
 /// Ramps of the master by `acceleration` to `velocity`, from 0; then steady.
@@ -396,6 +451,28 @@ TEST(FifoFollow, ALostMasterBreaksIt) {
     EXPECT_EQ(follow.cause(), Cause::master_lost);
     EXPECT_EQ(slave.begin({7, 0, 0}), Cause::no_master_input);
   }
+}
+
+TEST(FifoFollow, StandsAtItsOriginOrDoesNotBegin) {
+  FifoFollow follow(1, {.stream = false, .loops = 0, .origin = 5});
+  push(follow.fifos(), 0, {100, 50, PtType::even});
+  EXPECT_EQ(follow.begin({0, 0, 0}, {0, 1e-3, {0, 100, 0, 0}}), Cause::start_position);
+  ASSERT_TRUE(follow.admit(fast, {0, 0, 0}));
+  EXPECT_EQ(follow.admit(fast, {0, 0, 0})->cause, Cause::start_position);
+  EXPECT_EQ(follow.begin({5, 0, 0}, {0, 1e-3, {0, 100, 0, 0}}), Cause::none);
+}
+
+// However short the first table is, a switch queued before the start comes at its end.
+TEST(FifoFollow, ASwitchQueuedBeforeTheStartIsForTheFirstPass) {
+  FifoFollow follow(1, {.stream = false, .loops = 0}, {.event = {FollowEvent::pass, 10}});
+  push(follow.fifos(), 0, {1, 1, PtType::even});
+  push(follow.fifos(), 1, {100, 50, PtType::even});
+  ASSERT_TRUE(follow.fifos().queue_switch());
+  Follower slave{follow, steady(1000)};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  EXPECT_EQ(slave.run(10).slave[0], 0);
+  EXPECT_EQ(slave.run(1).slave[0], 1);
+  EXPECT_EQ(slave.run(50).slave[0], 26) << "half of its master from 11 on";
 }
 
 // What is played depends on the number that the axis is told, not on when a row came.

@@ -90,21 +90,45 @@ TEST(LiveCam, Example44EndsAtItsVelocityAndKeepsIt) {
   EXPECT_NEAR(slave.run(100).slave[0], 7400, 1e-9) << "for the axis to take over at that velocity";
 }
 
-// The same through the axis, onto its last line by a quintic: it keeps its velocity in
-// continuous_motion, as after CamOut.
-TEST(LiveCam, ThatEndsAtSpeedLeavesTheAxisInContinuousMotion) {
-  const TablePtr table = test::table(Axis::master, Rule::quintic_hermite, Outside::refuse,
-                                     {{0, 5000, 10000}, {0, 1000, 3000}, {0, 0.4, 0.4}, {0, 0, 0}});
-  LiveCam cam(1, table, {.start = StartMode::relative});
-  Bench bench({.limits = limits(2e4, 1e5)});
-  const auto step = [&](const Command& command = {}) {
+/// 0.4 of its master from 5000 to 10000, where it ends.
+TablePtr open_ended() {
+  return test::table(Axis::master, Rule::quintic_hermite, Outside::refuse,
+                     {{0, 5000, 10000}, {0, 1000, 3000}, {0, 0.4, 0.4}, {0, 0, 0}});
+}
+
+/// An axis with a live master.
+struct Coupled : Bench {
+  explicit Coupled(const AxisConfig& config, std::function<Jet(double)> of)
+      : Bench(config), master(std::move(of)) {
+    step({.kind = Kind::enable});
+  }
+  Tick step(const Command& command = {}) {
     Inputs inputs;
-    inputs.master = steady(10000)(static_cast<double>(++bench.tick) * 1e-3);
-    return bench.axis.step(bench.tick, command, inputs);
-  };
-  step({.kind = Kind::enable});
-  EXPECT_FALSE(step({.kind = Kind::arm, .movement = &cam}).refused);
-  Tick now = step({.kind = Kind::start});
+    inputs.master = master(static_cast<double>(++tick) * 1e-3);
+    return axis.step(tick, command, inputs);
+  }
+  Tick run(int ticks) {
+    Tick last;
+    for (int i = 0; i < ticks; ++i) last = step();
+    return last;
+  }
+  /// Armed and started as the command says.
+  Tick begin(Movement& movement, Command start = {}) {
+    EXPECT_FALSE(step({.kind = Kind::arm, .movement = &movement}).refused);
+    start.kind = Kind::start;
+    return step(start);
+  }
+
+  std::function<Jet(double)> master;
+};
+
+// The same through the axis, onto its last line by a quintic: where that was asked for it keeps its
+// velocity in continuous_motion, as after CamOut.
+TEST(LiveCam, ThatEndsAtSpeedLeavesTheAxisInContinuousMotion) {
+  LiveCam cam(1, open_ended(), {.start = StartMode::relative}, CamEnd::keep_velocity);
+  Coupled bench({.limits = limits(2e4, 1e5)}, steady(10000));
+  const auto step = [&] { return bench.step(); };
+  Tick now = bench.begin(cam);
   for (int k = 0; k < 990; ++k) {
     now = step();
     ASSERT_EQ(now.state, State::synchronized_motion) << k << " " << name(now.fault);
@@ -115,6 +139,122 @@ TEST(LiveCam, ThatEndsAtSpeedLeavesTheAxisInContinuousMotion) {
   EXPECT_EQ(now.fault, Cause::none);
   EXPECT_NEAR(now.velocity, 4000, 1e-9);
   EXPECT_NEAR(now.position, at + 400, 1e-6);
+}
+
+// By default it brakes: never faster than its limits allow, to rest, without a fault.
+TEST(LiveCam, ThatEndsAtSpeedBrakesWithinTheLimits) {
+  LiveCam cam(1, open_ended(), {.start = StartMode::relative});
+  Coupled bench({.limits = limits(2e4, 1e5)}, steady(10000));
+  Tick before = bench.begin(cam);
+  double end = 0;
+  for (int k = 0; k < 1200; ++k) {
+    const Tick now = bench.step();
+    if (now.state == State::discrete_motion && end == 0) end = before.position;
+    ASSERT_LE(std::abs(now.velocity - before.velocity), 100 * (1 + 1e-9)) << k;
+    before = now;
+  }
+  EXPECT_EQ(before.state, State::standstill);
+  EXPECT_EQ(before.fault, Cause::none);
+  EXPECT_EQ(before.reason, Cause::end_velocity);
+  EXPECT_NEAR(before.position, 3000 + 4000.0 * 4000 / 2 / 1e5, 5) << "v^2 / 2a beyond the end";
+}
+
+// An extended one stays coupled at its last ratio, stops with its master, and comes back into the cam.
+TEST(LiveCam, ExtendedItStaysCoupledBeyondItsEnds) {
+  const auto there_and_back = [](double t) {  // to 15915 and back through 0
+    return Jet{15915 * std::sin(t), 15915 * std::cos(t), -15915 * std::sin(t),
+               -15915 * std::cos(t)};
+  };
+  const TablePtr table = open_ended();
+  LiveCam cam(1, table, {}, CamEnd::extend);
+  Follower slave{cam, there_and_back};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  for (int k = 1; k <= 4000; ++k) {
+    const Setpoint now = slave.step();
+    const double m = now.master;
+    const double exact = m > 10000 ? 3000 + 0.4 * (m - 10000)
+                         : m < 0   ? 0
+                                   : table->jet(m)[0];
+    ASSERT_NEAR(now.slave[0], exact, 1e-7) << m;
+    ASSERT_EQ(cam.progress(), Progress::running) << m;
+    if (m > 10000) {
+      ASSERT_NEAR(now.slave[1], 0.4 * now.master_velocity, 1e-9) << m;
+    }
+  }
+}
+
+// Judged where the master will be: a slave that stands on the cam there waits, and begins without a step.
+TEST(LiveCam, AtAMasterPositionItIsJudgedThere) {
+  const TablePtr cam_table = pmc600_cam();
+  const double there = cam_table->jet(100)[0];
+  LiveCam cam(1, cam_table);
+  Coupled bench({.limits = limits(3000, 2e5), .position = there}, steady(200));
+  Tick now = bench.begin(cam, {.start_at = StartAt::master_position, .position = 460});
+  EXPECT_FALSE(now.refused) << now.refused->text();
+  EXPECT_TRUE(now.waiting);
+  while (now.master < 459 && bench.tick < 2298) now = bench.step();
+  EXPECT_EQ(now.position, there);
+  for (int k = 0; k < 1000; ++k) {
+    now = bench.step();
+    const double m = 200 * (static_cast<double>(bench.tick) * 1e-3);
+    ASSERT_EQ(now.fault, Cause::none);
+    if (m > 460) {
+      ASSERT_NEAR(now.position, cam_table->jet(m)[0], 1e-9) << m;
+      ASSERT_EQ(now.state, State::synchronized_motion);
+    }
+  }
+}
+
+TEST(LiveCam, AtAMasterPositionWhereItCannotBeginItIsDroppedThere) {
+  LiveCam cam(1, pmc600_cam());
+  LiveCam wrong_way(2, pmc600_cam(), ramp(StartMode::ramp_in_neg));
+  for (LiveCam* each : {&cam, &wrong_way}) {
+    Coupled bench({.limits = limits(3000, 2e5), .position = -17}, steady(200));
+    Tick now = bench.begin(*each, {.start_at = StartAt::master_position, .position = 40});
+    ASSERT_FALSE(now.refused);
+    std::optional<Refusal> dropped;
+    while (bench.tick < 250) {
+      now = bench.step();
+      if (now.dropped) dropped = now.dropped;
+      ASSERT_EQ(now.position, -17);
+    }
+    ASSERT_TRUE(dropped);
+    EXPECT_EQ(dropped->cause, each == &cam ? Cause::start_position : Cause::would_reverse);
+    EXPECT_FALSE(now.waiting);
+    if (each != &cam) continue;
+    EXPECT_NEAR(dropped->value, pmc600_cam()->jet(40)[0], 1e-9) << "where the cam is";
+    EXPECT_EQ(dropped->limit, -17) << "where the axis is";
+  }
+}
+
+/// A knife's cam: a turn for each cut of this length, its speed at the cut that of the web.
+TablePtr knife(double cut) {
+  const double surface = 360.0 / 314;  // deg/mm
+  return test::table(Axis::master, Rule::quintic_hermite, Outside::advance,
+                     {{0, cut}, {0, 360}, {surface, surface}, {0, 0}});
+}
+
+// Another cut length from the next cut on, wherever that is: cuts at 250, 500, 750, then 1050, 1350.
+TEST(LiveCam, TakesOverWhereAPassOfTheOneBeforeEnds) {
+  LiveCam first(1, knife(250), {.slave_period = 360});
+  const CouplingSpec at_cut{.master_absolute = false, .slave_period = 360};
+  LiveCam second(2, knife(300), at_cut);
+  Coupled bench({.limits = limits(1e4, 1e6)}, steady(1000));
+  Tick now = bench.begin(first, {.start_at = StartAt::master_position, .position = 250});
+  now = bench.run(600);  // master 0.6 m: between the cuts at 500 and 750
+  now = bench.begin(second, {.start_at = StartAt::end_of_table});
+  ASSERT_FALSE(now.refused) << now.refused->text();
+  double v = now.velocity;
+  for (int k = 0; k < 1500; ++k) {
+    now = bench.step();
+    const double m = static_cast<double>(bench.tick);
+    const double exact = m < 750 ? knife(250)->jet(m - 250)[0] : 720 + knife(300)->jet(m - 750)[0];
+    ASSERT_NEAR(now.position, exact, 1e-7) << m;
+    ASSERT_LE(std::abs(now.velocity - v), 60) << m;
+    ASSERT_EQ(now.fault, Cause::none) << m;
+    ASSERT_EQ(now.job, m < 750 ? 1U : 2U) << m;
+    v = now.velocity;
+  }
 }
 
 // PMC600 manual 6.3, example 6.7: LS_LineFollowAbs to (4000, 2000) at 2000, 4000, 4000.

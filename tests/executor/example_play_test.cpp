@@ -48,22 +48,15 @@ struct Follower : Site {
     const StreamOutcome outcome = stream({.executor = "feeder", .tables = {{*table, over_time}}});
     ASSERT_TRUE(outcome.ok()) << outcome.reason;
   }
-  StreamOutcome couple(const TablePtr& cam) {
+  StreamOutcome couple(const TablePtr& cam, wire::CamEnd end = wire::CamEnd::brake) {
     return stream({.executor = "knife",
                    .tables = {{*cam, over_master}},
-                   .mode = wire::ArmMode::follow_input});
+                   .mode = wire::ArmMode::follow_input,
+                   .end = end});
   }
 
   std::function<void(const Tick& feeder, const Tick& knife)> each_tick;
 };
-
-wire::Row on_wire(const SegmentRow& row) {
-  wire::Row sent{.x_end = row.x_end, .p_end = row.p_end, .last = row.last};
-  sent.order = static_cast<wire::RowOrder>(row.degree);
-  if (row.degree >= 2) sent.v_start = row.v_start, sent.v_end = row.v_end;
-  if (row.degree == 5) sent.a_start = row.a_start, sent.a_end = row.a_end;
-  return sent;
-}
 
 RowSource source_of(const std::vector<SegmentRow>& rows) {
   return [rows, next = std::size_t{0}](std::size_t most) mutable {
@@ -351,7 +344,8 @@ TEST(ExamplePlay, Googol79) {
 TEST(ExamplePlay, Pmc600Example44) {
   Follower site;
   const StreamOutcome outcome = site.couple(table(Axis::master, Rule::linear, Outside::refuse,
-                                                  {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}));
+                                                  {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}),
+                                            wire::CamEnd::keep_velocity);
   ASSERT_TRUE(outcome.ok()) << outcome.reason;
   double last = 0;
   site.each_tick = [&](const Tick& feeder, const Tick& knife) {

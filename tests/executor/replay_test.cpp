@@ -159,7 +159,12 @@ class Recorded : public Site {
     std::size_t given = 0;
     Nanos late{};
     RowPlan plan{.executor = name, .rows = {}, .resume = true};
-    plan.queue = {.units = over_time, .capacity = 8, .prefill = 4};
+    plan.queue = {.units = over_time,
+                  .capacity = 8,
+                  .prefill = 4,
+                  .relative = true,
+                  .lowest = -100,
+                  .highest = 100};
     plan.rows = [&](std::size_t most) {
       std::vector<wire::Row> rows;
       if (clock() < late) return rows;

@@ -119,7 +119,10 @@ class Owned {
                      .units = {time ? "s" : "mm", "mm"},
                      .mode = mode,
                      .capacity = 16,
-                     .loops = mode == wire::QueueMode::dynamic ? 1 : 2});
+                     .loops = mode == wire::QueueMode::dynamic ? 1 : 2,
+                     .relative = source.below(4) != 0,
+                     .lowest = source.below(4) != 0 ? -1e3 : -wire::Queue::no_bound,
+                     .highest = source.below(4) != 0 ? 1e3 : wire::Queue::no_bound});
     wire::Rows rows{.queue = queue, .bank = static_cast<std::uint8_t>(source.below(2))};
     if (mode == wire::QueueMode::dynamic) rows.bank = 0;
     Filled& filled = filled_[{axis_, queue, rows.bank}];

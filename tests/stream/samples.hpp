@@ -43,6 +43,11 @@ inline std::vector<wire::Message> samples() {
                     5}},
       {name, 12, wire::Chunk{4, 1, 533, 533, 3, values}},
       {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two, coupling}},
+      {name, 13,
+       wire::Arm{.command = 2,
+                 .mode = wire::ArmMode::follow_input,
+                 .slave = one,
+                 .end = wire::CamEnd::extend}},
       {name, 13, wire::Arm{.command = 3, .mode = wire::ArmMode::queue, .queue = 65, .bank = 1}},
       {name, 14, wire::Start{3, 1'234'567'890'123}, 141},
       {name, 14, wire::Start{4, -1, wire::StartAt::master_position, 90.5}, 142},
@@ -79,7 +84,11 @@ inline std::vector<wire::Message> samples() {
                     11,
                     lateness,
                     computing,
-                    {"rev", "µm"}}},
+                    {"rev", "µm"},
+                    7,
+                    wire::StartOutcome::dropped,
+                    55,
+                    "would_reverse"}},
       {name, 20,
        wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
@@ -92,7 +101,11 @@ inline std::vector<wire::Message> samples() {
                    wire::QueueEvent::pass,
                    12.5,
                    -1,
-                   100},
+                   100,
+                   false,
+                   -7.5,
+                   -2,
+                   wire::Queue::no_bound},
        201},
       {name, 22, wire::Rows{67, 1, 5, 1000, rows}, 202},
       {name, 23,
@@ -134,7 +147,7 @@ struct Text {
     const CouplingSpec& c = m.coupling;
     fields("arm", m.command, name(m.mode), m.queue, static_cast<int>(m.bank), hex(m.slave),
            hex(m.master), name(c.start), c.master_absolute, c.slave_absolute, c.master_scaling,
-           c.master_offset, c.slave_scaling, c.slave_offset);
+           c.master_offset, c.slave_scaling, c.slave_offset, static_cast<int>(m.end));
     for (const auto& magnitude :
          {c.velocity_diff, c.acceleration, c.deceleration, c.jerk, c.distance, c.slave_period})
       fields(magnitude.value_or(-1));
@@ -156,7 +169,8 @@ struct Text {
            m.slave_position, m.slave_velocity, m.last_error, m.late_ticks, m.finished, m.stopped,
            m.actual_position, m.following_error, m.torque, m.override_, name(m.progress), m.reason,
            m.units.x, m.units.position, m.queue_rows, m.queue_capacity, m.outputs, m.boot,
-           m.rejected, m.not_authentic);
+           m.rejected, m.not_authentic, m.start_command, static_cast<int>(m.start), m.start_cause,
+           m.start_reason);
     for (const unsigned byte : m.table) fields(byte);
     for (const int count : m.lateness) fields(count);
     for (const int count : m.computing) fields(count);
@@ -168,7 +182,8 @@ struct Text {
   void operator()(const wire::Queue& m) {
     fields("queue", m.queue, name(m.axis), m.units.x, m.units.position, static_cast<int>(m.mode),
            m.capacity, m.loops, static_cast<int>(m.event), m.event_position,
-           static_cast<int>(m.event_direction), m.prefill);
+           static_cast<int>(m.event_direction), m.prefill, m.relative, m.origin, m.lowest,
+           m.highest);
   }
   void operator()(const wire::Rows& m) {
     fields("rows", m.queue, static_cast<int>(m.bank), m.seq, m.first_row);

@@ -86,7 +86,11 @@ std::vector<Message> messages() {
                       .not_authentic = 11,
                       .lateness = lateness,
                       .computing = computing,
-                      .units = units};
+                      .units = units,
+                      .start_command = 5,
+                      .start = wire::StartOutcome::dropped,
+                      .start_cause = 55,
+                      .start_reason = "would_reverse"};
   const std::vector<wire::Row> rows{{0.1, 2, 0, 40, 0, 0, wire::RowOrder::cubic, false},
                                     {0.25, 9, 40, 0, 0, 0, wire::RowOrder::cubic, true}};
   const auto ours = [](wire::Body body) { return Message{"feeder", 11, std::move(body), 99}; };
@@ -103,7 +107,7 @@ std::vector<Message> messages() {
       ours(status),
       ours(wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}),
       ours(wire::Queue{64, Axis::master, units, wire::QueueMode::static_, 512, -3,
-                       wire::QueueEvent::pass, 12.5, -1, 100}),
+                       wire::QueueEvent::pass, 12.5, -1, 100, false, -7.5, -2, wire::Queue::no_bound}),
       ours(wire::Rows{64, 1, 5, 1000, rows}),
       ours(wire::QueueAck{77,
                           64,

@@ -78,7 +78,7 @@ void expect_type(std::uint64_t hash, int length) {
 
 TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::ack_t>(0xa889f6c49213c772, 266);
-  expect_type<jounce_lcm::arm_t>(0xd6f67fae0eb39669, 233);
+  expect_type<jounce_lcm::arm_t>(0x8a54ab50c0996d4b, 234);
   expect_type<jounce_lcm::chunk_t>(0x15e7a1ad123b3fb0, 100);
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
   expect_type<jounce_lcm::header_t>(0x38846353a6819b65, 163);
@@ -87,11 +87,11 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::master_t>(0x8eeae70736c030f7, 129);
   expect_type<jounce_lcm::order_t>(0x14c25ba1d776c25f, 153);
   expect_type<jounce_lcm::queue_ack_t>(0x2f7fa95bf3bd3320, 298);
-  expect_type<jounce_lcm::queue_t>(0xabdb97cce44174e8, 136);
+  expect_type<jounce_lcm::queue_t>(0xf4004018570b643c, 161);
   expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);
   expect_type<jounce_lcm::rows_t>(0xede242062e4e07bc, 12897);
   expect_type<jounce_lcm::start_t>(0x18a119ebc70b2884, 97);
-  expect_type<jounce_lcm::status_t>(0x5ed411b308e9b2db, 387);
+  expect_type<jounce_lcm::status_t>(0x50d1ded8fd930721, 556);
   expect_type<jounce_lcm::stop_t>(0xb6b153946f26a3c8, 81);
 }
 

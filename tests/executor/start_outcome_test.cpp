@@ -1,0 +1,217 @@
+// What becomes of a start that is accepted for later, and of several axes that start as one: from the
+// streamer through an executor to the axis, on a virtual clock.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/group.hpp"
+
+#include "axis/tables.hpp"
+#include "executor/site.hpp"
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const Units in_mm{.x = "s", .position = "mm"};
+
+std::vector<ExecutorOptions> line_and_slave(double modulo = 0) {
+  std::vector<ExecutorOptions> axes{axis_named("line", limits(1e4, 1e6)),
+                                    axis_named("slave", limits(1e4, 1e6))};
+  axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
+  axes[1].axis.modulo = modulo;
+  return axes;
+}
+
+/// A slave that is to follow this cam, from 460 on; the line jogs meanwhile.
+StreamPlan at_460(const TablePtr& cam, const CouplingSpec& coupling = {}) {
+  return {.executor = "slave",
+          .tables = {{*cam, {"mm", "mm"}}},
+          .mode = wire::ArmMode::follow_input,
+          .coupling = coupling,
+          .when = wire::StartAt::master_position,
+          .position = 460,
+          .await = true};
+}
+
+StreamPlan jog() {
+  return {.executor = "line",
+          .tables = {{*constant_master(2000, 200), {"s", "mm"}}}};
+}
+
+TEST(StartOutcome, AStartAtAMasterPositionIsAwaitedAndJudgedThere) {
+  auto axes = line_and_slave();
+  axes[1].axis.position = pmc600_cam()->jet(100)[0];
+  Site site(axes);
+  ASSERT_TRUE(site.stream(jog()).ok());
+  const StreamOutcome outcome = site.stream(at_460(pmc600_cam()));
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_TRUE(outcome.started);
+  EXPECT_GE(site.last(0).position, 460) << "not before";
+  EXPECT_LT(site.last(0).position, 480) << "and not long after";
+  site.advance(100ms);
+  EXPECT_NEAR(site.last(1).position, pmc600_cam()->jet(site.last(0).position)[0], 1e-9);
+}
+
+TEST(StartOutcome, WhatIsDroppedIsSaidToTheStreamerWithItsNumbers) {
+  const CouplingSpec negative{
+      .start = StartMode::ramp_in_neg, .velocity_diff = 150, .acceleration = 5000};
+  for (const CouplingSpec& coupling : {CouplingSpec{}, negative}) {
+    Site site(line_and_slave());
+    ASSERT_TRUE(site.stream(jog()).ok());
+    const StreamOutcome outcome = site.stream(at_460(pmc600_cam(), coupling));
+    EXPECT_EQ(outcome.error, StreamError::dropped);
+    EXPECT_FALSE(outcome.started);
+    if (coupling.start == StartMode::absolute) {
+      EXPECT_EQ(outcome.cause, static_cast<int>(Cause::start_position));
+      EXPECT_THAT(outcome.reason, AllOf(HasSubstr("begins at 125"), HasSubstr("stands at 0")));
+    } else {
+      EXPECT_EQ(outcome.cause, static_cast<int>(Cause::would_reverse));
+      EXPECT_THAT(outcome.reason, HasSubstr("would_reverse"));
+    }
+    EXPECT_EQ(site.last(1).state, State::standstill);
+  }
+}
+
+TEST(StartOutcome, AStopWhileItWaitsIsNoBeginning) {
+  Site site(line_and_slave());
+  StreamOptions options;
+  options.total = 20s;
+  const Nanos stops = site.clock() + 500ms;
+  options.cancelled = [&] { return site.clock() > stops; };
+  const StreamOutcome outcome =
+      stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions);
+  EXPECT_FALSE(outcome.started);
+  EXPECT_TRUE(outcome.stopped);
+  EXPECT_FALSE(site.last(1).waiting);
+}
+
+TEST(StartOutcome, PatienceThatRunsOutLeavesTheStartWaitingAndSaysSo) {
+  Site site(line_and_slave());
+  StreamOptions options;
+  options.total = 1s;
+  const StreamOutcome outcome =
+      stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions);
+  EXPECT_EQ(outcome.error, StreamError::out_of_time);
+  EXPECT_THAT(outcome.reason, HasSubstr("still waits"));
+  site.advance(100ms);
+  EXPECT_TRUE(site.last(1).waiting);
+}
+
+// On a modulo axis two turns on is the same place.
+TEST(StartOutcome, AnAbsoluteCamIsComparedModulo) {
+  for (const double turn : {0.0, 500.0}) {
+    auto axes = line_and_slave(turn);
+    axes[1].axis.position = 1000;
+    Site site(axes);
+    StreamPlan plan = at_460(pmc600_cam());
+    plan.when = wire::StartAt::tick;
+    plan.position = 0;
+    const StreamOutcome outcome = site.stream(plan);
+    EXPECT_EQ(outcome.started, turn != 0) << outcome.reason;
+  }
+}
+
+// ---- several axes --------------------------------------------------------------------------------
+
+std::vector<ExecutorOptions> x_and_y() {
+  return {axis_named("x", limits(1000, 1e5), {"", "mm"}),
+          axis_named("y", limits(1000, 1e5), {"", "mm"})};
+}
+
+std::vector<StreamPlan> both(const TablePtr& x, const TablePtr& y) {
+  return {{.executor = "x", .tables = {{*x, in_mm}}}, {.executor = "y", .tables = {{*y, in_mm}}}};
+}
+
+TEST(Group, StartsInOneTickAndEndsWithTheLast) {
+  Site site(x_and_y());
+  std::int64_t began[2] = {-1, -1};
+  site.after = [&] {
+    for (const std::size_t i : {0, 1})
+      if (began[i] < 0 && site.last(i).job != 0) began[i] = site.last(i).tick;
+  };
+  const auto outcomes = stream_group(
+      site.link, both(trapezoid_table(50, 100, 1000, 1000), trapezoid_table(80, 100, 1000, 1000)),
+      {}, {}, site.clock);
+  for (const StreamOutcome& outcome : outcomes) EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_GT(began[0], 0);
+  EXPECT_EQ(began[0], began[1]);
+  EXPECT_EQ(site.last(0).position, 50);
+  EXPECT_EQ(site.last(1).position, 80);
+  EXPECT_FALSE(site.dispatcher.owned());
+}
+
+TEST(Group, WhereOneRefusesNoneStartsAndAllReasonsAreThere) {
+  Site site(x_and_y());
+  const TablePtr good = trapezoid_table(50, 100, 1000, 1000);
+  const TablePtr fast = trapezoid_table(50, 2000, 1e5, 1e5);
+  const TablePtr elsewhere = there_and_back(10, 5, 1, Outside::hold);
+  auto outcomes = stream_group(site.link, both(good, fast), {}, {}, site.clock);
+  EXPECT_EQ(outcomes[0].error, StreamError::stopped);
+  EXPECT_THAT(outcomes[0].reason, HasSubstr("y refuses"));
+  EXPECT_EQ(outcomes[1].error, StreamError::refused);
+  EXPECT_THAT(outcomes[1].reason, HasSubstr("velocity_limit"));
+  outcomes = stream_group(site.link, both(elsewhere, fast), {}, {}, site.clock);
+  EXPECT_THAT(outcomes[0].reason, HasSubstr("start_position"));
+  EXPECT_THAT(outcomes[1].reason, HasSubstr("velocity_limit"));
+  site.advance(1s);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_EQ(site.last(i).position, 0);
+    EXPECT_EQ(site.last(i).finished, 0U);
+    EXPECT_EQ(site.last(i).armed, 0U);
+  }
+}
+
+TEST(Group, AStopOfOneStopsTheOther) {
+  Site site(x_and_y());
+  MemoryTransport operators_link{site.network};
+  bool stopped = false;
+  site.after = [&] {
+    if (stopped || site.last(0).position < 20) return;
+    stopped = true;
+    wire::Stop stop;
+    stop.command = 77;
+    send_message(operators_link, {"x", 0, stop});
+  };
+  const TablePtr slow = trapezoid_table(200, 50, 1000, 1000);
+  const auto outcomes = stream_group(site.link, both(slow, slow), {}, {}, site.clock);
+  EXPECT_TRUE(stopped);
+  EXPECT_FALSE(outcomes[0].ok());
+  EXPECT_FALSE(outcomes[1].ok());
+  site.advance(500ms);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_EQ(site.last(i).state, State::standstill);
+    EXPECT_LT(site.last(i).position, 60) << "of 200";
+  }
+}
+
+TEST(Group, ATickThatIsOverStartsNone) {
+  Site site(x_and_y());
+  site.advance(1s);
+  const TablePtr table = trapezoid_table(50, 100, 1000, 1000);
+  const auto outcomes = stream_group(site.link, both(table, table), {.tick = 5}, {}, site.clock);
+  EXPECT_FALSE(outcomes[0].ok());
+  EXPECT_FALSE(outcomes[1].ok());
+  site.advance(1s);
+  EXPECT_EQ(site.last(0).position, 0);
+  EXPECT_EQ(site.last(1).position, 0);
+}
+
+TEST(Group, RefusesWhatIsNoGroup) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  const TablePtr table = trapezoid_table(50, 100, 1000, 1000);
+  auto plans = both(table, table);
+  plans[1].executor = "x";
+  EXPECT_THROW(stream_group(link, plans, {}), InputError);
+  plans.pop_back();
+  EXPECT_THROW(stream_group(link, plans, {}), InputError);
+}
+
+}  // namespace
+}  // namespace jounce
