@@ -1,0 +1,198 @@
+#!/bin/sh
+# stream_in_namespace.sh JOUNCE EXAMPLES: `jounce stream` as an operator uses it, rightly and wrongly, and what the executor's
+# logs show of it.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+jounce=$1
+examples=$2
+cd "$scratch"
+
+axis() {  # axis NAME LIMITS [MORE]
+  printf 'jounce = 1\nkind = "axis"\nname = "%s"\nunits = { position = "mm", master = "mm" }\n[axis]\ncycle = "1 ms"\nlongest_gap = "500 ms"\n%b\n[limits]\n%b\n' \
+    "$1" "${3:-}" "$2" > "$1.toml"
+}
+axis line 'velocity = 60000\nacceleration = 200000'
+follow='[follow]\naxis = "line"'
+axis carr 'velocity = 50000\nacceleration = 2000000' "$follow"
+axis gear 'velocity = 50000\nacceleration = 2000000' "$follow"
+axis slave 'velocity = 3000\nacceleration = 200000' "$follow"
+axis x 'velocity = 500\nacceleration = 10000\nposition_min = 0\nposition_max = 300'
+axis y 'velocity = 500\nacceleration = 10000'
+axis knife 'velocity = 3000\nacceleration = 200000' "$follow"
+sed -i 's/position = "mm", master = "mm"/position = "deg", master = "mm"/; s/^cycle/modulo = "360 deg"\ncycle/' knife.toml
+for example in 7-6 7-7; do sed 's/"pulse"/"mm"/g' "$examples/googol-follow/$example.toml" > $example.toml; done
+cat > gip.toml <<'END'
+jounce = 1
+kind = "gear"
+units = { position = "mm", master = "mm" }
+[gear]
+engage = "position"
+numerator = 1
+denominator = 2
+master_sync_position = 5000
+slave_sync_position = 2000
+master_start_distance = 4000
+avoid_reversal = true
+master_end = 10000
+END
+for mode in absolute ramp_in_neg; do
+  cat > cam_$mode.toml <<END
+jounce = 1
+kind = "cam"
+periodic = true
+units = { master = "mm", position = "mm" }
+start = { master = 0, slave = 0, geo_velocity = 0, geo_acceleration = 0 }
+segment = [
+  { law = "quintic", end = { master = 75, slave = 100, geo_velocity = 1, geo_acceleration = 0 } },
+  { law = "quintic", end = { master = 200, slave = 225, geo_velocity = 1, geo_acceleration = 0 } },
+  { law = "quintic", end = { master = 280, slave = 100, geo_velocity = 0.01739120485, geo_acceleration = 0 } },
+  { law = "quintic", end = { master = 360, slave = 0, geo_velocity = 0, geo_acceleration = 0 } },
+]
+[coupling]
+start = "$mode"
+$([ $mode = absolute ] || printf 'velocity_diff = 150\nacceleration = 5000\n')
+END
+done
+for cut in 250 300; do
+  cat > knife$cut.toml <<END
+jounce = 1
+kind = "knife"
+units = { position = "deg", master = "mm" }
+[knife]
+diameter = "100 mm"
+cut_length = $cut
+sync_angle = 20
+END
+done
+for range in 0-80 200-280; do
+  from=${range%-*} to=${range#*-}
+  cat > $range.toml <<END
+jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "s_curve"
+from = $from
+to = $to
+velocity = 200
+acceleration = 2000
+jerk = 50000
+END
+done
+
+"$jounce" run line.toml carr.toml gear.toml slave.toml x.toml y.toml knife.toml --enable --log run.csv --seconds 110 > run.txt 2>&1 &
+executor=$!
+trap 'kill $executor 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
+for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order line override 100% > /dev/null 2>&1 && break; sleep 0.3; done
+stream() { timeout 20 "$jounce" stream "$@" > out.txt 2>&1; }
+refused() {  # refused WHY TEXT ARGUMENTS: exit status 1, and TEXT in what is said
+  why=$1 text=$2
+  shift 2
+  status=0
+  stream "$@" || status=$?
+  [ $status = 1 ] || fail "$why: exit status $status: $(cat out.txt)"
+  grep -q -- "$text" out.txt || fail "$why: says $(cat out.txt)"
+}
+position() { "$jounce" monitor "$1" --seconds 0.2 --json | tail -1 | sed 's/.*"position":\([-0-9.e+]*\).*/\1/'; }
+stands_at() {  # stands_at AXIS POSITION
+  at=$(position "$1")
+  awk -v a="$at" -v b="$2" 'BEGIN { exit !(a - b < 1e-6 && b - a < 1e-6) }' || fail "$1 stands at $at, not at $2"
+}
+
+# A queue begins at its own place, within the axis's range, or not at all.
+refused "rolling from elsewhere" 'begins at 200, the axis stands at 0' 200-280.toml --to x --rolling --ahead 2
+refused "banks from elsewhere" 'begins at 200, the axis stands at 0' 200-280.toml --to x --bank 0-80.toml
+stands_at x 0
+stream 0-80.toml --to x --rolling --ahead 2 || fail "rolling from its place: $(cat out.txt)"
+stands_at x 80
+stream 200-280.toml --to x --rolling --ahead 2 --relative || fail "relative: $(cat out.txt)"
+stands_at x 160
+refused "loops out of the range" 'position_limit.*320.*limit 300' 0-80.toml --to x --bank 0-80.toml --loops 1 --relative
+stands_at x 160
+
+# Several axes: all or none, all reasons, one tick.
+refused "one of two stands elsewhere" 'x: refused.*start_position' 0-80.toml --to y,x
+grep -q 'y: .*not started, because x refuses' out.txt || fail "y is not named: $(cat out.txt)"
+stands_at y 0
+stream 200-280.toml --to x --rolling --ahead 2 --relative || fail "to 240: $(cat out.txt)"
+refused "two reasons" 'x: refused.*start_position' 200-280.toml --to x,y
+grep -q 'y: refused.*start_position' out.txt || fail "the second reason is missing: $(cat out.txt)"
+"$jounce" order x move --to 0 > /dev/null
+sleep 1.5
+stream 0-80.toml --to x,y || fail "together: $(cat out.txt)"
+stands_at x 80
+stands_at y 80
+
+# Judged where it happens.
+"$jounce" order slave move --to 125 > /dev/null
+sleep 0.5
+"$jounce" order line jog 200 > /dev/null
+stream cam_absolute.toml --to slave --live --start-at 460 || fail "judged at the wrong place: $(cat out.txt)"
+grep -q started out.txt || fail "not started: $(cat out.txt)"
+"$jounce" order slave halt > /dev/null
+sleep 0.3
+"$jounce" order slave move --to=-500 > /dev/null
+sleep 1
+refused "the wrong direction" 'dropped.*would_reverse' cam_ramp_in_neg.toml --to slave --live --start-at 1800
+
+# Another cut length from the next cut on: a knife behind the line at 200 mm/s.
+line=$(position line)
+begin=$(awk -v m="$line" 'BEGIN { print 250 * int(m / 250 + 3) }')
+stream knife250.toml --to knife --live --start-at "$begin" || fail "the knife does not begin: $(cat out.txt)"
+sleep 2
+stream knife300.toml --to knife --live --at-next-cut || fail "no other length: $(cat out.txt)"
+sleep 3
+"$jounce" order knife halt > /dev/null
+"$jounce" order line halt > /dev/null
+
+# A follow spec as what it says, and a gear that stays in gear: both stand when their master does.
+"$jounce" order line set-position 0 > /dev/null || fail "the line does not count from 0"
+stream 7-6.toml --to carr --live || fail "7-6: $(cat out.txt)"
+stream gip.toml --to gear --live || fail "GearInPos: $(cat out.txt)"
+stream 7-7.toml --to carr && fail "pass without a live master"
+grep -q 'follow.pass = 50000: is a place of a live master: stream it with --live' out.txt || fail "says $(cat out.txt)"
+"$jounce" order line jog 10000 --acceleration 20000 > /dev/null
+sleep 3
+"$jounce" order line halt --deceleration 20000 > /dev/null
+sleep 1.5
+kill -INT $executor
+wait $executor || fail "the executor ended badly: $(cat run.txt)"
+
+# What the logs show.
+python3 - <<'END'
+import csv, math
+def log(axis):
+    with open(f"run.{axis}.csv") as f:
+        rows = list(csv.reader(f))[1:]
+    return [(int(r[0]), r[2], float(r[3]), float(r[5]), float(r[6]), r[8]) for r in rows]
+def shear(m):  # example 7-6: to ratio 1 in 5000, then the cycle
+    if m < 5000: return 2500 * (m / 5000) ** 2
+    n, u = divmod(m - 5000, 10000)
+    p, at, ratio = 0, 0, 1
+    for x, y in (1000, 1000), (4000, 3400), (6000, 4600), (9000, 7000), (10000, 8000):
+        length, way = x - at, y - p
+        end = 2 * way / length - ratio
+        if u <= x:
+            s = (u - at) / length
+            return 2500 + 8000 * n + p + ratio * length * s + (end - ratio) * length * s * s / 2
+        p, at, ratio = y, x, end
+def gear(m):  # PMC600 6.2: at half the master's speed from (5000, 2000) on
+    return 2000 + (m - 5000) / 2 if m >= 5000 else None
+end = log("line")[-1]
+assert end[3] > 20000 and end[4] == 0, f"the line is at {end[3]}"
+for axis, exact in ("carr", shear), ("gear", gear):
+    tail = [row for row in log(axis) if row[1] == "synchronized_motion"][-4000:]
+    assert len(tail) > 200 and tail[-1][2] > 20000, f"{axis}: {len(tail)} ticks in step, at last {log(axis)[-1]}"
+    for tick, state, m, p, v, job in tail:
+        want = exact(m) if m > 0 else None
+        assert want is None or abs(p - want) < 1e-4, f"{axis} at tick {tick}: {p} at {m}, not {want}"
+    assert tail[-1][4] == 0, f"{axis} runs on at {tail[-1][4]}"
+cuts, last = [], None
+for tick, state, m, p, v, job in log("knife"):
+    if last and state == "synchronized_motion" and math.floor(p / 360 + 1e-9) > math.floor(last[1] / 360 + 1e-9):
+        k = math.floor(p / 360 + 1e-9) * 360
+        cuts.append(last[0] + (m - last[0]) * (k - last[1]) / (p - last[1]))
+    last = (m, p)
+lengths = [round(b - a, 1) for a, b in zip(cuts, cuts[1:])]
+assert 250.0 in lengths and lengths[-1] == 300.0 and sorted(lengths) == lengths and set(lengths) <= {250.0, 300.0}, lengths
+END
