@@ -154,15 +154,13 @@ void add_stream(CommandLine& line) {
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
       "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
       "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut on\n"
-      "jounce stream xyz.toml --to x,y,z                        several axes: all or none\n"
+      "jounce stream xyz.toml --to x,y,z                        several axes: all in one tick, or none\n"
       "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
-  verb.option("--to", options->to,
-              "Name of the executor; several, with commas between them, start in one tick")
-      .required();
+  verb.option("--to", options->to, "Name of the executor").required();
   verb.option("--master", options->master,
               "Table over time that drives a cam table; a cam spec has its own [master]");
   verb.flag("--live", options->live,
@@ -192,7 +190,8 @@ void add_stream(CommandLine& line) {
             "With --rolling: go on after the axis had to stop for want of rows")
       .needs(rolling);
   verb.flag("--relative", options->relative,
-            "With --rolling or --bank: from where the axis stands, wherever the table begins");
+            "With --rolling, --bank or a live follow spec: from where the axis stands, wherever the "
+            "table begins");
   verb.option("--ahead", options->capacity,
               "With --rolling: rows to begin with; twice as many may wait")
       .needs(rolling)
