@@ -193,5 +193,67 @@ TEST(OnlineLowered, TheJerk) {
 TEST(OnlineLowered, AccelerationAndJerk) {
   expect_nothing({false, true, true}, 63);
 }
+TEST(OnlineLowered, TheVelocity) {
+  expect_nothing({true, false, false}, 64);
+}
+TEST(OnlineLowered, AllLimits) {
+  expect_nothing({true, true, true}, 65);
+}
+
+/// Three axes, the limits of one lowered on the way.
+void lower_one_of_three(testing::Random& r, Sync sync, Tally& tally) {
+  constexpr std::size_t n = 3;
+  std::array<double, n> target{}, overshoot{}, farthest{}, reversal{};
+  std::array<Triple, n> limits{};
+  OnlineGenerator<n> g(sync);
+  for (std::size_t i = 0; i < n; ++i) {
+    target[i] = r.log_uniform(0.1, 10);
+    limits[i] = {r.log_uniform(0.3, 10), r.log_uniform(0.3, 30), r.log_uniform(1, 200)};
+    g.set_bounds(i, limits[i].bounds());
+    g.set_target(i, {.position = target[i]});
+  }
+  (void)g.step(0);
+  const double dt = g.remaining() / 200;
+  const int lowered = 1 + r.below(198);
+  const auto which = static_cast<std::size_t>(r.below(3));
+  const Triple low{limits[which].v * r.log_uniform(0.05, 1),
+                   limits[which].a * r.log_uniform(0.05, 1),
+                   limits[which].j * r.log_uniform(0.05, 1)};
+  bool arrived = false;
+  double off_line = 0;
+  for (int k = 0; k < 40000 && !arrived; ++k) {
+    if (k == lowered) g.set_bounds(which, low.bounds());
+    const OnlineStep s = g.step(dt);
+    arrived = s.arrived;
+    tally.other += s.status != MoveStatus::ok;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = g[i].position / target[i];
+      overshoot[i] = std::max(overshoot[i], x - 1);
+      farthest[i] = std::max(farthest[i], x);
+      reversal[i] = std::max(reversal[i], farthest[i] - x);
+    }
+    off_line = std::max(off_line, std::abs(g[1].position / target[1] - g[0].position / target[0]));
+  }
+  tally.late += !arrived;
+  for (std::size_t i = 0; i < n; ++i) {
+    tally.overshoot += overshoot[i] > rounding;
+    tally.reversal += reversal[i] > rounding;
+  }
+  tally.other += sync == Sync::phase && off_line > 1e-9;
+}
+
+TEST(OnlineLowered, OneOfSeveralAxes) {
+  for (const Sync sync : {Sync::time, Sync::time_if_moving, Sync::phase, Sync::phase_or_time}) {
+    testing::Random random(66);
+    Tally tally;
+    const int n = cases(200);
+    for (int i = 0; i < n; ++i) lower_one_of_three(random, sync, tally);
+    EXPECT_EQ(tally.overshoot, 0) << "of " << n << ", sync " << static_cast<int>(sync);
+    EXPECT_EQ(tally.reversal, 0) << "of " << n << ", sync " << static_cast<int>(sync);
+    EXPECT_EQ(tally.late, 0) << "of " << n << ", sync " << static_cast<int>(sync);
+    EXPECT_EQ(tally.other, 0) << "of " << n << ", sync " << static_cast<int>(sync);
+  }
+}
+
 }  // namespace
 }  // namespace jounce
