@@ -176,6 +176,10 @@ bool OnlineAxis::is_stale() noexcept {
   if (!bounded_) return false;
   if (changed_) status_ = MoveStatus::ok;
   if (must_stop()) return changed_ || purpose_ != Purpose::stop;
+  if (purpose_ == Purpose::stop && again_ && ended()) {
+    again_ = false;
+    status_ = MoveStatus::ok;
+  }
   if (purpose_ == Purpose::stop) return changed_ || (ended() && status_ == MoveStatus::ok);
   if (changed_) {
     if (!is_aimed() || !fits_bounds()) return true;
@@ -220,20 +224,20 @@ AxisMove OnlineAxis::move(bool widened) const noexcept {
   return helps ? wide : narrow;
 }
 
-AxisMove OnlineAxis::stopping() const noexcept {
+AxisMove OnlineAxis::stopping(bool widened) const noexcept {
   const Bounds bounds = where_zero(bounds_, in_force_);
   AxisMove m{state(), {}, bounds, MoveGoal::velocity};
   m.bounds.position_min = -Bounds::none;
   m.bounds.position_max = Bounds::none;
   if (wider(bounds) == bounds) return m;
+  AxisMove wide = m;
+  wide.bounds = wider(m.bounds);
+  if (widened) return wide;
   Profile plan;
-  if (AxisTask(m).shortest(plan) == MoveStatus::ok && detours(m, plan, Judged::strictly)) {
-    AxisMove wide = m;
-    wide.bounds = wider(m.bounds);
-    if (AxisTask(wide).shortest(plan) == MoveStatus::ok && !detours(wide, plan, Judged::mildly))
-      return wide;
-  }
-  return m;
+  const auto turns = [&](const AxisMove& move, Judged judged) {
+    return AxisTask(move).shortest(plan) != MoveStatus::ok || detours(move, plan, judged);
+  };
+  return turns(m, Judged::strictly) && !turns(wide, Judged::mildly) ? wide : m;
 }
 
 bool OnlineAxis::permits(const Profile& plan) const noexcept {
@@ -283,6 +287,7 @@ void OnlineAxis::reconsider() noexcept {
 
 void OnlineAxis::stop(const AxisMove& move, const Profile& plan) noexcept {
   halts_ = passed_ = false;
+  again_ = status_ == MoveStatus::not_straight;
   follow(move, plan, Purpose::stop);
 }
 

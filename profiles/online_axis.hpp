@@ -52,7 +52,7 @@ class OnlineAxis {
   void halt(MoveStatus why) noexcept;
   void reconsider() noexcept;
   [[nodiscard]] bool halts() const noexcept { return halts_; }
-  [[nodiscard]] AxisMove stopping() const noexcept;
+  [[nodiscard]] AxisMove stopping(bool widened) const noexcept;
   void stop(const AxisMove& move, const Profile& plan) noexcept;
 
   /// Whether the next step of dt would lead where the axis can no longer stop inside its position limits.
@@ -91,6 +91,7 @@ class OnlineAxis {
   bool changed_ = false;  ///< since the motion under way was planned or found to fit
   bool stale_ = false;
   bool halts_ = false;
+  bool again_ = false;  ///< at rest the states may lie on a line that they did not in motion
 
   // The motion under way.
   Profile plan_;

@@ -74,13 +74,16 @@ bool OnlineGroup::gather(bool widened) noexcept {
   return any;
 }
 
+/// On a line the limits of one axis are those of all: those that were lowered may lead another past its
+/// target or its velocity limit.
 Synchronised OnlineGroup::solve() noexcept {
   Synchronised result = synchronise(moves, sync, next, 0, grid);
-  if (in_phase() && result.status == MoveStatus::ok &&
-      detours_for_lack_of_limits(Judged::strictly)) {
+  const bool bends = result.status == MoveStatus::not_straight;
+  if (in_phase() && (bends || result.status == MoveStatus::ok) && can_widen() &&
+      (bends || detour(Judged::strictly))) {
     gather(true);
     result = synchronise(moves, sync, next, 0, grid);
-    if (result.status != MoveStatus::ok || detours_for_lack_of_limits(Judged::mildly)) {
+    if (result.status != MoveStatus::ok || detour(Judged::mildly)) {
       gather(false);
       result = synchronise(moves, sync, next, 0, grid);
     }
@@ -90,17 +93,16 @@ Synchronised OnlineGroup::solve() noexcept {
   return result;
 }
 
-/// On a line the limits of one axis are those of all: one that passes its target may do so because
-/// another's were lowered.
-bool OnlineGroup::detours_for_lack_of_limits(Judged judged) const noexcept {
-  bool wider = false;
-  bool detour = false;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (!moves[i].enabled) continue;
-    wider = wider || axes[i].can_widen();
-    detour = detour || detours(moves[i], next[i], judged);
-  }
-  return wider && detour;
+bool OnlineGroup::can_widen() const noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (moves[i].enabled && axes[i].can_widen()) return true;
+  return false;
+}
+
+bool OnlineGroup::detour(Judged judged) const noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (moves[i].enabled && detours(moves[i], next[i], judged)) return true;
+  return false;
 }
 
 /// An axis that brakes already cannot take longer without turning round: if its target rests, it
@@ -137,22 +139,29 @@ void OnlineGroup::go() noexcept {
   }
 }
 
-/// On the line, where the axes move on one.
-void OnlineGroup::stop() noexcept {
+void OnlineGroup::gather_halting(bool widened) noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     moves[i].enabled = axes[i].halts();
-    if (axes[i].halts()) moves[i] = axes[i].stopping();
+    if (axes[i].halts()) moves[i] = axes[i].stopping(widened);
   }
-  if (!in_phase() || synchronise(moves, Sync::phase, next).status != MoveStatus::ok) {
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      if (!moves[i].enabled) continue;
-      const AxisTask task(moves[i]);
-      if (task.status() != MoveStatus::ok || task.shortest(next[i]) != MoveStatus::ok)
-        next[i] = Profile(moves[i].from, 3);
-    }
+}
+
+/// On the line, where the axes move on one.
+void OnlineGroup::stop() noexcept {
+  bool on_line = false;
+  for (const bool widened : {false, true}) {
+    if (on_line || !in_phase()) break;
+    gather_halting(widened);
+    on_line = synchronise(moves, Sync::phase, next).status == MoveStatus::ok;
   }
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (moves[i].enabled) axes[i].stop(moves[i], next[i]);
+  if (!on_line) gather_halting(false);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!moves[i].enabled) continue;
+    const AxisTask task(moves[i]);
+    if (!on_line && (task.status() != MoveStatus::ok || task.shortest(next[i]) != MoveStatus::ok))
+      next[i] = Profile(moves[i].from, 3);
+    axes[i].stop(moves[i], next[i]);
+  }
 }
 
 }  // namespace jounce::detail

@@ -32,10 +32,12 @@ struct OnlineGroup {
   [[nodiscard]] bool in_phase() const noexcept;
   bool gather(bool widened) noexcept;
   Synchronised solve() noexcept;
-  [[nodiscard]] bool detours_for_lack_of_limits(Judged judged) const noexcept;
+  [[nodiscard]] bool can_widen() const noexcept;
+  [[nodiscard]] bool detour(Judged judged) const noexcept;
   void wait_rather_than_turn_round() noexcept;
   void refuse(const Synchronised& why) noexcept;
   void go() noexcept;
+  void gather_halting(bool widened) noexcept;
   void stop() noexcept;
 };
 
