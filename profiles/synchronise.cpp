@@ -21,6 +21,7 @@ struct Timing {
 
 /// A duration that differs from a multiple by this share is one.
 constexpr double same_duration = 1e-12;
+constexpr double rounding_of_duration = 1e-13;
 
 /// The next multiple of the grid.
 double on_grid(double t, double grid) {
@@ -79,7 +80,9 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   double& t = result.duration;
   t = on_grid(std::max(t, timing.minimum), timing.grid);
   for (std::size_t i = 0, agreed = 0; agreed < axes.size(); i = (i + 1) % axes.size(), ++agreed) {
-    if (!axes[i].enabled || (if_moving && rests(axes[i])) || out[i].duration() == t) continue;
+    if (!axes[i].enabled || (if_moving && rests(axes[i]))) continue;
+    // What is left of a duration by rounding alone is no time to spend: a velocity made of it is any.
+    if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
     const double before = t;
     const MoveStatus status = lasting(AxisTask(axes[i]), t, timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};

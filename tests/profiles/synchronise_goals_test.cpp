@@ -197,6 +197,20 @@ TEST(SynchroniseGoals, DurationsLieOnTheGrid) {
   }
 }
 
+// The direct change takes 0.014 s less a rounding: nothing may be made of what is left of the grid.
+TEST(SynchroniseGoals, ARoundingLeftOfTheGridIsNoTimeToSpend) {
+  Bounds b = within(0.10461243843757903, 0.568791, 6.9417815389749462);
+  b.jerk_max = 9.0267280871433329;
+  const AxisMove axis{{0, 0.1039321438467595, 0.097184941545648745},
+                      {0, 0.10461243843757903, 0},
+                      b,
+                      MoveGoal::velocity};
+  Profile out;
+  ASSERT_EQ(synchronise({&axis, 1}, Sync::time, {&out, 1}, 0, 0.002).status, MoveStatus::ok);
+  EXPECT_NEAR(out.duration(), 0.014, 1e-12);
+  expect_end(out, out.end(), 1e-12);
+}
+
 TEST(SynchroniseGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
   testing::Random random(56);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
