@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,12 @@ Motion advanced(const MotionState& s, int order, double value, double t) {
           s.velocity + t * (s.acceleration + jt / 2), s.acceleration + jt, value};
 }
 
-MotionState state(const Motion& m) {
-  return {m.position, m.velocity, m.acceleration};
+/// The state at the other end of a phase. An acceleration that it brings to zero but for rounding is
+/// zero: what is left of it would act through the whole of a cruise.
+MotionState passed(const MotionState& s, int order, const Profile::Phase& phase, double t) {
+  const Motion m = advanced(s, order, phase.value, t);
+  const bool is_rounding = std::abs(m.acceleration) <= 0x1p-48 * std::abs(s.acceleration);
+  return {m.position, m.velocity, order == 3 && is_rounding ? 0 : m.acceleration};
 }
 
 Segment segment(const MotionState& begin, int order, const Profile::Phase& phase) {
@@ -69,7 +74,7 @@ Profile Profile::scaled(double factor, const MotionState& start,
 
 Profile Profile::after(double t) const noexcept {
   const Motion now = at(t);
-  Profile f(state(now), order_);
+  Profile f({now.position, now.velocity, now.acceleration}, order_);
   f.level_ = level_;
   f.end_ = end_;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -101,7 +106,7 @@ Motion Profile::at(double t) const noexcept {
     for (std::size_t i = 0;; ++i) {
       const Phase f = phase(i);
       if (t < f.duration || i + 1U == count_) return advanced(s, order_, f.value, t);
-      s = state(advanced(s, order_, f.value, f.duration));
+      s = passed(s, order_, f, f.duration);
       t -= f.duration;
     }
   }
@@ -109,7 +114,7 @@ Motion Profile::at(double t) const noexcept {
   for (std::size_t i = count_ - 1U;; --i) {
     const Phase f = phase(i);
     if (left <= f.duration || i == 0) return advanced(s, order_, f.value, -left);
-    s = state(advanced(s, order_, f.value, -f.duration));
+    s = passed(s, order_, f, -f.duration);
     left -= f.duration;
   }
 }
@@ -128,13 +133,13 @@ Trajectory Profile::curve() const {
   for (; i < count_ && (i == 0 || t + duration_[i] <= total / 2); ++i) {
     t += duration_[i];
     if (has_length(duration_[i], t)) segments.push_back(segment(forward, order_, phase(i)));
-    forward = state(advanced(forward, order_, phase(i).value, duration_[i]));
+    forward = passed(forward, order_, phase(i), duration_[i]);
   }
   const std::size_t middle = segments.size();
   MotionState backward = end_;
   t = total;
   for (std::size_t k = count_; k-- > i; t -= duration_[k]) {
-    backward = state(advanced(backward, order_, phase(k).value, -duration_[k]));
+    backward = passed(backward, order_, phase(k), -duration_[k]);
     if (has_length(duration_[k], t)) segments.push_back(segment(backward, order_, phase(k)));
   }
   std::reverse(segments.begin() + static_cast<std::ptrdiff_t>(middle), segments.end());

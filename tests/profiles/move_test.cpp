@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -291,6 +292,31 @@ TEST(Move, SaysWhatIsWrong) {
   EXPECT_EQ(move_to({}, {1, 0, 3}, within(2, 2)).status, MoveStatus::target_outside);
   for (int s = 0; s <= static_cast<int>(MoveStatus::not_straight); ++s)
     EXPECT_STRNE(explain(static_cast<MoveStatus>(s)), "");
+}
+
+TEST(Move, CruisesWithoutAccelerationWhateverTheRatioOfTheJerks) {
+  testing::Random random(8);
+  for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
+    SCOPED_TRACE("seed 8, case " + std::to_string(i));
+    const double jerk = random.log_uniform(0.1, 10);
+    Bounds b = within(random.log_uniform(0.1, 10), random.log_uniform(0.1, 10), jerk);
+    (i % 2 == 0 ? b.jerk_min : b.jerk_max) *= random.log_uniform(1e3, 1e6);
+    const double most = 0.9 * b.velocity_max;
+    const MotionState from{random.uniform(-5, 5), random.uniform(-most, most), 0};
+    const MotionState to{random.uniform(-100, 100), random.uniform(-most, most), 0};
+    const Profile f = move_to(from, to, b).profile;
+    const double half = f.duration() / 2;
+    const double far = std::abs(from.position) + std::abs(to.position) + b.velocity_max * half;
+    EXPECT_NEAR(f.at(std::nextafter(half, 0)).position,
+                f.at(std::nextafter(half, 2 * half)).position, 8e-15 * far);
+    double t = 0;
+    for (std::size_t k = 0; k < f.phases(); ++k) {
+      const auto [length, value] = f.phase(k);
+      const double a = std::abs(f.at(t + length / 2).acceleration);
+      EXPECT_FALSE(value == 0 && a > 0 && a < 1e-12 * b.acceleration_max) << a;
+      t += length;
+    }
+  }
 }
 
 TEST(Profile, TakesNoMoreRoomThanPromised) {
