@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport.hpp"
 
@@ -27,6 +28,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace jounce::cli;
+  const jounce::KeptInputs inputs;
   try {
     return run(argc, argv);
   } catch (const jounce::InputError& error) {

@@ -157,10 +157,10 @@ void write_png(const std::string& path, const std::string& svg) {
       posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
   if (spawned == 0) waitpid(child, &status, 0);
   if (spawned != 0)
-    throw std::runtime_error(
-        "PNG needs rsvg-convert, which is not installed (Debian: librsvg2-bin); SVG needs nothing");
+    throw std::system_error(spawned, std::generic_category(),
+                            "PNG needs rsvg-convert (Debian: librsvg2-bin), SVG does not");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error("rsvg-convert failed");
+    throw std::system_error(EIO, std::generic_category(), "rsvg-convert failed");
   write_file(path, read_file(target));
 }
 

@@ -26,7 +26,7 @@ std::vector<Shade> in_step(const Cam& cam, const Labels& labels);
 void require_picture(const char* option, const std::string& path);
 
 /// Writes SVG, or PNG where the path ends in ".png" (by rsvg-convert); "-" is SVG on standard output.
-/// Throws InputError for any other name, std::runtime_error where rsvg-convert is missing or fails.
+/// Throws InputError for any other name, std::system_error where rsvg-convert is missing or fails.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce::cli

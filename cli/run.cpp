@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/executor/shell.hpp"
+#include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 #include "jounce/stream/open_transport.hpp"
@@ -151,9 +152,20 @@ void require_other_files(const Options& options) {
   }
 }
 
+/// Neither is any other file that these name.
+void require_no_inputs(const Options& options, const std::vector<ExecutorOptions>& axes) {
+  const RecorderOptions& record = options.run.record;
+  if (!options.machine.log.empty())
+    for (const auto& axis : axes)
+      require_not_read(log_of(options.machine.log, axis.receiver.executor, axes.size()), "--log");
+  if (record.log) require_not_read(record.log->string(), "--record");
+  if (record.black_box) require_not_read(record.black_box->string(), "--black-box");
+}
+
 int run(const Options& options) {
   require_other_files(options);
   auto [axes, masters, watchdog] = parts_of(options.machine);
+  require_no_inputs(options, axes);
   (void)Machine(machine_of(axes), masters.size());
   for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);

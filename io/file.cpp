@@ -1,11 +1,16 @@
 #include "jounce/io/file.hpp"
 
+#include <atomic>
+#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -40,29 +45,34 @@ struct Handle {
   }
 };
 
+/// The name of a file that is removed at the end, unless it was released.
+struct Unlinked {
+  std::string name;
+  explicit Unlinked(std::string n) : name(std::move(n)) {}
+  Unlinked(Unlinked&& other) noexcept : name(std::exchange(other.name, "")) {}
+  Unlinked& operator=(Unlinked&&) = delete;
+  ~Unlinked() {
+    if (!name.empty()) unlink(name.c_str());
+  }
+};
+
 /// A file under a temporary name beside its own; removed unless it was renamed.
 class Temporary {
  public:
-  explicit Temporary(const Output& file) : path_(target(file.path)), name_(path_ + ".XXXXXX") {
-    const Handle handle(mkstemp(name_.data()));
+  explicit Temporary(const Output& file) : path_(target(file.path)), at_(path_ + ".XXXXXX") {
+    const Handle handle(mkstemp(at_.name.data()));
     if (handle.number < 0) {
-      name_.clear();
+      at_.name.clear();
       fail("cannot write " + path_);
     }
     write_all(handle.number, file);
     if (fsync(handle.number) != 0 && errno != EINVAL) fail("cannot write " + path_);
     fchmod(handle.number, rights());
   }
-  Temporary(Temporary&& other) noexcept
-      : path_(std::move(other.path_)), name_(std::exchange(other.name_, "")) {}
-  Temporary& operator=(Temporary&&) = delete;
-  ~Temporary() {
-    if (!name_.empty()) unlink(name_.c_str());
-  }
 
   void rename() {
-    if (std::rename(name_.c_str(), path_.c_str()) != 0) fail("cannot write " + path_);
-    name_.clear();
+    if (std::rename(at_.name.c_str(), path_.c_str()) != 0) fail("cannot write " + path_);
+    at_.name.clear();
   }
 
  private:
@@ -81,7 +91,7 @@ class Temporary {
   }
 
   std::string path_;
-  std::string name_;
+  Unlinked at_;
 };
 
 /// Whether the name stands for something that must not be replaced: a device, a pipe, a terminal.
@@ -114,14 +124,69 @@ std::string read_bytes(const std::string& path) {
 
 }  // namespace
 
+struct KeptInputs::Files {
+  using Id = std::pair<dev_t, ino_t>;
+
+  static std::optional<Id> id_of(const std::string& path) {
+    struct stat about {};
+    if (path == "-" || stat(path.c_str(), &about) != 0) return std::nullopt;
+    return Id{about.st_dev, about.st_ino};
+  }
+
+  std::mutex mutex;
+  std::set<Id> read;
+};
+
+namespace {
+
+std::atomic<const KeptInputs*> kept = nullptr;
+
+/// Names what stands where text was meant.
+void require_text(const std::string& path, const std::string& bytes) {
+  const auto fail_with = [&](const char* rule) { throw InputError("", "", rule).at(path, 1); };
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    fail_with("is text in UTF-16: save it in UTF-8 (spreadsheets: CSV UTF-8)");
+  if (bytes.starts_with("\x1F\x8B")) fail_with("is compressed by gzip: unpack it first (gunzip)");
+  if (bytes.starts_with("PK\x03\x04"))
+    fail_with("is a zip archive or a spreadsheet: save its table as CSV");
+}
+
+}  // namespace
+
+KeptInputs::KeptInputs() : files_(std::make_unique<Files>()) {
+  assert(kept == nullptr);
+  kept = this;
+}
+
+KeptInputs::~KeptInputs() {
+  kept = nullptr;
+}
+
+void require_not_read(const std::string& path, const std::string& option) {
+  const KeptInputs* const inputs = kept;
+  const auto id = KeptInputs::Files::id_of(path);
+  if (inputs == nullptr || !id) return;
+  const std::lock_guard lock(inputs->files_->mutex);
+  if (inputs->files_->read.contains(*id))
+    throw InputError(option, path, "is an input: it would be replaced by what is made from it");
+}
+
 std::string read_file(const std::string& path) {
   std::string bytes = read_bytes(path);
+  require_text(path, bytes);
+  const KeptInputs* const inputs = kept;
+  if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
+    const std::lock_guard lock(inputs->files_->mutex);
+    inputs->files_->read.insert(*id);
+  }
   if (bytes.starts_with("\xEF\xBB\xBF"))
     bytes.erase(0, 3);  // a byte order mark says nothing in UTF-8
   return bytes;
 }
 
 void write_files(const std::vector<Output>& files) {
+  for (const Output& file : files)
+    if (!is_special(file.path)) require_not_read(file.path, "output");
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (std::filesystem::weakly_canonical(files[i].path) ==

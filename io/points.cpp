@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "jounce/io/file.hpp"
@@ -28,6 +29,12 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// A cell without the quotes around it.
+std::string_view unquoted(std::string_view cell) {
+  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 /// A number at the begin of [begin, end), and where its text ends; begin where it is none.
 struct Number {
   double value = 0;
@@ -35,6 +42,10 @@ struct Number {
 };
 
 Number number_at(const char* begin, const char* end, char point) {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-' && begin[1] != '+') {
+    const Number rest = number_at(begin + 1, end, point);
+    return rest.end == begin + 1 ? Number{0, begin} : rest;
+  }
   double value = 0;
   if (point == '.') {
     const auto [to, error] = std::from_chars(begin, end, value);
@@ -56,7 +67,7 @@ class Reader {
 
   /// The first line, where there is one.
   void read_names() {
-    if (next_line()) read_header();
+    if (next_line() && (!read_separator() || next_line())) read_header();
   }
 
   void read() {
@@ -84,18 +95,35 @@ class Reader {
       at_ = newline == nullptr ? end_ : newline + 1;
       ++line_;
       while (begin_ != line_end_ && is_blank(*begin_)) ++begin_;
-      if (begin_ != line_end_ && *begin_ != '#') return true;
+      if (begin_ != line_end_ && *begin_ != '#' && !is_empty_row()) return true;
     }
     return false;
   }
 
+  /// Separators alone, as spreadsheets write rows that were cleared.
+  [[nodiscard]] bool is_empty_row() const {
+    return header_ && *begin_ == separator_ &&
+           std::all_of(begin_, line_end_, [this](char c) { return c == separator_ || is_blank(c); });
+  }
+
+  /// Whether the line is a spreadsheet's note of what stands between the columns: sep=;
+  bool read_separator() {
+    const auto note = unquoted(trimmed({begin_, static_cast<std::size_t>(line_end_ - begin_)}));
+    if (note.size() != 5 || !note.starts_with("sep=")) return false;
+    noted_ = note.back();
+    return true;
+  }
+
   void read_header() {
     const std::string_view line(begin_, static_cast<std::size_t>(line_end_ - begin_));
-    separator_ = line.find(';') != line.npos ? ';' : line.find('\t') != line.npos ? '\t' : ',';
+    separator_ = noted_                          ? *noted_
+                 : line.find(';') != line.npos   ? ';'
+                 : line.find('\t') != line.npos ? '\t'
+                                                 : ',';
     std::string_view rest = line;
     for (;;) {
       const auto cut = rest.find(separator_);
-      add_column(trimmed(rest.substr(0, cut)));
+      add_column(unquoted(trimmed(rest.substr(0, cut))));
       if (cut == rest.npos) break;
       rest.remove_prefix(cut + 1);
     }
@@ -152,7 +180,7 @@ class Reader {
   /// A cell that is no number as it stands: words, a decimal comma, or a mistake.
   const char* read_otherwise(const char* cell, std::size_t i) {
     const char* to = std::find(cell, line_end_, separator_);
-    const std::string_view text = trimmed({cell, static_cast<std::size_t>(to - cell)});
+    const std::string_view text = unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)}));
     PointColumn& column = points_.columns[i];
     require_length(text);
     if (is_words_[i]) {
@@ -166,14 +194,19 @@ class Reader {
 
   double with_comma(const std::string& key, std::string_view text) {
     const char other = point_ == '.' ? ',' : '.';
+    const char* const to = text.data() + text.size();
+    if (const Number plain = number_at(text.data(), to, point_);  // out of its quotes
+        plain.end == to && !text.empty() && std::isfinite(plain.value))
+      return plain.value;
     if (separator_ == ',' || text.find(other) == text.npos)
       fail(key, text, "must be a finite number");
     const char* const end = text.data() + text.size();
     const Number number = number_at(text.data(), end, other);
     if (number.end != end || !std::isfinite(number.value))
       fail(key, text, "must be a finite number: one decimal comma, and nothing between thousands");
-    if (point_ == ',' || has_points())
-      fail(key, text, "has a decimal comma where other numbers have a point");
+    if (point_ == ',')
+      fail(key, text, "has a decimal point where other numbers have a comma");
+    if (has_points()) fail(key, text, "has a decimal comma where other numbers have a point");
     point_ = ',';
     return number.value;
   }
@@ -210,6 +243,7 @@ class Reader {
   std::uint32_t line_ = 0;
   char separator_ = ',';
   char point_ = '.';
+  std::optional<char> noted_ = {};  // by a line sep=;
   bool header_ = false;
 };
 

@@ -27,7 +27,7 @@ struct Kind {
 
 void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
   TomlReader units = top.table("units");
-  spec.units.position = read_unit(units, "position", nullptr);
+  spec.units.position = detail::read_position_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
   try {
     (void)conversion(spec.time_unit, "s");
@@ -140,6 +140,15 @@ constexpr std::array kinds{
     Kind{"drive", Kind::no_curve, read_drive_alone},
 };
 
+/// Kinds of files that other verbs take.
+void refuse_other_kinds(TomlReader& top) {
+  const auto kind = top.optional_text("kind");
+  if (kind == "machine")
+    top.fail("kind", "\"machine\"", "is what `jounce run` takes; here give the spec of one of its axes");
+  if (kind == "sweep")
+    top.fail("kind", "\"sweep\"", "is what `jounce sweep` takes; here give the spec that it varies");
+}
+
 void read_body(TomlReader& top, Spec& spec) {
   detail::require_version(top);
   static const std::vector<std::string> names = [] {
@@ -147,6 +156,7 @@ void read_body(TomlReader& top, Spec& spec) {
     for (const Kind& kind : kinds) all.emplace_back(kind.name);
     return all;
   }();
+  refuse_other_kinds(top);
   const Kind& kind = kinds.at(top.choice("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);

@@ -28,7 +28,7 @@ AxisPart read_part(TomlReader& axis, const Units& units, std::set<std::string>& 
   AxisPart part;
   part.name = read_name(axis, taken);
   part.units = units;
-  part.units.position = read_unit(axis, "unit", units.position.c_str());
+  part.units.position = read_position_unit(axis, "unit", units.position.c_str());
   part.table = read_table_options(axis, part.units);
   part.limits = read_limits(axis, part.units);
   part.drive = read_drive(axis, part.units);

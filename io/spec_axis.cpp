@@ -19,6 +19,19 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
   return unit;
 }
 
+std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback) {
+  std::string unit = read_unit(reader, key, fallback);
+  for (const char* base : {"m", "rad", "pulse"}) {
+    try {
+      if (conversion(unit, base) > 0) return unit;
+    } catch (const InputError&) {  // it measures something else
+    }
+  }
+  reader.fail(key, '"' + unit + '"',
+              "does not measure a position: give a length (m mm um cm in), an angle (rad deg rev) or "
+              "pulse, count, inc");
+}
+
 TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Axis axis) {
   TableOptions options;
   auto table = owner.optional_table("table");

@@ -12,6 +12,20 @@ std::string number(double value) {
   return {text, end.ptr};
 }
 
+namespace {
+
+/// The text, or its beginning where it is too long to read.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  constexpr std::size_t kept = 60;
+  if (text.size() <= most) return text;
+  std::size_t cut = kept;
+  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;  // UTF-8
+  return text.substr(0, cut) + "... (" + std::to_string(text.size()) + " bytes)";
+}
+
+}  // namespace
+
 InputError::InputError(std::string key, std::string value, std::string rule)
     : key_(std::move(key)), value_(std::move(value)), rule_(std::move(rule)) {
   compose();
@@ -34,7 +48,7 @@ void InputError::compose() {
   if (line_ > 0) text_ += ":" + std::to_string(line_);
   if (line_ > 0 && column_ > 0) text_ += ":" + std::to_string(column_);
   if (!text_.empty()) text_ += ": ";
-  if (!key_.empty()) text_ += key_ + (value_.empty() ? ": " : " = " + value_ + ": ");
+  if (!key_.empty()) text_ += key_ + (value_.empty() ? ": " : " = " + shortened(value_) + ": ");
   text_ += rule_;
 }
 

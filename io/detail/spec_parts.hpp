@@ -120,4 +120,7 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
 /// A unit of measure under `key`.
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback);
 
+/// One in which a position can be given: of length, of angle, or pulses.
+std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback);
+
 }  // namespace jounce::detail

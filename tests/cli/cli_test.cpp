@@ -641,6 +641,43 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
   EXPECT_THAT(page, Not(HasSubstr("<script")));
 }
 
+TEST_F(Cli, AMissingRendererIsAFaultOfTheMachineThatNamesIt) {
+  const Result result = run("laws > /dev/null; PATH=/nowhere " JOUNCE_EXE " plot " + cam + " -o cam.png");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.err, StartsWith("jounce: PNG needs rsvg-convert (Debian: librsvg2-bin), SVG does not"));
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
+  const std::string points = "time [s],position [mm],velocity [mm/s]\n0,0,0\n1,10,0\n2,0,0\n";
+  write("p.csv", points);
+  write("p.toml", "points = \"p.csv\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
+  for (const char* verb :
+       {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear", "report p.toml -o p.csv"}) {
+    const Result result = run(verb);
+    EXPECT_EQ(result.status, 2) << verb;
+    EXPECT_THAT(result.err, HasSubstr("p.csv: is an input")) << verb;
+    EXPECT_EQ(slurp(folder / "p.csv"), points) << verb;
+  }
+  EXPECT_EQ(run("design p.toml -o table.csv").status, 0);
+}
+
+TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
+  write("a.toml", "jounce = 1\nkind = \"machine\"\n");
+  EXPECT_THAT(run("check a.toml").err, HasSubstr("a.toml:2:8: kind = \"machine\": is what `jounce run` takes"));
+  write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
+  EXPECT_THAT(run("check a.toml").err, HasSubstr("a.toml:2:8: kind = \"sweep\": is what `jounce sweep` takes"));
+}
+
+TEST_F(Cli, AnEnergyIsNoPosition) {
+  ASSERT_EQ(run("new move -o move.toml").status, 0);
+  std::string text = slurp(folder / "move.toml");
+  const auto at = text.find("position = \"");
+  text.replace(at, text.find('"', at + 12) + 1 - at, "position = \"J\"");
+  write("move.toml", text);
+  EXPECT_THAT(run("check move.toml").err, HasSubstr("units.position = \"J\": does not measure a position"));
+}
+
 const std::string via = examples + "generators/08-via.toml";
 
 TEST_F(Cli, DesignWritesATableForEachAxis) {

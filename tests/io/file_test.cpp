@@ -1,0 +1,117 @@
+#include "jounce/io/file.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <system_error>
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using testing::HasSubstr;
+
+class Files : public testing::Test {
+ protected:
+  Files() {
+    std::string name = "/tmp/jounce-test-XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    folder_ = name;
+  }
+  ~Files() override { std::filesystem::remove_all(folder_); }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+
+  [[nodiscard]] std::string in(const char* name) const { return (folder_ / name).string(); }
+  [[nodiscard]] auto count() const {
+    const std::filesystem::directory_iterator all(folder_);
+    return std::distance(begin(all), end(all));
+  }
+
+  std::filesystem::path folder_;
+};
+
+std::string why(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Writes in a process of its own whose files may have 1000 bytes; 0: it failed, as it should.
+int write_too_much(const std::string& path) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{1000, 1000};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    write_files({{path, "fits"}, {path + "2", std::string(2000, 'a')}});
+  } catch (const std::system_error&) {
+    return 0;
+  }
+  return 1;
+}
+
+TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
+  write_file(in("a"), "old");
+  const pid_t child = fork();
+  if (child == 0) _exit(write_too_much(in("a")));
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(count(), 1) << "a alone";
+  EXPECT_EQ(read_file(in("a")), "old") << "all files or none";
+}
+
+TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
+  write_file(in("points.csv"), "points");
+  write_file(in("other.csv"), "other");
+  std::filesystem::create_symlink(in("points.csv"), in("link.csv"));
+  {
+    const KeptInputs inputs;
+    (void)read_file(in("points.csv"));
+    for (const char* name : {"points.csv", "link.csv"})
+      EXPECT_THAT(why([&] { write_file(in(name), "made"); }),
+                  HasSubstr(std::string(name) + ": is an input"));
+    EXPECT_THAT(why([&] { write_files({{in("new.csv"), ""}, {in("points.csv"), ""}}); }),
+                HasSubstr("is an input"));
+    EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
+    write_file(in("other.csv"), "made");
+  }
+  write_file(in("points.csv"), "made");
+  EXPECT_EQ(read_file(in("points.csv")), "made") << "a library's user may replace what it has read";
+}
+
+TEST_F(Files, NameWhatIsNoText) {
+  using namespace std::string_literals;
+  write_file(in("a"), "\xFF\xFEt\0i\0m\0"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("a:1: is text in UTF-16"));
+  write_file(in("a"), "\xFE\xFF\0t\0i"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("UTF-16"));
+  write_file(in("a"), "\x1F\x8B\x08"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("compressed by gzip"));
+  write_file(in("a"), "PK\x03\x04 and so on"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("spreadsheet"));
+}
+
+TEST(InputErrors, ShortenWhatIsTooLongToRead) {
+  const std::string digits(100'000, '9');
+  const InputError error("position", digits, "must be a finite number");
+  EXPECT_EQ(std::string(error.what()), "position = " + std::string(60, '9') +
+                                           "... (100000 bytes): must be a finite number");
+  EXPECT_EQ(error.value(), digits);
+  const std::string exact(200, 'a');
+  EXPECT_THAT(InputError("k", exact, "r").what(), HasSubstr(exact));
+  std::string two_bytes = "a";
+  for (int i = 0; i < 200; ++i) two_bytes += "\u00b5";
+  EXPECT_THAT(InputError("k", two_bytes, "r").what(), HasSubstr("\u00b5... (401 bytes)"));
+}
+
+}  // namespace
+}  // namespace jounce
