@@ -340,8 +340,9 @@ void SegmentFifos::skip_passes(double x) {
   enter(0);
 }
 
-/// Stands where the last row ends. A stream is used up; a table is kept.
+/// Stands where the last row ends. A stream is used up; a table is kept. A switch that did not come is void.
 void SegmentFifos::stop() {
+  queued_.store(false);
   constexpr double rounding = 1e-9;  // what a chain of quotients leaves where it comes to rest
   const bool rests = std::abs(rate_) <= rounding * std::abs(rates_here().start - rate_);
   origin_.position += last_row().p_end;

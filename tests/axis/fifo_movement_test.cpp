@@ -475,6 +475,20 @@ TEST(FifoFollow, ASwitchQueuedBeforeTheStartIsForTheFirstPass) {
   EXPECT_EQ(slave.run(50).slave[0], 26) << "half of its master from 11 on";
 }
 
+// A switch that found nothing to switch to is not left for the next start.
+TEST(FifoFollow, ASwitchThatDidNotComeIsVoid) {
+  FifoFollow follow(1, {.stream = false, .loops = 1});
+  push(follow.fifos(), 0, {1, 1, PtType::stop});
+  push(follow.fifos(), 1, {1, 2, PtType::stop});
+  ASSERT_TRUE(follow.fifos().queue_switch());
+  ASSERT_TRUE(follow.fifos().clear(0));
+  follow.choose(1);
+  Follower slave{follow, steady(1000)};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  EXPECT_EQ(slave.run(5).slave[0], 2) << "its one pass; the other FIFO is empty";
+  EXPECT_FALSE(follow.fifos().switch_queued());
+}
+
 // What is played depends on the number that the axis is told, not on when a row came.
 TEST(FifoPath, RowsOfAGreaterNumberAreNotThereYet) {
   FifoPath path(1, {.each = 4});
