@@ -89,8 +89,7 @@ const char* explain(MoveStatus status) noexcept {
              "go back";
     case MoveStatus::not_straight:
       return "velocities and accelerations of start and target do not lie on the line between "
-             "them, "
-             "or on that line an axis would pass its velocity limit";
+             "them, or on that line an axis would pass its velocity limit";
   }
   return "";
 }

@@ -591,7 +591,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{
             with(axes_spec, "jerk = 100000\nlimits", "jerk = 100000\nto_velocity = 9\nlimits"),
             "a.toml:14:1: axis[2]: velocities and accelerations of start and target do not lie "
-            "on the line between them"},
+            "on the line between them, or on that line an axis would pass its velocity limit"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n",
                   "a.toml: axis: is missing: give each axis as [[axis]]"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n[limits]\n"
