@@ -55,6 +55,7 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
+  now_.held = held_;
   now_.waiting = waiting_ || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)

@@ -38,6 +38,7 @@ struct Tick {
   Cause reason = Cause::none;  ///< why the last motion ended: its fault, stopped, halted, ...
   double override_ = 1;        ///< factor that the axis was granted
   double rate = 1;             ///< of path time now
+  bool held = false;           ///< the motion waits for the order resume
   bool power = false;          ///< the drive shall follow setpoints
   double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
   double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known

@@ -43,6 +43,9 @@ void hear(std::vector<Watched>& axes, const std::string& name, const wire::Maste
 /// A master in a few words: where it is, how fast, how old; or that it is lost.
 std::string said_of(const wire::MasterStatus& master, bool ascii);
 
+/// "log, black box": the files that could not be written, from wire::Status::unwritten.
+std::string unwritten_of(std::uint8_t files);
+
 /// How a text looks: what it means, not a colour.
 enum class Tone { plain, faint, strong, rests, moves, waits, wrong, chosen };
 

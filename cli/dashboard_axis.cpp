@@ -80,7 +80,7 @@ std::string words_of(std::int32_t cause) {
 /// Motion: where it is, how fast, how far behind.
 void add_motion(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   const std::string u = unit_of(s, view.ascii);
-  std::string doing = name(s.progress);
+  std::string doing = s.held ? "held" : name(s.progress);
   if (s.next != wire::Next::nothing) doing += fmt::format(", next: {}", name(s.next));
   rows.push_back(
       line("state", {{padded(name(s.state), 21), tone_of(s.state)}, {"motion " + doing}}));
@@ -122,6 +122,8 @@ void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view)
        {std::pair{"wake-up", &s.lateness}, {"computing", &s.computing}})
     rows.push_back(line(text, {{histogram(*counts, view.ascii), Tone::moves},
                                {" 1 us to 16 ms  " + within(*counts), Tone::faint}}));
+  if (s.unwritten != 0)
+    rows.push_back(line("files", {{"not written: " + unwritten_of(s.unwritten), Tone::wrong}}));
   rows.push_back(line(
       "packets", {{fmt::format("{} refused, {} of them not authentic", s.rejected, s.not_authentic),
                    s.not_authentic > 0 ? Tone::waits : Tone::plain}}));
@@ -168,6 +170,15 @@ std::vector<Row> details(const Watched& axis, const View& view) {
                            : fmt::format("; the last: {}", name(static_cast<Cause>(s.reason)))}}));
   add_health(rows, s, view);
   return rows;
+}
+
+std::string unwritten_of(std::uint8_t files) {
+  std::string text;
+  for (const auto& [bit, word] : {std::pair{wire::log_unwritten, "log"},
+                                  {wire::record_unwritten, "record"},
+                                  {wire::black_box_unwritten, "black box"}})
+    if ((files & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
 }
 
 std::string said_of(const wire::MasterStatus& master, bool ascii) {

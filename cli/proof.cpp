@@ -51,9 +51,9 @@ std::string played_text(const Played& played, const std::string& unit) {
     return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
                        rounded(from.limit));
   };
-  std::string text = fmt::format("  {:<12} {}: {} ticks, {}", "executor",
-                                 played.report.ok() ? "ok" : "BROKEN", played.ticks,
-                                 part(played.table, "table"));
+  std::string text =
+      fmt::format("  {:<12} {}: {} ticks, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
+                  played.ticks, part(played.table, "table"));
   if (played.curve) text += ", " + part(*played.curve, "exact curve");
   return text + "\n";
 }

@@ -85,13 +85,6 @@ int report(const ExecutorSummary& summary, bool json) {
   return faulty ? finding : fine;
 }
 
-/// Two executors of one name would both play what is sent to it.
-void require_alone(Link link, const std::string& name) {
-  link.transport().subscribe(wire::channel(name, wire::Lane::status), 1);
-  if (next_status(link.transport(), name, std::chrono::milliseconds(300), steady_now, link.key()))
-    throw InputError("name", name, "an executor of this name is running already on this --url");
-}
-
 bool logs_are_whole(const Options& options, const ExecutorSummary& summary) {
   bool whole = true;
   if (summary.cycle.lost > 0) {
@@ -127,8 +120,8 @@ std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
   if (!options.web) return nullptr;
   web::PanelOptions panel{.port = *options.web, .key = link.key(), .title = "Jounce"};
   for (const auto& axis : axes) panel.axes.push_back(axis.receiver.executor);
-  auto made = std::make_unique<web::Panel>(
-      panel, [url = options.link.url] { return open_transport(url); });
+  auto made =
+      std::make_unique<web::Panel>(panel, [url = options.link.url] { return open_transport(url); });
   fmt::print(stderr, "jounce: live page at {}\n", made->address());
   return made;
 }
@@ -162,21 +155,30 @@ void require_no_inputs(const Options& options, const std::vector<ExecutorOptions
   if (record.black_box) require_not_read(record.black_box->string(), "--black-box");
 }
 
+bool has_its_names(const ExecutorSummary& summary) {
+  if (summary.lost_name.empty()) return true;
+  fmt::print(stderr,
+             "jounce: name_taken: another executor on this --url is up as {}: this one has stopped "
+             "its axes and left\n",
+             summary.lost_name);
+  return false;
+}
+
 int run(const Options& options) {
   require_other_files(options);
   auto [axes, masters, watchdog] = parts_of(options.machine);
   require_no_inputs(options, axes);
   (void)Machine(machine_of(axes), masters.size());
-  for (const auto& axis : axes) require_alone(Link(options.link), axis.receiver.executor);
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto panel = panel_of(options, link, axes);
-  announce(axes, options.machine.enable);
   RunOptions how = options.run;
+  how.up = [&axes = axes, &options] { announce(axes, options.machine.enable); };
   how.masters = std::move(masters);
   how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
   const int status = report(summary, options.json);
+  if (!has_its_names(summary)) return fault;
   if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
   if (!record_is_whole(summary)) return fault;
   const bool idle = options.run.once && !has_played(summary);

@@ -84,9 +84,10 @@ void add_validate(CommandLine& line) {
       "jounce validate cam.toml --log run.csv");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
-  verb.option("--log", options->log,
-              "Tick log of an executor: compare every tick with the table, to rounding, and with the exact "
-              "curve, within the tolerance of the table");
+  verb.option(
+      "--log", options->log,
+      "Tick log of an executor: compare every tick with the table, to rounding, and with the exact "
+      "curve, within the tolerance of the table");
   verb.flag("--json", options->json, "Everything for machines, numbers in full");
   verb.work([options] { return run(*options); });
 }

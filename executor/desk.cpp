@@ -141,17 +141,21 @@ void Desk::take_built() {
 
 void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash) {
   if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
-  const bool adopts = options_.adopt_start && made.first.has_value();
-  if (last_.fault != Cause::none && request.session != fault_session_) {
-    // Only what will be armed may clear a fault.
+  const bool resets = last_.state == State::error_stop && request.session != fault_session_;
+  const bool stands = last_.state == State::standstill || resets;
+  const bool adopts = options_.adopt_start && made.first.has_value() && stands && !moving();
+  if (resets || adopts) {
+    // Only what will be armed may clear a fault, or give the position another name.
     const MotionState at{.position = adopts ? *made.first : last_.position};
     if (const auto refusal = made.movement->admit(options_.axis, at))
       return answer(request, refusal);
+  }
+  if (resets) {
     outbox_.order({.kind = Kind::reset});
     if (last_.job != 0)
       outbox_.order({.kind = Kind::stop});  // what an underrun has left is not gone on with
   }
-  if (adopts && !moving()) outbox_.order({.kind = Kind::set_position, .position = *made.first});
+  if (adopts) outbox_.order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
   outbox_.order({.kind = Kind::arm, .movement = made.movement.get()}, request);
   armed_ = made.movement->id();
@@ -412,8 +416,11 @@ wire::Status Desk::status() const {
                       .outputs = last_.switches.outputs,
                       .lateness = vitals_.lateness.counts(),
                       .computing = vitals_.computing.counts(),
-                      .units = options_.units};
-  if (last_.job != 0) status.progress = jounce::on_wire(last_.progress);
+                      .units = options_.units,
+                      .held = last_.held,
+                      .unwritten = unwritten()};
+  if (last_.job != 0 || last_.progress != Progress::done)
+    status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
   if (start_.session == receiver_.session() && start_.outcome != wire::StartOutcome::none) {
     status.start_command = start_.command;
@@ -427,6 +434,12 @@ wire::Status Desk::status() const {
     if (kept->second.made.movement->synchronized()) status.master_position = last_.master;
   }
   return status;
+}
+
+std::uint8_t Desk::unwritten() const {
+  const unsigned recorder = options_.recorder != nullptr ? options_.recorder->unwritten() : 0U;
+  return static_cast<std::uint8_t>(recorder |
+                                   (log_truncated_ ? unsigned{wire::log_unwritten} : 0U));
 }
 
 void Desk::notify(const std::string& notice) const {

@@ -134,6 +134,7 @@ class Desk {
   void take_ticks();
   void write(const Tick& tick);
   void compare(const Tick& tick);
+  [[nodiscard]] std::uint8_t unwritten() const;
   void notify(const std::string& notice) const;
 
   ExecutorOptions options_;

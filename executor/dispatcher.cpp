@@ -34,13 +34,16 @@ std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
 }
 
 Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
-                       Clock clock, std::vector<MachineMaster> masters)
+                       Clock clock, std::vector<MachineMaster> masters, std::optional<Claim> claim)
     : vitals_(post.vitals),
       a_while_(axes.front().axis.period / 4),
       clock_(std::move(clock)),
-      pump_(link, receivers_of(axes), random_id(), clock_),
+      claim_(std::move(claim)),
+      pump_(link, receivers_of(axes), claim_ ? claim_->boot() : random_id(), clock_),
       masters_(masters_of(axes, std::move(masters)), pump_, post, clock_),
       recorder_(axes.front().recorder) {
+  if (claim_)
+    pump_.hear_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     desks_.emplace_back(axes[i], pump_.receiver(i), post, i, worker_);
@@ -60,6 +63,8 @@ void Dispatcher::turn(Nanos timeout) {
     for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
     if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
   }
+  if (claim_)
+    for (const wire::Message& said : claim_->poll(clock_())) pump_.send(said);
   pump_.answer();  // what the axes have just said: who waits for it loses no turn
   if (recorder_ != nullptr) recorder_->turn();
 }
@@ -85,6 +90,10 @@ bool Dispatcher::settled() const {
 
 bool Dispatcher::owned() const {
   return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.owned(); });
+}
+
+std::string Dispatcher::lost_name() const {
+  return claim_ ? claim_->lost().value_or("") : "";
 }
 
 bool Dispatcher::busy() const {

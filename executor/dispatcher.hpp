@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "jounce/executor/desk.hpp"
 #include "jounce/executor/masters.hpp"
+#include "jounce/stream/claim.hpp"
 #include "jounce/stream/driver.hpp"
 
 namespace jounce {
@@ -19,10 +22,12 @@ namespace jounce {
 ///     dispatcher.close();
 class Dispatcher {
  public:
-  /// `axes` as in the machine; `link` and `post` must outlive it. Throws InputError,
+  /// `axes` as in the machine; `link` and `post` must outlive it. `claim`: of the axes' names, which
+  /// is kept up from now on; none: other executors are not looked for. Throws InputError,
   /// std::system_error for a log.
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
-             Clock clock = steady_now, std::vector<MachineMaster> masters = {});
+             Clock clock = steady_now, std::vector<MachineMaster> masters = {},
+             std::optional<Claim> claim = {});
 
   /// Does what there is to do, waiting for the link at most `timeout`, and gives a sign of life.
   void turn(Nanos timeout);
@@ -40,6 +45,8 @@ class Dispatcher {
   [[nodiscard]] bool moving() const;   ///< any of them
   [[nodiscard]] bool settled() const;  ///< all of them: see Desk
   [[nodiscard]] bool owned() const;    ///< any of them
+  /// A name that another executor has: this one must leave. Empty: none.
+  [[nodiscard]] std::string lost_name() const;
 
  private:
   [[nodiscard]] bool busy() const;
@@ -49,6 +56,7 @@ class Dispatcher {
   Vitals& vitals_;
   Nanos a_while_;  // a part of a cycle: the longest wait while an axis's answer is due
   Clock clock_;
+  std::optional<Claim> claim_;
   ReceiverPump pump_;
   MasterDesk masters_;
   std::deque<Desk> desks_;

@@ -65,9 +65,14 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
   const std::string m = " [" + units.x;
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
-        << "],velocity" << u << "/s],acceleration" << u << "/s^2],job,fault,outputs,edges [s]\n";
-  if (!file_)
-    throw std::system_error(errno, std::generic_category(), "cannot write " + temporary_.string());
+        << "],velocity" << u << "/s],acceleration" << u
+        << "/s^2],job,fault,outputs,edges [s],held\n";
+  file_.flush();
+  if (file_) return;
+  const int why = errno;
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+  throw std::system_error(why, std::generic_category(), "cannot write " + temporary_.string());
 }
 
 TickLog::~TickLog() {
@@ -80,7 +85,8 @@ TickLog::~TickLog() {
 void TickLog::add(const Tick& tick) {
   if (!truncated_.empty()) return;
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
-       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches);
+       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
+       tick.held ? 1 : 0);
   file_ << line_;
   look();
 }

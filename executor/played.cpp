@@ -153,7 +153,8 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
   Played played;
   played.ticks = ticks.size();
   const auto at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); };
-  played.table = farthest(ticks, [&](const PlayedTick& t) { return designed.table(at(t)).position; });
+  played.table =
+      farthest(ticks, [&](const PlayedTick& t) { return designed.table(at(t)).position; });
   played.table.limit = rounding(ticks, designed);
   add(played.report, "played/table", played.table,
       "the executor played another table than the one designed");

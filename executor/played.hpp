@@ -27,7 +27,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
 /// What a motion should have been. Times are s since its start.
 struct Designed {
   std::function<Motion(double)> table;    ///< what the executor interpolates
-  std::function<double(double)> curve{};   ///< u, the exact curve; empty: the table is all there is
+  std::function<double(double)> curve{};  ///< u, the exact curve; empty: the table is all there is
   double tolerance = 0;                   ///< u: how far the table may stray from the curve
   double duration = 0;                    ///< s
 };

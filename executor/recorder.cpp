@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include <unistd.h>
+
 #include "jounce/executor/detail/lcm_log.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
@@ -18,6 +20,16 @@ constexpr std::size_t knots_an_event = 200;
 bool regular_or_new(const std::filesystem::path& path) {
   std::error_code none;
   return !std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none);
+}
+
+/// A black box is written when a fault comes: what is wrong with its path is found before.
+void require_writable(const std::filesystem::path& path) {
+  if (!regular_or_new(path)) return;
+  const std::filesystem::path probe = path.string() + "." + std::to_string(getpid()) + ".probe";
+  const bool made = std::ofstream(probe, std::ios::binary).is_open();
+  const int why = errno;
+  if (!made) throw std::system_error(why, std::generic_category(), "cannot write " + path.string());
+  std::filesystem::remove(probe);
 }
 
 std::vector<double> part(const std::vector<double>& column, std::size_t first, std::size_t count) {
@@ -62,6 +74,7 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape
       boxes_(axes_.size() + masters_.size()) {
   if (options_.black_box && options_.black_box_cycles == 0)
     throw InputError("black_box_cycles", "0", "must be at least 1");
+  if (options_.black_box) require_writable(*options_.black_box);
   if (!options_.log) return;
   part_ = *options_.log;
   if (regular_or_new(part_)) part_ += ".part";
@@ -150,11 +163,12 @@ void Recorder::close() {
   flush();
   if (!file_.is_open()) return;
   file_.close();
-  if (!file_) return fail("cannot write " + part_.string());
+  if (!file_) return fail(wire::record_unwritten, "cannot write " + part_.string());
   if (part_ == *options_.log) return;
   std::error_code error;
   std::filesystem::rename(part_, *options_.log, error);
-  if (error) fail("cannot rename " + part_.string() + ": " + error.message());
+  if (error)
+    fail(wire::record_unwritten, "cannot rename " + part_.string() + ": " + error.message());
 }
 
 void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
@@ -176,12 +190,13 @@ void Recorder::flush() {
   if (file_) return;
   const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
   file_.close();
-  fail("the record ends here: cannot write " + part_.string() + why);
+  fail(wire::record_unwritten, "the record ends here: cannot write " + part_.string() + why);
 }
 
-void Recorder::fail(const std::string& what) {
-  if (!trouble_.empty()) return;
-  trouble_ = what;
+void Recorder::fail(wire::Unwritten which, const std::string& what) {
+  if (trouble_.empty()) trouble_ = what;
+  if ((unwritten_ & which) != 0) return;
+  unwritten_ |= which;
   if (options_.notify) options_.notify(what);
 }
 
@@ -237,7 +252,7 @@ void Recorder::write_black_box() {
     write_file(options_.black_box->string(), bytes);
     if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());
   } catch (const std::system_error& error) {
-    fail(std::string("no black box: ") + error.what());
+    fail(wire::black_box_unwritten, std::string("no black box: ") + error.what());
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "jounce/axis/ring.hpp"
 #include "jounce/executor/record.hpp"
+#include "jounce/stream/message.hpp"
 #include "jounce/stream/table_store.hpp"
 
 namespace jounce {
@@ -68,12 +69,14 @@ struct RecorderOptions {
 /// disk that refuses ends the log, said once by `notify`, and nothing else: the motion goes on.
 ///
 /// **The black box** has the last cycles of every axis. It is written when an axis comes into a fault (each new fault
-/// replaces it; its last cycle is the fault's), under a temporary name first.
+/// replaces it; its last cycle is the fault's), under a temporary name first: a disk that refuses leaves the one
+/// before as it was, and is reported once by `notify`.
 ///
 /// What was lost on the way to the tape is written as such: a replay ends there.
 class Recorder {
  public:
-  /// Throws InputError for a black box of 0 cycles, std::system_error where the log cannot be made.
+  /// Throws InputError for a black box of 0 cycles, std::system_error where the log or the black box
+  /// cannot be made.
   Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
            std::vector<RecordedMaster> masters = {});
   ~Recorder();
@@ -89,8 +92,10 @@ class Recorder {
   /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
   void close();
 
-  /// Why a file could not be written; empty: all is well.
+  /// Why the first file could not be written; empty: all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// Which files could not: bits of wire::Unwritten.
+  [[nodiscard]] std::uint8_t unwritten() const { return unwritten_; }
   [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< cycles
 
  private:
@@ -111,7 +116,7 @@ class Recorder {
   [[nodiscard]] std::int64_t instant_of(const Tape::Item& item) const;
   void take(const Tape::Item& item);
   void write_black_box();
-  void fail(const std::string& what);
+  void fail(wire::Unwritten which, const std::string& what);
 
   RecorderOptions options_;
   std::vector<RecordedAxis> axes_;
@@ -125,6 +130,7 @@ class Recorder {
   std::set<Sha256> tables_;
   std::vector<Box> boxes_;  // of the masters, then of the axes
   std::string trouble_;
+  std::uint8_t unwritten_ = 0;
   std::int64_t lost_ = 0;
 };
 

@@ -166,25 +166,42 @@ AxisSummary summary_of(const Desk& desk) {
           .log_truncated = desk.log_truncated()};
 }
 
+/// The names of the axes, claimed over the link.
+Claim claimed(Transport& link, const std::vector<ExecutorOptions>& axes) {
+  std::vector<std::string> names;
+  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
+  Claim claim(std::move(names), random_id());
+  if (claim_names(link, claim, axes.front().receiver.key, steady_now)) return claim;
+  throw InputError(
+      "name", *claim.lost(),
+      "another executor on this --url has this name: stop it, or give the axis another "
+      "name");
+}
+
 }  // namespace
 
 ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& of_axes,
                              const RunOptions& run) {
+  static_cast<void>(Deadline(run));  // throws for bad options
+  std::vector<ExecutorOptions> axes = of_axes;
+  Claim claim = claimed(link, axes);
   const Deadline deadline(run);
   const SignalWatch watch;
-  std::vector<ExecutorOptions> axes = of_axes;
   const detail::RunRecord recording = detail::record_of(run, axes);
   for (auto& axis : axes) axis.recorder = recording.recorder.get();
   Machine machine(machine_of(axes), run.masters.size());
   Post post(machine.size(), machine.masters());
-  Dispatcher dispatcher(link, axes, post, steady_now, run.masters);
+  Dispatcher dispatcher(link, axes, post, steady_now, run.masters, std::move(claim));
   CyclicThread cyclic(machine, cycle_of(axes, run, recording.tape.get()), post, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
+  if (run.up) run.up();
 
   try {
-    while (!deadline.reached(dispatcher)) dispatcher.turn(turn_time);
+    while (!deadline.reached(dispatcher) && dispatcher.lost_name().empty())
+      dispatcher.turn(turn_time);
+    summary.lost_name = dispatcher.lost_name();
     leave(dispatcher);
   } catch (...) {
     stop_alone(post);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct RunOptions {
   /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.
   double watchdog = 0.5;
   RecorderOptions record = {};  ///< where it is recorded; notices go where the first axis's go
+  /// Called once the names of the axes are its own and its files are open: it takes orders.
+  std::function<void()> up = {};
 };
 
 /// What came of one axis.
@@ -42,13 +45,18 @@ struct ExecutorSummary {
   std::string realtime;           ///< what make_realtime() was granted; empty if it was not asked
   std::string record_trouble;     ///< why it was not recorded to its end; empty: it was
   std::int64_t record_lost = 0;   ///< cycles that are missing from the record
+  std::string lost_name;          ///< that another executor has, because of which this one left
 };
 
 /// The executor behind `jounce run`: the cyclic thread steps all axes, the calling one communicates
 /// over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM comes. Motions under
 /// way are stopped on their paths first; a second signal does not wait for them.
 ///
-/// Throws InputError for bad options, TransportError, and std::system_error for a log.
+/// Before it opens a file it claims the names of its axes (Claim), all at once, in 0.3 s. Where two
+/// executors turn out to be up under one name later (two networks were joined), one of them leaves.
+///
+/// Throws InputError for bad options and for a name that another executor has, TransportError, and
+/// std::system_error for a log.
 ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
                              const RunOptions& run);
 

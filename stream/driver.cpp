@@ -23,7 +23,7 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
       sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
     if (options.progress) options.progress(sender.outcome().progress);
-    if (sender.ended()) return sender.outcome();
+    if (sender.done()) return sender.outcome();
 
     const Nanos wait = sender.hash() ? Nanos{} : options.period;
     drain(link, wait, options.key, rejects,
@@ -56,7 +56,7 @@ RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options,
   for (;;) {
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
     if (options.progress) options.progress(sender.outcome().progress);
-    if (sender.ended()) break;
+    if (sender.done()) break;
     drain(link, options.period, options.key, rejects,
           [&](const wire::Message& message) { sender.receive(message, clock()); });
     if (failure || (options.cancelled && options.cancelled())) sender.stop(wire::StopMode::stop);
@@ -133,6 +133,7 @@ void ReceiverPump::take(const wire::Message& message) {
       if (name == message.executor) take(*master);
     return;
   }
+  if (claims_ && std::holds_alternative<wire::Claim>(message.body)) return claims_(message);
   const auto found =
       std::lower_bound(by_name_.begin(), by_name_.end(), message.executor,
                        [](const Named& each, const std::string& name) { return each.name < name; });
@@ -163,6 +164,12 @@ void ReceiverPump::announce(wire::Event event, std::size_t axis) {
 void ReceiverPump::publish_master(wire::MasterStatus status, std::size_t axis) {
   status.boot = receivers_[axis].boot();
   send_message(link_, {receivers_[axis].executor(), 0, status}, key_);
+}
+
+void ReceiverPump::hear_claims(std::function<void(const wire::Message&)> take) {
+  claims_ = std::move(take);
+  for (const Receiver& receiver : receivers_)
+    link_.subscribe(wire::channel(receiver.executor(), wire::Lane::claim), queue_capacity);
 }
 
 void ReceiverPump::hear(const std::string& master, std::function<void(const wire::Master&)> take) {

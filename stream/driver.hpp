@@ -95,6 +95,9 @@ class ReceiverPump {
 
   /// Subscribes to what says where the master of this name is, and hands each of it to `take`.
   void hear(const std::string& master, std::function<void(const wire::Master&)> take);
+  /// Subscribes to the claims of its axes' names, and hands each of them to `take`.
+  void hear_claims(std::function<void(const wire::Message&)> take);
+  void send(const wire::Message& message) { send_message(link_, message, key_); }
 
   [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
   [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
@@ -115,6 +118,7 @@ class ReceiverPump {
   std::deque<Receiver> receivers_;  // in the order of the options
   std::vector<Named> by_name_;      // sorted
   std::vector<std::pair<std::string, std::function<void(const wire::Master&)>>> masters_;
+  std::function<void(const wire::Message&)> claims_;
   Clock clock_;
   Rejects rejects_;
 };

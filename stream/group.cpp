@@ -14,8 +14,7 @@ constexpr std::int32_t stopped = 80;
 constexpr std::int32_t halted = 81;
 
 std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
-  if (plans.size() < 2)
-    throw InputError("axes", std::to_string(plans.size()), "must be 2 or more");
+  if (plans.size() < 2) throw InputError("axes", std::to_string(plans.size()), "must be 2 or more");
   std::set<std::string> names;
   for (StreamPlan& plan : plans) {
     if (!names.insert(plan.executor).second)
@@ -29,8 +28,8 @@ std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
 }
 
 bool at_rest(const wire::Status& status) {
-  return status.state == wire::AxisState::standstill ||
-         status.state == wire::AxisState::disabled || status.state == wire::AxisState::error_stop;
+  return status.state == wire::AxisState::standstill || status.state == wire::AxisState::disabled ||
+         status.state == wire::AxisState::error_stop;
 }
 
 /// Whether the motion of an axis at rest ended otherwise than by its table.
@@ -48,7 +47,8 @@ Group::Group(std::vector<StreamPlan> plans, const std::vector<std::int64_t>& ses
   axes_.reserve(plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
     std::string name = plans[i].executor;
-    axes_.push_back({std::move(name), Sender(std::move(plans[i]), sessions.at(i), options_.sender)});
+    axes_.push_back(
+        {std::move(name), Sender(std::move(plans[i]), sessions.at(i), options_.sender)});
   }
 }
 
@@ -146,9 +146,8 @@ void Group::leave(const Axis& because) {
     if (axis.sender.ended()) continue;
     axis.own = axis.sender.outcome();
     axis.own->error = StreamError::stopped;
-    axis.own->reason =
-        (moves ? "was stopped, because " : "was not started, because ") + because.name +
-        (moves ? " did not start or has stopped" : " refuses");
+    axis.own->reason = (moves ? "was stopped, because " : "was not started, because ") +
+                       because.name + (moves ? " did not start or has stopped" : " refuses");
     if (moves)
       axis.sender.stop(wire::StopMode::stop);
     else
@@ -182,9 +181,9 @@ void Group::fail(StreamError error, const std::string& reason) {
 }
 
 bool Group::ended() const {
-  return phase_ == Phase::leaving &&
-         std::all_of(axes_.begin(), axes_.end(),
-                     [](const Axis& axis) { return axis.sender.ended() && axis.sender.farewelled(); });
+  return phase_ == Phase::leaving && std::all_of(axes_.begin(), axes_.end(), [](const Axis& axis) {
+           return axis.sender.done();
+         });
 }
 
 std::vector<StreamOutcome> Group::outcomes() const {

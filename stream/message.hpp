@@ -86,9 +86,10 @@ enum class StartOutcome : std::int8_t {
 
 /// What an axis does where a cam behind its live master ends at a velocity.
 enum class CamEnd : std::int8_t {
-  brake = 0,          ///< it comes to rest within its limits
-  keep_velocity = 1,  ///< it goes on at that velocity, whatever the master does, until another command
-  extend = 2,         ///< the cam goes on at the ratio that it ends with: the axis stays coupled
+  brake = 0,  ///< it comes to rest within its limits
+  keep_velocity =
+      1,       ///< it goes on at that velocity, whatever the master does, until another command
+  extend = 2,  ///< the cam goes on at the ratio that it ends with: the axis stays coupled
 };
 
 /// How far a command has come.
@@ -157,11 +158,11 @@ struct Chunk {
 struct Arm {
   std::int32_t command = 0;
   ArmMode mode = ArmMode::play;
-  Sha256 slave{};           ///< hash of the slave table
-  Sha256 master{};          ///< hash of the master table; zero unless mode is follow_table
-  CouplingSpec coupling{};  ///< of a slave table over master; without master_jump
-  std::uint32_t queue = 0;  ///< with mode queue: 64...127
-  std::uint8_t bank = 0;    ///< of a static queue: the bank that begins
+  Sha256 slave{};              ///< hash of the slave table
+  Sha256 master{};             ///< hash of the master table; zero unless mode is follow_table
+  CouplingSpec coupling{};     ///< of a slave table over master; without master_jump
+  std::uint32_t queue = 0;     ///< with mode queue: 64...127
+  std::uint8_t bank = 0;       ///< of a static queue: the bank that begins
   CamEnd end = CamEnd::brake;  ///< with follow_input
 };
 
@@ -225,6 +226,9 @@ struct QueueAck {
 /// Cycles by a duration: class i < 15 those below 2^i us and no class before, class 15 all others.
 using Histogram = std::array<std::int32_t, 16>;
 
+/// Bits of Status::unwritten: the file ended before the run did, or was not made.
+enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
+
 /// What the axis does now; published every few milliseconds, only the newest counts.
 struct Status {
   AxisState state = AxisState::disabled;
@@ -258,6 +262,8 @@ struct Status {
   StartOutcome start = StartOutcome::none;  ///< what became of it
   std::int32_t start_cause = 0;             ///< why it was dropped, as last_error
   std::string start_reason{};               ///< in words
+  bool held = false;                        ///< a motion waits for the order resume
+  std::uint8_t unwritten = 0;               ///< files that could not be written: see Unwritten
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };
@@ -304,13 +310,22 @@ struct MasterStatus {
   std::int64_t refused = 0;           ///< and that did not: old, repeated, in another unit
 };
 
+// ---- between executors --------------------------------------------------------------------------
+
+/// An executor has the name Message::executor, or claims it while it starts.
+struct Claim {
+  std::int64_t boot = 0;   ///< as in Ack
+  std::int64_t rival = 0;  ///< boot of the executor that it answers; 0: it asks all
+  bool up = false;         ///< it takes orders; otherwise it is starting
+};
+
 using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Order,
-                          Queue, Rows, QueueAck, Master, Event, MasterStatus>;
+                          Queue, Rows, QueueAck, Master, Event, MasterStatus, Claim>;
 
 struct Message {
   std::string executor;  ///< 1 to 23 of A-Z a-z 0-9 _ -
   std::int64_t session =
-      0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event, MasterStatus)
+      0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event, MasterStatus, Claim)
   Body body;
   /// From an executor: what commands must carry from now on. To it: what it said last, 0 at first.
   std::int64_t challenge = 0;

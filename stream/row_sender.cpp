@@ -40,7 +40,7 @@ std::vector<wire::Message> RowSender::poll(Nanos now) {
   if (!std::exchange(begun_, true)) heard_ = progressed_ = now, asked_ = now - options_.repeat;
   check_patience(now);
   if (ended()) {
-    if (std::exchange(farewell_due_, false)) farewell();
+    for (wire::Body& body : farewell_.due(now, options_.repeat)) send(std::move(body), now);
     return std::exchange(outgoing_, {});
   }
   fill(now);
@@ -103,12 +103,10 @@ void RowSender::enter(Stage stage, wire::Body command) {
   command_.issue(std::move(command));
 }
 
-void RowSender::farewell() {
-  // What plays, or may, must not run dry.
-  const bool moves = outcome_.progress.started || stage_ == Stage::starting ||
-                     (command_.body() && std::holds_alternative<wire::Start>(*command_.body()));
-  command_.issue(moves ? wire::Body{wire::Stop{}} : wire::Body{wire::Heartbeat{.release = true}});
-  send(*command_.body(), {});
+/// What plays, or may, must not run dry.
+bool RowSender::may_move() const {
+  return outcome_.progress.started || stage_ == Stage::starting ||
+         (command_.body() && std::holds_alternative<wire::Start>(*command_.body()));
 }
 
 void RowSender::check_patience(Nanos now) {
@@ -132,7 +130,11 @@ void RowSender::check_patience(Nanos now) {
 // ---- what arrives -------------------------------------------------------------------------------
 
 void RowSender::receive(const wire::Message& message, Nanos now) {
-  if (ended() || message.executor != plan_.executor || message.session != session_) return;
+  if (message.executor != plan_.executor || message.session != session_) return;
+  if (ended()) {
+    if (const auto* const reply = std::get_if<wire::Reply>(&message.body)) farewell_.take(*reply);
+    return;
+  }
   const std::int64_t told = message.challenge;
   std::visit([&](const auto& body) { take(body, told, now); }, message.body);
 }
@@ -141,7 +143,7 @@ void RowSender::receive(const wire::Message& message, Nanos now) {
 bool RowSender::hear(std::int64_t boot, Nanos now) {
   if (boot_ != 0 && boot != boot_ && stage_ != Stage::opening) {
     fail(StreamError::restarted, "the executor has restarted");
-    farewell_due_ = false;
+    farewell_ = {};
     return false;
   }
   boot_ = boot;
@@ -245,7 +247,7 @@ void RowSender::fail(StreamError error, std::string reason) {
   if (ended()) return;
   outcome_.error = error;
   outcome_.reason = std::move(reason);
-  farewell_due_ = boot_ != 0;
+  if (boot_ != 0) farewell_.begin(command_.number(), may_move());
   stage_ = Stage::ended;
 }
 

@@ -7,6 +7,7 @@
 
 #include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/command_slot.hpp"
+#include "jounce/stream/farewell.hpp"
 #include "jounce/stream/row_window.hpp"
 #include "jounce/stream/sender.hpp"
 
@@ -91,6 +92,8 @@ class RowSender {
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool ended() const { return stage_ == Stage::ended; }
+  /// It has ended, and a failed one has said its farewell.
+  [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] const RowOutcome& outcome() const { return outcome_; }
 
  private:
@@ -119,7 +122,7 @@ class RowSender {
   void enter(Stage stage, wire::Body command);
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause);
-  void farewell();
+  [[nodiscard]] bool may_move() const;
   void check_patience(Nanos now);
   void send(wire::Body body, Nanos now);
   [[nodiscard]] bool is_filled() const;
@@ -138,7 +141,8 @@ class RowSender {
   bool starving_ = false;
   std::uint64_t starved_at_ = 0;  // rows that were acknowledged then
   std::vector<wire::Message> outgoing_;
-  bool begun_ = false, farewell_due_ = false;
+  bool begun_ = false;
+  Farewell farewell_;
   Nanos heard_{}, asked_{}, progressed_{};
 };
 

@@ -67,8 +67,8 @@ std::vector<wire::Message> Sender::poll(Nanos now) {
     download(now);
   } else if (!ended()) {
     command(now);
-  } else if (std::exchange(farewell_due_, false)) {
-    farewell();
+  } else {
+    for (wire::Body& body : farewell_.due(now, options_.repeat)) send(std::move(body), now);
   }
   return std::exchange(outgoing_, {});
 }
@@ -120,15 +120,6 @@ void Sender::command(Nanos now) {
   if (auto body = command_.due(now, options_.repeat)) send(*std::move(body), now);
 }
 
-void Sender::farewell() {
-  // Nobody knows whether an unanswered start took place: it must not be left at that.
-  const auto& last = command_.body();
-  const bool perhaps_started = last && std::holds_alternative<wire::Start>(*last);
-  command_.issue(perhaps_started ? wire::Body{wire::Stop{}}
-                                 : wire::Body{wire::Heartbeat{.release = true}});
-  send(*command_.body(), sent_);
-}
-
 void Sender::check_patience(Nanos now) {
   const bool silent = now - heard_ > options_.patience;
   const bool late = command_.is_older(now, options_.command_patience);
@@ -152,7 +143,11 @@ void Sender::check_patience(Nanos now) {
 // ---- what arrives -------------------------------------------------------------------------------
 
 void Sender::receive(const wire::Message& message, Nanos now) {
-  if (ended() || message.executor != plan_.executor || message.session != session_) return;
+  if (message.executor != plan_.executor || message.session != session_) return;
+  if (ended()) {
+    if (const auto* const reply = std::get_if<wire::Reply>(&message.body)) farewell_.take(*reply);
+    return;
+  }
   const std::int64_t told = message.challenge;
   std::visit([&](const auto& body) { take(body, told, now); }, message.body);
 }
@@ -390,7 +385,10 @@ void Sender::fail(StreamError error, std::string reason) {
     reason += "; the start that was accepted still waits in the axis: a stop takes it back";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
-  farewell_due_ = !boots_.empty();
+  // Whether an unanswered start took place is not known: what may move is stopped.
+  const auto& last = command_.body();
+  const bool perhaps_started = last && std::holds_alternative<wire::Start>(*last);
+  if (!boots_.empty()) farewell_.begin(command_.number(), perhaps_started);
   enter(StreamStage::failed);
 }
 

@@ -8,6 +8,7 @@
 
 #include "jounce/stream/chunk_window.hpp"
 #include "jounce/stream/command_slot.hpp"
+#include "jounce/stream/farewell.hpp"
 #include "jounce/stream/message.hpp"
 #include "jounce/stream/stream_plan.hpp"
 #include "jounce/stream/transport.hpp"
@@ -87,7 +88,7 @@ struct StreamOutcome {
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
-/// A failed sender has one farewell, which frees the axis: poll once more.
+/// A failed sender has a farewell, which frees the axis: poll once more, or better until it is over.
 class Sender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
@@ -112,11 +113,11 @@ class Sender {
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
+  /// It has ended, and a failed one has said its farewell.
+  [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] bool ended() const {
     return stage() == StreamStage::released || stage() == StreamStage::failed;
   }
-  /// Nothing is left to be sent: a failed sender's farewell has gone out.
-  [[nodiscard]] bool farewelled() const { return !farewell_due_; }
   [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
@@ -128,7 +129,6 @@ class Sender {
   void announce_all();
   void download(Nanos now);
   void command(Nanos now);
-  void farewell();
   void check_patience(Nanos now);
   void send(wire::Body body, Nanos now);
   void take(const wire::Ack& ack, std::int64_t challenge, Nanos now);
@@ -179,7 +179,7 @@ class Sender {
 
   std::vector<std::int64_t> boots_;  // of the executor, the present one last
   bool begun_ = false;
-  bool farewell_due_ = false;
+  Farewell farewell_;
   Nanos heard_{}, progressed_{}, sent_{};
   std::optional<Nanos> header_sent_;
   std::optional<Nanos> named_;  ///< since when a table without room is asked for by its hash

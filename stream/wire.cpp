@@ -81,7 +81,7 @@ constexpr bool is_one_of = (std::is_same_v<Body, Others> || ...);
 template <class Body>
 bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   if (envelope.challenge < 0) return false;
-  if (is_one_of<Body, Master>) return envelope.session == 0 && envelope.challenge == 0;
+  if (is_one_of<Body, Master, Claim>) return envelope.session == 0 && envelope.challenge == 0;
   if (is_one_of<Body, Event, MasterStatus>) return envelope.session == 0;
   constexpr bool may_have_none = is_one_of<Body, Status, Stop, Reply, Order>;
   return envelope.session > 0 || (may_have_none && envelope.session == 0);
@@ -187,12 +187,13 @@ Lane lane(const Body& body) {
   if (is_any<Status>(body)) return Lane::status;
   if (is_any<Master>(body)) return Lane::master;
   if (is_any<MasterStatus>(body)) return Lane::masters;
+  if (is_any<Claim>(body)) return Lane::claim;
   return is_any<Event>(body) ? Lane::event : Lane::command;
 }
 
 std::string channel(const std::string& executor, Lane lane) {
-  constexpr const char* ends[] = {".table",  ".command", ".reply",  ".status",
-                                  ".master", ".event",   ".masters"};
+  constexpr const char* ends[] = {".table",  ".command", ".reply",   ".status",
+                                  ".master", ".event",   ".masters", ".claim"};
   return "JOUNCE2." + executor + ends[static_cast<std::size_t>(lane)];
 }
 

@@ -48,6 +48,7 @@ enum class Lane {
   master,   ///< Master: to all executors that follow it, under the master's name
   event,    ///< Event: from the executor
   masters,  ///< MasterStatus: from the executor; only the newest of each master counts
+  claim,    ///< Claim: between executors of one name
 };
 Lane lane(const Body& body);
 

@@ -32,6 +32,8 @@ ordered_json facts(const wire::Status& s) {
           {"torque", s.torque},
           {"override", s.override_},
           {"progress", name(s.progress)},
+          {"held", s.held},
+          {"unwritten", s.unwritten},
           {"fault", cause_of(s.last_error)},
           {"reason", cause_of(s.reason)},
           {"queue", s.queue_rows},

@@ -77,6 +77,7 @@ void each_output(TickOfOurs& t, RefusalsOfOurs& r, Theirs& w, F f) {
   f("reason", t.reason, w.reason);
   f("override", t.override_, w.override_factor);
   f("rate", t.rate, w.rate);
+  f("held", t.held, w.held);
   f("power", t.power, w.power);
   f("offset", t.offset, w.offset);
   f("actual_position", t.actual_position, w.actual_position);

@@ -7,6 +7,7 @@
 #include "jounce_lcm/ack_t.hpp"
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/claim_t.hpp"
 #include "jounce_lcm/coupling_t.hpp"
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
@@ -43,6 +44,7 @@ void put(const QueueAck& from, jounce_lcm::queue_ack_t& to);
 void put(const Master& from, jounce_lcm::master_t& to);
 void put(const Event& from, jounce_lcm::event_t& to);
 void put(const MasterStatus& from, jounce_lcm::master_status_t& to);
+void put(const Claim& from, jounce_lcm::claim_t& to);
 
 // False where a field is out of its range.
 bool get(const jounce_lcm::header_t& from, Header& to);
@@ -61,6 +63,7 @@ bool get(const jounce_lcm::queue_ack_t& from, QueueAck& to);
 bool get(const jounce_lcm::master_t& from, Master& to);
 bool get(const jounce_lcm::event_t& from, Event& to);
 bool get(const jounce_lcm::master_status_t& from, MasterStatus& to);
+bool get(const jounce_lcm::claim_t& from, Claim& to);
 
 template <class Body>
 struct LcmOf;
@@ -96,5 +99,7 @@ template <>
 struct LcmOf<Event> : std::type_identity<jounce_lcm::event_t> {};
 template <>
 struct LcmOf<MasterStatus> : std::type_identity<jounce_lcm::master_status_t> {};
+template <>
+struct LcmOf<Claim> : std::type_identity<jounce_lcm::claim_t> {};
 
 }  // namespace jounce::wire

@@ -47,6 +47,8 @@ void put(const Status& from, jounce_lcm::status_t& to) {
   to.start_outcome = number_of(from.start);
   to.start_cause = from.start_cause;
   put_text(from.start_reason, to.start_reason, reason_bytes);
+  to.held = from.held ? 1 : 0;
+  to.unwritten = static_cast<std::int8_t>(from.unwritten);
 }
 
 bool get(const jounce_lcm::status_t& from, Status& to) {
@@ -70,6 +72,7 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
   to.not_authentic = from.not_authentic;
   to.start_command = from.start_command;
   to.start_cause = from.start_cause;
+  to.unwritten = static_cast<std::uint8_t>(from.unwritten);
   return get_enum(from.state, to.state) && get_enum(from.next, to.next) && to.tick >= 0 &&
          to.cycle_ns > 0 && to.late_ticks >= 0 && to.finished >= 0 && to.stopped >= 0 &&
          get_bytes(from.table_prefix, to.table) && to.override_ >= 0 && to.override_ <= 2 &&
@@ -80,7 +83,8 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
          get_text(from.unit_x, unit_bytes, to.units.x) &&
          get_text(from.unit_position, unit_bytes, to.units.position) && to.start_command >= 0 &&
          get_enum(from.start_outcome, to.start) &&
-         get_text(from.start_reason, reason_bytes, to.start_reason);
+         get_text(from.start_reason, reason_bytes, to.start_reason) &&
+         get_flag(from.held, to.held) && to.unwritten <= 7;
 }
 
 void put(const Event& from, jounce_lcm::event_t& to) {
@@ -153,6 +157,18 @@ bool get(const jounce_lcm::master_status_t& from, MasterStatus& to) {
          !to.unit.empty() && to.tick >= 0 && get_flag(from.lost, to.lost) &&
          std::isfinite(to.position) != to.lost && std::isfinite(to.velocity) != to.lost &&
          !(to.age_s < 0) && !std::isinf(to.age_s) && to.taken >= 0 && to.refused >= 0;
+}
+
+void put(const Claim& from, jounce_lcm::claim_t& to) {
+  to.boot = from.boot;
+  to.rival = from.rival;
+  to.up = from.up ? 1 : 0;
+}
+
+bool get(const jounce_lcm::claim_t& from, Claim& to) {
+  to.boot = from.boot;
+  to.rival = from.rival;
+  return to.boot >= 1 && to.rival >= 0 && get_flag(from.up, to.up);
 }
 
 void put(const Order& from, jounce_lcm::order_t& to) {

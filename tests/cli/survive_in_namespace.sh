@@ -169,5 +169,23 @@ disk)
   [ ! -e "$scratch/full/run.csv" ] || fail "a log that is not whole has the name of one that is"
   check_log "$scratch/full/run.csv.truncated"
   umount "$scratch/full" 2> /dev/null || true
+  # The black box: the one before stays readable, the terminal and the status name the one that is missing.
+  mkdir "$scratch/box"
+  mount -t tmpfs -o size=2m tmpfs "$scratch/box" 2> /dev/null || exit 0
+  "$jounce" run "$example/axis.toml" --enable --black-box "$scratch/box/fault.lcmlog" --seconds 60 2> "$scratch/notices" &
+  executor=$!
+  wait_for 10 standstill
+  "$jounce" stop feeder --abort
+  wait_for 10 '"error":[1-9]'
+  grep -q '"unwritten":""' "$scratch/status" || fail "a black box that was written is called missing"
+  "$jounce" order feeder reset
+  dd if=/dev/zero of="$scratch/box/filler" bs=1k 2> /dev/null || true
+  "$jounce" stop feeder --abort
+  wait_for 10 '"unwritten":"black box"'
+  [ "$(grep -c "no black box: .*No space left" "$scratch/notices")" = 1 ] || fail "not reported once: $(cat "$scratch/notices")"
+  "$jounce" replay "$scratch/box/fault.lcmlog" > "$scratch/replay" || fail "the black box from before is not readable"
+  kill -TERM $executor
+  wait $executor && fail "a black box that cannot be written is a fault of the machine"
+  umount "$scratch/box"
   ;;
 esac

@@ -68,6 +68,30 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
   EXPECT_EQ(counts.lost, 0);
 }
 
+TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
+  Machine machine({{.name = "feeder", .config = {.limits = limits(1000, 1e4)}}});
+  VirtualPacer pacer;
+  Post post{1};
+  Cycle cycle{machine, pacer, post, {.patience = 10}};
+  Tick tick;
+  const auto turn = [&](bool alive, const Command& command = {}) {
+    if (command.kind != Kind::none) {
+      ASSERT_TRUE(post.mail[0]->commands.push(command));
+    }
+    post.vitals.alive += alive ? 1 : 0;
+    cycle.once();
+    ASSERT_TRUE(post.mail[0]->ticks.pop(tick));
+  };
+  turn(true, {.kind = Kind::enable});
+  turn(true, {.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+  for (int i = 0; i < 50; ++i) turn(true);
+  for (int i = 0; i < 10; ++i) turn(false);
+  EXPECT_EQ(tick.velocity, 100) << "within its patience";
+  for (int i = 0; i < 50; ++i) turn(false);
+  EXPECT_EQ(tick.fault, Cause::watchdog);
+  EXPECT_EQ(tick.velocity, 0);
+}
+
 TEST(Cycle, CountsTicksThatNobodyTakes) {
   Rig rig(config);
   for (std::size_t i = 0; i < Mail::most_ticks + 10; ++i) rig.cycle.once();

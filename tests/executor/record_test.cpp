@@ -398,6 +398,24 @@ TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
   EXPECT_EQ(notices_.size(), 1U) << "said once";
 }
 
+// Each file that cannot be written is reported, once, whatever failed before it.
+TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
+  start({.log = "/dev/full", .black_box = "/dev/full"});
+  tell({.kind = Kind::enable});
+  run(5000);
+  EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten);
+  for (int i = 0; i < 2; ++i) {
+    tell({.kind = Kind::abort});
+    tell({.kind = Kind::reset});
+    run(10);
+  }
+  EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten | wire::black_box_unwritten);
+  ASSERT_EQ(notices_.size(), 2U);
+  EXPECT_THAT(notices_[0], HasSubstr("the record ends here"));
+  EXPECT_THAT(notices_[1], HasSubstr("no black box: "));
+  EXPECT_THAT(notices_[1], HasSubstr("No space left"));
+}
+
 TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
   start({.black_box = path("box.lcmlog"), .black_box_cycles = 50}, 2);
   tell({.kind = Kind::enable});
@@ -432,6 +450,8 @@ TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
 TEST_F(Recorded, BadPathsAndNumbersAreRefusedAtOnce) {
   EXPECT_THROW(start({.log = path("no/such/folder.lcmlog")}), std::system_error);
   EXPECT_THROW(start({.black_box = path("box"), .black_box_cycles = 0}), InputError);
+  EXPECT_THROW(start({.black_box = path("no/such/box.lcmlog")}), std::system_error)
+      << "before a fault comes";
 }
 
 TEST(RecordedEvents, ComeBackAsTheyWere) {
@@ -505,6 +525,7 @@ TEST(RecordedEvents, EveryFieldOfATickCounts) {
   with([](Tick& t) { t.reason = Cause::stalled; });
   with([](Tick& t) { t.override_ = 0.5; });
   with([](Tick& t) { t.rate = 0.5; });
+  with([](Tick& t) { t.held = true; });
   with([](Tick& t) { t.power = true; });
   with([](Tick& t) { t.offset = 1; });
   with([](Tick& t) { t.actual_position = 1; });

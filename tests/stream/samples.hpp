@@ -88,7 +88,9 @@ inline std::vector<wire::Message> samples() {
                     7,
                     wire::StartOutcome::dropped,
                     55,
-                    "would_reverse"}},
+                    "would_reverse",
+                    true,
+                    5}},
       {name, 20,
        wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
@@ -123,6 +125,7 @@ inline std::vector<wire::Message> samples() {
       {"line", 0, wire::Master{9, 1'700'000'000'123'456'789, 2, true, 359.5, -7.25, "mm"}},
       {name, 0, wire::Event{983, 44, wire::EventKind::track, 31, true, 5000, 0.000412, 88.5}, 204},
       {name, 0, wire::MasterStatus{983, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
+      {name, 0, wire::Claim{983, 982, true}},
   };
 }
 
@@ -170,7 +173,7 @@ struct Text {
            m.actual_position, m.following_error, m.torque, m.override_, name(m.progress), m.reason,
            m.units.x, m.units.position, m.queue_rows, m.queue_capacity, m.outputs, m.boot,
            m.rejected, m.not_authentic, m.start_command, static_cast<int>(m.start), m.start_cause,
-           m.start_reason);
+           m.start_reason, m.held, static_cast<int>(m.unwritten));
     for (const unsigned byte : m.table) fields(byte);
     for (const int count : m.lateness) fields(count);
     for (const int count : m.computing) fields(count);
@@ -202,6 +205,7 @@ struct Text {
     fields("master_status", m.boot, m.master, m.unit, m.tick, m.lost, m.position, m.velocity,
            m.age_s, m.taken, m.refused);
   }
+  void operator()(const wire::Claim& m) { fields("claim", m.boot, m.rival, m.up); }
   void operator()(const wire::Event& m) {
     fields("event", m.boot, m.count, name(m.kind), m.number, m.on, m.tick, m.offset_s, m.position);
   }

@@ -149,9 +149,30 @@ TEST_F(SenderTest, StopsWhatMayHaveStarted) {
     now += 100ms;
     hear_reply(2, wire::Outcome::pending);
   }
-  EXPECT_EQ(says<wire::Stop>().command, 3) << "its farewell";
+  // Its farewell: the motion stops, and the axis is free for the next streamer. Any of it may be lost.
+  for (int i = 0; i < 5; ++i, now += 20ms) {
+    const auto messages = sender.poll(now);
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(std::get<wire::Stop>(messages[0].body).command, 3);
+    const auto release = std::get<wire::Heartbeat>(messages[1].body);
+    EXPECT_EQ(release.command, 4);
+    EXPECT_TRUE(release.release);
+    EXPECT_EQ(sender.done(), i == 4);
+  }
+  EXPECT_THAT(sender.poll(now), IsEmpty());
   EXPECT_EQ(sender.outcome().error, StreamError::command_timeout);
   EXPECT_FALSE(sender.outcome().started);
+}
+
+TEST_F(SenderTest, EndsItsFarewellWhereTheEndOfItsSessionIsAnswered) {
+  static_cast<void>(sender.poll(now));
+  hear(wire::Ack{.boot = 5, .refusal = Refusal::too_large, .reason = "at most 500 knots"});
+  EXPECT_TRUE(says<wire::Heartbeat>().release);
+  EXPECT_FALSE(sender.done());
+  hear_reply(1);
+  EXPECT_TRUE(sender.done());
+  now += 1s;
+  EXPECT_THAT(sender.poll(now), IsEmpty());
 }
 
 TEST_F(SenderTest, ReportsARefusalByName) {

@@ -90,7 +90,9 @@ std::vector<Message> messages() {
                       .start_command = 5,
                       .start = wire::StartOutcome::dropped,
                       .start_cause = 55,
-                      .start_reason = "would_reverse"};
+                      .start_reason = "would_reverse",
+                      .held = true,
+                      .unwritten = 6};
   const std::vector<wire::Row> rows{{0.1, 2, 0, 40, 0, 0, wire::RowOrder::cubic, false},
                                     {0.25, 9, 40, 0, 0, 0, wire::RowOrder::cubic, true}};
   const auto ours = [](wire::Body body) { return Message{"feeder", 11, std::move(body), 99}; };
@@ -124,6 +126,7 @@ std::vector<Message> messages() {
        55},
       {"feeder", 0,
        wire::MasterStatus{77, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
+      {"feeder", 0, wire::Claim{77, 78, true}},
   };
 }
 

@@ -1,0 +1,347 @@
+// What `check` and `design` promise of every example is what the executor's log shows.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "jounce/executor/played.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/s_curve.hpp"
+#include "jounce/pvt/check.hpp"
+
+#include "executor/site.hpp"
+#include "input.hpp"
+#include "reference.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path examples = fs::path(JOUNCE_SOURCE_DIR) / "examples";
+
+/// Examples that hold nothing that could be streamed, by their kind.
+const std::vector<std::string> no_tables{"axis", "machine", "drive", "sweep"};
+
+/// Every file under examples/ that has a kind, or is a table of another maker.
+std::vector<std::string> files() {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(examples)) {
+    const fs::path& path = entry.path();
+    if (path.extension() != ".toml" && path.extension() != ".xyva") continue;
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const bool other = std::any_of(no_tables.begin(), no_tables.end(), [&](const auto& kind) {
+      return text.find("kind = \"" + kind + "\"") != std::string::npos;
+    });
+    if (!other) found.push_back(path.lexically_relative(examples).string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// One line of the log while the table is played, read without the library's reader.
+struct Logged {
+  double time = 0;
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  bool at_rest = false;  // the table has ended
+};
+
+std::vector<Logged> logged(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<Logged> all;
+  bool begun = false;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    begun |= cells[8] != "0";
+    if (begun)
+      all.push_back({std::stod(cells[1]), std::stod(cells[5]), std::stod(cells[6]),
+                     std::stod(cells[7]), cells[8] == "0"});
+  }
+  const double start = all.empty() ? 0 : all.front().time;
+  for (Logged& tick : all) tick.time -= start;
+  return all;
+}
+
+/// A cam without a [master] follows one that passes it once, from and to rest.
+Trajectory passing(const Cam& cam) {
+  const double length = cam.end() - cam.start();
+  return trapezoid({.from = cam.start(),
+                    .to = cam.end(),
+                    .velocity = length / 1.5,
+                    .acceleration = 3 * length})
+      .curve();
+}
+
+/// What is played, and what is promised of it: the table over time, and behind its master the chain rule.
+struct Promise {
+  StreamPlan plan;
+  Reference table;
+  Reference curve;
+};
+
+bool has_master(const Input& input) {
+  return input.spec && input.spec->master;
+}
+
+Promise promise_of(const Input& input) {
+  const auto* const cam = std::get_if<Cam>(&input.curve);
+  StreamPlan plan;
+  if (cam == nullptr || has_master(input)) {
+    Tables tables = executor_tables(input);
+    plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});
+    if (tables.master)
+      plan.tables.push_back({std::move(tables.master->table), tables.master->units});
+    if (tables.master) plan.mode = wire::ArmMode::follow_table;
+    return {std::move(plan), table_reference(input), exact_reference(input)};
+  }
+  const Trajectory master = passing(*cam);
+  const std::vector<double> knots(master.breaks().begin(), master.breaks().end());
+  plan.tables.push_back({input.table.table, input.table.units});
+  plan.tables.push_back(
+      {sample(master, Rule::cubic_hermite, knots).table, {"s", input.table.units.x}});
+  plan.mode = wire::ArmMode::follow_table;
+  return {std::move(plan), Followed(input.table.table.curve<OverMaster>(), master),
+          Followed(*cam, master)};
+}
+
+/// The greatest magnitudes of a motion: at both sides of its breaks, and between them on a grid so fine
+/// that what it misses is below a thousandth.
+struct Peaks {
+  double position = 0, velocity = 0, acceleration = 0, jerk = 0;
+};
+
+Peaks peaks_of(const Reference& motion) {
+  constexpr int steps = 20'000;
+  Peaks peaks;
+  const auto look = [&](double t) {
+    const Motion m = at(motion, std::min(std::max(t, 0.0), duration(motion)));
+    peaks.position = std::max(peaks.position, std::abs(m.position));
+    peaks.velocity = std::max(peaks.velocity, std::abs(m.velocity));
+    peaks.acceleration = std::max(peaks.acceleration, std::abs(m.acceleration));
+    peaks.jerk = std::max(peaks.jerk, std::abs(m.jerk));
+  };
+  for (int i = 0; i <= steps; ++i) look(duration(motion) * i / steps);
+  std::visit(
+      [&](const auto& signal) {
+        for (const double x : signal.breaks())
+          for (const double side : {-1e-9, 0.0, 1e-9}) look(x - signal.start() + side);
+      },
+      motion);
+  return peaks;
+}
+
+/// An instant's rounding: a value that steps there may be that of either side.
+template <class Value>
+bool is(double value, const Reference& motion, double t, Value of, double tolerance) {
+  constexpr double instant = 1e-9;
+  for (const double at_ : {t, t - instant, t + instant}) {
+    const double clamped = std::min(std::max(at_, 0.0), duration(motion));
+    if (std::abs(value - of(at(motion, clamped))) <= tolerance) return true;
+  }
+  return false;
+}
+
+/// How far a value may be off whose instant is: by its slope in as long.
+double rounding(double peak, double slope) {
+  return 1e-8 * peak + 2e-9 * slope + 1e-9;
+}
+
+class Play {
+ public:
+  Play(const Input& input, const std::string& file) : input_(input), promise_(promise_of(input)) {
+    log_ = fs::temp_directory_path() / ("jounce-played-" + std::to_string(getpid()) + "-" +
+                                        fs::path(file).stem().string() + ".csv");
+  }
+  ~Play() {
+    std::error_code none;
+    fs::remove(log_, none);
+  }
+  Play(const Play&) = delete;
+  Play& operator=(const Play&) = delete;
+
+  /// Streams it to an axis that can do what is promised, and no more. Why not; empty: it was played.
+  std::string run() {
+    peaks_ = peaks_of(promise_.table);
+    ExecutorOptions axis =
+        test::axis_named("feeder", {}, {input_.table.units.x, input_.table.units.position});
+    axis.axis.limits.velocity = 1.01 * std::max(peaks_.velocity, 1e-9);
+    axis.axis.limits.acceleration = 1.01 * std::max(peaks_.acceleration, 1e-6);
+    axis.adopt_start = true;
+    axis.enable = true;
+    axis.log = log_;
+    test::Site site({axis});
+    site.advance(20ms);
+    promise_.plan.executor = "feeder";
+    const StreamOutcome outcome = site.stream(promise_.plan);
+    if (!outcome.ok()) return outcome.reason;
+    site.advance(Nanos(std::llround((duration(promise_.table) + 0.1) * 1e9)));
+    last_ = site.last();
+    site.dispatcher.close();
+    std::ifstream file(log_);
+    csv_ = {std::istreambuf_iterator<char>(file), {}};
+    return "";
+  }
+
+  void compare() const {
+    compare_ticks();
+    compare_peaks();
+    compare_limits();
+    compare_end();
+  }
+
+ private:
+  /// Position by `validate`'s own comparison, velocity and acceleration against the table.
+  void compare_ticks() const {
+    Designed designed{.table = [&](double t) { return at(promise_.table, t); },
+                      .duration = duration(promise_.table)};
+    if (const auto tolerance = table_tolerance(input_)) {
+      designed.curve = [&](double t) { return at(promise_.curve, t).position; };
+      designed.tolerance = *tolerance;
+    }
+    const Played played = compare_played(read_played(csv_, "log"), designed);
+    EXPECT_LE(played.table.error, played.table.limit) << "at " << played.table.where << " s";
+    if (played.curve && check_all(input_).ok()) {
+      EXPECT_LE(played.curve->error, played.curve->limit) << "at " << played.curve->where << " s";
+    }
+    for (const Logged& tick : logged(csv_)) {
+      if (tick.at_rest) break;
+      ASSERT_TRUE(is(
+          tick.velocity, promise_.table, tick.time, [](const Motion& m) { return m.velocity; },
+          rounding(peaks_.velocity, peaks_.acceleration)))
+          << tick.time << " s: " << tick.velocity;
+      ASSERT_TRUE(is(
+          tick.acceleration, promise_.table, tick.time,
+          [](const Motion& m) { return m.acceleration; },
+          rounding(peaks_.acceleration, peaks_.jerk)))
+          << tick.time << " s: " << tick.acceleration;
+    }
+  }
+
+  /// The log reaches the peaks that `design` prints, but for what lies between two ticks.
+  void compare_peaks() const {
+    double velocity = 0;
+    double acceleration = 0;
+    for (const Logged& tick : logged(csv_)) {
+      velocity = std::max(velocity, std::abs(tick.velocity));
+      acceleration = std::max(acceleration, std::abs(tick.acceleration));
+    }
+    constexpr double cycle = 1e-3;
+    EXPECT_LE(velocity, peaks_.velocity * 1.001 + 1e-12);
+    EXPECT_GE(velocity, peaks_.velocity * 0.999 - cycle * peaks_.acceleration);
+    EXPECT_LE(acceleration, peaks_.acceleration * 1.001 + 1e-9);
+    EXPECT_GE(acceleration, peaks_.acceleration * 0.999 - cycle * peaks_.jerk);
+  }
+
+  /// A limit over time that `check` says holds does hold in the log; one that it says is broken, is.
+  void compare_limits() const {
+    if (std::holds_alternative<Cam>(input_.curve)) return;  // limits per master unit
+    const double unit =
+        duration(exact_reference(input_)) /
+        (std::get<Trajectory>(input_.curve).end() - std::get<Trajectory>(input_.curve).start());
+    double velocity = 0;
+    double acceleration = 0;
+    for (const Logged& tick : logged(csv_)) {
+      velocity = std::max(velocity, std::abs(tick.velocity));
+      acceleration = std::max(acceleration, std::abs(tick.acceleration));
+    }
+    const Report report = check_all(input_);
+    compare_limit(report, "limit/velocity", input_.limits.velocity, velocity * unit,
+                  1e-3 * peaks_.acceleration * unit);
+    compare_limit(report, "limit/acceleration", input_.limits.acceleration,
+                  acceleration * unit * unit, 1e-3 * peaks_.jerk * unit * unit);
+  }
+
+  static void compare_limit(const Report& report, const std::string& rule,
+                            const std::optional<double>& limit, double seen, double missed) {
+    if (!limit) return;
+    const bool broken =
+        std::any_of(report.findings.begin(), report.findings.end(),
+                    [&](const Finding& finding) { return finding.broken && finding.rule == rule; });
+    if (broken) {
+      EXPECT_GE(seen, *limit - missed) << rule << ": check says it is broken";
+    } else {
+      EXPECT_LE(seen, *limit * (1 + 1e-9)) << rule << ": check says it holds";
+    }
+  }
+
+  void compare_end() const {
+    EXPECT_EQ(last_.fault, Cause::none) << name(last_.fault);
+    EXPECT_EQ(last_.finished, 1U);
+    const Motion end = at(promise_.curve, duration(promise_.curve));
+    const double tolerance = table_tolerance(input_).value_or(0) + 1e-12 * peaks_.position + 1e-12;
+    EXPECT_NEAR(last_.position, end.position, tolerance);
+    EXPECT_EQ(last_.velocity, 0);
+  }
+
+  const Input& input_;
+  Promise promise_;
+  fs::path log_;
+  Peaks peaks_;
+  Tick last_;
+  std::string csv_;
+};
+
+/// Examples that no axis may play from rest to rest, and the reason that is given.
+const std::map<std::string, std::string> refused{
+    {"generators/03-move.toml", "start_velocity"},
+    {"generators/05-velocity.toml", "start_velocity"},
+    {"generators/15-googol_jog.toml", "end_velocity"},
+    {"googol-pt/as-printed.toml", "must be a whole number of ms"},
+    {"googol-pt/sine.toml", "start_velocity"},
+    {"pmc600-pt/velocity.toml", "end_velocity"},
+    {"rotary-knife/knife.toml", "start_velocity"}};
+
+class PlayedExample : public ::testing::TestWithParam<std::string> {};
+
+/// All its axes are played and compared; why one was not; empty: all were.
+std::string played(const std::string& file) {
+  try {
+    for (const Input& input : load_axes((examples / file).string())) {
+      SCOPED_TRACE(input.name);
+      Play play(input, file);
+      if (std::string why = play.run(); !why.empty()) return why;
+      play.compare();
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {
+  const auto no = refused.find(GetParam());
+  const std::string why = played(GetParam());
+  if (no == refused.end()) {
+    EXPECT_EQ(why, "");
+  } else {
+    EXPECT_NE(why.find(no->second), std::string::npos) << why;
+  }
+}
+
+std::string worded(const ::testing::TestParamInfo<std::string>& info) {
+  std::string word = info.param;
+  for (char& c : word)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return word;
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, PlayedExample, ::testing::ValuesIn(files()), worded);
+
+}  // namespace
+}  // namespace jounce::cli

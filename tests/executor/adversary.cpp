@@ -1,0 +1,414 @@
+// adversary [ORDERS [SEED [WITHOUT...]]]: random orders of all kinds, valid and not, from several sessions, through the
+// protocol to an executor on a virtual clock; a judge that reads only its tick logs says what is wrong.
+// ORDERS up to 1000 run on one executor, print what it accepted, and leave its logs. WITHOUT: kinds that are not sent.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/client.hpp"
+#include "jounce/stream/driver.hpp"
+
+#include "executor/log_judge.hpp"
+#include "executor/site.hpp"
+#include "support/random.hpp"
+
+namespace jounce::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::Random;
+using wire::OrderKind;
+
+constexpr int orders_each = 1000;   // of one executor
+std::vector<std::string> left_out;  // names of kinds, to look for what else there is
+
+/// A machine of two axes: the second one follows the first. Its numbers are drawn.
+struct Drawn {
+  Bounds bounds[2];
+  std::vector<ExecutorOptions> axes;
+};
+
+std::filesystem::path log_path(std::size_t axis) {
+  return std::filesystem::temp_directory_path() /
+         ("jounce-adversary-" + std::to_string(getpid()) + "-" + std::to_string(axis) + ".csv");
+}
+
+/// There and back within half of the axis's limits, so that it may also run twice as fast.
+std::shared_ptr<const Table> own_table(const Bounds& b, double reach) {
+  double time = 4 * reach / b.velocity * 1.9;
+  time = std::max(time, 2 * std::sqrt(5.8 * reach * 4 / b.acceleration));
+  if (b.jerk) time = std::max(time, 2 * std::cbrt(60 * reach * 8 / *b.jerk));
+  return std::make_shared<const Table>(
+      Axis::time, Rule::quintic_hermite, Outside::hold,
+      Columns{{0, time / 2, time}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
+}
+
+ExecutorOptions axis_of(Random& random, std::size_t i, Bounds& b) {
+  const char* const names[] = {"feeder", "knife"};
+  ExecutorOptions axis = axis_named(names[i], {}, {"mm", "mm"});
+  b.velocity = random.log_uniform(10, 2000);
+  b.acceleration = b.velocity * random.log_uniform(2, 100);
+  if (random.below(3) != 0) b.jerk = b.acceleration * random.log_uniform(5, 500);
+  b.stop_acceleration = b.acceleration * (random.below(2) != 0 ? 2 : random.uniform(1.1, 6));
+  if (b.jerk) b.stop_jerk = *b.jerk * (random.below(2) != 0 ? 2 : random.uniform(1.1, 6));
+  if (random.below(4) != 0) {
+    b.lowest = -random.uniform(0, 500);
+    b.highest = random.uniform(10, 500);
+  }
+  axis.axis.limits = {.position_min = b.lowest,
+                      .position_max = b.highest,
+                      .velocity = b.velocity,
+                      .acceleration = b.acceleration,
+                      .jerk = b.jerk};
+  axis.axis.stop_acceleration = b.stop_acceleration;
+  axis.axis.stop_jerk = b.stop_jerk;
+  if (i == 0 && random.below(5) == 0) axis.axis.modulo = random.uniform(5, 400);
+  const auto table = own_table(b, 0.5 * b.highest.value_or(100));
+  axis.table =
+      StoredTable{.hash = content_hash(*table, {"s", "mm"}), .units = {"s", "mm"}, .table = table};
+  b.path_stop_time = 2 * table->columns().x.back() + 6 * b.velocity / b.acceleration;
+  axis.log = log_path(i);
+  axis.adopt_start = random.below(2) == 0;
+  axis.receiver.session_timeout = 300ms;
+  return axis;
+}
+
+Drawn drawn(Random& random) {
+  Drawn all;
+  for (std::size_t i = 0; i < 2; ++i) all.axes.push_back(axis_of(random, i, all.bounds[i]));
+  all.axes[1].follow = {.what = Follow::What::setpoint, .index = 0};
+  all.bounds[1].follows = true;
+  return all;
+}
+
+/// Numbers that an operator, a program or a fault may send.
+double nasty(Random& random) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double some[] = {0,     -0.0,  1,      -1,   2,     0.5, 1e-9, -1e-9, 1e-300, 1e9,
+                             -1e9,  1e300, -1e300, inf,  -inf,  NAN, 3,    4,     5,      6,
+                             1e-12, 1e15,  100,    -100, 0.001, 1e6, -2,   7,     10,     1e-6};
+  return some[random.below(static_cast<int>(std::size(some)))];
+}
+
+/// A magnitude that the axis may take, of a limit; 0: as it is configured.
+double share(Random& random, double limit) {
+  const int what = random.below(8);
+  if (what < 3) return 0;
+  if (what == 3) return limit;
+  if (what == 4) return limit * random.log_uniform(1e-3, 1);
+  if (what == 5) return nasty(random);
+  return limit * random.uniform(0.1, 1);
+}
+
+double place(Random& random, const Bounds& b) {
+  if (random.below(12) == 0) return nasty(random);
+  const double low = b.lowest.value_or(-400);
+  const double high = b.highest.value_or(400);
+  const int what = random.below(8);
+  if (what == 0) return low;
+  if (what == 1) return high;
+  return random.uniform(low - 10, high + 10);
+}
+
+wire::Order order_of(Random& random, const Bounds& b) {
+  wire::Order order{.kind = static_cast<OrderKind>(random.below(wire::order_kinds))};
+  // Half of all orders move: otherwise what is in motion would be rare.
+  if (random.below(2) == 0)
+    order.kind = static_cast<OrderKind>(8 + random.below(5));
+  else if (random.below(6) == 0)
+    order.kind = OrderKind::enable;
+  auto& value = order.value;
+  const double j = b.jerk.value_or(b.acceleration * 10);
+  const auto rates = [&](std::size_t first) {
+    value[first] = share(random, b.velocity);
+    value[first + 1] = share(random, b.acceleration);
+    value[first + 2] = share(random, b.acceleration);
+    value[first + 3] = share(random, j);
+  };
+  const double mode = random.below(2) == 0 ? 0 : random.below(6);
+  switch (order.kind) {
+    case OrderKind::move_absolute:
+      value[0] = place(random, b);
+      rates(1);
+      value[5] = random.below(3) - 1;
+      value[6] = mode;
+      break;
+    case OrderKind::move_relative:
+    case OrderKind::move_additive:
+    case OrderKind::move_superimposed:
+      value[0] = place(random, b) * random.uniform(0, 1);
+      rates(1);
+      if (order.kind == OrderKind::move_relative) value[5] = mode;
+      break;
+    case OrderKind::move_velocity:
+      rates(0);
+      value[0] *= random.below(2) == 0 ? 1 : -1;
+      value[4] = mode;
+      break;
+    case OrderKind::halt:
+      value[0] = share(random, b.acceleration);
+      value[1] = share(random, j);
+      break;
+    case OrderKind::override_:
+      value[0] = random.below(4) == 0 ? nasty(random) : random.uniform(0, 2);
+      break;
+    case OrderKind::gear_in:
+    case OrderKind::gear_in_pos:
+      value[0] = random.below(9) - 4;
+      value[1] = random.below(6);
+      value[2] = share(random, order.kind == OrderKind::gear_in ? b.acceleration : 100);
+      if (order.kind == OrderKind::gear_in_pos) value[3] = place(random, b);
+      value[4] = share(random, 100);
+      break;
+    default:
+      for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
+        value[i] = random.below(3) == 0 ? nasty(random) : place(random, b);
+      if (order.kind == OrderKind::set_position) value[1] = random.below(2);
+  }
+  if (random.below(20) == 0) value[static_cast<std::size_t>(random.below(8))] = nasty(random);
+  return order;
+}
+
+std::string words_of(const wire::Order& order, std::size_t axis) {
+  std::ostringstream text;
+  text.precision(17);
+  text << (axis == 0 ? "feeder " : "knife ") << wire::name(order.kind) << " at " << order.at
+       << " [";
+  for (const double value : order.value) text << value << ' ';
+  text << ']';
+  return text.str();
+}
+
+Accepted accepted(const wire::Order& order) {
+  using What = Accepted::What;
+  const auto& v = order.value;
+  switch (order.kind) {
+    case OrderKind::enable:
+    case OrderKind::reset:
+    case OrderKind::queue_switch:
+    case OrderKind::queue_clear:
+    case OrderKind::queue_end:
+      return {.what = What::other};
+    case OrderKind::disable:
+      return {.what = What::disables};
+    case OrderKind::set_position:
+      return {.what = What::places};
+    case OrderKind::home:
+      return {.what = What::places};
+    case OrderKind::hold:
+      return {.what = What::rests};
+    case OrderKind::halt:
+      return {.what = What::rests, .acceleration = v[0], .jerk = v[1]};
+    case OrderKind::move_velocity: {
+      const double a = std::min(v[1] > 0 ? v[1] : HUGE_VAL, v[2] > 0 ? v[2] : HUGE_VAL);
+      const bool rests = v[0] == 0 && v[4] == 0;
+      return {.what = rests ? What::rests : What::moves,
+              .acceleration = std::isinf(a) ? 0 : a,
+              .jerk = v[3]};
+    }
+    case OrderKind::move_absolute:
+    case OrderKind::move_relative:
+    case OrderKind::move_additive:
+    case OrderKind::move_superimposed: {
+      const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
+      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = v[4]};
+    }
+    case OrderKind::gear_in: {
+      const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
+      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = v[4]};
+    }
+    default:
+      return {.what = What::moves};
+  }
+}
+
+/// Sends orders to one executor, and has its logs judged.
+class Episode {
+ public:
+  explicit Episode(std::uint64_t seed) : random_(seed), drawn_(drawn(random_)), site_(drawn_.axes) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (int session = 0; session < 2; ++session)
+        clients_[axis].push_back(
+            std::make_unique<Client>(site_.link, drawn_.axes[axis].receiver.executor,
+                                     ClientOptions{.patience = 100ms, .repeat = 1ms}, site_.clock));
+  }
+
+  std::vector<std::string> run(int orders) {
+    for (int i = 0; i < orders; ++i) step();
+    site_.advance(500ms);
+    site_.dispatcher.close();
+    std::vector<std::string> all;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      std::ifstream file(log_path(axis));
+      const std::string csv{std::istreambuf_iterator<char>(file), {}};
+      ticks += std::count(csv.begin(), csv.end(), '\n');
+      for (const std::string& one : judged(csv, drawn_.bounds[axis], accepted_[axis]))
+        all.push_back((axis == 0 ? "feeder: " : "knife: ") + one);
+      file.close();
+      if (keep)
+        for (const Accepted& order : accepted_[axis])
+          std::printf("ticks %lld to %lld: %s\n", static_cast<long long>(order.sent),
+                      static_cast<long long>(order.answered), order.words.c_str());
+      else
+        std::filesystem::remove(log_path(axis));
+    }
+    return all;
+  }
+
+  std::int64_t ticks = 0;
+  std::size_t taken = 0;
+  bool keep = false;  ///< its logs
+
+ private:
+  void step() {
+    const auto axis = static_cast<std::size_t>(random_.below(5) == 0);
+    Client& client = *clients_[axis][random_.below(10) == 0];
+    const int what = random_.below(40);
+    if (what == 0) {
+      stop(axis, client);
+    } else if (what == 1) {
+      operators(axis);
+    } else if (what == 2) {
+      stream(axis);
+    } else if (what == 3) {
+      static_cast<void>(client.release());
+    } else {
+      const wire::Order order = timed(wanted(axis), axis);
+      if (std::count(left_out.begin(), left_out.end(), wire::name(order.kind)) > 0) return;
+      give(axis, client, order);
+      if (random_.below(20) == 0) give(axis, client, order);
+    }
+    const int pause = random_.below(40);
+    site_.advance(pause == 0 ? 400ms : pause < 4 ? 60ms : Nanos(random_.below(12) * 1'000'000));
+  }
+
+  /// Often what brings an axis back that takes nothing else now.
+  wire::Order wanted(std::size_t axis) {
+    const State state = site_.last(axis).state;
+    const bool idle = random_.below(2) == 0;
+    if (idle && state == State::disabled) return {.kind = OrderKind::enable};
+    if (idle && state == State::error_stop) return {.kind = OrderKind::reset};
+    return order_of(random_, drawn_.bounds[axis]);
+  }
+
+  wire::Order timed(wire::Order order, std::size_t axis) {
+    if (random_.below(15) == 0) order.at = site_.last(axis).tick + random_.below(200) - 20;
+    return order;
+  }
+
+  [[nodiscard]] std::int64_t tick(std::size_t axis) const { return site_.last(axis).tick; }
+
+  void note(std::size_t axis, Accepted done, std::int64_t sent, const std::string& words) {
+    done.sent = sent;
+    done.answered = tick(axis);
+    done.words = words;
+    accepted_[axis].push_back(std::move(done));
+    ++taken;
+  }
+
+  void give(std::size_t axis, Client& client, const wire::Order& order) {
+    const std::int64_t sent = tick(axis);
+    const CallOutcome outcome = client.tell(order);
+    if (outcome.error == StreamError::refused) return;
+    Accepted done = accepted(order);
+    using What = Accepted::What;
+    if (order.at >= 0 && done.what == What::places) {  // it may come later, or never
+      done.sent = sent;
+      done.answered = std::max(order.at, tick(axis));
+      done.words = words_of(order, axis);
+      accepted_[axis].push_back(done);
+      return;
+    }
+    if ((order.at >= 0 || !outcome.ok()) && done.what != What::moves) done.what = What::other;
+    note(axis, done, sent, words_of(order, axis));
+    accepted_[axis].back().answered = std::max(order.at, tick(axis));
+    // A homing may move; where a table adopts the position, its start names it.
+    if (order.kind == OrderKind::home) also(axis, Accepted::What::moves);
+    if (order.kind == OrderKind::start) also(axis, Accepted::What::places);
+  }
+
+  void also(std::size_t axis, Accepted::What what) {
+    accepted_[axis].push_back(accepted_[axis].back());
+    accepted_[axis].back().what = what;
+  }
+
+  void stop(std::size_t axis, Client& client) {
+    const bool abort = random_.below(4) == 0;
+    const std::int64_t sent = tick(axis);
+    const wire::StopMode mode = abort ? wire::StopMode::abort : wire::StopMode::stop;
+    const bool operators = random_.below(2) == 0;
+    const std::string& name = drawn_.axes[axis].receiver.executor;
+    const bool done = operators ? operator_stop(site_.link, name, mode, 100ms, site_.clock)
+                                : client.stop(mode).ok();
+    if (done)
+      note(axis, {.what = Accepted::What::stops}, sent, name + (abort ? " abort" : " stop"));
+  }
+
+  void operators(std::size_t axis) {
+    constexpr OrderKind kinds[] = {OrderKind::hold, OrderKind::resume, OrderKind::override_};
+    wire::Order order{.kind = kinds[random_.below(3)]};
+    if (order.kind == OrderKind::override_) order.value[0] = random_.uniform(-0.1, 2.1);
+    const std::int64_t sent = tick(axis);
+    const wire::Reply reply = operator_command(site_.link, drawn_.axes[axis].receiver.executor,
+                                               order, {}, 100ms, site_.clock);
+    if (reply.outcome == wire::Outcome::accepted)
+      note(axis, accepted(order), sent, words_of(order, axis));
+  }
+
+  void stream(std::size_t axis) {
+    const std::int64_t sent = tick(axis);
+    const StreamOutcome outcome =
+        site_.stream({.executor = drawn_.axes[axis].receiver.executor,
+                      .tables = {{*drawn_.axes[axis].table->table, {"s", "mm"}}}});
+    if (outcome.error == StreamError::refused && !outcome.armed) return;
+    note(axis, {.what = Accepted::What::moves}, sent, "a table is streamed and started");
+    also(axis, Accepted::What::places);
+  }
+
+  Random random_;
+  Drawn drawn_;
+  Site site_;
+  std::vector<std::unique_ptr<Client>> clients_[2];
+  std::vector<Accepted> accepted_[2];
+};
+
+}  // namespace
+}  // namespace jounce::test
+
+int main(int count, char** arguments) {
+  using namespace jounce::test;
+  const long orders = count > 1 ? std::atol(arguments[1]) : 100'000;
+  const std::uint64_t first = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 20261122;
+  for (int i = 3; i < count; ++i) left_out.emplace_back(arguments[i]);
+  std::int64_t ticks = 0;
+  std::size_t taken = 0;
+  std::size_t findings = 0;
+  for (long i = 0; i * orders_each < orders; ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    Episode episode(seed);
+    episode.keep = orders <= orders_each;
+    if (episode.keep) std::printf("%s\n%s\n", log_path(0).c_str(), log_path(1).c_str());
+    for (const std::string& finding : episode.run(orders_each)) {
+      if (++findings <= 200)
+        std::printf("adversary %d %llu: %s\n", orders_each, static_cast<unsigned long long>(seed),
+                    finding.c_str());
+    }
+    ticks += episode.ticks;
+    taken += episode.taken;
+  }
+  std::printf("%ld orders, %zu of them accepted, %lld ticks of log; %zu findings\n", orders, taken,
+              static_cast<long long>(ticks), findings);
+  return findings == 0 ? 0 : 1;
+}

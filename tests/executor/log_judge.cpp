@@ -1,0 +1,232 @@
+#include "executor/log_judge.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+namespace jounce::test {
+namespace {
+
+using What = Accepted::What;
+
+struct Line {
+  std::int64_t tick = 0;
+  std::string_view state{};
+  double p = 0, v = 0, a = 0;
+  bool path = false;  // a table, a stream or a coupling is played
+  bool fault = false;
+};
+
+double number(std::string_view text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+Line line_of(std::string_view text) {
+  std::string_view cells[10];
+  for (std::string_view& cell : cells) {
+    const std::size_t comma = text.find(',');
+    cell = text.substr(0, comma);
+    text.remove_prefix(std::min(text.size(), cell.size() + 1));
+  }
+  return {static_cast<std::int64_t>(number(cells[0])),
+          cells[2],
+          number(cells[5]),
+          number(cells[6]),
+          number(cells[7]),
+          cells[8] != "0",
+          cells[9] != "none"};
+}
+
+class Judge {
+ public:
+  Judge(const Bounds& bounds, const std::vector<Accepted>& orders)
+      : bounds_(bounds), orders_(orders) {}
+
+  void take(const Line& now) {
+    obey(now);
+    if (begun_) {
+      place(now);
+      within_limits(now);
+      together(now);
+      rest(now);
+    }
+    begun_ = true;
+    last_ = now;
+  }
+
+  std::vector<std::string> findings;
+
+ private:
+  template <class... Values>
+  void find(const Line& now, const char* what, double value, double limit) {
+    if (findings.size() >= 20) return;
+    std::ostringstream text;
+    text.precision(17);
+    text << "tick " << now.tick << ": " << what << " " << value << ", limit " << limit << " (state "
+         << now.state << ", p " << now.p << ", v " << now.v << ", a " << now.a << ", before p "
+         << last_.p << ", v " << last_.v << ", a " << last_.a << "); last order: " << words_;
+    findings.push_back(text.str());
+  }
+
+  /// What the orders that have been answered by now allow, and what they demand.
+  void obey(const Line& now) {
+    placed_ = false;
+    for (; next_ < orders_.size() && orders_[next_].sent <= now.tick; ++next_)
+      open_.push_back(&orders_[next_]);
+    for (const Accepted*& order : open_) {
+      if (order == nullptr) continue;
+      const bool done = now.tick == order->answered + 1;
+      words_ = order->words;
+      if (order->what == What::places) placed_ = true;
+      if (order->what == What::moves) begin(*order);
+      if (!done) continue;
+      if (order->what == What::rests) demand_rest(now, *order);
+      if (order->what == What::stops) demand_stop(now, order->words);
+      if (order->what == What::stops || order->what == What::disables) revoke(*order);
+    }
+    std::erase_if(open_, [&](const Accepted* order) {
+      return order == nullptr || now.tick > order->answered;
+    });
+    if (now.fault && !last_.fault) demand_stop(now, "fault");
+  }
+
+  /// What was accepted before it and waits for its tick is void.
+  void revoke(const Accepted& by) {
+    licensed_ = false;
+    for (const Accepted*& order : open_)
+      if (order != nullptr && order->what == What::moves && order->sent < by.sent) order = nullptr;
+  }
+
+  void begin(const Accepted& order) {
+    licensed_ = true;
+    rest_by_.reset();
+    gentle_a_ = std::min(gentle_a_, given(order.acceleration, bounds_.acceleration));
+    gentle_j_ = std::min(gentle_j_, given(order.jerk, bounds_.jerk.value_or(HUGE_VAL)));
+  }
+
+  static double given(double value, double limit) { return value > 0 ? value : limit; }
+
+  void demand_stop(const Line& now, const std::string& by) {
+    demanded_by_ = by;
+    const double jerk = bounds_.jerk ? bounds_.stop_jerk : HUGE_VAL;
+    demand(now, bounds_.stop_acceleration, jerk);
+  }
+
+  /// What is held brakes as the gentlest of the motions that it may consist of.
+  void demand_rest(const Line& now, const Accepted& order) {
+    demanded_by_ = order.words;
+    demand(now, std::min(gentle_a_, given(order.acceleration, bounds_.acceleration)),
+           std::min(gentle_j_, given(order.jerk, bounds_.jerk.value_or(HUGE_VAL))));
+  }
+
+  /// First the acceleration must end, then the velocity, and the braking too.
+  void demand(const Line& now, double a, double j) {
+    const double first = std::abs(now.a) / j;
+    const double faster = std::abs(now.v) + std::abs(now.a) * first / 2;
+    double time = first + faster / a + 2 * a / j + std::sqrt(2 * faster / j);
+    if (now.path || last_.path) time = std::max(time, bounds_.path_stop_time);
+    constexpr double longest = 1e6;  // s: an order may ask for as little as it likes
+    time = std::min(1.01 * time, longest);
+    rest_by_ = now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + 3;
+  }
+
+  void place(const Line& now) {
+    const double low = bounds_.lowest.value_or(-HUGE_VAL);
+    const double high = bounds_.highest.value_or(HUGE_VAL);
+    const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
+    const auto out = [&](double p) { return std::max({low - p, p - high, 0.0}); };
+    // Outside, what turns back may end its acceleration by the jerk of a stop first.
+    const double a = bounds_.stop_acceleration;
+    const double tail =
+        out(last_.p) > 0 && bounds_.jerk ? a * a * a / (bounds_.stop_jerk * bounds_.stop_jerk) : 0;
+    if (out(now.p) > (placed_ ? HUGE_VAL : out(last_.p)) + tail + rounding)
+      find(now, "position out of the range", now.p, now.p > high ? high : low);
+  }
+
+  void within_limits(const Line& now) {
+    const double rounding = 1e-6;
+    // An acceleration that a fault ends goes down by the jerk of a stop: meanwhile the velocity rises.
+    const double a = bounds_.stop_acceleration;
+    const bool rises = now.fault && bounds_.jerk;
+    const double fastest = bounds_.velocity + (rises ? a * a / (2 * bounds_.stop_jerk) : 0);
+    if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding) find(now, "velocity", now.v, fastest);
+    if (now.fault || last_.fault) return;
+    const bool stop_limits = now.state == "stopping" || now.path || last_.path;
+    const double most = stop_limits ? bounds_.stop_acceleration : bounds_.acceleration;
+    // What leaves a live master or a path may begin above its own limit; it must come down.
+    const double highest = std::max(most, std::abs(last_.a));
+    if (std::abs(now.a) > highest * (1 + 1e-9) + rounding) find(now, "acceleration", now.a, most);
+    if (!bounds_.jerk || (bounds_.follows && (now.path || last_.path))) return;
+    const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
+    const double jerk = (now.a - last_.a) / dt;
+    if (std::abs(jerk) > bounds_.stop_jerk * (1 + 1e-6) + 1e-6 * bounds_.stop_jerk)
+      find(now, "jerk", jerk, bounds_.stop_jerk);
+  }
+
+  /// Position and velocity are what the velocity and the acceleration make of those before.
+  void together(const Line& now) {
+    if (placed_ || now.fault || last_.fault) return;
+    const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
+    const double most = std::max(bounds_.stop_acceleration, bounds_.acceleration);
+    const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
+    const double dv = std::abs(now.v - last_.v);
+    if (dv > most * dt * (1 + 1e-9) + rounding) find(now, "step of the velocity", dv, most * dt);
+    const double dp = std::abs(now.p - last_.p - dt * (now.v + last_.v) / 2);
+    if (dp > most * dt * dt / 4 * (1 + 1e-6) + rounding)
+      find(now, "step of the position", dp, most * dt * dt / 4);
+  }
+
+  void rest(const Line& now) {
+    const double step = std::abs(now.p - last_.p);
+    const bool moves = std::abs(now.v) > 1e-9 * bounds_.velocity ||
+                       (!placed_ && step > 1e-9 * std::max(1.0, std::abs(now.p)));
+    if (now.state == "disabled" && moves) find(now, "moves while disabled", now.v, 0);
+    if (rest_by_ && now.tick > *rest_by_ && moves) {
+      words_ = demanded_by_ + " until tick " + std::to_string(*rest_by_) + "; " + words_;
+      find(now, "not at rest in the time of its stop", now.v, 0);
+      rest_by_.reset();
+    }
+    if (moves && !moved_ && !licensed_ && !now.fault)
+      find(now, "begins to move without an order", now.v, 0);
+    if (!moves && now.state == "standstill") gentle_a_ = gentle_j_ = HUGE_VAL;
+    moved_ = moves;
+  }
+
+  const Bounds& bounds_;
+  const std::vector<Accepted>& orders_;
+  std::size_t next_ = 0;
+  std::vector<const Accepted*> open_;
+  std::string words_;
+  std::string demanded_by_;
+  Line last_;
+  bool begun_ = false;
+  bool placed_ = false;
+  bool moved_ = false;
+  bool licensed_ = false;
+  double gentle_a_ = HUGE_VAL;
+  double gentle_j_ = HUGE_VAL;
+  std::optional<std::int64_t> rest_by_;
+};
+
+}  // namespace
+
+std::vector<std::string> judged(const std::string& csv, const Bounds& bounds,
+                                const std::vector<Accepted>& orders) {
+  Judge judge(bounds, orders);
+  std::string_view rest(csv);
+  bool head = true;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (!head) judge.take(line_of(line));
+    head = false;
+  }
+  return judge.findings;
+}
+
+}  // namespace jounce::test
