@@ -13,8 +13,7 @@ struct Case {
   MotionState to = {};
   Bounds bounds = {};
   std::optional<double> duration = {};
-  bool by_velocity =
-      false;  ///< of move_velocity: the target's position is where that happens to end
+  bool by_velocity = false;  ///< of move_velocity: the target's position is where that happens to end
 };
 
 /// The C++ line that asks it again, doubles as hex.

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "profiles/proof/envelope.hpp"
+
 namespace jounce::proof {
 namespace {
 
@@ -147,23 +149,118 @@ TEST(Checker, ChecksTheOrderTheSumAndTheDurationAskedFor) {
   EXPECT_THAT(fault(rest_to_rest, 3, {{INFINITY, 0}}), HasSubstr("finite"));
 }
 
-TEST(Checker, LetsAStartOutsideComeInsideOnceAndMonotonically) {
-  // Second order, velocity 2 where 1 is allowed, brakes with 1.
+TEST(Checker, HoldsAStartOutsideOfSecondOrderToItsBraking) {
+  // Velocity 2 where 1 is allowed, brakes with 1.
   const Bounds b = within(1, 1);
-  const Case c{{0, 2, 0}, {2.5, 1, 0}, b, {}};
-  EXPECT_EQ(fault(c, 2, {{1, -1}, {1, 0}}), "");
+  EXPECT_EQ(fault({{0, 2, 0}, {2.5, 1, 0}, b, {}}, 2, {{1, -1}, {1, 0}}), "");
   EXPECT_THAT(fault({{0, 2, 0}, {4.25, 1, 0}, b, {}}, 2, {{0.5, -1}, {0.5, 1}, {1, -1}, {1, 0}}),
-              HasSubstr("velocity_max"))
-      << "rises again";
+              HasSubstr("velocity_max"));
   EXPECT_THAT(fault({{0, 2, 0}, {2.75, 1, 0}, b, {}}, 2, {{1, -1}, {0.5, 1}, {0.5, -1}, {0, 0}}),
               HasSubstr("velocity_max"))
       << "outside again";
-  // Third order: acceleration 2 where 1 is allowed.
-  const Bounds j = within(10, 1, 1);
-  EXPECT_EQ(fault({{0, 0, 2}, {8.0 / 3, 2, 0}, j, {}}, 3, {{2, -1}}), "");
-  EXPECT_THAT(fault({{0, 0, 2}, {9 - 4.0 / 3, 4, 0}, j, {}}, 3, {{1, 0}, {2, -1}}),
-              HasSubstr("acceleration_max"))
-      << "does not come inside at once";
+}
+
+/// Velocity 2 where 1 is allowed, third order, all limits 1. The level return is 1 s of jerk -1 and
+/// 1 s of jerk 1, and runs 3 u.
+Case too_fast(const MotionState& to) {
+  return {{0, 2, 0}, to, within(1, 1, 1), {}};
+}
+
+/// Where the phases lead: faults are then those of limits alone.
+MotionState led(const MotionState& from, const Phases& phases) {
+  MotionState s = from;
+  for (const auto& [t, j] : phases)
+    s = {s.position + t * (s.velocity + t * (s.acceleration / 2 + t * j / 6)),
+         s.velocity + t * (s.acceleration + t * j / 2), s.acceleration + t * j};
+  return s;
+}
+
+std::string outside(Case c, const Phases& phases) {
+  c.to = led(c.from, phases);
+  return fault(c, 3, phases);
+}
+
+TEST(Checker, AllowsTheLevelReturnAndAnyThatIsNeverFaster) {
+  EXPECT_EQ(fault(too_fast({4, 1, 0}), 3, {{1, -1}, {1, 1}, {1, 0}}), "");
+  EXPECT_EQ(outside(too_fast({}), {{1, -1}, {0.5, 0}, {1, 1}}), "") << "straight through the limit";
+  EXPECT_EQ(outside(too_fast({}), {{1, -1}, {1.5, 0}, {1, 1}, {0.5, 1}, {0.5, -1}}), "");
+}
+
+TEST(Checker, RejectsAVelocityBeyondTheLevelReturn) {
+  const double little = 1e-9;
+  EXPECT_THAT(outside(too_fast({}), {{little, 0}, {1, -1}, {1, 1}}), HasSubstr("velocity_max"));
+  EXPECT_THAT(outside(too_fast({}), {{1, -1 + little}, {1, 1}}), HasSubstr("velocity_max"));
+  EXPECT_THAT(outside(too_fast({}), {{1 - little, -1}, {1, 1}}), HasSubstr("velocity_max"));
+  EXPECT_THAT(outside(too_fast({}), {{1, -1}, {1, 1}, {0.01, 1}, {0.01, -1}}),
+              HasSubstr("velocity_max"))
+      << "outside again";
+  const Case mirrored{{0, -2, 0}, {}, within(1, 1, 1), {}};
+  EXPECT_EQ(outside(mirrored, {{1, 1}, {1, -1}}), "");
+  EXPECT_THAT(outside(mirrored, {{1 - little, 1}, {1, -1}}), HasSubstr("velocity_min"));
+}
+
+TEST(Checker, HoldsAnUnavoidablePeakToFullBraking) {
+  // Inside, but the acceleration cannot be back at zero below 1.5: level return from there.
+  const Case c{{0, 1, 1}, {}, within(1, 1, 1), {}};
+  const double release = std::sqrt(0.5);  // 1.5 - s^2 = 1
+  EXPECT_EQ(outside(c, {{1 + release, -1}, {release, 1}}), "");
+  EXPECT_THAT(outside(c, {{1, -0.999}, {release, -1}, {release, 1}}), HasSubstr("velocity_max"));
+}
+
+TEST(Checker, LetsASteepBrakingPassTheLimitAtFullJerk) {
+  const Case c{{0, 1.2, -1}, {}, within(1, 1, 1), {}};
+  EXPECT_EQ(outside(c, {{1, 1}, {0.3, 1}, {0.3, -1}}), "");
+  EXPECT_EQ(outside(c, {{0.2, 0}, {1, 1}}), "") << "slower all the time";
+}
+
+TEST(Checker, HoldsAnAccelerationOutsideToItsReturnAtFullJerk) {
+  const Case c{{0, 0, 2}, {}, within(10, 1, 1), {}};
+  EXPECT_EQ(outside(c, {{2, -1}}), "");
+  EXPECT_EQ(outside(c, {{1, -1}, {1, 0}, {1, -1}}), "");
+  EXPECT_THAT(outside(c, {{1, 0}, {2, -1}}), HasSubstr("acceleration_max"));
+  EXPECT_THAT(outside(c, {{1, -1 + 1e-9}, {1, -1}}), HasSubstr("acceleration_max"));
+}
+
+TEST(Checker, LetsABrakingUnderWayGoOnOnlyAsFarAsItMust) {
+  // Velocity 4, braking with 2 where 1 is allowed: stops in 19/3, in 13/3 if it goes on.
+  const auto at = [](double d) { return Case{{0, 4, -2}, {d, 0, 0}, within(9, 1, 1), {}}; };
+  const Phases going_on{{1, 0}, {2, 1}};
+  EXPECT_EQ(fault(at(13.0 / 3), 3, going_on), "");
+  EXPECT_EQ(fault(at(19.0 / 3), 3, {{1, 1}, {2, 0}, {1, 1}}), "");
+  // Between them, the least limit that does not pass the target.
+  const auto stop = [](double x) {
+    const double t = 2 - x;
+    const double r = 4 * t - t * t + t * t * t / 6;
+    const double v = 4 - 2 * t + t * t / 2;
+    const double hold = 2 / x;
+    return r + v * hold - x * hold * hold / 2 + x * x * x / 6;
+  };
+  const auto phases = [](double x) { return Phases{{2 - x, 1}, {2 / x, 0}, {x, 1}}; };
+  EXPECT_EQ(fault(at(stop(1.5)), 3, phases(1.5)), "");
+  Case farther = at(0);  // holds 1.7 first, then 1: there with less throughout
+  const double first = 1 / 1.7;
+  const double rest = 2 - 1;
+  const Phases harder{{0.3, 1}, {first, 0}, {0.7, 1}, {rest, 0}, {1, 1}};
+  farther.to = led(farther.from, harder);
+  EXPECT_THAT(fault(farther, 3, harder), HasSubstr("acceleration_min"));
+  EXPECT_EQ(in_force({0, 4, -2}, {7, 0, 0}, at(7).bounds).bounds.acceleration_min, -1);
+  EXPECT_NEAR(in_force({0, 4, -2}, {stop(1.5), 0, 0}, at(0).bounds).bounds.acceleration_min, -1.5,
+              1e-12);
+}
+
+TEST(Checker, HoldsABrakingThatPassesTheTargetAnyway) {
+  // It would stop in 13/3: the 1 s that this holds the braking is held, then it returns to the limit.
+  const Case c{{0, 4, -2}, {4, 0, 0}, within(9, 1, 1), {}};
+  EXPECT_EQ(in_force(c.from, c.to, c.bounds).hold, 1);
+  const auto judged = [&](Phases phases) {  // and on to the target as the solver goes
+    const Profile rest = move_to(led(c.from, phases), c.to, c.bounds).profile;
+    for (std::size_t i = 0; i < rest.phases(); ++i) phases.push_back(rest.phase(i));
+    return fault(c, 3, phases);
+  };
+  EXPECT_EQ(judged({{1, 0}, {1, 1}}), "");
+  EXPECT_THAT(judged({{0.99, 0}, {1, 1}}), HasSubstr("acceleration_max"));
+  EXPECT_THAT(judged({{1.01, 0}, {1, 1}}), HasSubstr("acceleration_min"));
+  EXPECT_THAT(judged({{1, 1}}), HasSubstr("acceleration_max"));
 }
 
 TEST(Checker, PrintsALineThatAsksAgain) {

@@ -166,13 +166,54 @@ Case residual(Random& random) {
   });
 }
 
-/// Starts far outside, as after limits were lowered in motion.
+/// Starts up to five times outside. One limit of two is that of either direction alone.
 Case outside(Random& r) {
-  Case c = test(r);
-  const double factor = r.uniform(1, 5);
-  if (r.below(3) != 0) c.from.velocity = factor * c.bounds.velocity_max * (2 * r.below(2) - 1);
-  if (r.below(3) != 0) c.from.acceleration = r.uniform(-5, 5) * c.bounds.acceleration_max;
+  Case c = r.below(2) == 0 ? test(r) : directional(r);
+  const auto times = [&r](double min, double max) {
+    return r.uniform(0, 5) * (r.below(2) == 0 ? min : max);
+  };
+  if (r.below(3) != 0) c.from.velocity = times(c.bounds.velocity_min, c.bounds.velocity_max);
+  if (r.below(3) != 0)
+    c.from.acceleration = times(c.bounds.acceleration_min, c.bounds.acceleration_max);
   return c;
+}
+
+/// A motion inside its bounds, whose limits (of velocity alone, or all) are lowered on the way; to
+/// the same target or another.
+Case lowered(Random& random) {
+  return reachable_case(random, [](Random& r) {
+    Case c = r.below(2) == 0 ? test(r) : directional(r);
+    c.from = {c.from.position, 0, 0};
+    if (r.below(2) == 0) c.to = {c.to.position, 0, 0};
+    const Move before = move_to(c.from, c.to, c.bounds);
+    const Motion now = before.profile.at(before.profile.duration() * r.uniform(0, 1));
+    c.from = {now.position, now.velocity, now.acceleration};
+    const bool all = r.below(2) == 0;
+    const auto lower = [&r](double& limit) { limit *= r.uniform(0.02, 1); };
+    lower(c.bounds.velocity_min);
+    lower(c.bounds.velocity_max);
+    if (all)
+      for (double* limit : {&c.bounds.acceleration_min, &c.bounds.acceleration_max,
+                            &c.bounds.jerk_min, &c.bounds.jerk_max})
+        lower(*limit);
+    if (r.below(3) == 0) c.to.position = now.position + normal(r, 2);
+    return c;
+  });
+}
+
+/// Jerks whose magnitudes in the two directions differ.
+Case with_ratio(Random& random, double most) {
+  return reachable_case(random, [most](Random& r) {
+    Case c = r.below(2) == 0 ? directional(r) : outside(r);
+    (r.below(2) == 0 ? c.bounds.jerk_min : c.bounds.jerk_max) /= r.log_uniform(1, most);
+    return c;
+  });
+}
+Case ratios(Random& r) {
+  return with_ratio(r, 1e2);
+}
+Case extremes(Random& r) {
+  return with_ratio(r, 1e6);
 }
 
 Case second(Random& random) {
@@ -226,6 +267,10 @@ constexpr Draw all[] = {
     {"decades", "limits and distances over six decades", decades},
     {"residual", "almost there already", residual},
     {"outside", "starts up to five times outside the limits", outside},
+    {"lowered", "limits lowered in motion, target kept or changed", lowered, true},
+    {"ratios", "jerk in one direction up to a hundred times that in the other", ratios,
+     true},
+    {"extremes", "jerk in one direction up to a million times that in the other", extremes, true},
     {"unlimited", "no limit of velocity, of acceleration, or of both", unlimited},
     {"second", "no limit of jerk", second},
     {"first", "no limit of acceleration", first},

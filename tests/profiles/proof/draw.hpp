@@ -15,6 +15,7 @@ struct Draw {
   const char* name;
   const char* what;  ///< for people
   Case (*draw)(Random&);
+  bool alone = false;  ///< no part of `any`
 };
 
 /// Ruckig's own distributions first, then those on which it was measured to fail.

@@ -6,7 +6,8 @@
 namespace jounce::proof {
 namespace {
 
-constexpr Real forgiven = 1e-13L;  ///< beyond a limit by less is rounding
+/// A start that is outside by no more than this share of its terms is inside.
+constexpr Real by_rounding = 1e-13L;
 
 /// Where a predicate that holds at y and not at x begins to hold.
 template <class F>
@@ -95,16 +96,12 @@ Envelope envelope(Real v, Real a, const Side& s) {
   }
   const std::vector<Arc> brake = braking(v, a, s);
   const Real first = releasable(a, s);
-  const Real natural = a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
-  if (natural > s.top) {
-    Envelope e = level_return(brake, first, s);
-    const Arc& arc = brake.front();
-    if (v < s.top && a > 0)
-      e.passes = bisected([&](Real t) { return arc.velocity(t) >= s.top; }, 0, a / s.fall);
-    return e;
-  }
+  const Real natural =
+      a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
+  const Real terms = std::abs(s.top) + std::abs(v) + std::abs(natural);
+  if (natural - s.top > by_rounding * terms) return level_return(brake, first, s);
   const Real into = std::max((a - s.a_max) / s.fall, a < s.a_min ? first : 0);
-  if (v <= s.top) return {{limit}, std::max<Real>(into, 0)};
+  if (v - s.top <= by_rounding * terms) return {{limit}, std::max<Real>(into, 0)};
   const Arc rising{0, v, a, s.rise};
   const Real t = bisected([&](Real x) { return rising.velocity(x) <= s.top; }, 0, -a / s.rise);
   return {{rising, {t, s.top, 0, 0}}, std::max<Real>(into, 0)};
@@ -114,7 +111,7 @@ namespace {
 
 /// Positions along arcs.
 Freedom along(const std::vector<Arc>& arcs, Real x, Real time) {
-  Freedom f{time, x, 0, 0, 0};
+  Freedom f{time, x, 0, 0};
   for (std::size_t i = 0; i < arcs.size() && arcs[i].begin <= time; ++i) {
     const Arc& arc = arcs[i];
     const Real end = i + 1 < arcs.size() ? std::min(arcs[i + 1].begin, time) : time;
@@ -128,27 +125,56 @@ Freedom along(const std::vector<Arc>& arcs, Real x, Real time) {
 
 }  // namespace
 
-Freedom freedom(const MotionState& from, const Bounds& b) {
-  const Real v = from.velocity;
+namespace {
+
+/// The one admissible motion at first: held, then braking towards one side or the other. As of the
+/// side that it brakes towards, `sign` telling which.
+struct Forced {
+  std::vector<Arc> arcs;
+  Real sign = 1;
+  Real x = 0;
+  Real until = 0;
+};
+
+Forced forced(const MotionState& from, const Bounds& b, Real hold) {
+  const Real v = from.velocity + hold * from.acceleration;
   const Real a = from.acceleration;
-  const Envelope above = envelope(v, a, upper(b));
-  const Envelope below = envelope(-v, -a, lower(b));
-  const Real passes = std::max(above.passes, below.passes);
-  if (above.forced >= below.forced) {
-    Freedom f = along(braking(v, a, upper(b)), from.position, above.forced);
-    f.passes = passes;
-    return f;
-  }
-  const Freedom f = along(braking(-v, -a, lower(b)), -from.position, below.forced);
-  return {f.time, -f.x, -f.v, -f.a, passes};
+  const Real down = envelope(v, a, upper(b)).forced;
+  const Real up = envelope(-v, -a, lower(b)).forced;
+  Forced f = down >= up ? Forced{braking(v, a, upper(b)), 1, from.position, hold + down}
+                        : Forced{braking(-v, -a, lower(b)), -1, -from.position, hold + up};
+  for (Arc& arc : f.arcs) arc.begin += hold;
+  if (hold > 0) f.arcs.insert(f.arcs.begin(), Arc{0, f.sign * from.velocity, f.sign * a, 0});
+  return f;
 }
 
-Freedom acceleration_inside(const MotionState& from, const Bounds& b) {
-  const Real a = from.acceleration;
-  const Real down = (a - b.acceleration_max) / -Real{b.jerk_min};
-  const Real up = (b.acceleration_min - a) / b.jerk_max;
-  const Real j = down > 0 ? b.jerk_min : b.jerk_max;
-  return along({{0, from.velocity, a, j}}, from.position, std::max({down, up, Real{0}}));
+Freedom at(const Forced& f, Real time) {
+  const Freedom s = along(f.arcs, f.x, time);
+  return {s.time, f.sign * s.x, f.sign * s.v, f.sign * s.a};
+}
+
+}  // namespace
+
+Freedom freedom(const MotionState& from, const Bounds& b, Real hold) {
+  const Forced f = forced(from, b, hold);
+  return at(f, f.until);
+}
+
+std::vector<Freedom> forced_at(const MotionState& from, const Bounds& b, Real hold, Real v,
+                               Real a) {
+  const Forced f = forced(from, b, hold);
+  std::vector<Freedom> states;
+  if (!(f.until > 0)) return states;
+  for (std::size_t i = 0; i < f.arcs.size(); ++i) {
+    const Arc& arc = f.arcs[i];
+    const Real end = i + 1 < f.arcs.size() ? std::min(f.arcs[i + 1].begin, f.until) : f.until;
+    const Real t = arc.begin + (arc.j != 0 ? (f.sign * a - arc.a) / arc.j
+                                           : (f.sign * v - arc.v) / arc.a);
+    const Real slack = 1e-12L * f.until;
+    if (t >= arc.begin - slack && t <= end + slack && arc.begin <= end)
+      states.push_back(at(f, std::clamp(t, arc.begin, end)));
+  }
+  return states;
 }
 
 namespace {
@@ -173,32 +199,72 @@ MotionState negated(const MotionState& s) {
 
 }  // namespace
 
-InForce in_force(const MotionState& from, const MotionState& to, const Bounds& b, bool longer) {
-  const Real d = Real{to.position} - from.position;
-  if (d < 0) {
-    const InForce other = in_force(negated(from), negated(to), negated(b), longer);
-    return {negated(other.bounds), other.hold};
-  }
-  const Side s = upper(b);
-  const Real n = level({0, from.velocity, from.acceleration, s.rise});
-  const bool rests = to.velocity == 0 && to.acceleration == 0;
-  if (!(d > 0) || !rests || !std::isfinite(s.rise) || !(n > 0) ||
-      !(from.acceleration < s.a_min * (1 + forgiven)))
-    return {b};
-  const auto fits = [&](Real x) { return stop_distance(from, s.rise, x) <= d; };
-  if (fits(-s.a_min)) return {b};
-  if (!fits(-from.acceleration)) return {b, n / -from.acceleration};
-  InForce extended{b};
-  const Real x = longer ? -from.acceleration : bisected(fits, -s.a_min, -from.acceleration);
-  extended.bounds.acceleration_min =
-      std::max(std::nextafter(static_cast<double>(-x), -HUGE_VAL), from.acceleration);
-  return extended;
+bool forward(const MotionState& to, const Bounds& bounds) {
+  const Real a = to.acceleration;
+  return to.velocity >= 0 && (a <= 0 || a * a <= 2 * Real{bounds.jerk_max} * to.velocity);
 }
 
-MotionState after_hold(const MotionState& s, Real t) {
-  const Real v = s.velocity + t * s.acceleration;
-  return {static_cast<double>(s.position + t * (s.velocity + v) / 2), static_cast<double>(v),
-          s.acceleration};
+Real run_up(const MotionState& to, const Bounds& bounds) {
+  const Side s = upper(bounds);
+  const auto arcs = [&](Real high) {  // rise to `high`, fall to the end's acceleration
+    return std::vector<Arc>{{0, 0, 0, s.rise}, {high / s.rise, high * high / (2 * s.rise), high, -s.fall}};
+  };
+  const auto length = [&](Real high) { return high / s.rise + (high - to.acceleration) / s.fall; };
+  const auto end = [&](Real high) { return along(arcs(high), 0, length(high)); };
+  const auto enough = [&](Real high) { return end(high).v >= to.velocity; };
+  const Real least = std::max<Real>(to.acceleration, 0);
+  Real most = s.a_max;
+  if (!std::isfinite(most))
+    for (most = std::max<Real>(least, 1e-30L); !enough(most);) most *= 2;
+  if (enough(most)) {
+    const Real high = bisected(enough, least, most);
+    return end(high).x;
+  }
+  const Real hold = (to.velocity - end(most).v) / most;  // all that follows is faster by hold * most
+  const Real begin = most / s.rise;
+  const Real v = most * begin / 2;
+  return end(most).x + hold * (v + hold * most / 2) + hold * most * (length(most) - begin);
+}
+
+Freedom fastest_stop(const MotionState& from, const Bounds& b) {
+  const auto natural = [](Real v, Real a, const Side& s) {
+    return a > 0 ? v + a * a / (2 * s.fall) : v - a * a / (2 * s.rise);
+  };
+  const auto stopped = [&](Real v, Real a, Side s) {
+    s.top = 0;  // level with zero
+    if (!(natural(v, a, s) > 0)) return along({{0, v, a, s.rise}}, 0, -a / s.rise);
+    const Envelope e = envelope(v, a, s);
+    if (e.arcs.size() == 1) return along({{0, v, a, s.rise}}, 0, -a / s.rise);  // 0 by rounding
+    return along(e.arcs, 0, e.arcs.back().begin);
+  };
+  const Real v = from.velocity;
+  const Real a = from.acceleration;
+  if (natural(v, a, upper(b)) >= 0) return stopped(v, a, upper(b));
+  const Freedom f = stopped(-v, -a, lower(b));
+  return {f.time, -f.x, -f.v, -f.a};
+}
+
+Force in_force(const MotionState& from, const MotionState& to, const Bounds& b, Real slack) {
+  const Real d = Real{to.position} - from.position;
+  if (d < 0) {
+    const Force f = in_force(negated(from), negated(to), negated(b), slack);
+    return {negated(f.bounds), negated(f.longer), f.hold};
+  }
+  const Side s = upper(b);
+  const bool rests = to.velocity == 0 && to.acceleration == 0;
+  const bool harder = from.velocity > 0 && from.acceleration < s.a_min * (1 + by_rounding);
+  if (!(d > 0) || !rests || !harder || !std::isfinite(s.rise)) return {b, b, 0};
+  const Real natural = level({0, from.velocity, from.acceleration, s.rise});
+  if (!(natural > 0)) return {b, b, 0};
+  const auto fits = [&](Real x) { return stop_distance(from, s.rise, x) <= d + slack; };
+  if (fits(-s.a_min)) return {b, b, 0};
+  if (!fits(-from.acceleration)) return {b, b, natural / -from.acceleration};
+  Force f{b, b, 0};
+  const Real x = bisected(fits, -s.a_min, -from.acceleration);
+  f.bounds.acceleration_min =  // rounded to where it fits
+      std::max(std::nextafter(static_cast<double>(-x), -HUGE_VAL), from.acceleration);
+  f.longer.acceleration_min = from.acceleration;
+  return f;
 }
 
 }  // namespace jounce::proof

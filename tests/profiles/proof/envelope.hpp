@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "jounce/profiles/move.hpp"
@@ -48,37 +47,46 @@ struct Envelope {
   Real forced = 0;        ///< until then there is only one admissible motion
 
   [[nodiscard]] const Arc& arc(Real t) const;
-  Real passes = 0;  ///< when the velocity has to pass its limit from inside; 0: it has not
-
-  /// What ends before the velocity has to pass its limit need only keep that.
-  [[nodiscard]] Real velocity(Real t) const { return std::max(arc(t).velocity(t), arcs.back().v); }
+  [[nodiscard]] Real velocity(Real t) const { return arc(t).velocity(t); }
 };
 /// Of third order, or of second where `rise` is infinite.
 Envelope envelope(Real v, Real a, const Side& side);
 
-/// The state in which the freedom of a start begins: after the stretch on which acceleration or
-/// velocity come inside in the only way that is admissible. Third order.
+/// A state on the way, and when it is there.
 struct Freedom {
   Real time = 0, x = 0, v = 0, a = 0;
-  Real passes = 0;  ///< what ends until then is free from the beginning
 };
-Freedom freedom(const MotionState& from, const Bounds& bounds);
-/// The state in which the acceleration is inside.
-Freedom acceleration_inside(const MotionState& from, const Bounds& bounds);
+/// The state in which the freedom of a start begins: after the stretch on which acceleration or
+/// velocity come inside in the only way that is admissible. First the acceleration is held for
+/// `hold` s. Third order.
+Freedom freedom(const MotionState& from, const Bounds& bounds, Real hold = 0);
 
-/// What holds for a move to a target from a start that brakes towards it harder than its limit, and
-/// needs to go on so as not to pass it: the least limit (in magnitude) that does not pass it. Where
-/// even the start's own acceleration passes it, that is held as long as the stop needs it.
-/// Elsewhere the bounds given.
-struct InForce {
-  Bounds bounds;
-  Real hold = 0;  ///< s, before all else
+/// The states of the forced stretch before that at which it has a given acceleration, or, where that
+/// is held, a given velocity: where it can pass through a target.
+std::vector<Freedom> forced_at(const MotionState& from, const Bounds& bounds, Real hold, Real v,
+                               Real a);
+
+/// The fastest stop: how long it takes and how far it runs, signed. Third order; integrated.
+Freedom fastest_stop(const MotionState& from, const Bounds& bounds);
+
+/// The distance of the fastest change from rest to a state that can be reached without moving
+/// backwards.
+Real run_up(const MotionState& to, const Bounds& bounds);
+/// Whether it can.
+bool forward(const MotionState& to, const Bounds& bounds);
+
+/// What holds for a move to a target at rest, where the start brakes towards it harder than its limit: that
+/// limit stays where the target is not passed with it. Where it is, but would not be if the
+/// braking went on, the limit is the least (in magnitude) with which it is not. Where it is passed in
+/// any case, the braking is first held for as long as its stop needs. Found by integrating the stop
+/// and bisecting the limit.
+struct Force {
+  Bounds bounds = {};  ///< of the shortest move
+  Bounds longer = {};  ///< of those of longer durations
+  Real hold = 0;       ///< s that the start's acceleration is held first
 };
-/// Found by integrating the stop and bisecting the limit. `longer`: for a motion that lasts longer than
-/// the shortest; the limit is then the start's own acceleration.
-InForce in_force(const MotionState& from, const MotionState& to, const Bounds& bounds,
-                 bool longer = false);
-/// A start after its hold.
-MotionState after_hold(const MotionState& from, Real hold);
+/// `slack`: how much farther away the target is taken to be, u.
+Force in_force(const MotionState& from, const MotionState& to, const Bounds& bounds,
+               Real slack = 0);
 
 }  // namespace jounce::proof

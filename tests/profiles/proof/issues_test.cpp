@@ -348,8 +348,7 @@ TEST(Issue, Ruckig128TheMinimumDurationIsThatOfTheMove) {
   const MotionState from{1300, 1200, 0};
   const Bounds b = within(800, 40000, 200000);
   const Profile f = expect_optimal(from, {1400, 0, 0}, b);
-  EXPECT_NEAR(f.duration(), 0.163501, 1e-6)
-      << "neither the 0.230593 that the report was given nor the 0.167347 that it measured";
+  EXPECT_LT(f.duration(), 0.167347) << "what the report measured, not the 0.230593 it was promised";
   EXPECT_EQ(durations(from, {1400, 0, 0}, b).minimum, f.duration());
 }
 
@@ -520,6 +519,91 @@ TEST(Issue, Wpilib7917LargeVelocitiesSmallDistances) {
 
 TEST(Issue, ProfilesMdATieOnTheGridOfHalves) {
   EXPECT_NEAR(expect_optimal({1, 0, 1}, {-2, 0, 1}, within(2, 2, 2)).duration(), 4, 1e-12);
+}
+
+/// Neither past its target, nor backwards; as short as the rule for starts outside allows.
+Profile expect_no_overshoot(const MotionState& from, const MotionState& to, const Bounds& bounds) {
+  const Profile f = expect_optimal(from, to, bounds);
+  EXPECT_LE(extrema(f.curve(), 0).max.value, to.position * (1 + 1e-12));
+  EXPECT_GE(velocities(f).min.value, -1e-12 * from.velocity);
+  return f;
+}
+
+// Limits lowered in motion, as Jounce's own users found them.
+
+TEST(Issue, Jounce17AnOverrideLoweredInFrontOfTheTarget) {
+  // The axis passed 800, went back from 755.9 to 721.5, and was there at 24.2 s.
+  Bounds lowered = within(92.6, 60, 12);
+  lowered.velocity_max *= 0.416;
+  lowered.velocity_min *= 0.416;
+  const Profile f = expect_no_overshoot({508, 92.6, 0}, {800, 0, 0}, lowered);
+  EXPECT_LT(f.duration(), 9);
+}
+
+TEST(Issue, Jounce17ANewVelocityInFrontOfTheTarget) {
+  const Bounds fast = within(926, 6000, 12000);
+  const Motion now = expect_optimal({}, {2000, 0, 0}, fast).at(2.151);
+  const Profile f = expect_no_overshoot({now.position, now.velocity, now.acceleration},
+                                        {2000, 0, 0}, within(385, 6000, 12000));
+  EXPECT_LT(f.duration(), 2.71545 - 2.151 + 0.1);
+}
+
+TEST(Issue, Jounce17FromOutsideTheFastestWay) {
+  // Was 1.192 s; asked again at .2682 s it ended at .596 s.
+  const Profile f =
+      expect_optimal({4.1112293655527585, -0.92594238293810049, 0}, {3.8511833076146971, 0, 0},
+                     within(.38489889353253448, 6.1588516380011082, 11.844082699850201));
+  EXPECT_LT(f.duration(), 0.597);
+}
+
+TEST(Issue, Jounce17AVelocityThatIsTheNewLimit) {
+  // Was .391 s, by way of 1.5.
+  const Move move = move_velocity({.velocity = 3}, 2, within(2, 10, 100));
+  ASSERT_TRUE(move);
+  EXPECT_NEAR(move.profile.duration(), 0.2, 1e-12);
+  EXPECT_GE(velocities(move.profile).min.value, 2 - 1e-12);
+}
+
+TEST(Issue, Jounce17AStopThatReleasesTooLate) {
+  // Lasted 177 s and ran 48 631 u, at up to 411 u/s.
+  const MotionState from{0.62763139075587782, -17.940181618071954, 9.0689197682955349};
+  const Bounds b{.velocity_min = -9.1567305871427269,
+                 .velocity_max = 2.3489989409797523,
+                 .acceleration_min = -14.432634074685417,
+                 .acceleration_max = 11.425331492333317,
+                 .jerk_min = -11.562076656869385,
+                 .jerk_max = 0.10456589107734925};
+  for (const double times : {1.0, 1.1}) {
+    Bounds larger = b;
+    larger.jerk_max *= times;
+    const Move halt = stop(from, larger);
+    ASSERT_TRUE(halt);
+    const Freedom wanted = fastest_stop(from, larger);
+    EXPECT_NEAR(halt.profile.duration(), static_cast<double>(wanted.time), 1e-9);
+    EXPECT_NEAR(halt.profile.end().position - from.position, static_cast<double>(wanted.x), 1e-9);
+    const Case c{from, halt.profile.end(), larger, {}, true};
+    EXPECT_EQ(check(halt.profile, c).fault, "");
+  }
+}
+
+TEST(Issue, Jounce17ADurationThatIsNotBlocked) {
+  const MotionState from{0.11218189968189167, 1.6666260139287381, 0};
+  const MotionState to{4.7517837303768866, 0.80367053894485285, -0.44123967088281679};
+  const Bounds b = within(1.0106817062284312, 6.3444950311666233, 0.66334880452317102);
+  EXPECT_TRUE(durations(from, to, b).allows(5.6199203));
+  const Move move = move_to(from, to, b, 5.6199203);
+  ASSERT_TRUE(move) << explain(move.status);
+  EXPECT_EQ(check(move.profile, {from, to, b, 5.6199203}).fault, "");
+  expect_optimal(from, to, b);
+}
+
+TEST(Issue, Jounce17PhaseSynchronisationKeepsEveryAxisInside) {
+  // Axis 2 reached .27: the line's jerk is too low to stop its velocity at .2.
+  const std::vector<AxisMove> axes{{{0, 0.4, 0.8}, {2, 0, 0}, within(1, 1, 1)},
+                                   {{0, 0.15, 0.3}, {0.75, 0, 0}, within(0.2, 1, 1)},
+                                   {{0, 0.2, 0.4}, {1, 0, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(3);
+  EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::not_straight);
 }
 
 }  // namespace

@@ -82,7 +82,10 @@ void compare(Real is, const Reference& reference, const Case& c, Tally& tally) {
 }
 
 Case any(Random& r) {
-  return draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))].draw(r);
+  for (;;)
+    if (const Draw& d = draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))];
+        !d.alone)
+      return d.draw(r);
 }
 
 }  // namespace jounce::proof

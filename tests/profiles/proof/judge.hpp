@@ -36,7 +36,7 @@ using Asked = std::function<std::string()>;
 void compare(Real is, const Reference& reference, const Asked& asked, Tally& tally);
 void compare(Real is, const Reference& reference, const Case& c, Tally& tally);
 
-/// A case of any draw.
+/// A case of any draw but those for themselves.
 Case any(Random& r);
 
 /// 17 digits.
@@ -47,10 +47,14 @@ void optimality(Random& r, Tally& tally);
 void blocks(Random& r, Tally& tally);
 void exact(Random& r, Tally& tally);
 void velocity(Random& r, Tally& tally);
+void stops(Random& r, Tally& tally);
+void overshoot(Random& r, Tally& tally);
 void invariance(Random& r, Tally& tally);
 void replan_rest(Random& r, Tally& tally);
 void replan_moving(Random& r, Tally& tally);
 void walls(Random& r, Tally& tally);
+void certified(Random& r, Tally& tally);
+void certified_velocity(Random& r, Tally& tally);
 void sync_time(Random& r, Tally& tally);
 void sync_phase(Random& r, Tally& tally);
 

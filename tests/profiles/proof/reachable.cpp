@@ -363,45 +363,65 @@ Level level(Real from, double to, Real min, Real max) {
 
 namespace {
 
-/// Within the bounds in force.
-std::vector<Span> reachable_within(const MotionState& from, const MotionState& to, const Bounds& b,
-                                   const Slack& slack) {
-  const Level x{from.position, to.position, -infinity, infinity};
-  if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
-    return first(x, b.velocity_min, b.velocity_max, slack.position);
+/// All the durations under one set of bounds.
+std::vector<Span> durations_of(const MotionState& from, const MotionState& to, const Bounds& b,
+                               Real hold, const Slack& slack) {
   const bool third = std::isfinite(b.jerk_max);
-  const Freedom free = third ? freedom(from, b) : braked(from, b);
+  const Freedom free = third ? freedom(from, b, hold) : braked(from, b);
+  const Level x = level(free.x, to.position, -infinity, infinity);
   const Level v = level(free.v, to.velocity, b.velocity_min, b.velocity_max);
   const Level a = level(free.a, to.acceleration, b.acceleration_min, b.acceleration_max);
-  const Level rest = level(free.x, to.position, x.min, x.max);
   const Real k = third ? b.jerk_max : b.acceleration_max;
   const Real m = third ? -b.jerk_min : -b.acceleration_min;
-  std::vector<Span> spans =
-      later(third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
-                            third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
-                            rest.to - rest.from, slack.position)
-                  : second(rest, v, -m, k, slack.position, slack.velocity),
-            free.time);
-  // One that is its target may also stay, outside too; afterwards it has to come inside.
-  if (from == to && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
-  return spans;
+  return later(third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
+                               third_order(v, a, k, m),
+                               third_order(v.mirrored(), a.mirrored(), m, k), x.to - x.from,
+                               slack.position)
+                     : second(x, v, -m, k, slack.position, slack.velocity),
+               free.time);
+}
+
+/// The instants of the forced stretch at which the motion is at the target.
+std::vector<Span> passing(const MotionState& from, const MotionState& to, const Bounds& b,
+                          Real hold, const Slack& slack, bool position) {
+  std::vector<Span> at;
+  const auto near = [](Real x, Real y, Real e) { return std::abs(x - y) <= e; };
+  for (const Freedom& s : forced_at(from, b, hold, to.velocity, to.acceleration))
+    if (near(s.v, to.velocity, slack.velocity) && near(s.a, to.acceleration, slack.acceleration) &&
+        (!position || near(s.x, to.position, slack.position)))
+      at.push_back({s.time, s.time});
+  return at;
+}
+
+/// All spans together.
+std::vector<Span> merged(std::vector<Span> some, const std::vector<Span>& more) {
+  for (const Span& s : more) append(some, s.from, s.to);
+  return some;
+}
+
+/// The part of the spans from T on, and T itself.
+std::vector<Span> from_on(const std::vector<Span>& spans, Real T) {
+  std::vector<Span> part{{T, T}};
+  for (const Span& s : spans)
+    if (s.to >= T) append(part, std::max(s.from, T), s.to);
+  return part;
 }
 
 }  // namespace
 
-std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& bounds,
+std::vector<Span> reachable(const MotionState& from, const MotionState& to, const Bounds& b,
                             const Slack& slack) {
-  const InForce least = in_force(from, to, bounds);
-  if (least.hold > 0)
-    return later(reachable_within(after_hold(from, least.hold), to, bounds, slack), least.hold);
-  std::vector<Span> spans = reachable_within(from, to, least.bounds, slack);
-  if (least.bounds == bounds || spans.empty()) return spans;
-  const Real shortest = spans.front().from;
-  spans = reachable_within(from, to, in_force(from, to, bounds, true).bounds, slack);
-  std::erase_if(spans, [&](const Span& s) { return s.to < shortest; });
-  if (!spans.empty()) spans.front().from = std::max(spans.front().from, shortest);
-  if (spans.empty() || spans.front().from > shortest)
-    spans.insert(spans.begin(), Span{shortest, shortest});
+  if (!std::isfinite(b.acceleration_max) && !std::isfinite(b.jerk_max))
+    return first({from.position, to.position, -infinity, infinity}, b.velocity_min, b.velocity_max,
+                 slack.position);
+  const Force force = in_force(from, to, b, slack.position);
+  std::vector<Span> spans = durations_of(from, to, force.bounds, force.hold, slack);
+  if (std::isfinite(b.jerk_max))
+    spans = merged(passing(from, to, force.bounds, force.hold, slack, true), spans);
+  if (force.longer != force.bounds && !spans.empty())
+    spans = from_on(durations_of(from, to, force.longer, 0, slack), spans.front().from);
+  // One that is its target may also stay, outside too; afterwards it has to come inside.
+  if (from == to && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
   return spans;
 }
 
@@ -410,27 +430,13 @@ std::vector<Span> reachable_velocity(const MotionState& from, double velocity, d
   if (!std::isfinite(b.jerk_max))  // braking is the fastest, whatever is outside
     return first({from.velocity, velocity, b.velocity_min, b.velocity_max}, b.acceleration_min,
                  b.acceleration_max, slack.velocity);
+  if (from.velocity == velocity && from.acceleration == acceleration) return {Span{}};
   const Freedom free = freedom(from, b);
   const Level v = level(free.v, velocity, b.velocity_min, b.velocity_max);
   const Level a = level(free.a, acceleration, b.acceleration_min, b.acceleration_max);
-  std::vector<Span> spans =
-      later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time);
-  // What ends before the velocity has to pass its limit needs not come back from it.
-  if (free.passes > 0) {
-    const Freedom begin = acceleration_inside(from, b);
-    const Level v0 = level(begin.v, velocity, v.min, v.max);
-    const Level a0 = level(begin.a, acceleration, a.min, a.max);
-    for (const Span& s :
-         later(second(v0, a0, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration),
-               begin.time))
-      if (s.from <= free.passes) {
-        spans.insert(spans.begin(), {s.from, std::min(s.to, free.passes)});
-        break;
-      }
-  }
-  const bool is_there = from.velocity == velocity && from.acceleration == acceleration;
-  if (is_there && (spans.empty() || spans.front().from > 0)) spans.insert(spans.begin(), Span{});
-  return spans;
+  return merged(
+      passing(from, {0, velocity, acceleration}, b, 0, slack, false),
+      later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time));
 }
 
 namespace {

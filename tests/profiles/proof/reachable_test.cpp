@@ -10,8 +10,9 @@
 namespace jounce::proof {
 namespace {
 
-double least(const MotionState& from, const MotionState& to, const Bounds& b) {
-  return static_cast<double>(reachable(from, to, b).front().from);
+double least(const MotionState& from, const MotionState& to, const Bounds& b,
+             const Slack& slack = {}) {
+  return static_cast<double>(reachable(from, to, b, slack).front().from);
 }
 
 TEST(Reachable, RestToRestAgreesWithTheClosedForms) {
@@ -26,6 +27,20 @@ TEST(Reachable, RestToRestAgreesWithTheClosedForms) {
   EXPECT_DOUBLE_EQ(least({}, {1, 0, 0}, within(10, 1)), 2);
   EXPECT_DOUBLE_EQ(least({}, {10, 0, 0}, within(2, 1)), 5 + 2);
   EXPECT_DOUBLE_EQ(least({}, {10, 0, 0}, within(2)), 5);
+}
+
+TEST(Reachable, AStartOutsideAgreesWithTheClosedForms) {
+  // Velocity 2 where 1 is allowed, all limits 1: the level return takes 2 s and 3 u, the stop 2 s from
+  // there, the stop at once 1 + 1 + 1 s and 3 u.
+  const Bounds b = within(1, 1, 1);
+  const Slack last{0x1p-60L, 0x1p-60L, 0x1p-60L};
+  EXPECT_NEAR(least({0, 2, 0}, {3, 1, 0}, b, last), 2, 1e-9);
+  EXPECT_DOUBLE_EQ(least({0, 2, 0}, {14, 0, 0}, b), 2 + 10 + 2);
+  EXPECT_NEAR(least({0, 2, 0}, {3, 0, 0}, b, last), 3, 1e-8);
+  const auto level = reachable_velocity({0, 3, 0}, 2, 0, within(2, 10, 100));
+  EXPECT_DOUBLE_EQ(static_cast<double>(level.front().from), 0.2);
+  // Braking with 2 where 1 is allowed, on to where it stops if it goes on.
+  EXPECT_NEAR(least({0, 4, -2}, {13.0 / 3, 0, 0}, within(9, 1, 1), {1e-15L, 0, 0}), 3, 1e-6);
 }
 
 TEST(Reachable, AMovingTargetHasABlockedInterval) {

@@ -18,6 +18,11 @@ std::vector<Workload> listed() {
       {"sync-phase", "2 to 7 axes on one line, against the witness", sync_phase, 10},
       {"invariance", "other units of length and time", invariance, 100},
       {"velocity", "changes of velocity, against the witness", velocity, 100},
+      {"stops", "stops of any start, against integrated ones", stops, 100},
+      {"overshoot", "limits lowered in motion: what can stop in front of its target does not pass it",
+       overshoot, 300},
+      {"certified", "no shorter move, and blocked intervals, by duality", certified, 0.02},
+      {"certified-v", "no faster change of velocity, by duality", certified_velocity, 0.02},
       {"walls", "position limits", walls, 30},
   };
   list.insert(list.end(), std::begin(own), std::end(own));

@@ -32,7 +32,7 @@ struct Workload {
   std::string name;
   std::string what;
   void (*once)(Random&, Tally&);  ///< null: check moves drawn by the draw of that name
-  int weight = 100;               ///< of a total, less where a case takes longer
+  double weight = 100;            ///< of a total, less where a case takes longer
 };
 
 const std::vector<Workload>& workloads();
