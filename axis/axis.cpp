@@ -155,16 +155,24 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   const double kinks = on_path() ? peaks_.velocity_step : 0;
   const double joint = joint_ ? *config_.limits.acceleration * seconds(1) : 0;
   const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
-  if (const Cause no = check_setpoint(last(), state, step, config_); no != Cause::none) return no;
+  const Cause no = check_setpoint(last(), state, step, config_);
+  const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
+  if (supervised && (no == Cause::none || no == Cause::out_of_range))
+    if (const Cause limit = check_range(last(), state, config_); limit != Cause::none) return limit;
+  if (no != Cause::none) return no;
+  if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
   if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
   if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
-  // What was admitted ends within the range; what goes where a master, a velocity or a slower stop
-  // leads may not.
-  const bool to_target = base_ == Base::move && goal_.kind == Goal::Kind::position;
-  const bool bounded = on_path() && active_->bounded();
-  const bool admitted = (bounded || (to_target && ending_ == Ending::none)) && shift_ == 0;
-  if ((admitted && !lifting_) || ending_ == Ending::fault) return Cause::none;
-  return check_stopping(state, config_);
+  return Cause::none;
+}
+
+/// The whole motion is known and was admitted against the range: a path, and a move planned to a target.
+/// Each can be stopped inside: the path on itself; the move with the stop limits, which are greater than its own.
+bool MotionAxis::inside_as_a_whole() const {
+  if (lifting_ || shift_ != 0) return false;
+  if (on_path()) return active_->bounded();
+  return base_ == Base::move && goal_.kind == Goal::Kind::position && ending_ == Ending::none &&
+         wanted_rate() > 0;
 }
 
 void MotionAxis::give_out(const Setpoint& next) {

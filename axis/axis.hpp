@@ -112,6 +112,7 @@ class MotionAxis {
   Cause advance(Setpoint& next);
   void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
+  [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
   void operate_outputs();
   void report();
@@ -180,6 +181,8 @@ class MotionAxis {
   void move(const Command& command);
   [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
                                                Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> velocity_goal(double velocity, const MotionState& from,
+                                                     MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   [[nodiscard]] Peaks beneath() const;
   [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
@@ -190,6 +193,7 @@ class MotionAxis {
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
   void leave(Goal::Kind kind);
+  bool stop_at_limit(Cause limit);
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
   // axis_buffer.cpp: what waits for its tick, and the moves after this one

@@ -139,7 +139,7 @@ void MotionAxis::set_override(double factor) {
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
   // What is superimposed was given what the factor left.
   if (lifting_ && factor > factor_) return refuse(Cause::in_motion, factor, factor_);
-  const double before = std::exchange(factor_, factor);
+  const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path())) return;
   if (!replan()) factor_ = before;
 }

@@ -12,7 +12,7 @@ void MotionAxis::conclude() {
     if (plan_time() < plan_.duration()) return;
     if (ending_ != Ending::none) return rest();
     if (wanted_rate() == 0) return;
-    if (goal_.kind == Goal::Kind::position) return rest();
+    if (goal_.kind == Goal::Kind::position || goal_.value == 0) return rest();
     if (!next_.empty()) begin_next();
     return;
   }
@@ -101,11 +101,8 @@ void MotionAxis::fail(Cause cause) {
   ending_ = Ending::fault;
   if (on_it && stop_on_path()) return;
   const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
-  // What replaced a move to a target may be told too late for the softer stop before a limit.
-  const bool in_time = limit && check_stopping(last(), config_) == Cause::none;
-  brake(cause == Cause::aborted ? config_.abort_acceleration
-        : in_time               ? config_.limit_acceleration
-                                : config_.stop_acceleration);
+  if (limit && stop_at_limit(cause)) return;
+  brake(cause == Cause::aborted ? config_.abort_acceleration : config_.stop_acceleration);
 }
 
 void MotionAxis::drop_movement() {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/axis/setpoint_check.hpp"
 
 // The moves that an axis plans itself (move_plan.hpp), each from the last setpoint that went out.
 
@@ -12,20 +13,28 @@ using Kind = Command::Kind;
 
 namespace {
 
-/// A move on top of another one takes what that leaves of the velocity limit, and half of what it
-/// leaves of the stop limits: the other half is for a change of the rate below it.
+/// A move on top of another one takes what that leaves of the limits: so both together keep them, whatever
+/// the phase in which they meet.
 std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
+  constexpr double least = 1e-9;  // of a limit
+  const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
+    const double most = std::exchange(limit, limit - used);
+    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most, 0});
+  };
   Limits& limits = config.limits;
-  const double most = *limits.velocity;
-  *limits.velocity -= below.velocity;
-  *limits.acceleration =
-      std::min(*limits.acceleration, (config.stop_acceleration - below.acceleration) / 2);
-  if (limits.jerk) limits.jerk = std::min(*limits.jerk, (config.stop_jerk - below.jerk) / 2);
-  if (!(*limits.velocity > 1e-9 * most))
-    return Refusal{Cause::velocity_limit, below.velocity, most, 0};
-  if (!(*limits.acceleration > 0) || (limits.jerk && !(*limits.jerk > 0)))
-    return Refusal{Cause::acceleration_limit, below.acceleration, config.stop_acceleration, 0};
-  return std::nullopt;
+  if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
+  if (auto no = take(*limits.acceleration, below.acceleration, Cause::acceleration_limit))
+    return no;
+  return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
+}
+
+/// Whether a motion keeps these limits.
+bool keeps(const Profile& motion, const Limits& limits) {
+  constexpr double same = 1 + 1e-9;
+  const Peaks most = peaks(motion);
+  return most.velocity <= *limits.velocity * same &&
+         most.acceleration <= *limits.acceleration * same &&
+         (!limits.jerk || most.jerk <= *limits.jerk * same);
 }
 
 }  // namespace
@@ -53,15 +62,9 @@ std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionS
   const double value = command.position;
   if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0, 0};
   MoveDynamics dynamics = command.dynamics;
+  if (command.kind == Kind::move_velocity) dynamics.velocity = as_configured;
   if (const auto no = fill(dynamics, config_)) return no;
-  if (command.kind == Kind::move_velocity) {
-    const double velocity = std::copysign(dynamics.velocity, value);
-    if (value == 0) return Refusal{Cause::no_value, value, 0, 0};
-    goal = {Goal::Kind::velocity, velocity, dynamics};
-    const bool blocked = velocity > 0 ? inputs_.positive_switch : inputs_.negative_switch;
-    return blocked ? std::optional(Refusal{Cause::direction_blocked, velocity, 0, 0})
-                   : std::nullopt;
-  }
+  if (command.kind == Kind::move_velocity) return velocity_goal(value, from, dynamics, goal);
   std::optional<double> target = from.position + value;
   if (command.kind == Kind::move_absolute)
     target = target_of(value, command.direction, from, dynamics, config_);
@@ -70,6 +73,25 @@ std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionS
   if (!target) return Refusal{Cause::no_such_move, value, 0, 0};
   goal = {Goal::Kind::position, *target, dynamics};
   return forbidden(*target, from.position);
+}
+
+/// The goal of a move at this velocity; 0: to rest.
+std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionState& from,
+                                                 MoveDynamics dynamics, Goal& goal) const {
+  const double most = dynamics.velocity;
+  if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most, 0};
+  const bool blocked = (velocity > 0 && inputs_.positive_switch) ||
+                       (velocity < 0 && inputs_.negative_switch);
+  if (blocked) return Refusal{Cause::direction_blocked, velocity, 0, 0};
+  const auto limit = velocity > 0   ? config_.limits.position_max
+                     : velocity < 0 ? config_.limits.position_min
+                                    : std::nullopt;
+  const double near = 1e-9 * most * seconds(1);
+  if (limit && (*limit - from.position) * std::copysign(1.0, velocity) < near)
+    return Refusal{Cause::position_limit, from.position, *limit, 0};
+  dynamics.velocity = std::abs(velocity);
+  goal = {Goal::Kind::velocity, velocity, dynamics};
+  return std::nullopt;
 }
 
 /// Why no move may have this target.
@@ -90,12 +112,13 @@ Peaks MotionAxis::beneath() const {
     return {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
             peaks_.jerk * r * r * r};
   }
-  if (base_ != Base::move) return {std::abs(bare_.velocity), 0, 0};
+  if (base_ != Base::move) return {std::abs(bare_.velocity), std::abs(bare_.acceleration), 0};
   const MoveDynamics& d = goal_.dynamics;
   // What it was in the middle of when it was told may take it beyond its own dynamics.
-  const auto [low, high] = velocities(plan_);
-  return {std::max({high, -low, d.velocity * std::max(1.0, factor_)}),
-          std::max({d.acceleration, d.deceleration, std::abs(bare_.acceleration)}), d.jerk};
+  const Peaks planned = peaks(plan_);
+  return {std::max(planned.velocity, d.velocity * std::max(1.0, factor_)),
+          std::max({planned.acceleration, d.acceleration, d.deceleration}),
+          config_.limits.jerk ? std::max(planned.jerk, d.jerk) : 0};
 }
 
 /// Why a distance on top of what is under way would end outside the range.
@@ -120,7 +143,7 @@ void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
   left.limits.position_min = left.limits.position_max = std::nullopt;
   const auto profile = plan({up.position, up.velocity, up.acceleration},
                             {Goal::Kind::position, up.position + distance, dynamics}, 1, left);
-  if (!profile) return refuse(Cause::no_such_move, distance);
+  if (!profile || !keeps(*profile, left.limits)) return refuse(Cause::no_such_move, distance);
   lifting_ = true;
   lift_ = *profile;
   lift_dynamics_ = dynamics;
@@ -176,9 +199,29 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
 /// From the last setpoint that was good, and from the tick in which it went out.
 void MotionAxis::brake(double deceleration) {
   const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
-  const MoveDynamics dynamics{*config_.limits.velocity, deceleration, deceleration, jerk};
-  if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return freeze();
+  for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
+    if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return freeze();
+    ending_ = Ending::fault;
+    if (stays_inside(plan_, config_)) return;  // else harder
+  }
+}
+
+/// To rest at the end of the range, with the gentlest stop that the last good setpoint has.
+bool MotionAxis::stop_at_limit(Cause limit) {
+  const auto& [low, high, v_most, a_most, j_most] = config_.limits;
+  const auto end = limit == Cause::positive_soft_limit ? high : low;
+  const MotionState from = last();
+  const Stop stop = gentlest_stop(from, config_);
+  const bool outside = end && (limit == Cause::positive_soft_limit ? from.position > *end
+                                                                   : from.position < *end);
+  if (!end || outside || stop == Stop::none) return false;
+  const double a = stop == Stop::soft ? config_.limit_acceleration : config_.stop_acceleration;
+  const double j = j_most ? config_.stop_jerk : Bounds::none;
+  const double own = std::abs(from.velocity) + from.acceleration * from.acceleration / (2 * j);
+  if (!adopt({Goal::Kind::position, *end, {std::clamp(own, 1e-9 * *v_most, *v_most), a, a, j}}, 1))
+    return false;
   ending_ = Ending::fault;
+  return true;
 }
 
 /// The coupling ends: the velocity stays, or the axis comes to rest.

@@ -32,7 +32,7 @@ std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = shift_ + (lifting_ ? lift_.end().position : 0);
   if (base_ == Base::move) {
-    if (goal_.kind == Goal::Kind::velocity) return std::nullopt;
+    if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
     const bool there = goal_.kind == Goal::Kind::position;
     return MotionState{(there ? goal_.value : plan_.end().position) + above, 0, 0};
   }

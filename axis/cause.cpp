@@ -69,6 +69,9 @@ constexpr std::array entries{
           "A halt is under way: give it another motion, or wait for its end."},
     Entry{Cause::buffer_full, "buffer_full",
           "As many wait already as have room: eight moves, one order for its tick."},
+    Entry{Cause::not_positive, "not_positive",
+          "A velocity, acceleration, deceleration or jerk must be greater than 0; leave it out to "
+          "use the limit of the axis."},
     Entry{Cause::bad_table, "bad_table",
           "The tables do not make a motion: one over time is needed, or a master and a cam."},
     Entry{Cause::start_position, "start_position",

@@ -48,6 +48,7 @@ enum class Cause : std::uint8_t {
   no_such_move = 35,
   halting = 36,
   buffer_full = 37,
+  not_positive = 38,
 
   // Tables that were not admitted.
   bad_table = 40,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "jounce/axis/movement.hpp"
 #include "jounce/profiles/modulo.hpp"
@@ -8,12 +9,15 @@
 
 namespace jounce {
 
-/// What a move may do; magnitudes. 0: as much as the axis is configured for.
+/// A value of MoveDynamics that is not given: NaN.
+inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN();
+
+/// What a move may do: magnitudes, > 0. One that is not given is the limit of the axis.
 struct MoveDynamics {
-  double velocity = 0;      ///< u/s
-  double acceleration = 0;  ///< u/s^2, while it speeds up
-  double deceleration = 0;  ///< u/s^2, while it slows down
-  double jerk = 0;          ///< u/s^3
+  double velocity = as_configured;      ///< u/s
+  double acceleration = as_configured;  ///< u/s^2, while it speeds up
+  double deceleration = as_configured;  ///< u/s^2, while it slows down
+  double jerk = as_configured;          ///< u/s^3
 };
 
 /// When what is armed begins.
@@ -45,7 +49,8 @@ struct Command {
     move_relative,      ///< by `position` from where the setpoint is
     move_additive,      ///< by `position` from the target of the move under way
     move_superimposed,  ///< by `position` on top of what is under way; `dynamics.velocity` is added
-    move_velocity,  ///< at `position` / |`position`| * dynamics.velocity; until the next command
+    move_velocity,      ///< at the velocity `position`, u/s, until the next command; 0: to rest.
+                        ///< dynamics.velocity has no meaning
     halt,           ///< as stop, but any command may follow at once
     gear_in,        ///< `movement`, a live one, begins now, in whatever motion the axis is
     gear_out,       ///< leaves the gear; the velocity stays
@@ -56,7 +61,7 @@ struct Command {
   Movement* movement = nullptr;  ///< must live until it is handed back
   StartAt start_at = StartAt::tick;
   std::int64_t at = -1;  ///< tick; -1: in the step that gets the command. Arm knows no other
-  double position = 0;   ///< u; a distance where a move is relative, m for a master
+  double position = 0;   ///< u; u/s of move_velocity, m for a master; relative moves: a distance
   bool relative = false;
   double factor = 1;  ///< of override_, 0 to 2
   MoveDynamics dynamics = {};

@@ -1,7 +1,9 @@
 #include "jounce/axis/live_gear.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/detail/live.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -45,6 +47,15 @@ Setpoint LiveGear::at(const Moment& now) noexcept {
 
 Cause LiveGear::cause() const noexcept {
   return lost(progress_);
+}
+
+std::optional<Refusal> LiveGear::admit(const AxisConfig& config,
+                                       const MotionState& /*from*/) const noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const double acceleration = std::max(spec_.acceleration, spec_.deceleration);
+  if (a && acceleration > *a) return Refusal{Cause::acceleration_limit, acceleration, *a, 0};
+  if (j && spec_.jerk > *j) return Refusal{Cause::jerk_limit, spec_.jerk, *j, 0};
+  return std::nullopt;
 }
 
 LiveGearInPos::LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec)

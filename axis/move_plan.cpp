@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/axis/setpoint_check.hpp"
+
 namespace jounce {
 namespace {
 
-/// One number of the dynamics against its limit; 0 becomes the limit.
+/// One number of the dynamics against its limit; the limit where it is not given.
 std::optional<Refusal> fill(double& value, double limit, Cause cause) {
-  if (!(value >= 0) || std::isinf(value)) return Refusal{Cause::no_value, value, 0, 0};
+  if (std::isnan(value)) value = limit;
+  if (!(value > 0)) return Refusal{Cause::not_positive, value, 0, 0};
   if (value > limit) return Refusal{cause, value, limit, 0};
-  if (value == 0) value = limit;
   return std::nullopt;
 }
 
@@ -135,6 +137,19 @@ double wanted_at_passing(double previous, double next, BufferMode mode) {
   return std::min(previous, next);
 }
 
+/// To rest at the end of the range that it moves towards, inside the range on the way: where a stop
+/// would end outside, it turns round and comes back.
+std::optional<Profile> rest_at_limit(const MotionState& from, const MoveDynamics& d,
+                                     const AxisConfig& config) {
+  const bool up = from.velocity > 0 || (from.velocity == 0 && from.acceleration > 0);
+  const auto limit = up ? config.limits.position_max : config.limits.position_min;
+  if (!limit) return std::nullopt;
+  Bounds bounds = within(*config.limits.velocity, d.deceleration, d.jerk);
+  keep_range(bounds, from.position, config.limits);
+  const Move move = move_to(from, {*limit, 0, 0}, bounds);
+  return move ? std::optional(move.profile) : std::nullopt;
+}
+
 /// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
 /// the lesser of both where it turns round.
 double change_of_velocity(double from, double to, const MoveDynamics& d) {
@@ -172,7 +187,50 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
       goal.kind == Goal::Kind::velocity ? std::clamp(goal.value * factor, -most, most) : 0;
   const Move move = move_velocity(
       from, velocity, within(Bounds::none, change_of_velocity(from.velocity, velocity, d), d.jerk));
-  return move ? std::optional(move.profile) : std::nullopt;
+  if (!move) return std::nullopt;
+  if (velocity != 0 || stays_inside(move.profile, config)) return move.profile;
+  const auto inside = rest_at_limit(from, d, config);
+  return inside ? inside : move.profile;
+}
+
+/// v + a t + j t^2 / 2 = 0 in each phase: where it turns round.
+std::array<double, 2> positions(const Profile& profile) noexcept {
+  double low = std::min(profile.start().position, profile.end().position);
+  double high = std::max(profile.start().position, profile.end().position);
+  const auto see = [&](double p) {
+    low = std::min(low, p);
+    high = std::max(high, p);
+  };
+  double begin = 0;
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const auto [p, v, a, unused] = profile.at(begin);
+    const auto [T, value] = profile.phase(i);
+    const double j = profile.order() == 3 ? value : 0;
+    const double b = profile.order() == 3 ? a : value;
+    see(p);
+    const double root = b * b - 2 * j * v;
+    if (root >= 0) {
+      const double q = -(b + std::copysign(std::sqrt(root), b));
+      for (const double t : {q / j, 2 * v / q})
+        if (t > 0 && t < T) see(p + t * (v + t * (b / 2 + t * j / 6)));
+    }
+    begin += T;
+  }
+  return {low, high};
+}
+
+Peaks peaks(const Profile& profile) noexcept {
+  const auto [low, high] = velocities(profile);
+  Peaks most{.velocity = std::max(high, -low)};
+  double t = 0;
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const auto [T, value] = profile.phase(i);
+    double& highest = profile.order() == 3 ? most.jerk : most.acceleration;
+    highest = std::max(highest, std::abs(value));
+    most.acceleration = std::max(most.acceleration, std::abs(profile.at(t).acceleration));
+    t += T;
+  }
+  return most;
 }
 
 std::array<double, 2> velocities(const Profile& profile) noexcept {
@@ -205,7 +263,9 @@ double passing_velocity(const MotionState& from, const Goal& goal, const Goal& n
     first.through = way * velocity;
     const auto to = plan(from, first, factor, config);
     if (!to || !straight(*to, way)) return false;
-    const auto further = plan({goal.value, first.through, 0}, next, factor, config);
+    const MotionState there{goal.value, first.through, 0};
+    if (gentlest_stop(there, config) != Stop::soft) return false;
+    const auto further = plan(there, next, factor, config);
     return further && straight(*further, way);
   };
   const double wanted =

@@ -6,6 +6,7 @@
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/cause.hpp"
 #include "jounce/axis/command.hpp"
+#include "jounce/axis/movement.hpp"
 #include "jounce/profiles/move.hpp"
 
 namespace jounce {
@@ -24,15 +25,16 @@ struct Goal {
                                ///< dynamics: then it speeds up before it; 0: it ends there
 };
 
-/// Fills in what is 0 with the limits of the axis (an infinite jerk where it has none), in place.
-/// What is negative, not finite or beyond a limit is refused (PMC600 errors 201, 226, 301).
+/// Fills in what is not given with the limits of the axis (an infinite jerk where it has none), in place.
+/// What is not greater than 0 or beyond a limit is refused (PMC600 errors 201, 226, 301).
 std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
 /// As `fill`, with the limits of a stop: its deceleration and jerk may be what the axis stops with.
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
 /// The move to the goal from any state, at `factor` times its velocity (0: to rest); the fastest
-/// that keeps the dynamics and the position range. Nothing where there is none. While it slows down
+/// that keeps the dynamics and the position range; to rest it turns round at the end of the range, if it
+/// must, and comes back to it. Nothing where there is none. While it slows down
 /// it does so with `deceleration`; an axis that has to turn round brakes with `acceleration`.
 ///
 ///     Goal goal{Goal::Kind::position, 6000, dynamics};
@@ -43,9 +45,15 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
 /// The lowest and the highest velocity of a motion, u/s, exactly.
 std::array<double, 2> velocities(const Profile& profile) noexcept;
 
+/// The lowest and the highest position of a motion, u, to rounding.
+std::array<double, 2> positions(const Profile& profile) noexcept;
+
+/// The greatest magnitudes of a motion, u/s, u/s^2, u/s^3; of one without a jerk limit the jerk is 0.
+Peaks peaks(const Profile& profile) noexcept;
+
 /// The velocity, u/s and signed, at which a move may pass its target on the way to that of the next
-/// one: as the mode says, also above its own, but at most so that neither move turns round (the greatest
-/// such velocity to 1e-6 of it). 0: it comes to rest there.
+/// one: as the mode says, also above its own, but at most so that neither move turns round and the axis can
+/// stop inside its range (the greatest such velocity to 1e-6 of it). 0: it comes to rest there.
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
                         BufferMode mode, double factor, const AxisConfig& config) noexcept;
 

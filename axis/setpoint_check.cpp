@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/profiles/query.hpp"
+#include "jounce/axis/move_plan.hpp"
+#include "jounce/profiles/move.hpp"
 
 namespace jounce {
 namespace {
@@ -20,6 +21,60 @@ double range_slack(double position, const AxisConfig& config) {
   const double low = config.limits.position_min.value_or(position);
   const double high = config.limits.position_max.value_or(position);
   return same * std::max({high - low, std::abs(low), std::abs(high)});
+}
+
+double rounding(double from, double to) {
+  return 1e-12 * (std::abs(from) + std::abs(to - from));
+}
+
+MotionState mirrored(const MotionState& state) {
+  return {-state.position, -state.velocity, -state.acceleration};
+}
+
+/// More than the way of any stop with this deceleration, upwards: it never is faster than (1), and is
+/// so at the most for the three times that (2) adds up.
+///
+///     (1)  w = max(v, 0) + a^2 / (2 j)            where a > 0
+///     (2)  a / j  +  w / s  +  s / j
+double most_way(double v, double a, double s, double j) {
+  const double rise = std::max(a, 0.0);
+  const double w = std::max(v, 0.0) + rise * rise / (2 * j);
+  return w * (rise / j + w / s + s / j);
+}
+
+/// How far it goes up before it turns round, with the jerk -j to the acceleration -s, and on with that.
+///
+///     (3)  v + a t - j t^2 / 2 = 0                 where it turns before the acceleration is -s
+double way_to_turn(double v, double a, double s, double j) {
+  if (std::isinf(j)) return v > 0 ? v * v / (2 * s) : 0;
+  const double root = a * a + 2 * j * v;
+  if (!(root > 0) || (v <= 0 && a <= 0)) return 0;
+  const double T = std::max(0.0, (a + s) / j);
+  const double t = (a + std::sqrt(root)) / j;  // (3)
+  if (t <= T) return std::max(0.0, t * (v + t * (a / 2 - t * j / 6)));
+  const double then = v + T * (a - T * j / 2);
+  return std::max(0.0, T * (v + T * (a / 2 - T * j / 6)) + then * then / (2 * s));
+}
+
+/// The gentlest stop that stays below a position.
+Stop gentlest_below(double most, const MotionState& state, const AxisConfig& config) {
+  const auto& [p, v, a] = state;
+  const double j = config.limits.jerk ? config.stop_jerk : Bounds::none;
+  const auto inside = [&](double furthest) {
+    return furthest <= most + rounding(p, furthest);
+  };
+  if (!inside(p)) return Stop::none;
+  if (v <= 0 && (a <= 0 || std::isinf(j))) return Stop::soft;
+  const double soft = config.limit_acceleration;
+  const double hard = config.stop_acceleration;
+  if (inside(p + most_way(v, a, soft, j))) return Stop::soft;
+  const auto rests = [&](double deceleration) {
+    const Move stop = move_velocity(state, 0, within(Bounds::none, deceleration, j));
+    return stop && inside(positions(stop.profile)[1]);
+  };
+  if (rests(soft)) return Stop::soft;
+  if (rests(hard)) return Stop::hard;
+  return inside(p + way_to_turn(v, a, hard, j)) ? Stop::turning : Stop::none;
 }
 
 }  // namespace
@@ -43,19 +98,41 @@ Cause check_setpoint(const MotionState& last, const MotionState& next, const Ste
   return Cause::none;
 }
 
-Cause check_stopping(const MotionState& next, const AxisConfig& config) noexcept {
-  const Limits& limits = config.limits;
-  if (!limits.position_min && !limits.position_max) return Cause::none;
-  const Ramp ramp{config.limit_acceleration, limits.jerk ? config.stop_jerk : Ramp::none};
-  const auto stop = stopping({next.velocity, next.acceleration}, ramp);
-  if (!stop) return Cause::none;
-  const double end = next.position + stop->distance;
-  const double near = 1e-12 * (std::abs(next.position) + std::abs(stop->distance));  // rounding
-  if (limits.position_max && stop->distance > 0 && end > *limits.position_max + near)
-    return Cause::positive_soft_limit;
-  if (limits.position_min && stop->distance < 0 && end < *limits.position_min - near)
-    return Cause::negative_soft_limit;
+Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const double p = state.position;
+  const Stop up = high ? gentlest_below(std::max(*high, p), state, config) : Stop::soft;
+  const Stop down =
+      low ? gentlest_below(std::max(-*low, -p), mirrored(state), config) : Stop::soft;
+  return std::max(up, down);
+}
+
+Cause check_range(const MotionState& last, const MotionState& next,
+                  const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const auto loses = [&](double limit, const MotionState& before, const MotionState& after) {
+    const double most = std::max(limit, before.position);  // from outside it may come back
+    const Stop left = gentlest_below(most, after, config);
+    return left != Stop::soft && left > gentlest_below(most, before, config);
+  };
+  if (high && loses(*high, last, next)) return Cause::positive_soft_limit;
+  if (low && loses(-*low, mirrored(last), mirrored(next))) return Cause::negative_soft_limit;
   return Cause::none;
+}
+
+bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept {
+  const auto& [p, v, a] = state;
+  const bool grows = config.limits.jerk && v * a >= 0;
+  const double highest = std::abs(v) + (grows ? a * a / (2 * config.stop_jerk) : 0);
+  return highest > *config.limits.velocity * (1 + same);
+}
+
+bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const auto [least, most] = positions(motion);
+  const double from = motion.start().position;
+  return (!high || most <= std::max(*high, from) + rounding(from, most)) &&
+         (!low || least >= std::min(*low, from) - rounding(from, least));
 }
 
 }  // namespace jounce

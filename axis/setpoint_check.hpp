@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/cause.hpp"
 #include "jounce/profiles/profile.hpp"
@@ -18,8 +20,28 @@ struct StepAllowance {
 Cause check_setpoint(const MotionState& last, const MotionState& next, const StepAllowance& step,
                      const AxisConfig& config) noexcept;
 
-/// Whether a stop with limit_acceleration (PMC600 fSWLimitDeceleration) from this state would end
-/// outside the position range: positive_soft_limit, negative_soft_limit, or none.
-Cause check_stopping(const MotionState& next, const AxisConfig& config) noexcept;
+/// The stops of an axis, from the gentlest to the hardest.
+enum class Stop : std::uint8_t {
+  soft,     ///< to rest with limit_acceleration (PMC600 fSWLimitDeceleration)
+  hard,     ///< to rest with stop_acceleration
+  turning,  ///< with stop_acceleration; it turns round at the end of the range, then comes to rest
+  none,     ///< no stop stays inside the range
+};
+
+/// The gentlest stop from this state that stays inside the position range; at the end that is worse off.
+/// From outside the range, one that does not lead further out.
+Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept;
+
+/// The rule of the position range: `next` may not lose the gentlest stop that the setpoint before it,
+/// `last`, had. So the axis can stop inside the range at every tick: where positive_soft_limit or
+/// negative_soft_limit says that `next` breaks the rule, that stop from `last` is there.
+Cause check_range(const MotionState& last, const MotionState& next,
+                  const AxisConfig& config) noexcept;
+
+/// Whether the velocity exceeds its limit, or will before the acceleration can come down to 0 with stop_jerk.
+bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept;
+
+/// Whether a motion stays inside the range, or comes back to it, up to rounding.
+bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept;
 
 }  // namespace jounce

@@ -54,15 +54,19 @@ double number_of(const std::string& name, const std::string& text, const std::st
   }
 }
 
-/// A quantity of position / s^order, of an option or of VALUE; an option that is not given is 0.
+/// A quantity of position / s^order, of an option or of VALUE; NaN where an option is not given.
 double quantity_of(const Options& options, const std::string& option, const Units& units,
                    int order = 0) {
   const bool is_value = option == "VALUE";
   const auto found = options.named.find(option);
   const std::string text = is_value ? options.value : found->second;
-  if (text.empty() && !is_value) return 0;
-  return number_of(is_value ? option : "--" + option, text,
-                   order == 0 ? units.position : rate_unit(units.position, "s", order));
+  if (text.empty() && !is_value) return std::numeric_limits<double>::quiet_NaN();
+  const double value = number_of(is_value ? option : "--" + option, text,
+                                 order == 0 ? units.position : rate_unit(units.position, "s", order));
+  if (!is_value && order > 0 && !(value > 0))
+    throw InputError("--" + option, text,
+                     "must be greater than 0; leave it out to use the limit of the axis");
+  return value;
 }
 
 /// One that has to be given, of the axis or of its master.
@@ -220,7 +224,7 @@ wire::Order order_of(const Options& options, const Units& units) {
 CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
   if (!wire::is_operators(order.kind)) {
     Client client(link.transport(), options.executor, {.key = link.key()});
-    CallOutcome outcome = client.order(order.kind, order.value, order.at);
+    CallOutcome outcome = client.order(order);
     static_cast<void>(client.release());
     return outcome;
   }
@@ -279,7 +283,7 @@ void add_order(CommandLine& line) {
                      "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
                      "cam-out", "start"}));
   verb.option("VALUE", options->value,
-              "override's factor (50%), jog's velocity, home's and set-position's position, "
+              "override's factor (50%), jog's velocity (0: to rest), home's and set-position's position, "
               "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
     return verb.option("--" + option, options->named[option], help);

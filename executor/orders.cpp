@@ -35,11 +35,10 @@ Command move_absolute(const std::array<double, 8>& value) {
   return command;
 }
 
-/// The wire's velocity has the sign of the direction.
 Command move_velocity(const std::array<double, 8>& value) {
   return {.kind = Kind::move_velocity,
-          .position = std::copysign(1.0, value[0]),
-          .dynamics = {std::abs(value[0]), value[1], value[2], value[3]}};
+          .position = value[0],
+          .dynamics = {as_configured, value[1], value[2], value[3]}};
 }
 
 }  // namespace
@@ -77,7 +76,8 @@ std::optional<Command> untimed(const OrderRequested& order) {
     case OrderKind::move_velocity:
       return buffered(move_velocity(value), value[4]);
     case OrderKind::halt:
-      return Command{.kind = Kind::halt, .dynamics = {0, 0, value[0], value[1]}};
+      return Command{.kind = Kind::halt,
+                     .dynamics = {.deceleration = value[0], .jerk = value[1]}};
     case OrderKind::gear_out:
       return Command{.kind = Kind::gear_out};
     case OrderKind::cam_out:
@@ -102,13 +102,14 @@ std::unique_ptr<Movement> gear_of(const OrderRequested& order, std::uint64_t id,
     return static_cast<std::int64_t>(std::llround(value[i]));
   };
   if (order.kind == OrderKind::gear_in) {
-    const double acceleration = value[2] != 0 ? value[2] : config.limits.acceleration.value_or(0);
-    const double jerk = value[4] != 0 ? value[4] : config.limits.jerk.value_or(0);
+    const auto given = [](double number, double otherwise) {
+      return std::isnan(number) ? otherwise : number;
+    };
     return std::make_unique<LiveGear>(id, GearInSpec{.numerator = whole(0),
                                                      .denominator = whole(1),
-                                                     .acceleration = acceleration,
-                                                     .deceleration = value[3],
-                                                     .jerk = jerk});
+                                                     .acceleration = given(value[2], *config.limits.acceleration),
+                                                     .deceleration = given(value[3], 0),
+                                                     .jerk = given(value[4], config.limits.jerk.value_or(0))});
   }
   if (order.kind == OrderKind::gear_in_pos)
     return std::make_unique<LiveGearInPos>(id, GearInPosSpec{.numerator = whole(0),

@@ -86,12 +86,15 @@ CallOutcome Client::tell(wire::Body body) {
   return ask(body);
 }
 
-CallOutcome Client::order(OrderKind kind, const std::array<double, 8>& value, std::int64_t at) {
-  const wire::Order order{.kind = kind, .at = at, .value = value};
+CallOutcome Client::order(const wire::Order& order) {
   if (const std::string rule = contradiction(order); !rule.empty())
-    throw InputError(name(kind), "", rule);
-  if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
+    throw InputError(name(order.kind), "", rule);
+  if (order.at < -1) throw InputError("at", std::to_string(order.at), "must be -1 or more");
   return tell(order);
+}
+
+CallOutcome Client::order(OrderKind kind, std::initializer_list<double> given, std::int64_t at) {
+  return order(wire::Order{.kind = kind, .at = at, .value = wire::values(kind, given)});
 }
 
 CallOutcome Client::release() {

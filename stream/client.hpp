@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -26,12 +27,13 @@ struct ClientOptions {
   Nanos repeat = std::chrono::milliseconds(20);  ///< of a command, until it is answered
 };
 
-/// How a motion is to be made, u/s, u/s^2, u/s^3; 0: the limit that the axis is configured with.
+/// How a motion is to be made, u/s, u/s^2, u/s^3, > 0. NaN: not given, the limit of the axis.
 struct Pacing {
-  double velocity = 0;
-  double acceleration = 0;
-  double deceleration = 0;
-  double jerk = 0;
+  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+  double velocity = not_given;
+  double acceleration = not_given;
+  double deceleration = not_given;
+  double jerk = not_given;
 };
 
 /// Tells an executor's axis what to do, one call after another, as PLCopen's function blocks would.
@@ -67,7 +69,7 @@ class Client {
   CallOutcome move_additive(double distance, const Pacing& pacing = {});
   /// pacing.velocity: the greatest difference to the motion below.
   CallOutcome move_superimposed(double distance, const Pacing& pacing = {});
-  /// `velocity` is signed; pacing.velocity has no meaning.
+  /// `velocity` is signed, 0: to rest; pacing.velocity has no meaning.
   CallOutcome move_velocity(double velocity, const Pacing& pacing = {});
   CallOutcome halt(const Pacing& pacing = {});
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
@@ -79,8 +81,10 @@ class Client {
   CallOutcome gear_out() { return order(wire::OrderKind::gear_out); }
   CallOutcome cam_out() { return order(wire::OrderKind::cam_out); }
 
-  /// Any order; `at`: the executor's tick at which it is obeyed, -1: the next one.
-  CallOutcome order(wire::OrderKind kind, const std::array<double, 8>& value = {},
+  /// Any order.
+  CallOutcome order(const wire::Order& order);
+  /// Any order by its values (wire::values); `at`: the executor's tick at which it is obeyed, -1: the next one.
+  CallOutcome order(wire::OrderKind kind, std::initializer_list<double> given = {},
                     std::int64_t at = -1);
 
   /// Any command, in the session that is there or else in a new one. A heartbeat keeps it.

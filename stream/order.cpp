@@ -1,14 +1,16 @@
 #include "jounce/stream/order.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 
 namespace jounce::wire {
 namespace {
 
-/// What a value is, as a letter: any number (n), a magnitude (m: >= 0), a flag (f), a direction (d),
+/// What a value is, as a letter: any number (n), a magnitude (m: > 0, or NaN: not given), a flag (f), a direction (d),
 /// a factor 0 to 2 (o), a whole number (w), one that is not 0 (z), a count (c: whole, >= 0), a
 /// bank (f), a buffer mode (b: whole, 0 to 5).
 struct Meaning {
@@ -59,8 +61,10 @@ const Meaning& meaning(OrderKind kind) {
 /// The rule that the value breaks; empty: none.
 const char* broken(char letter, double value) {
   const bool whole = std::abs(value) <= 2147483647 && value == std::trunc(value);
+  if (letter == 'm' && std::isnan(value)) return "";
   if (!std::isfinite(value)) return "must be finite";
-  if (letter == 'm' && value < 0) return "must not be negative";
+  if (letter == 'm' && !(value > 0))
+    return "must be greater than 0; leave it out to use the limit of the axis";
   if (letter == 'f' && value != 0 && value != 1) return "must be 0 or 1";
   if (letter == 'd' && std::abs(value) != 1 && value != 0) return "must be -1, 0 or 1";
   if (letter == 'o' && (value < 0 || value > 2)) return "must be 0 to 2";
@@ -79,6 +83,15 @@ const char* name(OrderKind kind) {
 
 std::size_t arity(OrderKind kind) {
   return std::strlen(meaning(kind).values);
+}
+
+std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given) {
+  std::array<double, 8> all{};
+  const char* const letters = meaning(kind).values;
+  for (std::size_t i = 0; i < arity(kind); ++i)
+    if (letters[i] == 'm') all[i] = std::numeric_limits<double>::quiet_NaN();
+  std::copy(given.begin(), given.end(), all.begin());
+  return all;
 }
 
 std::string contradiction(const Order& order) {

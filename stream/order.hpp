@@ -3,15 +3,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 /// What an axis can be told besides playing tables: PLCopen's function blocks as one message.
 ///
-///     Order{.kind = OrderKind::move_absolute, .value = {120, 200}};   // to 120 mm at 200 mm/s
+///     constexpr auto kind = OrderKind::move_absolute;
+///     Order{.kind = kind, .value = values(kind, {120, 200})};   // to 120 mm at 200 mm/s
 ///
 /// The meaning of `value` follows from the kind; what has no meaning is 0. u: the unit of the
-/// axis's position, m: that of its master. A velocity, acceleration, deceleration or jerk of 0 is
-/// the axis's configured limit.
+/// axis's position, m: that of its master. A velocity, acceleration, deceleration or jerk is greater
+/// than 0; NaN: not given, the axis uses its configured limit. The velocity of move_velocity has a
+/// sign, and 0 is rest.
 namespace jounce::wire {
 
 /// In brackets the values, in their order.
@@ -56,8 +59,12 @@ const char* name(OrderKind kind);
 /// How many values have a meaning.
 std::size_t arity(OrderKind kind);
 
+/// The values of an order of this kind. What is left out at the end is not given: NaN for a velocity,
+/// acceleration, deceleration or jerk, else 0.
+std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given);
+
 /// What an order says wrongly, as a sentence that names the value; empty: nothing. Every value is
-/// finite, magnitudes are >= 0, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
+/// finite, magnitudes are > 0 or NaN, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
 /// blending low, previous, next, high), a direction -1, 0 or 1, an override 0 to 2, a
 /// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
 std::string contradiction(const Order& order);

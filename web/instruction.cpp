@@ -49,7 +49,7 @@ double value_of(const json& object) {
 }
 
 wire::Order order_of(const Instruction& instruction, const Word& word) {
-  wire::Order order{.kind = word.kind};
+  wire::Order order{.kind = word.kind, .value = wire::values(word.kind, {})};
   if (word.takes_value) order.value[0] = instruction.value;
   return order;
 }
@@ -96,7 +96,7 @@ CallOutcome give(Transport& link, const Instruction& instruction,
   if (wire::is_operators(order.kind))
     return outcome_of(operator_command(link, axis, order, key), axis);
   Client client(link, axis, {.key = key});
-  CallOutcome outcome = client.order(order.kind, order.value);
+  CallOutcome outcome = client.order(order);
   static_cast<void>(client.release());
   return outcome;
 }

@@ -156,8 +156,7 @@ TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
   Two axis;
   axis.step(to(50, 100));
   axis.step({.kind = Kind::move_velocity,
-             .position = 1,
-             .dynamics = {.velocity = 100},
+             .position = 100,
              .buffer = BufferMode::blending_previous});
   Tick tick = axis.run(100);
   for (int i = 0; i < 1000; ++i) {
@@ -170,7 +169,7 @@ TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
 // PLCopen: after MC_MoveVelocity the next begins when the velocity is reached.
 TEST(AxisBuffer, AfterAVelocityItBeginsWhenThatIsReached) {
   Two axis;
-  axis.step({.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+  axis.step({.kind = Kind::move_velocity, .position = 100});
   axis.step(to(500, 50, BufferMode::buffered));
   Tick tick = axis.run(97);
   EXPECT_EQ(tick.state, State::continuous_motion);

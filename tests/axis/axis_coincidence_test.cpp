@@ -51,7 +51,9 @@ TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
 TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
   Bench axis({.limits = limits(200, 1000)});
   axis.tell(Kind::enable);
-  axis.step(to(100, 50));
+  Command first = to(100, 50);
+  first.dynamics.acceleration = first.dynamics.deceleration = 500;
+  axis.step(first);
   axis.run(100);
   ASSERT_EQ(refusal(axis.step(
                 {.kind = Kind::move_superimposed, .position = 5, .dynamics = {.velocity = 50}})),

@@ -77,7 +77,7 @@ TEST(AxisCompare, StandsOnTheActualPositionWhereThatIsDeclared) {
   for (Comparing* axis : {&commanded, &actual}) {
     axis->lag = 0.25;
     axis->step_with({.kind = Kind::enable});
-    axis->step_with({.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+    axis->step_with({.kind = Kind::move_velocity, .position = 100});
     for (int i = 0; i < 180; ++i) axis->step_with();
   }
   ASSERT_GE(actual.edges.size(), 20U);

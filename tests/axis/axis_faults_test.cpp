@@ -28,7 +28,7 @@ Inputs drive_at(double position) {
 /// In velocity, 100 u/s, after that many ticks.
 Tick cruise(Bench& bench, std::int64_t ticks = 200, double direction = 1) {
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_velocity, .position = direction});
+  bench.step({.kind = Kind::move_velocity, .position = direction * 100});
   return bench.run(ticks);
 }
 

@@ -38,7 +38,7 @@ TEST(AxisHalt, OutOfACouplingGoesByDiscreteMotionToStandstill) {
 TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
   Bench jog(wide);
   jog.tell(Kind::enable);
-  jog.step({.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+  jog.step({.kind = Kind::move_velocity, .position = 100});
   EXPECT_EQ(jog.run(50).state, State::continuous_motion);
   EXPECT_EQ(jog.tell(Kind::halt).state, State::discrete_motion);
 

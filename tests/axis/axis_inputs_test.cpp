@@ -143,7 +143,7 @@ TEST(AxisInputs, ADriveThatSaysNonsenseHasFailed) {
       Bench bench({.limits = limits(1e3, 1e5)});
       Inputs inputs;
       bench.tell(Kind::enable);
-      bench.step({.kind = Kind::move_velocity, .position = 1});
+      bench.step({.kind = Kind::move_velocity, .position = 1e3});
       bench.run(5);
       inputs.feedback.*field = value;
       const Tick tick = bench.step({}, inputs);
@@ -212,7 +212,7 @@ TEST(AxisInputs, WithExtremeNumbersAnywhereTheSetpointStaysWithinTheLimits) {
           command = {.kind = Kind::move_relative, .position = random.uniform(-20, 20)};
           break;
         case 4:
-          command = {.kind = Kind::move_velocity, .position = 1};
+          command = {.kind = Kind::move_velocity, .position = 1e3};
           break;
         case 5:
           command = {

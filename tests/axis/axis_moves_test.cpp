@@ -48,7 +48,7 @@ TEST(AxisMoves, TheLastCommandWins) {
   same.move(Kind::move_absolute, 2234);
   EXPECT_EQ(same.finish().position, 2234);
   Moves different;
-  different.move(Kind::move_velocity, 1);
+  different.move(Kind::move_velocity, 3000);
   different.move(Kind::move_absolute, -5000);
   EXPECT_EQ(different.finish().position, -5000);
 }
@@ -94,9 +94,9 @@ TEST(AxisMoves, Figure57RelativeAfterRelative) {
 TEST(AxisMoves, Figure58VelocityAfterVelocity) {
   for (const double when : {3000.0, 2500.0}) {
     Moves moves;
-    EXPECT_EQ(moves.move(Kind::move_velocity, 1).state, State::continuous_motion);
+    EXPECT_EQ(moves.move(Kind::move_velocity, 3000).state, State::continuous_motion);
     moves.until([&](const Tick& t) { return t.velocity >= when; });
-    moves.move(Kind::move_velocity, 1, {.velocity = 2000, .deceleration = 10'000});
+    moves.move(Kind::move_velocity, 2000, {.deceleration = 10'000});
     const Tick slow = moves.run(1000);
     EXPECT_EQ(slow.velocity, 2000);
     EXPECT_EQ(slow.state, State::continuous_motion);
@@ -108,7 +108,7 @@ TEST(AxisMoves, Figure58VelocityAfterVelocity) {
 // Fig. 5.9: nothing interrupts a stop.
 TEST(AxisMoves, Figure59StopLocks) {
   Moves moves;
-  moves.move(Kind::move_velocity, 1);
+  moves.move(Kind::move_velocity, 3000);
   moves.run(1000);
   Tick tick = moves.step({.kind = Kind::stop, .dynamics = {.deceleration = 10'000}});
   EXPECT_EQ(tick.state, State::stopping);
@@ -124,12 +124,12 @@ TEST(AxisMoves, Figure59StopLocks) {
 // Fig. 5.10: a halt may be interrupted before zero; the axis speeds up from there.
 TEST(AxisMoves, Figure510HaltMayBeInterrupted) {
   Moves moves;
-  moves.move(Kind::move_velocity, 1);
+  moves.move(Kind::move_velocity, 3000);
   moves.run(1000);
   moves.step({.kind = Kind::halt, .dynamics = {.deceleration = 10'000}});
   const Tick slow = moves.until([](const Tick& t) { return t.velocity < 1500; });
   EXPECT_GT(slow.velocity, 0);
-  EXPECT_GT(moves.move(Kind::move_velocity, 1).velocity, slow.velocity);
+  EXPECT_GT(moves.move(Kind::move_velocity, 3000).velocity, slow.velocity);
   EXPECT_EQ(moves.run(1000).velocity, 3000);
   moves.tell(Kind::halt);
   moves.run(1000);
@@ -152,7 +152,7 @@ TEST(AxisMoves, Figure511AdditiveKeepsTheTarget) {
   EXPECT_EQ(during.finish().position, 10'000);
   // After a velocity command: the distance, then rest.
   Moves velocity;
-  velocity.move(Kind::move_velocity, 1);
+  velocity.move(Kind::move_velocity, 3000);
   const double from = velocity.run(1000).position;
   velocity.move(Kind::move_additive, 4000);
   EXPECT_DOUBLE_EQ(velocity.finish().position, from + 4000);
@@ -197,17 +197,17 @@ TEST(AxisMoves, Figure516ChangesTargetAndVelocity) {
 // Fig. 5.17: +10000, at 2 s -20000: it turns round.
 TEST(AxisMoves, Figure517TurnsRound) {
   Moves moves;
-  const MoveDynamics forth{.velocity = 10'000, .acceleration = 1e5, .deceleration = 1e5};
-  const MoveDynamics back{.velocity = 20'000, .acceleration = 1e5, .deceleration = 1e5};
-  moves.move(Kind::move_velocity, 1, forth);
+  const MoveDynamics forth{.acceleration = 1e5, .deceleration = 1e5};
+  const MoveDynamics back{.acceleration = 1e5, .deceleration = 1e5};
+  moves.move(Kind::move_velocity, 10'000, forth);
   EXPECT_EQ(moves.run(2000).velocity, 10'000);
-  moves.move(Kind::move_velocity, -1, back);
+  moves.move(Kind::move_velocity, -20'000, back);
   EXPECT_EQ(moves.run(301).velocity, -20'000);
 }
 
-TEST(AxisMoves, ZeroIsTheLimitAndBeyondItIsRefused) {
+TEST(AxisMoves, WhatIsNotGivenIsTheLimitAndBeyondItIsRefused) {
   Moves moves;
-  moves.move(Kind::move_velocity, -1, {});
+  moves.move(Kind::move_velocity, -1e5, {});
   EXPECT_EQ(moves.run(200).velocity, -1e5);
   const auto refused = [&](const MoveDynamics& d, double to = 1) {
     return refusal(moves.step({.kind = Kind::move_absolute, .position = to, .dynamics = d}));
@@ -215,10 +215,64 @@ TEST(AxisMoves, ZeroIsTheLimitAndBeyondItIsRefused) {
   EXPECT_EQ(refused({.velocity = 1.1e5}), Cause::velocity_limit);
   EXPECT_EQ(refused({.acceleration = 1.1e6}), Cause::acceleration_limit);
   EXPECT_EQ(refused({.deceleration = 1.1e6}), Cause::acceleration_limit);
-  EXPECT_EQ(refused({.velocity = -1}), Cause::no_value);
-  EXPECT_EQ(refused({.jerk = NAN}), Cause::no_value);
+  EXPECT_EQ(refused({.velocity = INFINITY}), Cause::velocity_limit);
+  EXPECT_EQ(refused({.velocity = -1}), Cause::not_positive);
   EXPECT_EQ(refused({}, NAN), Cause::no_value);
   EXPECT_EQ(moves.step().velocity, -1e5) << "refused commands change nothing";
+}
+
+// A joystick at its centre: -0 is 0, and neither is a direction or a limit.
+TEST(AxisMoves, AJogAtZeroIsRest) {
+  for (const double zero : {0.0, -0.0}) {
+    Moves standing;
+    EXPECT_EQ(standing.move(Kind::move_velocity, zero, {}).velocity, 0);
+    EXPECT_EQ(standing.run(10).position, 0);
+    EXPECT_EQ(standing.step().state, State::standstill);
+    for (const double velocity : {3000.0, -3000.0}) {
+      Moves moves;
+      moves.move(Kind::move_velocity, velocity, {});
+      moves.run(100);
+      moves.move(Kind::move_velocity, zero, {});
+      const Tick& rest = moves.finish();
+      EXPECT_EQ(rest.velocity, 0);
+      EXPECT_EQ(rest.reason, Cause::none);
+      EXPECT_EQ(rest.finished, 1U);
+      EXPECT_EQ(moves.tell(Kind::set_position).state, State::standstill);
+    }
+  }
+}
+
+TEST(AxisMoves, AJogAtZeroIsNoDirection) {
+  Inputs on;
+  on.positive_switch = on.negative_switch = true;
+  for (const double zero : {0.0, -0.0}) {
+    Moves moves;
+    EXPECT_EQ(refusal(moves.step({.kind = Kind::move_velocity, .position = zero}, on)),
+              Cause::none);
+  }
+  Moves moves;
+  EXPECT_EQ(refusal(moves.step({.kind = Kind::move_velocity, .position = -1.1e5})),
+            Cause::velocity_limit);
+}
+
+TEST(AxisMoves, ADynamicsOfZeroIsRefused) {
+  const std::vector<double MoveDynamics::*> all{
+      &MoveDynamics::velocity, &MoveDynamics::acceleration, &MoveDynamics::deceleration,
+      &MoveDynamics::jerk};
+  for (const Kind kind : {Kind::move_absolute, Kind::move_relative, Kind::move_additive,
+                          Kind::move_superimposed, Kind::move_velocity, Kind::halt, Kind::stop})
+    for (double MoveDynamics::*const value : all)
+      for (const double zero : {0.0, -0.0}) {
+        if (kind == Kind::move_velocity && value == all[0]) continue;  // it has no meaning there
+        Moves moves;
+        moves.move(Kind::move_absolute, 6000);
+        moves.run(100);
+        Command command{.kind = kind, .position = 10};
+        command.dynamics.*value = zero;
+        const Tick now = moves.step(command);
+        EXPECT_EQ(refusal(now), Cause::not_positive) << name(kind);
+        EXPECT_EQ(now.state, State::discrete_motion) << "the move goes on";
+      }
 }
 
 TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {

@@ -28,7 +28,7 @@ struct InState : Bench {
     } else if (wanted == State::homing) {
       tell(Kind::home);
     } else {
-      step({.kind = Kind::move_velocity, .position = 1});
+      step({.kind = Kind::move_velocity, .position = 1e3});
       run(20);
       if (wanted == State::discrete_motion)
         step({.kind = Kind::move_relative, .position = 500});

@@ -76,7 +76,9 @@ TEST(LoweredRate, GoesUpAgainWhereAnotherIsArmedInstead) {
 TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
   Bench bench{{.limits = limits(1, 10)}};
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_absolute, .position = 2, .dynamics = {.velocity = 0.5}});
+  bench.step({.kind = Kind::move_absolute,
+              .position = 2,
+              .dynamics = {.velocity = 0.5, .acceleration = 5, .deceleration = 5}});
   bench.run(200);
   EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 0.3})), Cause::none);
   bench.run(150);

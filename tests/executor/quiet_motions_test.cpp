@@ -130,7 +130,7 @@ TEST(Quiet, TablesOfRowsBehindAMasterSwitchedInFlight) {
     for (const SegmentRow& row : {there, back})
       ASSERT_EQ(follow.fifos().push(bank, row), RowRule::none);
   Stage stage;
-  stage.tell(0, {.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}}, 50);
+  stage.tell(0, {.kind = Kind::move_velocity, .position = 100}, 50);
   EXPECT_EQ(stage.start(1, follow, 500).state, State::synchronized_motion);
   int switched = 0;
   stage.between = [&] { switched += switched == 0 && follow.fifos().queue_switch() ? 1 : 0; };
@@ -149,7 +149,7 @@ TEST(Quiet, GearsThatAreGoneIntoInMotionAndLeft) {
                            .slave_sync_position = 20,
                            .master_start_distance = 40});
   Stage stage;
-  stage.tell(0, {.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 200}}, 60);
+  stage.tell(0, {.kind = Kind::move_velocity, .position = 200}, 60);
   stage.tell(1, {.kind = Kind::gear_in, .movement = &gear}, 100);
   EXPECT_EQ(gear.progress(), Progress::running);
   stage.tell(1, {.kind = Kind::gear_in, .movement = &other}, 100);
@@ -175,7 +175,7 @@ TEST(Quiet, CamsBehindALiveMasterAndASwapOfThem) {
                 {.start = StartMode::ramp_in, .velocity_diff = 300, .acceleration = 3e4});
   LiveCam second(2, cam(-2), {.start = StartMode::relative});
   Stage stage;
-  stage.tell(0, {.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}}, 60);
+  stage.tell(0, {.kind = Kind::move_velocity, .position = 100}, 60);
   EXPECT_EQ(stage.start(1, first, 600).state, State::synchronized_motion);
   EXPECT_EQ(first.progress(), Progress::running);
   stage.tell(1, {.kind = Kind::cam_out}, 20);
@@ -197,7 +197,7 @@ TEST(Quiet, MovesThatArePlannedAnewAgainAndAgain) {
   stage.tell(0, {.kind = Kind::hold}, 100);
   stage.tell(0, {.kind = Kind::resume}, 100);
   stage.tell(0, {.kind = Kind::override_, .factor = 2}, 50);
-  stage.tell(0, {.kind = Kind::move_velocity, .position = -1, .dynamics = slow}, 120);
+  stage.tell(0, {.kind = Kind::move_velocity, .position = -100, .dynamics = slow}, 120);
   stage.tell(0, {.kind = Kind::move_relative, .position = 30}, 20);
   EXPECT_EQ(stage.tell(0, {.kind = Kind::stop}, 200).state, State::standstill);
   stage.tell(0, {.kind = Kind::home, .position = 4}, 10);
@@ -230,7 +230,7 @@ TEST(Quiet, TablesThatTakeOverFromEachOtherInMotion) {
 /// To and fro until the drive cannot follow; a reset, and on.
 void drive_hard(Stage& stage) {
   stage.tell(0, {.kind = Kind::move_relative, .position = 10, .dynamics = {.velocity = 100}}, 400);
-  stage.tell(0, {.kind = Kind::move_velocity, .position = 1}, 600);
+  stage.tell(0, {.kind = Kind::move_velocity, .position = 1000}, 600);
   stage.tell(0, {.kind = Kind::reset}, 100);
   stage.tell(0, {.kind = Kind::enable}, 100);
   stage.tell(0, {.kind = Kind::move_relative, .position = -5, .dynamics = {.velocity = 50}}, 400);

@@ -91,6 +91,7 @@ class Owned {
   }
   void order(Source& source) {
     wire::Order order{.kind = static_cast<OrderKind>(source.below(wire::order_kinds))};
+    order.value = wire::values(order.kind, {});
     for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
       if (source.below(2) != 0) order.value[i] = value(source);
     if (source.below(4) == 0) order.at = next_tick_ + static_cast<std::int64_t>(source.byte());

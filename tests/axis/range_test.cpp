@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/live_gear.hpp"
+#include "jounce/axis/setpoint_check.hpp"
+
+#include "axis/bench.hpp"
+#include "axis/tables.hpp"
+#include "support/random.hpp"
+
+// The rule of the position range: docs/executor/axis.md, "The position range".
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+AxisConfig between(double low, double high, const Limits& others) {
+  AxisConfig config{.limits = others};
+  config.limits.position_min = low;
+  config.limits.position_max = high;
+  return config;
+}
+
+const Limits trapezoids = limits(500, 5000);
+const Limits curves = limits(500, 5000, 1e5);
+
+/// Steps until the axis rests, at most so many ticks; the furthest it went to either side.
+struct Watched : Bench {
+  explicit Watched(const AxisConfig& config) : Bench(config) { tell(Kind::enable); }
+  const Tick& rest(const Inputs& inputs = {}) {
+    for (int i = 0; i < 20'000; ++i) {
+      last = step({}, inputs);
+      low = std::min(low, last.position);
+      high = std::max(high, last.position);
+      if (last.velocity == 0 && last.acceleration == 0 && last.progress == Progress::done) break;
+    }
+    return last;
+  }
+  Tick last;
+  double low = INFINITY, high = -INFINITY;
+};
+
+// Issue 17, B2: it rested at 307.25.
+TEST(Range, AMoveBlendsIntoAJogOnlyAsFastAsTheAxisCanStopInside) {
+  for (const Limits& limits : {trapezoids, curves})
+    for (const double sign : {1.0, -1.0})
+      for (const double target : {299.0, 299.9999, 250.0, 300.0}) {
+        Watched axis(between(-300, 300, limits));
+        const MoveDynamics slow{.velocity = 500, .deceleration = 4000};
+        axis.step({.kind = Kind::move_absolute, .position = sign * target, .dynamics = slow});
+        const Tick jog = axis.step({.kind = Kind::move_velocity,
+                                    .position = sign * 500,
+                                    .buffer = BufferMode::blending_previous});
+        const Tick& tick = axis.rest();
+        EXPECT_LE(axis.high, 300 + 1e-9);
+        EXPECT_GE(axis.low, -300 - 1e-9);
+        if (refusal(jog) == Cause::position_limit) continue;  // the target is the end of the range
+        EXPECT_EQ(tick.fault, sign > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
+        EXPECT_NEAR(tick.position, sign * 300, 1e-9);
+      }
+}
+
+TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
+  for (const Limits& limits : {trapezoids, curves})
+    for (const double velocity : {500.0, 37.0, -500.0, -0.3}) {
+      Watched axis(between(-1, 30, limits));
+      axis.step({.kind = Kind::move_velocity, .position = velocity});
+      const Tick& tick = axis.rest();
+      const Cause cause =
+          velocity > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit;
+      EXPECT_EQ(tick.fault, cause);
+      EXPECT_EQ(tick.reason, cause);
+      EXPECT_NEAR(tick.position, velocity > 0 ? 30 : -1, 1e-9);
+      EXPECT_LE(axis.high, 30 + 1e-9);
+      EXPECT_GE(axis.low, -1 - 1e-9);
+      axis.tell(Kind::reset);
+      EXPECT_EQ(refusal(axis.step({.kind = Kind::move_velocity, .position = velocity})),
+                Cause::position_limit)
+          << "it stands there";
+      EXPECT_EQ(refusal(axis.step({.kind = Kind::move_velocity, .position = -velocity})),
+                Cause::none);
+    }
+}
+
+// A move that turns at the end of the range has no room for a plain stop just before: a stop turns, too.
+TEST(Range, AStopBesideTheLimitStaysInside) {
+  for (int when = 0; when < 200; ++when) {
+    Watched axis(between(-300, 300, curves));
+    axis.step({.kind = Kind::move_absolute, .position = 300});
+    while (axis.step().position < 200) continue;
+    axis.step({.kind = Kind::move_absolute, .position = 0});
+    for (int i = 0; i < when; ++i) axis.last = axis.step();
+    axis.high = axis.last.position;
+    axis.tell(Kind::stop);
+    const Tick& tick = axis.rest();
+    ASSERT_EQ(tick.state, State::standstill);
+    ASSERT_LE(axis.high, 300 + 1e-9) << when;
+  }
+}
+
+// A cam-like table that turns at the end of the range exactly, left there by whatever may come.
+TEST(Range, LeavingAPathAtItsTurningPointStaysInside) {
+  AxisConfig config = between(0, 20, limits(500, 5000, 4e5));
+  config.abort_acceleration = 3000;
+  for (int when = 100; when < 200; ++when)
+    for (const Kind kind : {Kind::abort, Kind::stop, Kind::halt, Kind::move_velocity}) {
+      Watched axis(config);
+      Job job(1, there_and_back(0, 20, 0.32, Outside::wrap));
+      axis.play(job, when);
+      const Tick told =
+          axis.step({.kind = kind, .position = kind == Kind::move_velocity ? -100.0 : 0.0});
+      axis.high = told.position;
+      axis.rest();
+      ASSERT_LE(axis.high, 20 + 1e-8) << name(kind) << " at " << when;
+    }
+}
+
+TEST(Range, SlowStopsFollowersAndRowsAreStoppedAtTheLimit) {
+  for (const Limits& limits : {trapezoids, curves}) {
+    Watched halt(between(-300, 300, limits));
+    halt.step({.kind = Kind::move_velocity, .position = 500});
+    halt.run(300);
+    halt.step({.kind = Kind::halt, .dynamics = {.deceleration = 100}});
+    EXPECT_NEAR(halt.rest().position, 300, 1e-9);
+    EXPECT_LE(halt.high, 300 + 1e-9);
+
+    Watched follower(between(-300, 300, limits));
+    LiveGear gear(1, {.numerator = 1, .denominator = 1, .acceleration = 5000});
+    double m = 0;
+    follower.step({.kind = Kind::gear_in, .movement = &gear}, at_master(m, 400));
+    for (int i = 0; i < 5000; ++i) {
+      const Tick tick = follower.step({}, at_master(m += 0.4, 400));
+      ASSERT_LE(tick.position, 300 + 1e-9);
+      follower.last = tick;
+    }
+    EXPECT_EQ(follower.last.fault, Cause::positive_soft_limit);
+    EXPECT_NEAR(follower.last.position, 300, 1e-9);
+  }
+}
+
+/// The way up of the hardest turn, by small steps.
+double stepped_turn(double v, double a, double s, double j) {
+  constexpr double dt = 1e-6;
+  double p = 0, most = 0;
+  for (int i = 0; i < 10'000'000 && (v > 0 || a > 0); ++i) {
+    const double next = std::max(a - j * dt, std::min(a, -s));
+    p += v * dt + (a + next) * dt * dt / 4;
+    v += (a + next) / 2 * dt;
+    a = next;
+    most = std::max(most, p);
+  }
+  return most;
+}
+
+// The ladder of stops against small steps of an integration: what each says is so.
+TEST(Range, TheGentlestStopIsWhatSmallStepsSay) {
+  testing::Random random(17);
+  AxisConfig config = between(-1e6, 0, curves);
+  config.limit_acceleration = 6000;
+  const AxisConfig axis = resolved(config);
+  int met[4] = {};
+  for (int i = 0; i < 300; ++i) {
+    const double v = random.uniform(-50, 500);
+    const double a = random.uniform(-5000, 5000);
+    const double way = stepped_turn(v, a, axis.stop_acceleration, axis.stop_jerk);
+    if (way == 0) continue;
+    const auto stop_at = [&](double p) { return gentlest_stop({p, v, a}, axis); };
+    EXPECT_NE(stop_at(-way * (1 + 1e-3) - 1e-3), Stop::none) << v << ' ' << a;
+    EXPECT_EQ(stop_at(-way * (1 - 1e-3) + 1e-3), Stop::none) << v << ' ' << a;
+    for (const double more : {1.0, 1.02, 1.1, 1.3, 2.0, 4.0})
+      ++met[static_cast<int>(stop_at(-way * more - 1e-3))];
+    // The further away, the gentler.
+    Stop before = Stop::none;
+    for (double more = 0.5; more < 8; more *= 1.05) {
+      const Stop now = stop_at(-way * more);
+      EXPECT_LE(now, before);
+      before = now;
+    }
+  }
+  for (const Stop stop : {Stop::soft, Stop::hard, Stop::turning})
+    EXPECT_GT(met[static_cast<int>(stop)], 0);
+}
+
+// Issue 17, B5: 15000 of 10000 and 1.5e6 of 1e6 where both speed up together.
+TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
+  const AxisConfig config{.limits = limits(1000, 10'000, 1e6)};
+  const MoveDynamics below{
+      .velocity = 600, .acceleration = 6000, .deceleration = 6000, .jerk = 6e5};
+  for (int when = 0; when < 300; when += 7)
+    for (const double distance : {20.0, -20.0}) {
+      Bench axis(config);
+      axis.tell(Kind::enable);
+      axis.step({.kind = Kind::move_absolute, .position = 100, .dynamics = below});
+      Tick last = axis.run(when);
+      if (last.state == State::standstill) break;
+      ASSERT_EQ(refusal(axis.step({.kind = Kind::move_superimposed, .position = distance})),
+                Cause::none);
+      for (int i = 0; i < 1500; ++i) {
+        const Tick tick = axis.step();
+        ASSERT_LE(std::abs(tick.velocity), 1000 * (1 + 1e-9));
+        ASSERT_LE(std::abs(tick.acceleration), 10'000 * (1 + 1e-9)) << when << ' ' << i;
+        const double change = i > 0 ? tick.acceleration - last.acceleration : 0;
+        ASSERT_LE(std::abs(change), 1e6 * 1e-3 * (1 + 1e-6));
+        last = tick;
+      }
+      EXPECT_NEAR(last.position, 100 + distance, 1e-6);
+    }
+  Bench full(config);
+  full.tell(Kind::enable);
+  full.step({.kind = Kind::move_absolute, .position = 100, .dynamics = {.velocity = 500}});
+  full.run(20);
+  EXPECT_EQ(refusal(full.step({.kind = Kind::move_superimposed, .position = 1})),
+            Cause::acceleration_limit)
+      << "the move below takes all of it";
+}
+
+}  // namespace
+}  // namespace jounce
