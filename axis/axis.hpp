@@ -102,7 +102,7 @@ class MotionAxis {
  private:
   enum class Base : std::uint8_t { rest, movement, move };
   /// table: what was played ended at a velocity.
-  enum class Ending : std::uint8_t { none, stop, halt, table, fault };
+  enum class Ending : std::uint8_t { none, stop, release, halt, table, fault };
   enum class Boundary : std::uint8_t { none, swap, finish };
 
   // axis.cpp: one tick

@@ -40,6 +40,8 @@ void MotionAxis::act(const Command& command) {
       return start(command);
     case Kind::stop:
       return end_motion(Ending::stop, command);
+    case Kind::release:
+      return end_motion(Ending::release, command);
     case Kind::halt:
       return end_motion(Ending::halt, command);
     case Kind::abort:
@@ -114,15 +116,16 @@ void MotionAxis::set_position(double position) {
 
 void MotionAxis::end_motion(Ending ending, const Command& command) {
   MoveDynamics dynamics = command.dynamics;
-  now_.refused = ending == Ending::stop ? fill_stop(dynamics, config_) : fill(dynamics, config_);
+  const bool stops = ending != Ending::halt;
+  now_.refused = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_);
   if (now_.refused) return;
   disarm();
   forget_next();
-  if (ending == Ending::stop) forget_later();
+  if (stops) forget_later();
   if (!moving() || state_ == State::stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
-  state_ = ending == Ending::stop ? State::stopping : State::discrete_motion;
+  state_ = stops ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;

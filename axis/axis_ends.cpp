@@ -34,10 +34,11 @@ void MotionAxis::conclude() {
 
 /// The motion is over, in whatever way.
 void MotionAxis::rest() {
-  const bool stopped = ending_ == Ending::stop || ending_ == Ending::halt;
+  const bool stopped = ending_ != Ending::none && ending_ != Ending::fault;
   if (stopped) ++now_.stopped;
   if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
   now_.reason = ending_ == Ending::stop         ? Cause::stopped
+                : ending_ == Ending::release    ? Cause::released
                 : ending_ == Ending::halt       ? Cause::halted
                 : ending_ == Ending::table      ? Cause::end_velocity
                 : ending_ == Ending::fault      ? now_.fault

@@ -105,6 +105,8 @@ constexpr std::array entries{
     Entry{Cause::halted, "halted", "A halt was asked for."},
     Entry{Cause::pass_ended, "pass_ended", "It was to end with its pass."},
     Entry{Cause::replaced, "replaced", "Another motion took its place."},
+    Entry{Cause::released, "released",
+          "It ran only while its session held it, and that was released or fell silent."},
 };
 
 /// Whether a number broke a bound: what else is refused has neither.

@@ -76,6 +76,7 @@ enum class Cause : std::uint8_t {
   halted = 81,
   pass_ended = 82,
   replaced = 83,
+  released = 84,
 };
 
 /// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.

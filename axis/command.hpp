@@ -55,6 +55,7 @@ struct Command {
     gear_in,        ///< `movement`, a live one, begins now, in whatever motion the axis is
     gear_out,       ///< leaves the gear; the velocity stays
     cam_out,        ///< leaves the cam; the velocity stays
+    release,        ///< as stop: who held a hold-to-run jog has let go
   };
   Kind kind = Kind::none;
   std::uint64_t id = 0;          ///< the sender's, handed back with the answer
@@ -69,7 +70,7 @@ struct Command {
   /// When a move takes over from the motion before it: docs/executor/axis.md.
   BufferMode buffer = BufferMode::aborting;  ///< of move_absolute, move_relative, move_velocity
 };
-inline constexpr std::size_t command_kinds = 24;
+inline constexpr std::size_t command_kinds = 25;
 
 /// "move_absolute", ...
 const char* name(Command::Kind kind);

@@ -46,6 +46,7 @@ constexpr std::array<Row, command_kinds> rows{{
     {"gear_in",           {off, ok,  ok,  ok,  stp, err, ok,  ok}},
     {"gear_out",          {off, uns, uns, ok,  stp, err, uns, uns}},
     {"cam_out",           {off, uns, uns, ok,  stp, err, uns, uns}},
+    {"release",           {ok,  ok,  ok,  ok,  ok,  err, ok,  ok}},
 }};
 // clang-format on
 

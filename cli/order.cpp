@@ -1,11 +1,13 @@
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
 
+#include "interrupt.hpp"
 #include "link.hpp"
 #include "verb.hpp"
 
@@ -29,6 +32,8 @@ struct Options {
   std::map<std::string, std::string> named;  // by option, without --
   bool relative = false;
   bool buffered = false;
+  bool hold_to_run = false;
+  double seconds = 0;  // of a hold-to-run jog; 0: until Ctrl-C
   bool avoid_reversal = false;
   std::int64_t at = -1;
   LinkOptions link;
@@ -127,7 +132,8 @@ double direction_of(const std::string& text) {
 void require_meant(const Options& options) {
   static const std::map<std::string, std::string> meant{
       {"move", " to by add on-top velocity acceleration deceleration jerk direction blend "},
-      {"jog", " VALUE acceleration deceleration jerk blend "},
+      {"jog", " VALUE acceleration deceleration jerk blend hold-to-run "},
+      {"inch", " VALUE velocity acceleration deceleration jerk "},
       {"gear-in-pos", " VALUE master-sync slave-sync start-distance avoid-reversal "},
       {"halt", " deceleration jerk "},
       {"gear-in", " VALUE acceleration deceleration jerk "},
@@ -146,6 +152,7 @@ void require_meant(const Options& options) {
   require("VALUE", options.value, !options.value.empty());
   require("relative", "", options.relative);
   require("avoid-reversal", "", options.avoid_reversal);
+  require("hold-to-run", "", options.hold_to_run);
   for (const auto& [option, text] : options.named) require(option, text, !text.empty());
 }
 
@@ -191,8 +198,13 @@ wire::Order order_of(const Options& options, const Units& units) {
     return {.kind = OrderKind::override_, .value = {factor_of(options.value)}};
   if (what == "jog") {
     return {.kind = OrderKind::move_velocity,
-            .value = {quantity_of(options, "VALUE", units, 1), a, d, j, buffer_mode_of(options)}};
+            .value = {quantity_of(options, "VALUE", units, 1), a, d, j, buffer_mode_of(options),
+                      options.hold_to_run ? 1.0 : 0.0}};
   }
+  if (what == "inch")
+    return {.kind = OrderKind::move_relative,
+            .value = {quantity_of(options, "VALUE", units),
+                      quantity_of(options, "velocity", units, 1), a, d, j}};
   if (what == "halt") return {.kind = OrderKind::halt, .value = {d, j}};
   if (what == "home")
     return {.kind = OrderKind::home, .value = {quantity_of(options, "VALUE", units)}};
@@ -220,11 +232,29 @@ wire::Order order_of(const Options& options, const Units& units) {
   return {.kind = plain.at(what)};
 }
 
+/// Keeps the session of a hold-to-run jog, so long as it is held.
+CallOutcome hold(const Options& options, Client& client) {
+  constexpr auto between = std::chrono::milliseconds(50);
+  fmt::print("{}: jogs until Ctrl-C{}\n", options.executor,
+             options.seconds > 0 ? fmt::format(", or for {} s", options.seconds) : "");
+  std::fflush(stdout);
+  const Interrupt interrupt;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
+  CallOutcome outcome;
+  while (outcome.ok() && !interrupt.asked() &&
+         (options.seconds == 0 || std::chrono::steady_clock::now() < end)) {
+    std::this_thread::sleep_for(between);
+    outcome = client.beat();
+  }
+  return outcome;
+}
+
 /// An operator's own orders need no session: they are obeyed whoever owns the axis.
 CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
   if (!wire::is_operators(order.kind)) {
     Client client(link.transport(), options.executor, {.key = link.key()});
     CallOutcome outcome = client.order(order);
+    if (options.hold_to_run && outcome.ok()) outcome = hold(options, client);
     static_cast<void>(client.release());
     return outcome;
   }
@@ -270,20 +300,21 @@ void add_order(CommandLine& line) {
   const Verb verb = line.verb("order", "Tell an executor's axis one thing to do",
                               "jounce order feeder move --to 120mm --velocity 200mm/s\n"
                               "jounce order feeder move --by 80mm --blend next\n"
-                              "jounce order feeder jog -20mm/s\n"
+                              "jounce order feeder jog -20mm/s --hold-to-run\n"
+                              "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
                               "jounce order feeder override 50%\n"
                               "Numbers without a unit are in that of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->what,
-              "enable, disable, reset; hold, resume, override; move, jog, halt; home, "
+              "enable, disable, reset; hold, resume, override; move, inch, jog, halt; home, "
               "set-position; gear-in, gear-in-pos, gear-out, cam-out; start, of the table that "
               "it has of its own")
       .required()
-      .check(one_of({"enable", "disable", "reset", "hold", "resume", "override", "move", "jog",
-                     "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
+      .check(one_of({"enable", "disable", "reset", "hold", "resume", "override", "move", "inch",
+                     "jog",                     "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
                      "cam-out", "start"}));
   verb.option("VALUE", options->value,
-              "override's factor (50%), jog's velocity (0: to rest), home's and set-position's position, "
+              "override's factor (50%), inch's distance, jog's velocity (0: to rest), home's and set-position's position, "
               "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
     return verb.option("--" + option, options->named[option], help);
@@ -310,6 +341,10 @@ void add_order(CommandLine& line) {
             "gear-in-pos: refuse to move against the direction of the gear");
   verb.flag("--buffered", options->buffered,
             "Of move --to, --by and jog: begin when the motion under way has ended");
+  verb.flag("--hold-to-run", options->hold_to_run,
+            "jog only while this command runs: the axis stops when it ends, or falls silent for 0.2 s");
+  verb.option("--seconds", options->seconds, "End a --hold-to-run jog after so many seconds")
+      .check(seconds());
   verb.option("--at", options->at, "Tick of the executor in which to obey; else at once")
       .check(whole(0, std::numeric_limits<std::int64_t>::max()));
   verb.flag("--relative", options->relative, "set-position by an offset");

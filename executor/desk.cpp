@@ -193,6 +193,10 @@ void Desk::handle(const SessionEnded& ended) {
   queues_.close();
   // The motion may be that of an owner before, who released it to run on.
   const bool its_motion = ended.session == motion_session_;
+  if (ended.session == held_session_) {  // also what it ordered after the jog
+    clear_outbox();
+    return outbox_.order({.kind = Kind::release});
+  }
   const bool stops = silent && its_motion && options_.stop_when_silent;
   // What was armed begins no more; a move that waits for the one before, or for its tick, does.
   const bool armed = last_.armed != 0 || busy();
@@ -211,6 +215,7 @@ void Desk::handle(const OrderRequested& requested) {
   if (requested.kind == wire::OrderKind::start) return start_own(requested);
   if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
   if (moves(request.kind)) motion_session_ = requested.session;
+  if (wire::holds_to_run(requested.kind, requested.value)) held_session_ = requested.session;
   if (command) return outbox_.order(*command, request);
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});

@@ -158,6 +158,7 @@ class Desk {
   std::uint64_t armed_ = 0;          // the movement that was handed over last
   Start start_;
   std::int64_t motion_session_ = 0;  // the one that asked for the last start
+  std::int64_t held_session_ = 0;    // the one that ordered a hold-to-run jog
   Tick last_;
 };
 

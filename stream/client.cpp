@@ -145,6 +145,11 @@ CallOutcome Client::move_velocity(double velocity, const Pacing& p) {
   return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk});
 }
 
+CallOutcome Client::jog(double velocity, const Pacing& p) {
+  return order(OrderKind::move_velocity,
+               {velocity, p.acceleration, p.deceleration, p.jerk, 0, 1});
+}
+
 CallOutcome Client::halt(const Pacing& p) {
   return order(OrderKind::halt, {p.deceleration, p.jerk});
 }

@@ -71,6 +71,10 @@ class Client {
   CallOutcome move_superimposed(double distance, const Pacing& pacing = {});
   /// `velocity` is signed, 0: to rest; pacing.velocity has no meaning.
   CallOutcome move_velocity(double velocity, const Pacing& pacing = {});
+  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat() keeps it.
+  CallOutcome jog(double velocity, const Pacing& pacing = {});
+  /// A heartbeat.
+  CallOutcome beat() { return tell(wire::Heartbeat{}); }
   CallOutcome halt(const Pacing& pacing = {});
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 

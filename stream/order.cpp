@@ -38,7 +38,7 @@ constexpr Meaning meanings[] = {
     {"move_relative", "nmmmmb", {"distance", v, a, d, j, b}},
     {"move_additive", "nmmmm", {"distance", v, a, d, j}},
     {"move_superimposed", "nmmmm", {"distance", "velocity difference", a, d, j}},
-    {"move_velocity", "nmmmb", {v, a, d, j, b}},
+    {"move_velocity", "nmmmbf", {v, a, d, j, b, "hold to run"}},
     {"halt", "mm", {d, j}},
     {"gear_in", "wzmmm", {"numerator", "denominator", a, d, j}},
     {"gear_in_pos",

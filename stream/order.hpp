@@ -32,7 +32,8 @@ enum class OrderKind : std::int8_t {
   move_relative = 9,   ///< [distance u, velocity, acceleration, deceleration, jerk, buffer mode]
   move_additive = 10,  ///< [distance u, velocity, acceleration, deceleration, jerk]
   move_superimposed = 11,  ///< [distance u, velocity difference, acceleration, deceleration, jerk]
-  move_velocity = 12,  ///< [velocity u/s, signed; acceleration, deceleration, jerk, buffer mode]
+  move_velocity = 12,  ///< [velocity u/s, signed; acceleration, deceleration, jerk, buffer mode,
+                       ///< 1: hold to run]
   halt = 13,           ///< [deceleration, jerk]
   gear_in = 14,        ///< [numerator, denominator, acceleration, deceleration, jerk]
   gear_in_pos = 15,    ///< [numerator, denominator, master sync position m, slave sync position
@@ -68,6 +69,11 @@ std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given
 /// blending low, previous, next, high), a direction -1, 0 or 1, an override 0 to 2, a
 /// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
 std::string contradiction(const Order& order);
+
+/// Whether the motion runs only while its session is heard: a hold-to-run jog.
+constexpr bool holds_to_run(OrderKind kind, const std::array<double, 8>& value) {
+  return kind == OrderKind::move_velocity && value[5] == 1;
+}
 
 /// Whether an operator may give it without owning the axis: it changes when, not what is played.
 constexpr bool is_operators(OrderKind kind) {

@@ -224,10 +224,12 @@ void Receiver::end(SessionEnded::Why why) {
   events_.emplace_back(SessionEnded{session_, why});
   session_ = 0;
   armed_ = false;
+  holds_ = false;
 }
 
 void Receiver::expire(Nanos now) {
-  if (session_ != 0 && now - heard_ > options_.session_timeout) end(SessionEnded::Why::silent);
+  const Nanos patience = holds_ ? options_.hold_timeout : options_.session_timeout;
+  if (session_ != 0 && now - heard_ > patience) end(SessionEnded::Why::silent);
 }
 
 }  // namespace jounce

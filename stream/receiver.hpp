@@ -24,6 +24,7 @@ struct ReceiverOptions {
   std::uint32_t most_knots = 1U << 24U;             ///< of one table
   std::size_t memory = std::size_t{1} << 28U;       ///< bytes of all tables, complete or under way
   Nanos session_timeout = std::chrono::seconds(1);  ///< of silence, then the axis is free again
+  Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
   std::uint32_t credit =
       8;  ///< messages of 12.8 KB under way, 1...64; 8 fit a socket's default buffer
   std::uint32_t most_rows = 1U << 20U;  ///< of one bank of a queue
@@ -238,6 +239,7 @@ class Receiver {
   std::int64_t session_ = 0;
   Nanos heard_{};
   bool armed_ = false;
+  bool holds_ = false;  // a hold-to-run jog was ordered in this session
   std::int64_t challenges_ = 0;  // drawn so far
   std::int64_t challenge_;
   std::int64_t operators_challenge_;

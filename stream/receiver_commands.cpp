@@ -106,6 +106,7 @@ void Receiver::take(const wire::Order& order) {
   if (!is_new(command_, Record::Kind::order, order.command)) return;
   if (Refused refused = misses(order)) return settle(command_, std::move(refused));
   command_.order = order;
+  holds_ = holds_ || wire::holds_to_run(order.kind, order.value);
   events_.emplace_back(OrderRequested{session_, order.command, order.kind, order.at, order.value});
 }
 
