@@ -80,8 +80,8 @@ std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionSt
                                                  MoveDynamics dynamics, Goal& goal) const {
   const double most = dynamics.velocity;
   if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most, 0};
-  const bool blocked = (velocity > 0 && inputs_.positive_switch) ||
-                       (velocity < 0 && inputs_.negative_switch);
+  const bool blocked =
+      (velocity > 0 && inputs_.positive_switch) || (velocity < 0 && inputs_.negative_switch);
   if (blocked) return Refusal{Cause::direction_blocked, velocity, 0, 0};
   const auto limit = velocity > 0   ? config_.limits.position_max
                      : velocity < 0 ? config_.limits.position_min
@@ -212,8 +212,8 @@ bool MotionAxis::stop_at_limit(Cause limit) {
   const auto end = limit == Cause::positive_soft_limit ? high : low;
   const MotionState from = last();
   const Stop stop = gentlest_stop(from, config_);
-  const bool outside = end && (limit == Cause::positive_soft_limit ? from.position > *end
-                                                                   : from.position < *end);
+  const bool outside =
+      end && (limit == Cause::positive_soft_limit ? from.position > *end : from.position < *end);
   if (!end || outside || stop == Stop::none) return false;
   const double a = stop == Stop::soft ? config_.limit_acceleration : config_.stop_acceleration;
   const double j = j_most ? config_.stop_jerk : Bounds::none;

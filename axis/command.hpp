@@ -51,11 +51,11 @@ struct Command {
     move_superimposed,  ///< by `position` on top of what is under way; `dynamics.velocity` is added
     move_velocity,      ///< at the velocity `position`, u/s, until the next command; 0: to rest.
                         ///< dynamics.velocity has no meaning
-    halt,           ///< as stop, but any command may follow at once
-    gear_in,        ///< `movement`, a live one, begins now, in whatever motion the axis is
-    gear_out,       ///< leaves the gear; the velocity stays
-    cam_out,        ///< leaves the cam; the velocity stays
-    release,        ///< as stop: who held a hold-to-run jog has let go
+    halt,               ///< as stop, but any command may follow at once
+    gear_in,            ///< `movement`, a live one, begins now, in whatever motion the axis is
+    gear_out,           ///< leaves the gear; the velocity stays
+    cam_out,            ///< leaves the cam; the velocity stays
+    release,            ///< as stop: who held a hold-to-run jog has let go
   };
   Kind kind = Kind::none;
   std::uint64_t id = 0;          ///< the sender's, handed back with the answer

@@ -60,9 +60,7 @@ double way_to_turn(double v, double a, double s, double j) {
 Stop gentlest_below(double most, const MotionState& state, const AxisConfig& config) {
   const auto& [p, v, a] = state;
   const double j = config.limits.jerk ? config.stop_jerk : Bounds::none;
-  const auto inside = [&](double furthest) {
-    return furthest <= most + rounding(p, furthest);
-  };
+  const auto inside = [&](double furthest) { return furthest <= most + rounding(p, furthest); };
   if (!inside(p)) return Stop::none;
   if (v <= 0 && (a <= 0 || std::isinf(j))) return Stop::soft;
   const double soft = config.limit_acceleration;
@@ -102,8 +100,7 @@ Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept 
   const auto& [low, high, v, a, j] = config.limits;
   const double p = state.position;
   const Stop up = high ? gentlest_below(std::max(*high, p), state, config) : Stop::soft;
-  const Stop down =
-      low ? gentlest_below(std::max(-*low, -p), mirrored(state), config) : Stop::soft;
+  const Stop down = low ? gentlest_below(std::max(-*low, -p), mirrored(state), config) : Stop::soft;
   return std::max(up, down);
 }
 

@@ -66,8 +66,9 @@ double quantity_of(const Options& options, const std::string& option, const Unit
   const auto found = options.named.find(option);
   const std::string text = is_value ? options.value : found->second;
   if (text.empty() && !is_value) return std::numeric_limits<double>::quiet_NaN();
-  const double value = number_of(is_value ? option : "--" + option, text,
-                                 order == 0 ? units.position : rate_unit(units.position, "s", order));
+  const double value =
+      number_of(is_value ? option : "--" + option, text,
+                order == 0 ? units.position : rate_unit(units.position, "s", order));
   if (!is_value && order > 0 && !(value > 0))
     throw InputError("--" + option, text,
                      "must be greater than 0; leave it out to use the limit of the axis");
@@ -239,7 +240,8 @@ CallOutcome hold(const Options& options, Client& client) {
              options.seconds > 0 ? fmt::format(", or for {} s", options.seconds) : "");
   std::fflush(stdout);
   const Interrupt interrupt;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
   CallOutcome outcome;
   while (outcome.ok() && !interrupt.asked() &&
          (options.seconds == 0 || std::chrono::steady_clock::now() < end)) {
@@ -311,10 +313,11 @@ void add_order(CommandLine& line) {
               "it has of its own")
       .required()
       .check(one_of({"enable", "disable", "reset", "hold", "resume", "override", "move", "inch",
-                     "jog",                     "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
+                     "jog", "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
                      "cam-out", "start"}));
   verb.option("VALUE", options->value,
-              "override's factor (50%), inch's distance, jog's velocity (0: to rest), home's and set-position's position, "
+              "override's factor (50%), inch's distance, jog's velocity (0: to rest), home's and "
+              "set-position's position, "
               "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
     return verb.option("--" + option, options->named[option], help);
@@ -341,8 +344,9 @@ void add_order(CommandLine& line) {
             "gear-in-pos: refuse to move against the direction of the gear");
   verb.flag("--buffered", options->buffered,
             "Of move --to, --by and jog: begin when the motion under way has ended");
-  verb.flag("--hold-to-run", options->hold_to_run,
-            "jog only while this command runs: the axis stops when it ends, or falls silent for 0.2 s");
+  verb.flag(
+      "--hold-to-run", options->hold_to_run,
+      "jog only while this command runs: the axis stops when it ends, or falls silent for 0.2 s");
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after so many seconds")
       .check(seconds());
   verb.option("--at", options->at, "Tick of the executor in which to obey; else at once")

@@ -76,8 +76,7 @@ std::optional<Command> untimed(const OrderRequested& order) {
     case OrderKind::move_velocity:
       return buffered(move_velocity(value), value[4]);
     case OrderKind::halt:
-      return Command{.kind = Kind::halt,
-                     .dynamics = {.deceleration = value[0], .jerk = value[1]}};
+      return Command{.kind = Kind::halt, .dynamics = {.deceleration = value[0], .jerk = value[1]}};
     case OrderKind::gear_out:
       return Command{.kind = Kind::gear_out};
     case OrderKind::cam_out:
@@ -105,11 +104,12 @@ std::unique_ptr<Movement> gear_of(const OrderRequested& order, std::uint64_t id,
     const auto given = [](double number, double otherwise) {
       return std::isnan(number) ? otherwise : number;
     };
-    return std::make_unique<LiveGear>(id, GearInSpec{.numerator = whole(0),
-                                                     .denominator = whole(1),
-                                                     .acceleration = given(value[2], *config.limits.acceleration),
-                                                     .deceleration = given(value[3], 0),
-                                                     .jerk = given(value[4], config.limits.jerk.value_or(0))});
+    return std::make_unique<LiveGear>(
+        id, GearInSpec{.numerator = whole(0),
+                       .denominator = whole(1),
+                       .acceleration = given(value[2], *config.limits.acceleration),
+                       .deceleration = given(value[3], 0),
+                       .jerk = given(value[4], config.limits.jerk.value_or(0))});
   }
   if (order.kind == OrderKind::gear_in_pos)
     return std::make_unique<LiveGearInPos>(id, GearInPosSpec{.numerator = whole(0),

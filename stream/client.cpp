@@ -146,8 +146,7 @@ CallOutcome Client::move_velocity(double velocity, const Pacing& p) {
 }
 
 CallOutcome Client::jog(double velocity, const Pacing& p) {
-  return order(OrderKind::move_velocity,
-               {velocity, p.acceleration, p.deceleration, p.jerk, 0, 1});
+  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk, 0, 1});
 }
 
 CallOutcome Client::halt(const Pacing& p) {

@@ -239,7 +239,7 @@ class Receiver {
   std::int64_t session_ = 0;
   Nanos heard_{};
   bool armed_ = false;
-  bool holds_ = false;  // a hold-to-run jog was ordered in this session
+  bool holds_ = false;           // a hold-to-run jog was ordered in this session
   std::int64_t challenges_ = 0;  // drawn so far
   std::int64_t challenge_;
   std::int64_t operators_challenge_;

@@ -155,9 +155,8 @@ TEST(AxisBuffer, AMoveBackComesToRestFirst) {
 TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
   Two axis;
   axis.step(to(50, 100));
-  axis.step({.kind = Kind::move_velocity,
-             .position = 100,
-             .buffer = BufferMode::blending_previous});
+  axis.step(
+      {.kind = Kind::move_velocity, .position = 100, .buffer = BufferMode::blending_previous});
   Tick tick = axis.run(100);
   for (int i = 0; i < 1000; ++i) {
     tick = axis.step();

@@ -152,9 +152,8 @@ Command AxisModel::random_command(testing::Random& random) {
   command.position = random.below(50) == 0 ? NAN : random.uniform(-50, 50);
   if (command.kind == Kind::move_superimposed) command.position /= 10;
   if (command.kind == Kind::move_velocity)
-    command.position = random.below(6) == 0
-                           ? random.uniform(-1, 1) < 0 ? -0.0 : 0.0
-                           : random.uniform(-1.1, 1.1) * *config_.limits.velocity;
+    command.position = random.below(6) == 0 ? random.uniform(-1, 1) < 0 ? -0.0 : 0.0
+                                            : random.uniform(-1.1, 1.1) * *config_.limits.velocity;
   if (command.start_at == StartAt::master_position)
     command.position = master_ + random.uniform(-20, 20);
   command.relative = random.below(2) == 0;

@@ -256,9 +256,9 @@ TEST(AxisMoves, AJogAtZeroIsNoDirection) {
 }
 
 TEST(AxisMoves, ADynamicsOfZeroIsRefused) {
-  const std::vector<double MoveDynamics::*> all{
-      &MoveDynamics::velocity, &MoveDynamics::acceleration, &MoveDynamics::deceleration,
-      &MoveDynamics::jerk};
+  const std::vector<double MoveDynamics::*> all{&MoveDynamics::velocity,
+                                                &MoveDynamics::acceleration,
+                                                &MoveDynamics::deceleration, &MoveDynamics::jerk};
   for (const Kind kind : {Kind::move_absolute, Kind::move_relative, Kind::move_additive,
                           Kind::move_superimposed, Kind::move_velocity, Kind::halt, Kind::stop})
     for (double MoveDynamics::*const value : all)

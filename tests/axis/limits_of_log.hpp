@@ -62,7 +62,8 @@ class LimitsOfLog {
     const bool renamed = now.offset != before_.offset || before_.state == State::disabled;
     if (renamed) return "";
     const double way = now.position - before_.position;
-    if (rests(now) && rests(before_) && std::abs(way) > 1e-12 * (1 + std::abs(now.position))) return wrong("way at rest", way, 0);
+    if (rests(now) && rests(before_) && std::abs(way) > 1e-12 * (1 + std::abs(now.position)))
+      return wrong("way at rest", way, 0);
     if (std::abs(now.velocity) > *most.velocity * same)
       return wrong("velocity", now.velocity, *most.velocity);
     if (const double out = outside(now.position); out > outside(before_.position) + 1e-8)
@@ -83,7 +84,8 @@ class LimitsOfLog {
     if (std::abs(step) > (s * dt + joint) * same) return wrong("change of velocity", step, s * dt);
     const double beside = way - (now.velocity + before_.velocity) / 2 * dt;
     const bool joins = now.job != before_.job;  // as its velocity may step
-    if (!joins && std::abs(beside) > (s * dt + joint) * dt / 2 + 1e-9) return wrong("way", beside, s * dt * dt);
+    if (!joins && std::abs(beside) > (s * dt + joint) * dt / 2 + 1e-9)
+      return wrong("way", beside, s * dt * dt);
     if (!most.jerk || now.state == State::synchronized_motion ||
         before_.state == State::synchronized_motion)
       return "";

@@ -169,7 +169,8 @@ class Operator {
 
 std::string tail(const std::vector<std::string>& story) {
   std::string text;
-  for (std::size_t i = story.size() - std::min<std::size_t>(story.size(), 12); i < story.size(); ++i)
+  for (std::size_t i = story.size() - std::min<std::size_t>(story.size(), 12); i < story.size();
+       ++i)
     text += story[i] + "\n";
   return text;
 }

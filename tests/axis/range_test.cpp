@@ -70,8 +70,7 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
       Watched axis(between(-1, 30, limits));
       axis.step({.kind = Kind::move_velocity, .position = velocity});
       const Tick& tick = axis.rest();
-      const Cause cause =
-          velocity > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit;
+      const Cause cause = velocity > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit;
       EXPECT_EQ(tick.fault, cause);
       EXPECT_EQ(tick.reason, cause);
       EXPECT_NEAR(tick.position, velocity > 0 ? 30 : -1, 1e-9);

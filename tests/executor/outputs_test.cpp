@@ -124,7 +124,8 @@ TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
   Client client(site.link, "feeder", {}, site.clock);
   using wire::OrderKind;
   ASSERT_TRUE(client.order(OrderKind::move_absolute, {20, 100, 2000, 2000}).ok());
-  ASSERT_TRUE(client.order(OrderKind::move_relative, {10, 50, 2000, 2000, Pacing::not_given, 2}).ok());
+  ASSERT_TRUE(
+      client.order(OrderKind::move_relative, {10, 50, 2000, 2000, Pacing::not_given, 2}).ok());
   site.advance(1s);
   EXPECT_EQ(site.last().position, 30);
   EXPECT_EQ(site.last().finished, 2U);
@@ -144,7 +145,8 @@ TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
 TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
   Recorded site;
   using wire::OrderKind;
-  const auto order = [&](OrderKind kind, std::initializer_list<double> value, std::int64_t at = -1) {
+  const auto order = [&](OrderKind kind, std::initializer_list<double> value,
+                         std::int64_t at = -1) {
     Client client(site.link, "feeder", {}, site.clock);
     EXPECT_TRUE(client.order(kind, value, at).ok());
     EXPECT_TRUE(client.release().ok());
