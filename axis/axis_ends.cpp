@@ -34,7 +34,8 @@ void MotionAxis::conclude() {
 
 /// The motion is over, in whatever way.
 void MotionAxis::rest() {
-  const bool stopped = ending_ != Ending::none && ending_ != Ending::fault;
+  const bool stopped =
+      ending_ == Ending::stop || ending_ == Ending::release || ending_ == Ending::halt;
   if (stopped) ++now_.stopped;
   if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
   now_.reason = ending_ == Ending::stop         ? Cause::stopped
