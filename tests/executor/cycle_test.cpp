@@ -83,7 +83,7 @@ TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
     ASSERT_TRUE(post.mail[0]->ticks.pop(tick));
   };
   turn(true, {.kind = Kind::enable});
-  turn(true, {.kind = Kind::move_velocity, .position = 1, .dynamics = {.velocity = 100}});
+  turn(true, {.kind = Kind::move_velocity, .position = 100});
   for (int i = 0; i < 50; ++i) turn(true);
   for (int i = 0; i < 10; ++i) turn(false);
   EXPECT_EQ(tick.velocity, 100) << "within its patience";
