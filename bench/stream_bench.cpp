@@ -23,7 +23,7 @@
 
 #include "jounce/stream/assembly.hpp"
 #include "jounce/stream/driver.hpp"
-#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/open_transport.hpp"
 #include "jounce/stream/stream_plan.hpp"
 
 namespace {
@@ -107,7 +107,8 @@ Blind blind(const Table& table) {
   const std::string channel = wire::channel("bench", wire::Lane::table);
 
   const Child child([&](int out, int in) {
-    LcmTransport link(url);
+    const auto bus = open_transport(url);
+    Transport& link = *bus;
     link.subscribe(channel, 1'000'000);
     tell(out, 0);
     double count = 0;
@@ -121,7 +122,8 @@ Blind blind(const Table& table) {
     tell(out, count);
     tell(out, seconds(last));
   });
-  LcmTransport link(url);
+  const auto bus = open_transport(url);
+  Transport& link = *bus;
   static_cast<void>(child.number());
   const Nanos begin = steady_now();
   for (const auto& packet : packets) link.send(channel, packet);
@@ -152,7 +154,8 @@ struct Transfer {
 
 Transfer transfer(const Table& table, bool hashed) {
   const Child child([&](int out, int in) {
-    LcmTransport link(url);
+    const auto bus = open_transport(url);
+    Transport& link = *bus;
     ReceiverPump pump(link, {.executor = "bench"}, random_id());
     tell(out, 0);
     const double before = computed();
@@ -163,7 +166,8 @@ Transfer transfer(const Table& table, bool hashed) {
     }
     tell(out, computed() - before);
   });
-  LcmTransport link(url);
+  const auto bus = open_transport(url);
+  Transport& link = *bus;
   static_cast<void>(child.number());
   StreamPlan plan{.executor = "bench", .tables = {{table, units}}, .goal = StreamGoal::download};
   const wire::Header header = header_of(plan.tables[0], 0);

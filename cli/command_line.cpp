@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/io/nearest.hpp"
+#include "jounce/io/printable.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -154,7 +155,7 @@ int CommandLine::run(int argc, char** argv) {
     return fine;
   } catch (const CLI::ParseError& error) {
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
-    fmt::print(stderr, "jounce: {}\n", complaint(*app_, error, words));
+    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, words)));
     return bad_input;
   }
   return chosen_();

@@ -6,6 +6,7 @@
 
 #include "jounce/io/disc.hpp"
 #include "jounce/io/file.hpp"
+#include "jounce/io/printable.hpp"
 
 #include "input.hpp"
 #include "verb.hpp"
@@ -60,12 +61,12 @@ int run(const Options& options) {
   const Report report = check_disc(spec, std::get<Cam>(input.curve));
   if (cannot_be_cut(report) && !options.output.ends_with(".svg")) {
     fmt::print("{}: {} is not written: no such plate can be cut (an .svg shows it)\n{}", input.name,
-               options.output, full_text(report, input.labels));
+               printable(options.output), full_text(report, input.labels));
     return finding;
   }
   require_other_file(options.spec, options.output);
   write_file(options.output, drawn(options, spec, disc));
-  fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name, options.output,
+  fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name, printable(options.output),
              rounded(spec.disc->tolerance), spec.disc->length);
   print_extremes(disc, spec);
   fmt::print("\n{}", full_text(report, input.labels));

@@ -1,4 +1,4 @@
-#include "link.hpp"
+#include "open_network.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/address.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 #include "jounce/stream/message.hpp"
 #include "jounce/stream/open_transport.hpp"
@@ -29,13 +30,17 @@ Nanos nanos(double seconds) {
 
 void add_link_options(const Verb& verb, LinkOptions& options) {
   verb.option("--url", options.url,
-              "Where programs meet: udpm://GROUP:PORT is LCM's multicast, which stays on this machine "
-              "unless ?ttl=1 is added; unix://FOLDER needs neither network nor rights")
+              "Where programs meet: udpm://GROUP:PORT is LCM's multicast, which neither leaves nor enters this "
+              "machine unless ?ttl=1 is added; unix://FOLDER needs no network")
       .shown();
   verb.option("--key", options.key,
               "File with the key that commands are signed with; see jounce new key");
   verb.option("--inject-loss", options.inject_loss, "Share of packets to lose, each way").hidden();
   verb.option("--seed", options.seed, "Of --inject-loss").hidden();
+}
+
+bool is_open(const LinkOptions& options) {
+  return options.key.empty() && !is_local(options.url);
 }
 
 Link::Link(const LinkOptions& options) : link_(open_transport(options.url)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -13,9 +14,11 @@
 #include "jounce/io/axis_drive.hpp"
 #include "jounce/io/make.hpp"
 #include "jounce/io/nearest.hpp"
+#include "jounce/io/printable.hpp"
 
 #include "axis_drive.hpp"
 #include "machine_masters.hpp"
+#include "say.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -59,12 +62,6 @@ AxisConfig config_of(const Spec& spec) {
 Nanos silence_of(const Spec& spec) {
   const double seconds = std::get<AxisSpec>(spec.subject).session_timeout;
   return Nanos(std::llround(seconds * 1e9));
-}
-
-/// A terminal that does not take text must not hold up the executor: then it is dropped.
-void say(const std::string& notice) {
-  pollfd out{STDERR_FILENO, POLLOUT, 0};
-  if (poll(&out, 1, 0) == 1 && (out.revents & POLLOUT) != 0) fmt::print(stderr, "{}\n", notice);
 }
 
 std::function<void(const std::string&)> notice_of(const ExecutorOptions& axis, std::size_t axes) {
@@ -181,6 +178,12 @@ std::size_t virtual_axes(const std::optional<MachineSpec>& machine) {
 }
 
 }  // namespace
+
+void say(const std::string& notice) {
+  pollfd out{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&out, 1, 0) != 1 || (out.revents & POLLOUT) == 0) return;
+  std::fputs((printable(notice) + "\n").c_str(), stderr);  // unlike fmt::print() it does not throw
+}
 
 std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
   if (axes == 1) return log;

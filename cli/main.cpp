@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "jounce/io/printable.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport.hpp"
 
+#include "page.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -18,9 +20,15 @@ int run(int argc, char** argv) {
        {add_new,      add_laws,     add_design, add_check,   add_optimize, add_sweep,
         add_validate, add_identify, add_diff,   add_convert, add_plot,     add_map,
         add_events,   add_contour,  add_report, add_stream,  add_master,   add_run,
-        add_replay,   add_monitor,  add_stop,   add_order})
+        add_replay,   add_monitor,  add_page,   add_stop,     add_order})
     add(line);
   return line.run(argc, argv);
+}
+
+/// Prints what went wrong, which may hold any bytes of a file, a file's name or a packet.
+int complain(const char* prefix, const char* what, int status) {
+  fmt::print(stderr, "jounce: {}{}\n", prefix, printable_lines(what));
+  return status;
 }
 
 }  // namespace
@@ -32,19 +40,14 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const jounce::InputError& error) {
-    fmt::print(stderr, "jounce: {}\n", error.what());
-    return bad_input;
+    return complain("", error.what(), bad_input);
   } catch (const jounce::TransportError& error) {
-    fmt::print(stderr, "jounce: {}\n", error.what());
-    return fault;
+    return complain("", error.what(), fault);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "jounce: there is not enough memory for this\n");
-    return fault;
+    return complain("", "there is not enough memory for this", fault);
   } catch (const std::system_error& error) {
-    fmt::print(stderr, "jounce: {}\n", error.what());
-    return fault;
+    return complain("", error.what(), fault);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "jounce: internal fault: {}\n", error.what());
-    return fault;
+    return complain("internal fault: ", error.what(), fault);
   }
 }

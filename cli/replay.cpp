@@ -1,4 +1,5 @@
 #include "jounce/executor/replay.hpp"
+#include "jounce/io/printable.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -102,7 +103,7 @@ const std::string& whose(const Replay& r) {
 }
 
 void print(const Replay& r, const std::string& file) {
-  fmt::print("{}: {} {}, {} cycles, ticks {} to {}\n", file, r.axes.size(),
+  fmt::print("{}: {} {}, {} cycles, ticks {} to {}\n", printable(file), r.axes.size(),
              r.axes.size() == 1 ? "axis" : "axes", r.cycles, r.first_tick.value_or(0), r.last_tick);
   for (const Replay::Master& master : r.masters)
     fmt::print("master {}: {} cycles, lost in {}\n", master.name, master.cycles, master.lost);

@@ -10,14 +10,15 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/executor/shell.hpp"
+#include "jounce/io/printable.hpp"
 #include "jounce/io/file.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
-#include "jounce/stream/open_transport.hpp"
-#include "jounce/web/panel.hpp"
 
 #include "link.hpp"
 #include "machine.hpp"
+#include "open_network.hpp"
+#include "page_process.hpp"
 #include "verb.hpp"
 
 namespace jounce::cli {
@@ -94,7 +95,7 @@ bool logs_are_whole(const Options& options, const ExecutorSummary& summary) {
   for (const AxisSummary& axis : summary.axes) {
     if (!axis.log_truncated) continue;
     fmt::print(stderr, "jounce: the log of {} is cut off: {}.truncated\n", axis.name,
-               log_of(options.machine.log, axis.name, summary.axes.size()));
+               printable(log_of(options.machine.log, axis.name, summary.axes.size())));
     whole = false;
   }
   return whole;
@@ -110,20 +111,19 @@ bool record_is_whole(const ExecutorSummary& summary) {
   fmt::print(stderr, "jounce: the record is not whole: {}\n",
              summary.record_trouble.empty()
                  ? std::to_string(summary.record_lost) + " cycles are missing"
-                 : summary.record_trouble);
+                 : printable(summary.record_trouble));
   return false;
 }
 
-/// The live page, where it is asked for: beside the executor, on links of its own.
-std::unique_ptr<web::Panel> panel_of(const Options& options, const Link& link,
+/// The live page, where it is asked for: a process of its own.
+std::unique_ptr<PageProcess> page_of(const Options& options,
                                      const std::vector<ExecutorOptions>& axes) {
   if (!options.web) return nullptr;
-  web::PanelOptions panel{.port = *options.web, .key = link.key(), .title = "Jounce"};
-  for (const auto& axis : axes) panel.axes.push_back(axis.receiver.executor);
-  auto made =
-      std::make_unique<web::Panel>(panel, [url = options.link.url] { return open_transport(url); });
-  fmt::print(stderr, "jounce: live page at {}\n", made->address());
-  return made;
+  std::vector<std::string> names;
+  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
+  auto page = std::make_unique<PageProcess>(*options.web, names, options.link);
+  fmt::print(stderr, "jounce: live page at {}\n", page->address());
+  return page;
 }
 
 /// Who is there now and what it waits for: a run that says nothing looks like one that hangs.
@@ -166,12 +166,13 @@ bool has_its_names(const ExecutorSummary& summary) {
 
 int run(const Options& options) {
   require_other_files(options);
+  if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
   auto [axes, masters, watchdog] = parts_of(options.machine);
   require_no_inputs(options, axes);
   (void)Machine(machine_of(axes), masters.size());
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
-  const auto panel = panel_of(options, link, axes);
+  const auto page = page_of(options, axes);
   RunOptions how = options.run;
   how.up = [&axes = axes, &options] { announce(axes, options.machine.enable); };
   how.masters = std::move(masters);
@@ -223,8 +224,8 @@ void add_run(CommandLine& line) {
         return value == 0 || (value >= 0.01 && value <= 3600) ? "" : "must be 0.01 to 3600, or 0";
       });
   verb.option("--web", options->web,
-              "Serve a live page on this port of 127.0.0.1, with orders for whoever has the "
-              "address as it is printed; 0: any free port")
+              "Serve a live page on this port of 127.0.0.1 (0: any free one), as `jounce page` does, in a "
+              "process of its own")
       .check(whole(0, 65535));
   verb.flag("--enable", options->machine.enable,
             "Enable every axis at the start; otherwise each waits, disabled, for that order");

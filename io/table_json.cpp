@@ -43,7 +43,7 @@ class JsonReader {
     const Json& value = require(key);
     if (!value.is_string()) fail(key, value.dump(), "must be a text");
     auto text = value.get<std::string>();
-    if (printable(text) != text) fail(key, printable(text), "must not contain control characters");
+    if (!is_printable(text)) fail(key, printable(text), "must not contain control characters");
     return text;
   }
 

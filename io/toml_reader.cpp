@@ -158,7 +158,7 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::string>();
   if (!value) fail(key, shown(*node), "must be a text in quotes");
-  if (printable(*value) != *value)
+  if (!is_printable(*value))
     fail(key, '"' + printable(*value) + '"', "must not contain control characters");
   return value;
 }

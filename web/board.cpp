@@ -100,7 +100,9 @@ std::string Board::json_since(std::int64_t& seen, Nanos now) const {
     axes.push_back(std::move(axis));
   }
   seen = count_;
-  return ordered_json{{"axes", std::move(axes)}}.dump();
+  // A text from the wire is UTF-8; a board that is filled otherwise must not throw either.
+  return ordered_json{{"axes", std::move(axes)}}.dump(-1, ' ', false,
+                                                      ordered_json::error_handler_t::replace);
 }
 
 bool Board::has(const std::string& axis) const {

@@ -29,11 +29,15 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string page(const std::string& title) {
-  constexpr std::string_view mark = "@TITLE@";
+std::string page(const std::string& title, const std::string& warning) {
   std::string out(page_html);
-  for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark, at))
-    out.replace(at, mark.size(), escaped(title));
+  const auto fill_in = [&](std::string_view mark, const std::string& text) {
+    for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark, at + text.size()))
+      out.replace(at, mark.size(), text);
+  };
+  const std::string shown = escaped(warning);
+  fill_in("@WARNING@", shown.empty() ? "" : "<p class=\"verdict no\" id=\"warning\">" + shown + "</p>");
+  fill_in("@TITLE@", escaped(title));
   return out;
 }
 

@@ -11,7 +11,6 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/driver.hpp"
 #include "jounce/web/board.hpp"
-#include "jounce/web/gate.hpp"
 #include "jounce/web/instruction.hpp"
 #include "jounce/web/page.hpp"
 #include "jounce/web/server.hpp"
@@ -19,9 +18,9 @@
 namespace jounce::web {
 namespace {
 
-constexpr int waiting_statuses =
-    64;  // LCM keeps the oldest: they are taken out faster than they come
+constexpr int waiting_statuses = 64;  // a link keeps the oldest: they are taken out faster than they come
 constexpr Nanos turn = std::chrono::milliseconds(50);
+constexpr Nanos again = std::chrono::seconds(1);  // until a lost link is opened again
 
 Answer answer(int status, const std::string& reason) {
   const nlohmann::ordered_json said{{"ok", status == 200}, {"reason", reason}};
@@ -31,16 +30,13 @@ Answer answer(int status, const std::string& reason) {
 }  // namespace
 
 struct Panel::Impl {
-  Impl(const PanelOptions& its_options, MakeLink its_make_link)
+  Impl(const PanelOptions& its_options, Listening listening, MakeLink its_make_link)
       : options(its_options), make_link(std::move(its_make_link)), board(options.axes) {
-    ears = make_link();
-    for (const std::string& axis : options.axes)
-      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
-        ears->subscribe(wire::channel(axis, lane), waiting_statuses);
-    server.emplace(options.port, token,
-                   Site{page(options.title), std::string(script()), style(),
+    open_ears();
+    server.emplace(std::move(listening), options.token,
+                   Site{page(options.title, options.warning), std::string(script()), style(),
                         [this](std::int64_t& seen) { return event(seen); },
-                        [this](const std::string& body) { return order(body); }});
+                        [this](const std::string& body) { return order(body); }, is_stop});
     listener = std::thread([this] { listen(); });
   }
 
@@ -50,21 +46,34 @@ struct Panel::Impl {
     listener.join();
   }
 
+  void open_ears() {
+    ears = make_link();
+    for (const std::string& axis : options.axes)
+      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+        ears->subscribe(wire::channel(axis, lane), waiting_statuses);
+  }
+
+  /// Until the end, whatever happens to the link: the page says of each axis for how long it was silent.
   void listen() {
-    try {
-      Rejects rejects;
-      while (running) {
-        const auto message = next_message(*ears, turn, rejects, options.key);
-        if (!message) continue;
-        const std::scoped_lock lock(mutex);
-        if (const auto* const status = std::get_if<wire::Status>(&message->body))
-          board.take(message->executor, *status, steady_now());
-        else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
-          board.take(message->executor, *master);
+    while (running) {
+      try {
+        if (!ears) open_ears();
+        take_next();
+      } catch (const std::exception&) {
+        ears.reset();
+        std::this_thread::sleep_for(again);
       }
-    } catch (const TransportError&) {
-      // The page says of each axis for how long nothing was heard.
     }
+  }
+
+  void take_next() {
+    const auto message = next_message(*ears, turn, rejects, options.key);
+    if (!message) return;
+    const std::scoped_lock lock(mutex);
+    if (const auto* const status = std::get_if<wire::Status>(&message->body))
+      board.take(message->executor, *status, steady_now());
+    else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
+      board.take(message->executor, *master);
   }
 
   std::string event(std::int64_t& seen) {
@@ -72,11 +81,19 @@ struct Panel::Impl {
     return board.json_since(seen, steady_now());
   }
 
+  static bool is_stop(const std::string& body) {
+    try {
+      return read_instruction(body).what == "stop";
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
   Answer order(const std::string& body) {
     try {
       const Instruction instruction = read_instruction(body);
       if (!board.has(instruction.axis))
-        throw InputError("axis", instruction.axis, "is none of this executor's");
+        throw InputError("axis", instruction.axis, "is none of this page's axes");
       const auto link = make_link();
       const CallOutcome outcome = give(*link, instruction, options.key);
       return answer(outcome.ok()                            ? 200
@@ -92,8 +109,8 @@ struct Panel::Impl {
 
   const PanelOptions options;
   const MakeLink make_link;
-  const std::string token = new_token();
   std::unique_ptr<Transport> ears;  // the listener's
+  Rejects rejects;                  // likewise
   std::mutex mutex;                 // guards what of the board changes
   Board board;
   std::optional<Server> server;
@@ -101,12 +118,12 @@ struct Panel::Impl {
   std::thread listener;
 };
 
-Panel::Panel(const PanelOptions& options, MakeLink make_link)
-    : impl_(std::make_unique<Impl>(options, std::move(make_link))) {}
+Panel::Panel(const PanelOptions& options, Listening listening, MakeLink make_link)
+    : impl_(std::make_unique<Impl>(options, std::move(listening), std::move(make_link))) {}
 Panel::~Panel() = default;
 
 std::string Panel::address() const {
-  return "http://127.0.0.1:" + std::to_string(impl_->server->port()) + "/#" + impl_->token;
+  return "http://127.0.0.1:" + std::to_string(impl_->server->port()) + "/#" + impl_->options.token;
 }
 
 }  // namespace jounce::web

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include "jounce/io/printable.hpp"
 #include "jounce/executor/detail/record_fields.hpp"
 
 #include "jounce_record/axis_t.hpp"
@@ -38,7 +39,7 @@ void put_text(const std::string& text, std::uint8_t (&bytes)[N]) {
 
 template <std::size_t N>
 std::string get_text(const std::uint8_t (&bytes)[N]) {
-  return {bytes, std::find(bytes, bytes + N, 0)};
+  return printable(std::string(bytes, std::find(bytes, bytes + N, 0)));
 }
 
 axis_t on_wire(const RecordedAxis& ours);

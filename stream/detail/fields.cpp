@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "jounce/io/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::wire {
@@ -24,13 +25,10 @@ std::int32_t put_count(const char* key, std::uint32_t count) {
 }
 
 void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size) {
-  const std::string_view fits = shortened(text, size);
+  const std::string clean = printable(text);  // else get_text() refuses the whole message
+  const std::string_view fits = shortened(clean, size);
   std::fill_n(bytes, size, std::uint8_t{0});
-  // A control character has no place in a name, a unit or a sentence.
-  std::transform(fits.begin(), fits.end(), bytes, [](char c) {
-    const auto byte = static_cast<std::uint8_t>(c);
-    return byte < 0x20 ? std::uint8_t{' '} : byte;
-  });
+  std::copy(fits.begin(), fits.end(), bytes);
 }
 
 bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text) {
@@ -38,7 +36,7 @@ bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text) {
   text.assign(bytes, end);
   return end != bytes + size &&
          std::all_of(end, bytes + size, [](std::uint8_t byte) { return byte == 0; }) &&
-         std::all_of(bytes, end, [](std::uint8_t byte) { return byte >= 0x20; });
+         is_printable(text);
 }
 
 void put_unit(const char* key, const std::string& unit, std::uint8_t* bytes) {
@@ -46,7 +44,7 @@ void put_unit(const char* key, const std::string& unit, std::uint8_t* bytes) {
     throw InputError(key, unit, "must be shorter than " + std::to_string(unit_bytes) + " bytes");
   put_text(unit, bytes, unit_bytes);
   if (std::string back; !get_text(bytes, unit_bytes, back) || back != unit)
-    throw InputError(key, unit, "must not contain control characters");
+    throw InputError(key, unit, "must be UTF-8 without control characters");
 }
 
 }  // namespace jounce::wire

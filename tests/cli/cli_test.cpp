@@ -13,6 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
+#include "jounce/io/printable.hpp"
+
 namespace {
 
 using nlohmann::json;
@@ -967,6 +969,35 @@ end = { master = 360, slave = 360 }
   EXPECT_THAT(result.out,
               HasSubstr("warn   warning/velocity_overshoot geo_velocity 1.512 deg/deg"));
   EXPECT_THAT(result.out, HasSubstr("take a master length from 200 to 300"));
+}
+
+// A terminal obeys an escape sequence wherever it comes from.
+TEST_F(Cli, NoControlCharacterOfAFileOrItsNameReachesATerminal) {
+  const auto expect_harmless = [&](const std::string& words) {
+    const Result result = run(words);
+    for (const std::string& text : {result.out, result.err})
+      EXPECT_EQ(jounce::printable_lines(text), text) << words;
+  };
+  const std::string file = "a\x1b[2J\xff.toml";
+  const std::string named = "'" + file + "'";
+  EXPECT_EQ(run("new cam -o good.toml").status, 0);
+  std::filesystem::copy_file(folder / "good.toml", folder / file);
+  const std::string table = "'t\x1b]0;x\x07.csv'";
+  for (const std::string& words :
+       {"check " + named, "design " + named + " -o " + table, "validate " + named,
+        "diff " + named + " " + named, "convert " + named + " " + table,
+        "plot " + named + " -o '\x1b.svg'", "run " + named, "replay " + named,
+        "contour " + named + " -o '\x1b.svg'", std::string("check '\x1b[2J'"),
+        std::string("monitor '\x1b[2J'"), std::string("'\x1b[2J'"),
+        std::string("check --'\x1b[2J'")})
+    expect_harmless(words);
+  write("name.toml",
+        "jounce = 1\nkind = \"axis\"\nname = \"\\u001b[2J\"\nunits = { position = \"mm\" }\n");
+  write("key.toml", "jounce = 1\nkind = \"axis\"\n\"\\u001b[2J\" = 1\n");
+  write("raw.toml", "jounce = 1\nkind = \"\x1b[2J\"\n");
+  write("unit.csv", "# jounce table 1\n# axis: \x1b[2J\n# rule: \x1b\n");
+  for (const char* name : {"name.toml", "key.toml", "raw.toml", "unit.csv"})
+    for (const char* verb : {"check ", "run ", "plot "}) expect_harmless(std::string(verb) + name);
 }
 
 }  // namespace

@@ -6,24 +6,7 @@ set -eu
 needs_network "a second machine"
 jounce=$1 example=$2
 url='udpm://239.255.76.67:7667?ttl=1'
-ip route del 224.0.0.0/4 dev lo
-ip link add name here type veth peer name there 2> /dev/null || { echo "skipped: no veth here"; exit 77; }
-unshare -n sleep 60 &
-other=$!
-trap 'kill $other 2> /dev/null; rm -rf "$scratch"' EXIT
-there() { nsenter -t $other -n "$@"; }
-tries=0
-while [ "$(readlink /proc/$other/ns/net)" = "$(readlink /proc/self/ns/net)" ]; do  # until it has one of its own
-  tries=$((tries + 1))
-  [ $tries -lt 100 ] || fail "no second network"
-  sleep 0.05
-done
-ip link set there netns $other
-ip addr add 10.7.0.1/24 dev here
-ip link set here up
-there sh -c 'ip link set lo up; ip addr add 10.7.0.2/24 dev there; ip link set there up
-  ip route add 239.255.76.67/32 dev there'
-ip route add 239.255.76.67/32 dev here
+. "$(dirname "$0")/machines.sh"
 
 "$jounce" new key -o "$scratch/line.key" > /dev/null
 there "$jounce" run "$example/axis.toml" --url "$url" --key "$scratch/line.key" --enable --log "$scratch/run.csv" \

@@ -21,6 +21,8 @@ void points(Input input);     ///< points beside a spec: CSV
 void rows(Input input);       ///< a conversation with RowSender and Receiver; rows into FIFOs
 void key(Input input);        ///< key files; packets where a key is set
 void log(Input input);        ///< the record of a run: LCM logs, replayed
+void text(Input input);       ///< any text, as a terminal and JSON may be given it
+void page(Input input);       ///< orders to a live page, and packets that it shows
 void executor(Input input);   ///< what an owner can say to an executor, and what its axes do then
 
 /// Ends the process with these words: a promise was broken.

@@ -53,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Replay,
                                          Named{"executor", fuzz::executor}, Named{"log", fuzz::log},
                                          Named{"table", fuzz::table}, Named{"points", fuzz::points},
                                          Named{"spec", fuzz::spec},
-                                         Named{"recording", fuzz::recording}),
+                                         Named{"recording", fuzz::recording},
+                                         Named{"text", fuzz::text}, Named{"page", fuzz::page}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

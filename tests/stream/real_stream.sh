@@ -10,8 +10,9 @@ trap 'rm -rf "$scratch"' EXIT
 case $JOUNCE_BUS in
 udpm:*)
   ip route del 224.0.0.0/4 dev lo
-  "$1" no-route "$JOUNCE_BUS?ttl=0"
+  "$1" no-route "$JOUNCE_BUS?ttl=1"
+  "$1" stream "$JOUNCE_BUS"  # needs no route: it stays on the loopback interface
   ip route add 224.0.0.0/4 dev lo
-  "$1" stream "$JOUNCE_BUS?ttl=0"
+  "$1" lcm "$JOUNCE_BUS"
   ;;
 esac

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "jounce/stream/driver.hpp"
-#include "jounce/stream/lcm_transport.hpp"
+#include "jounce/stream/open_transport.hpp"
 #include "jounce/stream/lossy_transport.hpp"
 
 namespace {
@@ -134,7 +134,8 @@ class Watch {
   }
 
   std::string executor_;
-  LcmTransport link_{url};
+  std::unique_ptr<Transport> bus_ = open_transport(url);
+  Transport& link_ = *bus_;
   static constexpr long window = 20;
   double first_ = 0, best_ = 0;  // s by which the ticks are ahead of this clock
 };
@@ -142,7 +143,8 @@ class Watch {
 /// Streams all tables of the axis, starts the first one at `start`, and swaps to the next one every second.
 void swap(const std::string& executor, std::size_t axis, const Tables& own, double loss,
           std::int64_t start, std::size_t swaps, Result& result) {
-  LcmTransport link(url);
+  const auto bus = open_transport(url);
+  Transport& link = *bus;
   LossyTransport lossy(link, {.seed = axis + 1, .lost = loss}, steady_now);
   StreamPlan plan{.executor = executor, .tables = own.items(), .start_tick = start};
   for (std::size_t i = 1; i <= swaps; ++i)
@@ -169,7 +171,8 @@ Result keep_busy(const std::string& executor, std::size_t axis, double loss, Nan
   seen.swaps = result.swaps;
   seen.resent = result.resent;
   seen.failure = result.failure;
-  LcmTransport link(url);
+  const auto bus = open_transport(url);
+  Transport& link = *bus;
   if (!operator_stop(link, executor, wire::StopMode::stop)) seen.failure += " cannot be stopped";
   return seen;
 }

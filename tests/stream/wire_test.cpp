@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include "jounce/io/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "jounce_lcm/ack_t.hpp"
@@ -425,6 +426,52 @@ TEST(Wire, LongChunksHaveRoomWhereAsManyBytesHadIt) {
   // Datagrams that fill Linux's default buffer of 212 992 bytes where a frame has 1500, counted.
   EXPECT_LE(wire::cut(Rule::linear, 1'000'000, 4266).chunks_for(8), 3U);
   EXPECT_LE(wire::cut(Rule::linear, 1'000'000, 6398).chunks_for(8), 2U);
+}
+
+/// The message with this text in it replaced byte for byte, and the checksum made right.
+Bytes with_text(Bytes bytes, const std::string& text, const std::string& other) {
+  const auto* const begin = reinterpret_cast<const std::byte*>(text.data());
+  const auto at = std::search(bytes.begin(), bytes.end(), begin, begin + text.size());
+  EXPECT_NE(at, bytes.end());
+  std::transform(other.begin(), other.end(), at, [](char c) { return static_cast<std::byte>(c); });
+  seal(bytes);
+  return bytes;
+}
+
+TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
+  const std::string mark = "wxyz";
+  const Units units{mark, "mm"}, others{"mm", mark};
+  const std::vector<wire::Body> bodies = {
+      wire::Header{.hash = {1}, .units = units, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
+      wire::Header{.hash = {1}, .units = others, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
+      wire::Queue{.queue = 64, .units = units, .capacity = 2, .prefill = 1},
+      wire::Queue{.queue = 64, .units = others, .capacity = 2, .prefill = 1},
+      wire::Ack{.boot = 1, .reason = mark},
+      wire::Reply{.boot = 1, .command = 1, .reason = mark},
+      wire::QueueAck{.boot = 1, .reason = mark},
+      wire::Status{.units = units},
+      wire::Status{.units = others},
+      wire::Master{.unit = mark},
+      wire::MasterStatus{.boot = 1, .master = "line", .unit = mark},
+      wire::MasterStatus{.boot = 1, .master = mark, .unit = "mm"}};
+  for (const wire::Body& body : bodies) {
+    const bool none = wire::lane(body) == wire::Lane::master || wire::lane(body) == wire::Lane::masters;
+    const Bytes good = wire::encode({"feeder", none ? 0 : 1, body});
+    ASSERT_TRUE(std::holds_alternative<wire::Message>(wire::decode(good))) << body.index();
+    for (const std::string bad : {"\xff\xfe\xfd", "a\x1b[J", "a\x7f", "\xc2\x9b", "\xc0\xaf", "\xed\xa0\x80",
+                                  "a\nb", "wxy\xe2", "\xe2\x80\xae"})
+      EXPECT_EQ(reject(with_text(good, mark, bad)), Reject::bad_field)
+          << body.index() << " with " << printable(bad);
+  }
+}
+
+TEST(Wire, WhatIsSentIsReceivedWhateverTextItWasMadeFrom) {
+  const wire::Message message{
+      "feeder", 1, wire::Reply{.boot = 1, .command = 1, .reason = "file a\x1b[2J\xff: no\n" + std::string(300, 'x')}};
+  const auto decoded = wire::decode(wire::encode(message));
+  const auto* const back = std::get_if<wire::Message>(&decoded);
+  ASSERT_NE(back, nullptr) << "an executor whose answer cannot be decoded does not answer";
+  EXPECT_EQ(std::get<wire::Reply>(back->body).reason.substr(0, 15), "file a?[2J?: no");
 }
 
 }  // namespace

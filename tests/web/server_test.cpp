@@ -8,6 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/page.hpp"
@@ -25,12 +29,14 @@ Site site() {
   return {page("Jounce <1>"), std::string(script()), style(),
           [](std::int64_t& seen) { return std::to_string(++seen); },
           [](const std::string& body) {
+            if (body == "slow") std::this_thread::sleep_for(300ms);
             return Answer{200, "\"" + body + "\""};
-          }};
+          },
+          [](const std::string& body) { return body == "stop"; }};
 }
 
 struct Served {
-  Server server{0, token, site()};
+  Server server{Listening(0), token, site()};
   httplib::Client client{"127.0.0.1", server.port()};
 };
 
@@ -93,6 +99,113 @@ TEST(Server, TakesNoLongOrder) {
   EXPECT_EQ(answer->status, 413);
 }
 
+/// A connection of its own, for requests that no client makes.
+class Raw {
+ public:
+  explicit Raw(std::uint16_t port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    const timeval limit{20, 0};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    host_ = "Host: 127.0.0.1:" + std::to_string(port) + "\r\n";
+  }
+  ~Raw() { close(socket_); }
+  Raw(const Raw&) = delete;
+  Raw& operator=(const Raw&) = delete;
+
+  bool send(const std::string& text) const {
+    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
+  }
+  /// All that comes until the server closes the connection, or resets it.
+  [[nodiscard]] std::string rest() const {
+    std::string all;
+    char bytes[4096];
+    for (ssize_t n; (n = recv(socket_, bytes, sizeof bytes, 0)) > 0;) all.append(bytes, static_cast<std::size_t>(n));
+    return all;
+  }
+  /// What comes first.
+  [[nodiscard]] std::string first() const {
+    char bytes[64];
+    const ssize_t n = recv(socket_, bytes, sizeof bytes, 0);
+    return {bytes, static_cast<std::size_t>(n > 0 ? n : 0)};
+  }
+  [[nodiscard]] const std::string& host() const { return host_; }
+
+ private:
+  int socket_;
+  std::string host_;
+};
+
+TEST(Server, AnswersAnOrderWithoutTheTokenBeforeItsBody) {
+  const Served served;
+  for (const char* length : {"Transfer-Encoding: chunked\r\n", "Content-Length: 1000\r\n"}) {
+    const Raw raw(served.server.port());
+    ASSERT_TRUE(raw.send("POST /order HTTP/1.1\r\n" + raw.host() + length + "\r\n"));
+    EXPECT_THAT(raw.rest(), HasSubstr(" 403 ")) << "it waits for a body";
+  }
+}
+
+TEST(Server, TakesNoBodyWhoseLengthIsNotGiven) {
+  const Served served;
+  const Raw raw(served.server.port());
+  ASSERT_TRUE(raw.send("POST /order HTTP/1.1\r\n" + raw.host() + "X-Jounce-Token: " + token +
+                       "\r\nTransfer-Encoding: chunked\r\n\r\n4\r\nstop\r\n0\r\n\r\n"));
+  EXPECT_THAT(raw.rest(), HasSubstr(" 411 "));
+}
+
+TEST(Server, BoundsTheHeadOfARequest) {
+  const Served served;
+  const Raw raw(served.server.port());
+  static_cast<void>(raw.send("GET / HTTP/1.1\r\n" + raw.host() + "X: " + std::string(100'000, 'x') + "\r\n\r\n"));
+  EXPECT_THAT(raw.rest(), Not(HasSubstr(" 200 ")));
+}
+
+TEST(Server, EndsARequestWhoseBytesComeOneByOne) {
+  const Served served;
+  const Raw raw(served.server.port());
+  ASSERT_TRUE(raw.send("GET / HTTP/1.1\r\n" + raw.host()));
+  std::atomic<bool> ended{false};
+  std::thread drip([&] {
+    while (!ended && raw.send("X: y\r\n")) std::this_thread::sleep_for(100ms);
+  });
+  EXPECT_EQ(raw.rest(), "");  // returns: the server has closed the connection
+  ended = true;
+  drip.join();
+}
+
+TEST(Server, AStopFindsAConnectionAmongAnyNumberOfSlowOnes) {
+  Served served;
+  std::deque<Raw> slow;
+  for (int i = 0; i < 3 * Server::most_guests; ++i) {
+    slow.emplace_back(served.server.port());
+    ASSERT_TRUE(slow.back().send("POST /order HTTP/1.1\r\n"));
+  }
+  const auto stop = served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
+  ASSERT_TRUE(stop);
+  EXPECT_EQ(stop->status, 200);
+}
+
+TEST(Server, AStopWaitsForNoOtherOrder) {
+  Served served;
+  std::deque<std::thread> others;
+  std::atomic<int> answered{0};
+  for (int i = 0; i < Server::most_orders; ++i)
+    others.emplace_back([&] {
+      httplib::Client client("127.0.0.1", served.server.port());
+      client.set_read_timeout(30s);
+      const auto answer = client.Post("/order", {{"X-Jounce-Token", token}}, "slow", "application/json");
+      if (answer && answer->status == 200) ++answered;
+    });
+  const auto stop = served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
+  ASSERT_TRUE(stop);
+  EXPECT_EQ(stop->status, 200);
+  for (auto& other : others) other.join();
+  EXPECT_EQ(answered, Server::most_orders);
+}
+
 /// Reads events until `enough` says so.
 template <class Enough>
 void read_events(std::uint16_t port, Enough enough) {
@@ -133,9 +246,26 @@ TEST(Server, EndsWithReadersAndHasRoomForEight) {
   for (auto& reader : readers) reader.join();
 }
 
+TEST(Server, AReaderWithTheTokenTakesThePlaceOfOneWithout) {
+  Served served;
+  std::deque<Raw> strangers;
+  for (int i = 0; i < Server::most_readers; ++i) {
+    strangers.emplace_back(served.server.port());
+    ASSERT_TRUE(strangers.back().send("GET /events HTTP/1.1\r\n" + strangers.back().host() + "\r\n"));
+  }
+  const auto answer = [&](const std::string& more) {
+    const Raw raw(served.server.port());
+    EXPECT_TRUE(raw.send("GET /events HTTP/1.1\r\n" + raw.host() + more + "\r\n"));
+    return raw.first();
+  };
+  for (const Raw& stranger : strangers) EXPECT_THAT(stranger.first(), HasSubstr(" 200 "));
+  EXPECT_THAT(answer(""), HasSubstr(" 503 "));
+  EXPECT_THAT(answer("X-Jounce-Token: " + token + "\r\n"), HasSubstr(" 200 "));
+}
+
 TEST(Server, RefusesAPortThatIsTaken) {
   const Served served;
-  EXPECT_THROW(Server(served.server.port(), token, site()), InputError);
+  EXPECT_THROW(Listening(served.server.port()), InputError);
 }
 
 }  // namespace

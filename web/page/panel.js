@@ -1,5 +1,5 @@
 'use strict';
-// The live page of `jounce run --web`: statuses come as server-sent events, orders go as POSTs.
+// The live page of `jounce page`: statuses come as server-sent events, orders go as POSTs.
 
 const token = location.hash.slice(1);  // after #: a browser never sends that part
 const window_s = 10;
@@ -43,7 +43,7 @@ async function order(axis, what, value) {
     const reason = answer.headers.get('Content-Type').startsWith('application/json') ? JSON.parse(text).reason : text;
     say(answer.ok ? `${axis}: ${what} accepted` : `${axis}: ${what} is refused: ${reason}`, answer.ok);
   } catch (error) {
-    say(`${axis}: the executor cannot be reached`, false);
+    say(`${axis}: the page's server cannot be reached; what the axis does is not known here`, false);
   }
 }
 
@@ -239,15 +239,36 @@ function paint() {
 let dirty = false;
 const link = document.getElementById('link');
 document.getElementById('look').hidden = token !== '';
-const events = new EventSource('/events');
-events.onopen = () => { link.textContent = 'live'; };
-events.onerror = () => {
-  link.textContent = 'the executor has ended, or cannot be reached';
-  for (const view of axes.values()) view.element.classList.add('silent');
-};
-events.onmessage = (event) => {
-  const told = JSON.parse(event.data).axes;
-  told.forEach(show);
-  showCycle(told.find((axis) => axis.heard !== null));
+
+function take(event) {
+  const axesNow = JSON.parse(event).axes;
+  axesNow.forEach(show);
+  showCycle(axesNow.find((axis) => axis.heard !== null));
   if (!dirty) { dirty = true; requestAnimationFrame(paint); }
-};
+}
+
+/// The events until the server ends them. EventSource could not send the token, for which a server with too
+/// many readers closes another one.
+async function read(answer) {
+  const reader = answer.body.pipeThrough(new TextDecoderStream()).getReader();
+  for (let rest = ''; ;) {
+    const {value, done} = await reader.read();
+    if (done) return;
+    rest += value;
+    for (let end; (end = rest.indexOf('\n\n')) >= 0; rest = rest.slice(end + 2)) take(rest.slice('data: '.length, end));
+  }
+}
+
+async function follow() {
+  for (;;) {
+    let why = 'the page has lost its server; it tries again';
+    try {
+      const answer = await fetch('/events', {headers: token ? {'X-Jounce-Token': token} : {}});
+      if (answer.ok) { link.textContent = 'live'; await read(answer); } else why = await answer.text();
+    } catch (error) { /* as said above */ }
+    link.textContent = why;
+    for (const view of axes.values()) view.element.classList.add('silent');
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+  }
+}
+follow();

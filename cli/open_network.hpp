@@ -1,0 +1,16 @@
+#pragma once
+
+#include "link.hpp"
+
+namespace jounce::cli {
+
+/// Whether anybody on a network can command what meets there: the address leaves this machine, and there
+/// is no key.
+bool is_open(const LinkOptions& options);
+
+/// Why that is dangerous, and what to do.
+inline constexpr const char* open_warning =
+    "this --url reaches other machines and there is no --key: every machine of that network can move and "
+    "stop these axes. Make a key with `jounce new key -o line.key`";
+
+}  // namespace jounce::cli

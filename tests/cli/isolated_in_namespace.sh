@@ -1,0 +1,75 @@
+#!/bin/sh
+# isolated_in_namespace.sh JOUNCE EXAMPLE_DIR: an executor in motion, and another machine on its network that has no key,
+# receives nothing and sends: a stop, a master's position, a status with a text that is not UTF-8. What
+# docs/executor/two-machines.md says of each address is tried: without a ttl; with ttl=1 and no key, where the same
+# attacks succeed (so that they are attacks); with ttl=1 and a key.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+needs_network "another machine"
+. "$(dirname "$0")/machines.sh"
+jounce=$1 here=$(cd "$(dirname "$0")" && pwd)
+cp "$2"/*.toml "$scratch"
+cd "$scratch"
+attack() { there python3 "$here/attack.py" "$1" 10.7.0.1 10.7.0.2 "${2:-1}"; }
+far='udpm://239.255.76.67:7667?ttl=1'
+
+# begin OPTION...: an executor with these options in slow motion, which the functions below look at with $look.
+begin() {
+  "$jounce" run machine.toml --enable --seconds 60 "$@" 2> said &
+  executor=$!
+  look="$*"
+  for _ in $(seq 40); do
+    "$jounce" order label jog 1mm/s "$@" > /dev/null 2>&1 && return 0
+    sleep 0.2
+  done
+  fail "the axis does not move: $(cat said)"
+}
+end() { kill -INT $executor; wait $executor || true; }
+sees() {  # the last line of each kind
+  # shellcheck disable=SC2086
+  "$jounce" monitor label --seconds 0.5 --json $look > seen
+  grep '"state"' seen | tail -1 > axis
+  grep '"master_name"' seen | tail -1 > master
+}
+moves() { sees; grep -q '"state":"continuous_motion"' axis; }
+led() { sees; grep -q '"lost":false' master; }
+
+begin
+# On the same machine another program has joined the group on the interface that is attacked.
+"$jounce" monitor --url "$far" --seconds 30 --silence 30 > /dev/null 2>&1 &
+joined=$!
+grep -q warning said && fail "an executor of this machine alone warns: $(cat said)"
+attack STOP
+moves || fail "without a ttl, another machine stopped the axis: $(cat axis)"
+attack MASTER 2 &
+led && fail "without a ttl, another machine was taken for the master: $(cat master)"
+wait $!
+attack TEXT
+moves || fail "without a ttl, a text from another machine had an effect: $(cat axis)"
+kill $joined
+end
+status=0
+there "$jounce" monitor label --url "$far" --silence 1 --seconds 2 > /dev/null 2>&1 || status=$?
+[ $status = 3 ] || fail "without a ttl the axis is seen on another machine"
+
+begin --url "$far"
+grep -q 'warning.*no --key' said || fail "no warning without a key on a network: $(cat said)"
+attack MASTER 3 &
+sleep 1
+led || fail "the attacks do not arrive, so nothing is tested: $(cat master)"
+wait $!
+attack TEXT
+moves || fail "a text that is not UTF-8 had an effect: $(cat axis)"
+attack STOP
+moves && fail "the page says that a stop without a key is obeyed; it was not"
+end
+
+"$jounce" new key -o line.key > /dev/null
+begin --url "$far" --key line.key
+grep -q warning said && fail "it warns, though there is a key: $(cat said)"
+attack STOP
+moves || fail "with a key, another machine stopped the axis"
+attack MASTER 2 &
+led && fail "with a key, another machine was taken for the master"
+wait $!
+end

@@ -1,0 +1,32 @@
+#include <nlohmann/json.hpp>
+
+#include "jounce/io/printable.hpp"
+
+#include "fuzz/fuzz.hpp"
+
+namespace jounce::fuzz {
+namespace {
+
+/// Whether another reader of UTF-8 takes it: the strict writer of JSON.
+bool is_utf8(const std::string& text) {
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void text(Input input) {
+  const std::string given = text_of(input);
+  const std::string shown = printable(given);
+  require(is_printable(shown) && is_utf8(shown), "what is shown is printable");
+  require((shown == given) == is_printable(given), "a printable text is shown as it is");
+  require(!is_printable(given) || is_utf8(given), "a printable text is UTF-8");
+  for (const char c : printable_lines(given))
+    require(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t', "lines and tabs alone remain");
+}
+
+}  // namespace jounce::fuzz

@@ -1,0 +1,54 @@
+#!/bin/sh
+# page_process.sh JOUNCE: the process of a live page beside an axis in motion is attacked, killed and stopped. The axis
+# goes on, the page comes back under its address, Stop always has a connection, and the page ends with the executor.
+set -eu
+. "$(dirname "$0")/../cli/namespace.sh"
+. "$(dirname "$0")/with_panel.sh"
+jounce=$1
+page() {  # its process
+  found=$(grep -l "^PPid:[[:space:]]*$executor\$" /proc/[0-9]*/status 2> /dev/null | cut -d/ -f3)
+  [ -n "$found" ] && echo "$found"
+}
+moves() {
+  "$jounce" monitor feeder --seconds 0.5 --json > "$scratch/seen" 2> /dev/null || true
+  tail -1 "$scratch/seen" | grep -q '"state":"continuous_motion"' || fail "$1: $(tail -1 "$scratch/seen")"
+}
+
+python3 "$(dirname "$0")/attack_page.py" "$address" $executor || fail "see above"
+"$jounce" order feeder jog 0.5mm/s > /dev/null || fail "the axis does not move"
+# A status in the name of the axis whose text is not UTF-8: it killed the executor where the page was a part of it.
+case $JOUNCE_BUS in
+udpm:*)
+  python3 "$(dirname "$0")/../cli/attack.py" TEXT 127.0.0.1 127.0.0.1 1 feeder
+  moves "a text that is not UTF-8 had an effect"
+  ;;
+esac
+first=$(page)
+kill -9 "$first"
+moves "the page was killed, and the axis does not move"
+for _ in $(seq 50); do
+  second=$(page) && [ "$second" != "$first" ] && break
+  sleep 0.1
+done
+[ -n "$second" ] && [ "$second" != "$first" ] || fail "the page was not started again: $(cat "$scratch/said")"
+python3 "$(dirname "$0")/attack_page.py" "$address" $executor stop || fail "the new page does not stop the axis"
+kill -STOP "$second"
+"$jounce" order feeder jog -0.5mm/s > /dev/null || fail "the axis obeys nobody while its page is stopped"
+moves "the page was stopped, and the axis does not move"
+kill -INT $executor
+wait $executor || fail "the executor ended badly: $(cat "$scratch/said")"
+kill -0 "$second" 2> /dev/null && fail "the page has outlived its executor"
+
+# Killed, an executor does not leave its page behind either.
+"$jounce" run "$scratch/axis.toml" --enable --web 0 --seconds 60 2> "$scratch/said" &
+executor=$!
+for _ in $(seq 50); do
+  third=$(page) && break
+  sleep 0.1
+done
+kill -9 $executor
+for _ in $(seq 50); do
+  kill -0 "$third" 2> /dev/null || exit 0
+  sleep 0.1
+done
+fail "the page has outlived its executor, which was killed"
