@@ -17,7 +17,8 @@ Finding finding(std::string rule, const char* quantity, double where, double val
           .margin = broken ? -1.0 : 0.0,
           .broken = broken,
           .segment = {},
-          .advice = broken ? advice : ""};
+          .advice = broken ? advice : "",
+          .has_limit = false};
 }
 
 /// The fastest end of a cam that runs once: there the slave is let go.
@@ -52,7 +53,10 @@ void add_ramp(const Engaged& engaged, const Jet& x, Report& report) {
   };
   if (c.duration() > 0) {
     const Ranges f = extrema(c.profile().curve());
-    for (std::size_t k = 0; k < 3; ++k) add(OverTime::names[k], f[k].peak(), f[k].peak().where);
+    for (std::size_t k = 0; k < 3; ++k) {
+      add(OverTime::names[k], f[k].peak(), f[k].peak().where);
+      report.findings.back().where_unit = "s";
+    }
   }
   if (c.follows_master()) {
     const Ranges f = segment_extrema(c.curve(), backwards(x) ? 0 : 1);

@@ -58,6 +58,7 @@ Report warnings_of(const Cam& cam) {
       "the wanted output's fourth derivative steps there: a smoother output, law 56789 or nonic, "
       "spares the follower the knock";
   f.severity = Severity::warning;
+  f.has_limit = false;
   return {{std::move(f)}};
 }
 

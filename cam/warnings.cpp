@@ -120,7 +120,9 @@ class Inspection {
                Severity severity, std::string advice) {
     const Extremum& worst = way > 0 ? g.range[k].min : g.range[k].max;
     const double back = -way * worst.value;
-    if (back > share * scale_[k]) add(rule, g, k, worst, 0, back, severity, std::move(advice));
+    if (back <= share * scale_[k]) return;
+    add(rule, g, k, worst, 0, back, severity, std::move(advice));
+    report_.findings.back().has_limit = false;
   }
 
   /// The velocity at the end that moves, of a group between rest and constant velocity.

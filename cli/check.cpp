@@ -17,6 +17,7 @@ struct Options {
   std::string file;
   std::string axis;
   std::vector<std::string> limits;
+  std::string slave, master, master_velocity;  ///< of a coupling; with or without their units
   int continuity = 1;
   bool json = false;
 };
@@ -54,6 +55,28 @@ void set_limits(Input& input, const Options& options) {
   } catch (const InputError& error) {
     throw InputError("--limit", error.value(), error.key() + " " + error.rule());
   }
+}
+
+/// The state in which the coupling of the spec begins, as the options give it.
+EngageState engage_state(const Input& input, const Options& options) {
+  const Units& units = input.labels.units;
+  EngageState at;
+  const auto read = [&](const char* key, const std::string& text, const std::string& unit,
+                        std::optional<double>& value) {
+    if (text.empty()) return;
+    if (!input.spec || !input.spec->coupling)
+      throw InputError(key, text, "needs a spec with [coupling]");
+    try {
+      value = quantity(text, unit);
+    } catch (const InputError& error) {
+      throw InputError(key, error.value(), error.rule());
+    }
+  };
+  read("--slave", options.slave, units.position, at.slave);
+  read("--master", options.master, units.x, at.master);
+  read("--master-velocity", options.master_velocity, rate_unit(units.x, "s", 1),
+       at.master_velocity);
+  return at;
 }
 
 /// "track 1: on from 350 to 10 deg of the master, positive direction"
@@ -103,7 +126,7 @@ int run(const Options& options) {
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    Report report = check_all(input, options.continuity);
+    Report report = check_all(input, options.continuity, engage_state(input, options));
     add_cam_findings(report, input, options.continuity);
     ok = ok && report.ok();
     if (options.json)
@@ -131,6 +154,12 @@ void add_check(CommandLine& line) {
               "Highest derivative that must be continuous: 0 position ... 2 acceleration")
       .check(whole(0, 3))
       .shown();
+  verb.option("--slave", options->slave,
+              "Where the slave rests when its coupling begins, else at the cam's first value");
+  verb.option("--master", options->master,
+              "Where the master is then, else where the cam begins");
+  verb.option("--master-velocity", options->master_velocity,
+              "Its velocity per second then, else that of [master]");
   verb.flag("--json", options->json, "Everything for machines, numbers in full");
   verb.work([options] { return run(*options); });
 }

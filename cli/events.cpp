@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -34,11 +35,19 @@ std::vector<Event> of_compare(const CompareSpec& compare, const Trajectory& moti
   return events;
 }
 
+/// The slave behind its master, to 1e-12 of its positions: a position counts as reached to so much
+/// in any case (cam_switch.hpp).
+Trajectory slave_of(const Cam& cam, const Trajectory& master) {
+  const double turns = std::abs(extrema(master, 0).peak().value) / cam.length();
+  const double size = std::abs(extrema(cam, 0).peak().value) + std::abs(cam.advance()) * turns;
+  return composed_within(cam, master, 1e-12 * (size > 0 ? size : 1)).curve;
+}
+
 /// Those of a cam's [[switch]] while its [master] runs, times in units of `unit` seconds.
 std::vector<Event> of_switches(const Spec& spec, const Cam& cam, double unit) {
   const Trajectory master = make_master(spec);
   const bool of_master = spec.switches.of == SwitchesOf::master;
-  const Trajectory position = of_master ? master : composed(cam, master);
+  const Trajectory position = of_master ? master : slave_of(cam, master);
   const SwitchTimes times = switch_times(spec.switches.table, position);
   const auto named = [](int track) { return "track " + std::to_string(track); };
   std::vector<Event> events;
@@ -55,7 +64,8 @@ std::vector<Event> of_switches(const Spec& spec, const Cam& cam, double unit) {
 struct Events {
   std::vector<Event> all;
   std::string time, position;  ///< their units
-  bool complete = true;        ///< whether every point fires, and the device keeps up
+  Report report;               ///< broken where a point does not fire, or the device is too slow
+  Labels labels;               ///< of the report
 };
 
 Events events_of(const std::string& file) {
@@ -68,12 +78,14 @@ Events events_of(const std::string& file) {
       if (axis.axis == spec.compare->axis)
         return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit,
                 axis.labels.units.position,
-                check(spec.compare->compare, std::get<Trajectory>(axis.curve), spec.compare->device)
-                    .ok()};
+                check(spec.compare->compare, std::get<Trajectory>(axis.curve), spec.compare->device),
+                axis.labels};
   if (spec.over_master() && !spec.switches.table.switches.empty())
     return {of_switches(spec, std::get<Cam>(axes.front().curve), seconds_per_unit(spec)),
             spec.time_unit,
-            spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position, true};
+            spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position,
+            {},
+            {}};
   throw spec.document.located(
       InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
 }
@@ -109,7 +121,12 @@ int run(const Options& options) {
   require_other_file(options.file, options.output);
   const Events events = events_of(options.file);
   write_file(options.output, options.json ? json_of(events) : csv_of(events));
-  return events.complete ? fine : finding;
+  for (const Finding& f : events.report.findings) {
+    if (!f.broken) continue;
+    fmt::print(stderr, "jounce: {}: {}\n", f.rule, sentence(f, events.labels));
+    if (!f.advice.empty()) fmt::print(stderr, "jounce:   {}\n", f.advice);
+  }
+  return events.report.ok() ? fine : finding;
 }
 
 }  // namespace

@@ -207,6 +207,7 @@ class Inspection {
     Finding f = finding("follow/end", segment - 1, last.x, of_master ? last.x : last.position);
     f.quantity = of_master ? "the master's travel" : "the slave's travel";
     f.limit = of_master ? table.end->master : table.end->slave;
+    f.has_limit = true;
     f.margin = -std::abs((f.value - f.limit) / f.value);
     f.advice = "the end is said to be master " + rounded(table.end->master) + ", slave " +
                rounded(table.end->slave) + ": master " + rounded(missing.master) + " and slave " +
@@ -235,6 +236,7 @@ class Inspection {
     f.margin = -std::abs(value) / peak_;
     f.broken = true;
     f.segment = segment;
+    f.has_limit = false;
     return f;
   }
 

@@ -193,6 +193,7 @@ Report check(const FollowPlan& plan) {
     if (worst.value == 0) continue;
     Finding f;
     f.rule = "follow/backwards";
+    f.has_limit = false;
     f.quantity = "geo_velocity";
     f.where = knots[i - 1].master + worst.where;
     f.value = worst.value;

@@ -100,6 +100,26 @@ std::string of_compare(const Finding& f, const std::string& value, const std::st
   return fmt::format("the output is up to {} late, at {}", value, where);
 }
 
+/// What a coupling does where it has no limit to keep: a step, a figure, or a start that it refuses.
+std::string of_coupling(const Finding& f, const std::string& value, const std::string& where) {
+  const bool steps = f.value != 0;
+  if (f.rule == "coupling/start")
+    return steps ? fmt::format("{} steps by {} where the slave engages, at {}", f.quantity, value,
+                               where)
+                 : fmt::format("{} is continuous where the slave engages", f.quantity);
+  if (f.rule == "coupling/period")
+    return steps ? fmt::format("{} steps by {} at the end of each period", f.quantity, value)
+                 : fmt::format("{} is continuous from period to period", f.quantity);
+  if (f.rule == "coupling/enter")
+    return fmt::format("the cam moves at {} where the master enters it, at {}", value, where);
+  if (f.rule == "coupling/end")
+    return fmt::format("the cam ends moving, with {} {} at {}", f.quantity, value, where);
+  if (f.rule == "coupling/ramp")
+    return fmt::format("the correction reaches {} {} {} {}", f.quantity, value,
+                       f.where_unit.empty() ? "at" : "after", where);
+  return fmt::format("the slave cannot engage with its master at {}", where);
+}
+
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
   return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
@@ -108,15 +128,29 @@ std::string tidy(double value, const Range& range) {
 Json to_object(const Finding& finding, const Labels& labels) {
   Json object{
       {"rule", finding.rule},     {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
-      {"where", finding.where},   {"value", finding.value},       {"limit", finding.limit},
-      {"margin", finding.margin}, {"broken", finding.broken}};
+      {"where", finding.where},   {"value", finding.value},       {"limit", nullptr},
+      {"margin", nullptr},        {"broken", finding.broken}};
+  if (finding.has_limit) {
+    object["limit"] = finding.limit;
+    object["margin"] = finding.margin;
+  }
   if (!finding.where_unit.empty()) object["where_unit"] = finding.where_unit;
   if (!finding.axis.empty()) object["axis"] = finding.axis;
-  if (finding.segment) object["segment"] = *finding.segment + 1;
+  if (finding.segment) {
+    object["segment"] = labels.number_of_segment(*finding.segment);
+    object["segment_name"] = labels.segment_of(finding);
+    object["piece"] = *finding.segment + 1;
+  }
   if (!finding.advice.empty()) object["advice"] = finding.advice;
   if (finding.severity != Severity::required)
     object["severity"] = finding.severity == Severity::warning ? "warning" : "note";
   return object;
+}
+
+/// Whether it is a limit that holds, as opposed to a joint, the table's own error, or a fact.
+bool is_limit(const Finding& f) {
+  return f.has_limit && f.severity == Severity::required && !f.rule.starts_with("continuity/") &&
+         !f.rule.starts_with("table/");
 }
 
 std::vector<SegmentGroup> taken_together(const std::vector<SegmentGroup>& all, std::size_t most) {
@@ -167,6 +201,13 @@ std::string Labels::segment_of(const Finding& finding) const {
                                             : std::to_string(*finding.segment + 1);
 }
 
+std::size_t Labels::number_of_segment(std::size_t piece) const {
+  std::size_t number = 1;
+  for (std::size_t i = 1; i <= piece; ++i)
+    if (i >= segments.size() || segments[i] != segments[i - 1]) ++number;
+  return number;
+}
+
 std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule == "table/position")
     return fmt::format("the table is {} from the exact curve at {}; {} is allowed",
@@ -210,6 +251,12 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("joint/") || finding.rule.starts_with("follow/"))
     return fmt::format("{} is {} at {}", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
+  if (finding.rule.starts_with("coupling/"))
+    return of_coupling(finding, with_unit(finding.value, labels.unit_of(finding)),
+                       place(finding, labels));
+  if (!finding.has_limit)
+    return fmt::format("{} is {} at {}", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
   const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;
   return fmt::format("{} {} at {} {}", finding.quantity,
                      with_unit(met ? finding.limit : finding.value, labels.unit_of(finding)),
@@ -217,17 +264,21 @@ std::string sentence(const Finding& finding, const Labels& labels) {
 }
 
 std::string one_line(const Report& report, const Labels& labels) {
-  const auto first =
-      std::find_if(report.findings.begin(), report.findings.end(),
-                   [](const Finding& f) { return f.broken || f.severity == Severity::required; });
   const std::size_t w = report.warnings();
   const std::string more =
       w == 0 ? "" : fmt::format(" ({} {})", w, w == 1 ? "warning" : "warnings");
-  if (first == report.findings.end()) return "nothing was limited, so nothing was checked" + more;
-  const std::string worst = sentence(*first, labels);
-  if (report.ok()) return "all limits hold; the closest: " + worst + more;
-  const std::size_t n = report.broken();
-  return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings", worst, more);
+  if (const std::size_t n = report.broken(); n > 0)  // sort() puts the worst of them first
+    return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings",
+                       sentence(report.findings.front(), labels), more);
+  const auto closest =
+      std::find_if(report.findings.begin(), report.findings.end(), is_limit);
+  if (closest != report.findings.end())
+    return "all limits hold; the closest: " + sentence(*closest, labels) + more;
+  const bool continuous =
+      std::any_of(report.findings.begin(), report.findings.end(),
+                  [](const Finding& f) { return f.rule.starts_with("continuity/"); });
+  return (continuous ? "no limits are given; the curve is continuous" : "no limits are given") +
+         more;
 }
 
 std::string full_text(const Report& report, const Labels& labels, std::size_t most) {

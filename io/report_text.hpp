@@ -24,6 +24,9 @@ struct Labels {
   /// Unit of a finding's value, and the name of its segment: "" where there is none.
   [[nodiscard]] std::string unit_of(const Finding& finding) const;
   [[nodiscard]] std::string segment_of(const Finding& finding) const;
+  /// The number, from 1, of the segment that a piece of the curve (from 0) belongs to: pieces in a row
+  /// that share a label are one segment.
+  [[nodiscard]] std::size_t number_of_segment(std::size_t piece) const;
 };
 
 /// The segments of a curve that share a label: the pieces of one law. More than `most` of them are
@@ -51,7 +54,8 @@ std::string sentence(const Finding& finding, const Labels& labels);
 /// A line a finding, broken ones marked and with advice, more than `most` of them counted only.
 std::string full_text(const Report& report, const Labels& labels, std::size_t most = 10);
 
-/// {"ok": ..., "findings": [...]}, every number in full.
+/// {"ok": ..., "findings": [...]}, every number in full. A finding's `segment` counts the entries of
+/// extrema_json() from 1, `piece` those of the curve; `limit` and `margin` are null where it has no limit.
 std::string to_json(const Report& report, const Labels& labels);
 
 /// The exact extrema of every segment as a table for people (rows_for_people at the most), and as a

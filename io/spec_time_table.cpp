@@ -72,7 +72,8 @@ std::optional<int> optional_int(TomlReader& reader, const char* key) {
 double read_delta_time(TomlReader& point) {
   const double t = point.number("delta_time", "s");
   const double ms = 1000 * t;
-  if (std::abs(ms - std::round(ms)) > 1e-9 * std::max(1.0, std::abs(ms)))
+  const bool vanishes = t != 0 && std::round(ms) == 0;  // 1e-12 s is not 0 ms
+  if (vanishes || std::abs(ms - std::round(ms)) > 1e-9 * std::max(1.0, std::abs(ms)))
     point.fail("delta_time", number(t), "must be a whole number of ms, as TIME is");
   return t;
 }

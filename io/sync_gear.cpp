@@ -87,6 +87,7 @@ Report check_gear(const GearInPosPart& part, const Units& units) {
   const auto [low, high] = std::minmax({gear.slave_sync - 0.6 * way, gear.slave_sync - 0.4 * way});
   Finding f;
   f.rule = "gear/reversal";
+  f.has_limit = false;
   f.quantity = "geo_velocity";
   f.where = back.where;
   f.value = back.value;

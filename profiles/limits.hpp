@@ -46,6 +46,8 @@ struct Finding {
   std::string unit = {};               ///< of value and limit, where the quantity does not tell it
   std::string where_unit = {};         ///< of where, if it is not the curve's axis
   Severity severity = Severity::required;
+  /// false: a step or a figure that has no limit; `limit` and `margin` then only order the findings.
+  bool has_limit = true;
 };
 
 /// What a check returns: it never prints and never throws for what it finds.

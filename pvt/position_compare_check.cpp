@@ -105,7 +105,8 @@ Report check(const PositionCompare& compare, const Trajectory& motion,
                                .advice = {},
                                .unit = {},
                                .where_unit = {},
-                               .severity = Severity::note});
+                               .severity = Severity::note,
+                               .has_limit = false});
   sort(report);
   return report;
 }

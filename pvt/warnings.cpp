@@ -77,6 +77,7 @@ Finding step_of(const char* rule, double where, double step, double scale, std::
   found.margin = -std::abs(step) / scale;
   found.segment = segment;
   found.severity = Severity::warning;
+  found.has_limit = false;
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "jounce/io/disc.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/io/sync_check.hpp"
+#include "jounce/io/units.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {
@@ -105,11 +106,20 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
   return report;
 }
 
-/// What engaging would do to a slave that stands where the cam begins, as its master does.
-Report check_coupling(const Spec& spec, const Cam& cam) {
+/// What engaging does. A coupling is in s, whatever the spec's unit of time is.
+Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   const Coupling coupling(cam, *spec.coupling);
-  const double start = value(cam.segments().front(), 0);
-  return check(coupling, {.position = start}, {cam.start(), 0, 0, 0});
+  const double slave = at.slave.value_or(value(cam.segments().front(), 0));
+  const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
+  const Jet master{at.master.value_or(cam.start()), at.master_velocity.value_or(speed), 0, 0};
+  Report report = check(coupling, {.position = slave}, master);
+  for (Finding& f : report.findings) {
+    if (f.quantity == "master") f.unit = spec.units.x;
+    for (std::size_t k = 1; k < OverTime::names.size(); ++k)
+      if (f.quantity == OverTime::names[k])
+        f.unit = rate_unit(spec.units.position, "s", static_cast<int>(k));
+  }
+  return report;
 }
 
 /// A step of the velocity that the check of continuity has found is told once, with the advice of the
@@ -156,7 +166,7 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {
   return all;
 }
 
-Report check_all(const Input& input, int continuity) {
+Report check_all(const Input& input, int continuity, const EngageState& at) {
   Report report = std::visit(
       [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
   if (input.spec) {
@@ -168,7 +178,7 @@ Report check_all(const Input& input, int continuity) {
     add(check_sync(spec));
     add(merged(table_warnings(spec), report));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
-    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve)));
+    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve), at));
     if (spec.compare && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
   }

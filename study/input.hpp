@@ -29,9 +29,17 @@ struct Input {
   std::optional<Binding> binding = {};  ///< of a table of fewest knots
 };
 
+/// Where slave and master are when a coupling begins. Left out: the slave rests at the cam's first
+/// value; the master is where the cam begins, at the velocity of [master] (0 without one).
+struct EngageState {
+  std::optional<double> slave = {};            ///< u
+  std::optional<double> master = {};           ///< m
+  std::optional<double> master_velocity = {};  ///< m/s
+};
+
 /// Everything that can be checked without integration: limits and joints of the curve, the table's
-/// error, and limits that the table alone breaks.
-Report check_all(const Input& input, int continuity = 1);
+/// error, limits that the table alone breaks, and what engaging a coupling does in the given state.
+Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// How far the table may stray from its curve, in the unit of the position: the tolerance asked for;
 /// a millionth of the stroke where a number of intervals was; the error that it has where the number

@@ -21,6 +21,7 @@ Finding saturation_of(const DriveResult& result, double limit) {
 Finding integration_of(const Integration& integration) {
   Finding finding;
   finding.rule = "drive/integration";
+  finding.has_limit = false;
   finding.quantity = "time";
   finding.where = finding.value = integration.reached;
   finding.broken = true;

@@ -77,6 +77,7 @@ Report report_of(const FollowerResult& result, const FollowerLimits& limits) {
   if (!result.integration.ok()) {
     Finding finding;
     finding.rule = "follower/integration";
+    finding.has_limit = false;
     finding.quantity = "time";
     finding.unit = "s";
     finding.where = finding.value = result.integration.reached;

@@ -302,6 +302,54 @@ TEST_F(Cli, EventsSayWhenOutputsSwitch) {
               HasSubstr("compare: is missing"));
 }
 
+TEST_F(Cli, EventsNamePointsThatDoNotFire) {
+  std::string scan = slurp(examples + "position-compare/scan.toml");
+  const std::string_view count = "count = ";
+  const std::size_t at = scan.find(count);
+  ASSERT_NE(at, std::string::npos);
+  scan.replace(at, scan.find('\n', at) - at, "count = 100000");
+  std::ofstream(folder / "scan.toml") << scan;
+  const Result events = run("events scan.toml");
+  EXPECT_EQ(events.status, 1);
+  EXPECT_THAT(events.err, HasSubstr("compare/missed: "));
+  EXPECT_THAT(events.err, HasSubstr(" of 100000 points fire"));
+}
+
+TEST_F(Cli, EventsOfASlavesOwnPositionTakeAnyLaw) {
+  ASSERT_EQ(run("new cam -o cam.toml").status, 0);  // modified sine behind a master that accelerates
+  std::ofstream(folder / "cam.toml", std::ios::app)
+      << "[switches]\nof = \"position\"\n"
+         "[[switch]]\ntrack = 1\nfirst_on_position = 25\nlast_on_position = 40\n";
+  const Result events = run("events cam.toml --json");
+  ASSERT_EQ(events.status, 0) << events.err;
+  const json all = json::parse(events.out)["events"];
+  ASSERT_EQ(all.size(), 12U);  // on and off, up and down, in three turns
+  // The rise passes its middle, 25 mm, at 60 deg, when the master, which reaches 180 deg/s at 22.5 deg
+  // after 0.25 s, has run on for (60 - 22.5)/180 s.
+  EXPECT_NEAR(all[0]["time"].get<double>(), 0.25 + 37.5 / 180, 1e-12);
+  EXPECT_NEAR(all[0]["position"].get<double>(), 25, 1e-10);
+}
+
+TEST_F(Cli, CheckJudgesACouplingInTheStateItIsGiven) {
+  const std::string line = slurp(cam) + "\n[coupling]\nstart = \"absolute\"\n";
+  std::ofstream(folder / "cam.toml") << line;
+  const Result rest = run("check cam.toml --json");
+  const json before = json::parse(rest.out);
+  const auto broken_start = [](const json& report) {
+    for (const json& f : report["findings"])
+      if (f["rule"] == "coupling/start" && f["quantity"] == "position") return f;
+    return json();
+  };
+  EXPECT_FALSE(broken_start(before)["broken"].get<bool>());
+  const json moved = json::parse(run("check cam.toml --json --slave 12.5 --master 0").out);
+  EXPECT_TRUE(broken_start(moved)["broken"].get<bool>());
+  EXPECT_NEAR(std::abs(broken_start(moved)["value"].get<double>()), 12.5, 1e-9);
+  EXPECT_TRUE(broken_start(moved)["limit"].is_null());
+  const Result refused = run("check " + cam + " --slave 12.5");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--slave = 12.5: needs a spec with [coupling]"));
+}
+
 TEST_F(Cli, EventsAreThoseOfACamsSwitchesToo) {
   const std::string switched = slurp(cam) +
                                "\n[[switch]]\ntrack = 2\nfirst_on_position = 90\n"

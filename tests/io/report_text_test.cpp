@@ -61,7 +61,7 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
   const Labels labels{{"deg", "mm"}, true, {}};
   EXPECT_TRUE(report.ok());
   EXPECT_EQ(report.warnings(), 1U);
-  EXPECT_EQ(one_line(report, labels), "nothing was limited, so nothing was checked (1 warning)");
+  EXPECT_EQ(one_line(report, labels), "no limits are given (1 warning)");
   EXPECT_EQ(sentence(note, labels),
             "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the least for its jerk");
   const std::string text = full_text(report, labels);
@@ -74,6 +74,63 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
   const std::string json = to_json(report, labels);
   EXPECT_NE(json.find("\"severity\":\"warning\""), std::string::npos);
   EXPECT_NE(json.find("\"severity\":\"note\""), std::string::npos);
+}
+
+Finding joint(const char* rule, const char* quantity, double value) {
+  Finding f;
+  f.rule = rule;
+  f.quantity = quantity;
+  f.where = 460;
+  f.value = value;
+  f.has_limit = false;
+  return f;
+}
+
+TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
+  const Labels labels{{"deg", "mm"}, true, {}};
+  Finding start = joint("coupling/start", "position", -40.36);
+  start.broken = true;
+  EXPECT_EQ(sentence(start, labels),
+            "position steps by -40.36 mm where the slave engages, at 460 deg");
+  Finding ramp = joint("coupling/ramp", "velocity", 150);
+  ramp.unit = "mm/s";
+  ramp.where = 0.03;
+  ramp.where_unit = "s";
+  EXPECT_EQ(sentence(ramp, labels), "the correction reaches velocity 150 mm/s after 0.03 s");
+  EXPECT_EQ(sentence(joint("polydyne/geo_acceleration", "step of geo_acceleration", 5.83), labels),
+            "step of geo_acceleration is 5.83 mm/deg^2 at 460 deg");
+  const std::string json = to_json({{start}}, labels);
+  EXPECT_NE(json.find("\"limit\":null,\"margin\":null"), std::string::npos) << json;
+}
+
+TEST(ReportText, TheHeadlineIsALimitAndSaysWhereNoneIsGiven) {
+  const Labels labels{{"deg", "mm"}, true, {}};
+  Finding continuity;
+  continuity.rule = "continuity/position";
+  continuity.quantity = "step of position";
+  Finding limit;
+  limit.rule = "limit/geo_velocity";
+  limit.quantity = "geo_velocity";
+  limit.value = 0.5;
+  limit.limit = 1;
+  limit.margin = 0.5;
+  Report report{{joint("coupling/ramp", "velocity", 150), continuity}};
+  EXPECT_EQ(one_line(report, labels), "no limits are given; the curve is continuous");
+  report.findings.push_back(limit);
+  EXPECT_EQ(one_line(report, labels), "all limits hold; the closest: " + sentence(limit, labels));
+  EXPECT_EQ(one_line({}, labels), "no limits are given");
+}
+
+TEST(ReportText, ASegmentOfSeveralPiecesKeepsItsNumber) {
+  const Labels labels{{"deg", "mm"}, true, {"1 rise", "1 rise", "1 rise", "2 dwell", "3 fall", "3 fall"}};
+  Finding f;
+  f.rule = "limit/geo_velocity";
+  f.segment = 5;
+  const std::string json = to_json({{f}}, labels);
+  EXPECT_NE(json.find("\"segment\":3,\"segment_name\":\"3 fall\",\"piece\":6"), std::string::npos)
+      << json;
+  EXPECT_EQ(labels.number_of_segment(0), 1U);
+  EXPECT_EQ(Labels{}.number_of_segment(4), 5U);
 }
 
 TEST(ReportText, CountsWhatItDoesNotShow) {

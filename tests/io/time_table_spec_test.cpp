@@ -146,6 +146,8 @@ TEST(PtSpec, Pmc600ErrorsStandAtTheirKeys) {
   EXPECT_EQ(
       message(pmc600(head + "array_size = 101\n[[point]]\ndelta_time = 1\nposition = 1\n")),
       "t.toml:7:14: pt.array_size = 101: must be 1, the points played, to 100 (PMC600 error 325)");
+  EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 1e-12\nposition = 1\n")),
+              HasSubstr("point[1].delta_time = 1e-12: must be a whole number of ms"));
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 0.0005\nposition = 1\n")),
               HasSubstr("must be a whole number of ms, as TIME is"));
 }
