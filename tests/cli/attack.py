@@ -11,7 +11,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracle"))
-from wire_vectors import f64, i8, i32, i64, message, text, NAN  # noqa: E402
+from wire_vectors import BODIES, f64, i8, i32, i64, message, text  # noqa: E402
 
 GROUP, PORT = "239.255.76.67", 7667
 
@@ -22,9 +22,10 @@ def stop(axis):
 
 def broken_text(axis, number):
     """A status whose unit is no UTF-8, of a later tick than any."""
-    fields = (i8(2, 0) + i64(1 << 40 | number, 1000000) + f64(NAN, 0, 0) + bytes(8) + i32(0) + i64(0, 0, 0)
-              + f64(NAN, NAN, NAN, 1) + i8(0) + i32(0, 0, 0, 0) + i64(1, 0, 0) + i32(*[0] * 32)
-              + text("deg", 16) + b"\xff\xfe\xfd".ljust(16, b"\0"))
+    sample = next(body[4] for body in BODIES if body[0] == "status_t")
+    fields = sample.replace(text("deg", 16) + text("mm", 16), text("deg", 16) + b"\xff\xfe\xfd".ljust(16, b"\0"))
+    assert fields != sample
+    fields = fields[:2] + i64(1 << 40 | number) + fields[10:]
     return "status", message("status_t", axis, 0, 0, fields, None)
 
 
