@@ -102,10 +102,10 @@ double nasty(Random& random) {
   return some[random.below(static_cast<int>(std::size(some)))];
 }
 
-/// A magnitude that the axis may take, of a limit; 0: as it is configured.
+/// A magnitude that the axis may take, of a limit; NaN: not given, as it is configured.
 double share(Random& random, double limit) {
   const int what = random.below(8);
-  if (what < 3) return 0;
+  if (what < 3) return NAN;
   if (what == 3) return limit;
   if (what == 4) return limit * random.log_uniform(1e-3, 1);
   if (what == 5) return nasty(random);
@@ -154,6 +154,7 @@ wire::Order order_of(Random& random, const Bounds& b) {
       break;
     case OrderKind::move_velocity:
       rates(0);
+      if (std::isnan(value[0])) value[0] = 0;  // a velocity of 0 is rest, and has to be given
       value[0] *= random.below(2) == 0 ? 1 : -1;
       value[4] = mode;
       break;
@@ -168,9 +169,15 @@ wire::Order order_of(Random& random, const Bounds& b) {
     case OrderKind::gear_in_pos:
       value[0] = random.below(9) - 4;
       value[1] = random.below(6);
-      value[2] = share(random, order.kind == OrderKind::gear_in ? b.acceleration : 100);
-      if (order.kind == OrderKind::gear_in_pos) value[3] = place(random, b);
-      value[4] = share(random, 100);
+      if (order.kind == OrderKind::gear_in) {
+        value[2] = share(random, b.acceleration);
+        value[3] = share(random, b.acceleration);
+        value[4] = share(random, j);
+      } else {
+        value[2] = random.uniform(-100, 100);
+        value[3] = place(random, b);
+        value[4] = random.uniform(0, 100);
+      }
       break;
     default:
       for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
@@ -189,6 +196,11 @@ std::string words_of(const wire::Order& order, std::size_t axis) {
   for (const double value : order.value) text << value << ' ';
   text << ']';
   return text.str();
+}
+
+/// 0: the axis's own.
+double given(double magnitude) {
+  return magnitude > 0 ? magnitude : 0;
 }
 
 Accepted accepted(const wire::Order& order) {
@@ -210,24 +222,24 @@ Accepted accepted(const wire::Order& order) {
     case OrderKind::hold:
       return {.what = What::rests};
     case OrderKind::halt:
-      return {.what = What::rests, .acceleration = v[0], .jerk = v[1]};
+      return {.what = What::rests, .acceleration = given(v[0]), .jerk = given(v[1])};
     case OrderKind::move_velocity: {
       const double a = std::min(v[1] > 0 ? v[1] : HUGE_VAL, v[2] > 0 ? v[2] : HUGE_VAL);
       const bool rests = v[0] == 0 && v[4] == 0;
       return {.what = rests ? What::rests : What::moves,
               .acceleration = std::isinf(a) ? 0 : a,
-              .jerk = v[3]};
+              .jerk = given(v[3])};
     }
     case OrderKind::move_absolute:
     case OrderKind::move_relative:
     case OrderKind::move_additive:
     case OrderKind::move_superimposed: {
       const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
-      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = v[4]};
+      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = given(v[4])};
     }
     case OrderKind::gear_in: {
       const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
-      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = v[4]};
+      return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = given(v[4])};
     }
     default:
       return {.what = What::moves};
