@@ -81,6 +81,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::ack_t>(0xa889f6c49213c772, 266);
   expect_type<jounce_lcm::arm_t>(0x8a54ab50c0996d4b, 234);
   expect_type<jounce_lcm::chunk_t>(0x15e7a1ad123b3fb0, 100);
+  expect_type<jounce_lcm::claim_t>(0xcfa72b3fe99a4735, 93);
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
   expect_type<jounce_lcm::header_t>(0x38846353a6819b65, 163);
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
@@ -92,7 +93,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);
   expect_type<jounce_lcm::rows_t>(0xede242062e4e07bc, 12897);
   expect_type<jounce_lcm::start_t>(0x18a119ebc70b2884, 97);
-  expect_type<jounce_lcm::status_t>(0x50d1ded8fd930721, 556);
+  expect_type<jounce_lcm::status_t>(0xbf95b676a22bc889, 558);
   expect_type<jounce_lcm::stop_t>(0xb6b153946f26a3c8, 81);
 }
 
@@ -112,6 +113,7 @@ TEST(Wire, IsDocumented) {
   EXPECT_TRUE(is_documented<jounce_lcm::ack_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::arm_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::chunk_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::claim_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::event_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
