@@ -20,6 +20,7 @@
 #include "jounce_lcm/ack_t.hpp"
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
+#include "jounce_lcm/claim_t.hpp"
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
