@@ -145,7 +145,7 @@ clock)
   echo "wall clock read: $(tr '\n' ' ' < "$scratch/readings")times"
   # The steps are there: a program that reads the clock reads them.
   rm "$scratch/readings"
-  LD_PRELOAD=$4 python3 -c 'import time; time.time()'
+  LD_PRELOAD=$4 date > /dev/null
   grep -q "^0$" "$scratch/readings" && fail "the clock is not stepped: a program that reads it counts no reading"
   "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
   check_log "$scratch/run.csv"
