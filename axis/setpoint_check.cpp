@@ -60,7 +60,9 @@ double way_to_turn(double v, double a, double s, double j) {
 Stop gentlest_below(double most, const MotionState& state, const AxisConfig& config) {
   const auto& [p, v, a] = state;
   const double j = config.limits.jerk ? config.stop_jerk : Bounds::none;
-  const auto inside = [&](double furthest) { return furthest <= most + rounding(p, furthest); };
+  const auto inside = [&, from = p](double furthest) {
+    return furthest <= most + rounding(from, furthest);
+  };
   if (!inside(p)) return Stop::none;
   if (v <= 0 && (a <= 0 || std::isinf(j))) return Stop::soft;
   const double soft = config.limit_acceleration;

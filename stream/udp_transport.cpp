@@ -23,8 +23,8 @@ namespace {
 // A packet of LCM's: magic, number, the channel's name with a final zero, then the message.
 constexpr std::uint32_t magic = 0x4C433032;  // "LC02"
 constexpr std::size_t head_bytes = 8;
-constexpr std::size_t most_channel = 63;
-constexpr std::size_t most_message = 65'499;  // with the channel's name and its zero
+[[maybe_unused]] constexpr std::size_t most_channel = 63;
+[[maybe_unused]] constexpr std::size_t most_message = 65'499;  // with the channel's name and its zero
 constexpr std::size_t most_datagram = 65'536;
 constexpr int most_at_once = 512;  // datagrams: a flood must not keep receive() from returning
 
