@@ -132,10 +132,10 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     trusted_ = same(header(request, "X-Jounce-Token"), server_.token);
     const std::string_view path(request.target().data(), request.target().size());
     const bool get = request.method() == http::verb::get;
-    const Site& site = server_.site;
-    if (get && path == "/") return answer(200, site.page, "text/html; charset=utf-8");
-    if (get && path == "/panel.js") return answer(200, site.script, "text/javascript; charset=utf-8");
-    if (get && path == "/panel.css") return answer(200, site.style, "text/css; charset=utf-8");
+    const Site& files = server_.site;
+    if (get && path == "/") return answer(200, files.page, "text/html; charset=utf-8");
+    if (get && path == "/panel.js") return answer(200, files.script, "text/javascript; charset=utf-8");
+    if (get && path == "/panel.css") return answer(200, files.style, "text/css; charset=utf-8");
     if (get && path == "/events") return events();
     if (request.method() == http::verb::post && path == "/order") return order();
     answer(404, "there is no such page\n");
@@ -158,16 +158,16 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
 
   void hand_on() {
     std::string body = body_->get().body();
-    const bool urgent = server_.site.urgent(body);
-    if (!urgent && server_.orders >= Server::most_orders)
+    const bool at_once = server_.site.urgent(body);
+    if (!at_once && server_.orders >= Server::most_orders)
       return answer(503, "too many orders wait for an axis\n");
-    if (!urgent) ++server_.orders;
+    if (!at_once) ++server_.orders;
     stream_.expires_never();  // the axis has its own time
-    asio::post(urgent ? server_.urgent : server_.others,
-               [self = shared_from_this(), body = std::move(body), urgent] {
+    asio::post(at_once ? server_.urgent : server_.others,
+               [self = shared_from_this(), body = std::move(body), at_once] {
                  const Answer said = self->obeyed(body);
-                 asio::post(self->server_.io, [self, said, urgent] {
-                   if (!urgent) --self->server_.orders;
+                 asio::post(self->server_.io, [self, said, at_once] {
+                   if (!at_once) --self->server_.orders;
                    self->answer(said.status, said.json, "application/json");
                  });
                });
