@@ -123,7 +123,7 @@ std::optional<Moment> MotionAxis::begins_at() {
     return at;
   }
   if (start_at_ == StartAt::master_position) return crossing();
-  if (base_ != Base::movement) {  // what was to end is gone
+  if (base_ != Base::movement) {  // that movement has ended
     drop({.cause = Cause::no_movement});
     return std::nullopt;
   }

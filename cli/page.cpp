@@ -100,7 +100,7 @@ int run(const Options& options) {
 void add_page(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb =
-      line.verb("page", "Serve a live page of some axes, with orders for whoever has its address",
+      line.verb("page", "Serve a live page of some axes; its address lets a browser give orders",
                 "jounce page feeder knife --port 8080\n"
                 "jounce page feeder --url 'udpm://239.255.76.67:7667?ttl=1' --key line.key\n"
                 "`jounce run --web` starts one beside its executor.");

@@ -122,7 +122,7 @@ CallOutcome play(StaticQueue& queue, const Banks& banks, const Interrupt& interr
   return outcome;
 }
 
-/// What the queue says of itself where it has come to an end; nothing: it plays, or waits.
+/// The end that the queue reports; nothing while it plays or waits.
 std::optional<CallOutcome> ended(const wire::QueueAck& level) {
   if (level.refusal != wire::Refusal::none)
     return CallOutcome{StreamError::refused, level.refusal, 0, level.reason};

@@ -99,7 +99,7 @@ StreamOptions stream_options(const StreamVerb& options, const Link& link) {
   StreamOptions stream;
   stream.key = link.key();
   stream.total = nanos(options.patience);
-  // Before the total is over: that nobody answers says more than that time is up.
+  // Before the total time is over: "no answer" explains more than "time is up".
   stream.sender.patience = std::min(stream.sender.patience, stream.total * 3 / 4);
   interrupted = 0;
   std::signal(SIGINT, [](int) { interrupted = 1; });
