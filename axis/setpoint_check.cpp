@@ -31,8 +31,8 @@ MotionState mirrored(const MotionState& state) {
   return {-state.position, -state.velocity, -state.acceleration};
 }
 
-/// More than the way of any stop with this deceleration, upwards: it never is faster than (1), and is
-/// so at the most for the three times that (2) adds up.
+/// An upper bound of the way of any stop with this deceleration, upwards: its velocity never exceeds (1),
+/// and it lasts no longer than (2), the sum of its three phases.
 ///
 ///     (1)  w = max(v, 0) + a^2 / (2 j)            where a > 0
 ///     (2)  a / j  +  w / s  +  s / j

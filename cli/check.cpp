@@ -17,7 +17,7 @@ struct Options {
   std::string file;
   std::string axis;
   std::vector<std::string> limits;
-  std::string slave, master, master_velocity;  ///< of a coupling; with or without their units
+  std::string slave, master, master_velocity;  ///< where a coupling begins; units may be left out
   int continuity = 1;
   bool json = false;
 };

@@ -65,7 +65,7 @@ struct Events {
   std::vector<Event> all;
   std::string time, position;  ///< their units
   Report report;               ///< broken where a point does not fire, or the device is too slow
-  Labels labels;               ///< of the report
+  Labels labels;               ///< with which the report is printed
 };
 
 Events events_of(const std::string& file) {
