@@ -6,6 +6,12 @@
 #include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::detail {
+namespace {
+
+/// By how much one jerk must be below the other for the digits that (1) to (3) lose to matter.
+constexpr double uneven = 8;
+
+}  // namespace
 
 Extremals::Extremals(const End& from, const End& to, double dv, const Limits& limits,
                      const Jerks& jerks, int degenerate) noexcept
@@ -14,12 +20,15 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
       ijd_(jerks.per_fall),
       k_(jerks.k),
       ik_(jerks.per_k),
+      rises_slowly_(jerks.per_rise > uneven * jerks.per_fall),
+      falls_slowly_(jerks.per_fall > uneven * jerks.per_rise),
       first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
     // A half begins at its own s, or where its z passes zero.
     const double natural = s > 0 ? v + s * s * ijd_ / 2 : c;
-    return Half{s, limit, c, c + k_ * limit * limit / 2, natural};
+    const double begun = std::max(s, 0.0);
+    return Half{v, s, limit, c, natural + k_ * (limit - begun) * (limit + begun) / 2, natural};
   };
   half_ = {half(from.velocity, from.acceleration, limits.rise),
            half(to.velocity, -to.acceleration, limits.fall)};
@@ -28,6 +37,7 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
   const double dc = -dv - (s0 - s1) * (s0 + s1) * ijp_ / 2;
+  excess_ = -dv + (s0 - s1) * (s0 + s1) * ijd_ / 2;
   high_ = dc >= 0 ? 0 : 1;
   q_ = 2 * ik_ * std::abs(dc);
   if (half_[static_cast<std::size_t>(first_)].s < 0 && high_ != first_) {  // by rounding alone
@@ -56,15 +66,22 @@ Extremal Extremals::at_peak(double vp) const noexcept {
   e.vp = vp;
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
-    if (vp - h.natural <= rounding * std::abs(vp)) {
+    const double more = vp - h.natural;
+    double squares = -h.s * h.s;
+    if (more <= rounding * std::abs(vp)) {
       e.z[i] = std::max(h.s, 0.0);  // no phases for the sake of the last digits
+      if (h.s > 0) squares = 0;
     } else if (vp <= h.sat) {
       e.z[i] = std::max(std::min(root(2 * ik_ * (vp - h.c)), h.limit), h.s);
+      squares = 2 * ik_ * more;
     } else {
       e.z[i] = h.limit;
       e.hold[i] = (vp - h.sat) / h.limit;
+      squares = (h.limit - h.s) * (h.limit + h.s);
     }
+    e.rise[i] = rise(h, e.z[i], squares);
   }
+  e.fall = (e.z[0] + e.z[1]) * ijd_;
   return e;
 }
 
@@ -76,15 +93,25 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   Extremal e;
   const double s = half_[i].s;
   e.z[i] = s;
-  e.vp = half_[i].c + k_ * s * s / 2;
-  const double square_of_z = s * s + (which == high_ ? q_ : -q_);
-  if (square_of_z < other.limit * other.limit) {
-    const double z = sign * root(square_of_z);
-    e.z[1 - i] = sign > 0 ? std::max(z, other.s) : z;
+  e.vp = half_[i].v + ijd_ * s * s / 2;
+  const double more = which == high_ ? q_ : -q_;
+  double squares = 2 * ik_ * (which == 0 ? excess_ : -excess_);
+  double& z = e.z[1 - i];
+  // The square of z, from the nearer one.
+  const double square_of_z =
+      std::abs(other.s) < std::abs(s) ? square(other.s) + squares : square(s) + more;
+  // Below zero it is the other direction's limit that counts, which an end keeps.
+  if (sign < 0 || square_of_z < other.limit * other.limit) {
+    z = sign * root(square_of_z);
+    if (sign > 0) z = std::max(z, other.s);
+    e.fall = (z * s < 0 ? more / (z - s) : z + s) * ijd_;
   } else {
-    e.z[1 - i] = sign * other.limit;
+    z = other.limit;
+    squares = (other.limit - other.s) * (other.limit + other.s);
     e.hold[1 - i] = std::max((e.vp - other.sat) / other.limit, 0.0);
+    e.fall = (z + s) * ijd_;
   }
+  e.rise[1 - i] = rise(other, z, squares);
   return e;
 }
 
@@ -96,25 +123,26 @@ Extremal Extremals::last_early() const noexcept {
   return beginning(first_, -1);
 }
 
-double Extremals::duration(const Extremal& e) const noexcept {
-  return k_ * (e.z[0] + e.z[1]) - (half_[0].s + half_[1].s) * ijp_ + e.hold[0] + e.hold[1] +
-         e.cruise;
-}
-
 double Extremals::distance(const Extremal& e) const noexcept {
   const bool only_passes = e.hold[0] + e.hold[1] + e.cruise == 0 && std::min(e.z[0], e.z[1]) > 0;
-  if (only_passes) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
-  double d = e.vp * ((e.z[0] + e.z[1]) * ijd_ + e.cruise);
+  if (only_passes && !rises_slowly_) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
+  std::array<double, 2> v;  // where the fall begins and ends
+  double d = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
-    const double z = e.z[i];
+    const double x = e.rise[i];
     const double t = e.hold[i];
-    const double zz = z * z;
-    const double p = ijp_ / 6;
-    d += (z - h.s) * ijp_ * (h.c + (zz + z * h.s + h.s * h.s) * p) - zz * z * (ijd_ * ijd_ / 6);
-    if (t > 0) d += t * (h.c + 3 * zz * p + z * t / 2);
+    const double a = h.s + e.z[i];
+    const double risen = h.v + x * a / 2;
+    d += x * ((h.v + risen) / 2 - x * (e.z[i] - h.s) / 12) + t * (risen + t * e.z[i] / 2);
+    v[i] = risen + t * e.z[i];
   }
-  return d;
+  if (e.cruise == 0) return d + e.fall * ((v[0] + v[1]) / 2 + e.fall * (e.z[0] + e.z[1]) / 12);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double t = e.z[i] * ijd_;
+    d += t * (v[i] + t * e.z[i] / 3);
+  }
+  return d + e.vp * e.cruise;
 }
 
 int Extremals::stretches(Branch b, Stretches& out) const noexcept {
@@ -169,45 +197,49 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
 }
 
 Extremal Extremals::member(const Stretch& p, double x) const noexcept {
+  using Held = Stretch::Held;
+  if (is_timed(p)) return timed(p, time_of(p, x));
   Extremal e;
   switch (p.held) {
-    case Stretch::Held::none: {
+    case Held::none: {
       const auto hi = static_cast<std::size_t>(high_);
       const double r = q_ > 0 ? q_ / x : 0;
       e.z[hi] = (x - r) / 2;
       e.z[1 - hi] = (x + r) / 2;
       for (std::size_t i = 0; i < 2; ++i) e.z[i] = std::max(e.z[i], half_[i].s);
       e.vp = half_[hi].c + k_ * square(e.z[hi]) / 2;
+      e.fall = x * ijd_;
       break;
     }
-    case Stretch::Held::one: {
+    case Held::one: {
       const auto f = static_cast<std::size_t>(p.free);
       e.z[f] = x;
       e.z[1 - f] = half_[1 - f].limit;
+      e.fall = (e.z[0] + e.z[1]) * ijd_;
       e.vp = half_[f].c + k_ * x * x / 2;
       e.hold[1 - f] = std::max((e.vp - half_[1 - f].sat) / half_[1 - f].limit, 0.0);
       break;
     }
-    case Stretch::Held::both:
-      e = at_peak(x);
-      break;
-    case Stretch::Held::cruise:
+    case Held::both:
+      return at_peak(x);
+    case Held::cruise:
       e = at_peak(vmax_);
       e.cruise = x;
-      break;
+      return e;
   }
+  for (std::size_t i = 0; i < 2; ++i) e.rise[i] = (e.z[i] - half_[i].s) * ijp_;
   return e;
 }
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   const bool cruises = e.cruise > 0;
-  return {(e.z[0] - half_[0].s) * ijp_,
+  return {e.rise[0],
           e.hold[0],
-          (cruises ? e.z[0] : e.z[0] + e.z[1]) * ijd_,
+          cruises ? e.z[0] * ijd_ : e.fall,
           e.cruise,
           cruises ? e.z[1] * ijd_ : 0,
           e.hold[1],
-          (e.z[1] - half_[1].s) * ijp_};
+          e.rise[1]};
 }
 
 Extremal Extremals::lasting(Branch b, double t) const noexcept {
@@ -221,6 +253,7 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
       e = member(p, p.hi);
       if (duration(e) < t) continue;
     }
+    if (is_timed(p)) return timed(p, time_lasting(p, t));
     double x = p.lo;
     switch (p.held) {
       case Stretch::Held::none:

@@ -28,11 +28,17 @@ namespace jounce::detail {
 //   (4)  dDmax/dT = H = vp + z1 z2/(2 jd)
 //
 // Dmin is Dmax of the motion mirrored in position.
+//
+// Where one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
+// phase of seconds changes z by less than its last digits. The same equations in the times of the phases
+// keep theirs (extremal_timed.cpp).
 
 /// A member of the family.
 struct Extremal {
   std::array<double, 2> z{};     ///< peak accelerations towards the peak velocity
+  std::array<double, 2> rise{};  ///< how long they take to build up
   std::array<double, 2> hold{};  ///< how long they are held
+  double fall = 0;               ///< how long the acceleration takes from z1 to -z2, cruise left out
   double vp = 0;                 ///< peak velocity
   double cruise = 0;             ///< how long that is held
 };
@@ -72,7 +78,9 @@ class Extremals {
   [[nodiscard]] Extremal first(Branch b) const noexcept;
   [[nodiscard]] Extremal last_early() const noexcept;
 
-  [[nodiscard]] double duration(const Extremal& e) const noexcept;
+  [[nodiscard]] double duration(const Extremal& e) const noexcept {
+    return e.rise[0] + e.hold[0] + e.fall + e.cruise + e.hold[1] + e.rise[1];
+  }
   [[nodiscard]] double distance(const Extremal& e) const noexcept;
   /// The durations of the seven phases, jerk + 0 - 0 - 0 +; what rounding made of nothing may be
   /// negative.
@@ -100,7 +108,7 @@ class Extremals {
 
  private:
   struct Half {
-    double s, limit, c;
+    double v, s, limit, c;
     double sat;      ///< vp at which z reaches the limit
     double natural;  ///< vp at which z is s, or 0 if that is more
   };
@@ -115,7 +123,8 @@ class Extremals {
   [[nodiscard]] int stretches(Branch b, Stretches& out) const noexcept;
   [[nodiscard]] Extremal member(const Stretch& p, double x) const noexcept;
   [[nodiscard]] int turning(const Stretch& p, std::array<double, 2>& out) const noexcept;
-  [[nodiscard]] double solve(const Stretch& p, double d, bool rising, double guess) const noexcept;
+  [[nodiscard]] Extremal solve(const Stretch& p, double d, bool rising,
+                               double guess) const noexcept;
   [[nodiscard]] double solve_sum(double g, double lo, double hi, bool rising,
                                  double guess) const noexcept;
   /// (5) without K, over k: of the sum of both z.
@@ -124,9 +133,24 @@ class Extremals {
   }
   [[nodiscard]] Extremal at_peak(double vp) const noexcept;
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
+  /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
+  [[nodiscard]] double rise(const Half& h, double z, double squares) const noexcept {
+    return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
+  }
+
+  // By the time of a slow phase: of both rises together, of the free half's rise, or of the fall.
+  [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
+  [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;
+  [[nodiscard]] Extremal timed_none(double x) const noexcept;
+  [[nodiscard]] Extremal timed_one(int free, double x) const noexcept;
+  [[nodiscard]] double time_of(const Stretch& p, double z) const noexcept;
+  [[nodiscard]] double time_lasting(const Stretch& p, double t) const noexcept;
+  [[nodiscard]] Extremal solve_time(const Stretch& p, double d, bool rising) const noexcept;
 
   std::array<Half, 2> half_;
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
+  double excess_;  ///< of the first half's velocity over the second's, where the accelerations are zero
+  bool rises_slowly_, falls_slowly_;  ///< one jerk is far below the other
   double natural_;
   double mean_, cubic_, inverse_, base_;  ///< of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
   double q_;                              ///< z_low^2 - z_high^2 while nothing is held

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "jounce/profiles/detail/extremal.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/zero.hpp"
 
 // Which member covers a distance.
 //
@@ -30,39 +30,6 @@ double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
 
-/// Newton's step; none (NaN) where f does not go the way that it does at the zero.
-double newton(double f, double slope, bool rising) {
-  return (slope > 0) == rising ? f / slope : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
-/// guess, kept inside by bisection. f says the sign of its value.
-template <class F>
-double zero(F f, double lo, double hi, bool rising, double guess) {
-  double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;
-  for (int i = 0; i < 250; ++i) {
-    double sign = 0;
-    const double step = f(x, sign);
-    if (sign == 0) break;
-    ((sign < 0) == rising ? lo : hi) = x;
-    double next = x - step;
-    const bool inside = next > lo && next < hi;
-    // Convergence is quadratic at least: after such a step the next is lost in rounding.
-    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
-    // Over many decades a step a factor at a time would take too long.
-    if (!done && i > 8 && i % 2 == 0 && lo >= 0 && hi > 4 * lo)
-      next = lo > 0 ? std::sqrt(lo * hi) : hi * 0x1p-20;
-    else if (!inside || i > 160) {
-      if (done) return next > lo ? hi : lo;
-      next = lo + (hi - lo) / 2;
-      if (!(next > lo && next < hi)) break;
-    }
-    x = next;
-    if (done) break;
-  }
-  return x;
-}
-
 }  // namespace
 
 /// (5): the sum at which of_sum is g.
@@ -83,13 +50,15 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
   return zero(f, lo, hi, rising, guess);
 }
 
-/// Where in the stretch the distance d is covered; it is covered there.
-double Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
+/// The member of the stretch that covers the distance d; there is one.
+Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
+  using Held = Stretch::Held;
+  if (is_timed(p)) return solve_time(p, d, rising);
   double hi = p.hi;
   switch (p.held) {
-    case Stretch::Held::none:
-      return solve_sum((d - base_) * ik_, p.lo, p.hi, rising, guess);
-    case Stretch::Held::one: {
+    case Held::none:
+      return member(p, solve_sum((d - base_) * ik_, p.lo, p.hi, rising, guess));
+    case Held::one: {
       const auto& x = half_[static_cast<std::size_t>(p.free)];
       const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
       const double l = held.limit;
@@ -110,22 +79,22 @@ double Extremals::solve(const Stretch& p, double d, bool rising, double guess) c
         guess = hi;
         for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return zero(f, p.lo, hi, rising, guess);
+      return member(p, zero(f, p.lo, hi, rising, guess));
     }
-    case Stretch::Held::both: {
+    case Held::both: {
       const Extremal e = at_peak(p.lo);
       const double h = slope(e);
       const double g = (d - distance(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
       const double r = root(h * h + 2 * g);
       const double y = !rising ? -h - r : (h > 0 ? 2 * g / (h + r) : r - h);
-      return std::clamp(p.lo + y, p.lo, p.hi);
+      return at_peak(std::clamp(p.lo + y, p.lo, p.hi));
     }
-    case Stretch::Held::cruise: {
-      const Extremal e = at_peak(vmax_);
-      return (d - distance(e)) / vmax_;
-    }
+    case Held::cruise:
+      break;
   }
-  return p.lo;
+  Extremal e = at_peak(vmax_);
+  e.cruise = (d - distance(e)) / vmax_;
+  return e;
 }
 
 /// Where (4) is zero in a stretch, ascending.
@@ -175,7 +144,7 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
       const double after = piece.hi == inf ? inf : distance(member(piece, piece.hi));
       if ((before < d) != (after < d))
         out[static_cast<std::size_t>(found++)] =
-            member(piece, solve(piece, d, after > before, piece.hi));
+            solve(piece, d, after > before, piece.hi);
       before = after;
       piece.lo = piece.hi;
     }
@@ -187,12 +156,13 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   Extremal lo = begin;
   double from = lo.z[0] + lo.z[1];
   const double g = (d - base_) * ik_;
-  if (half_[static_cast<std::size_t>(first_)].s < 0) {
-    if (begin.hold[static_cast<std::size_t>(1 - first_)] > 0) {
-      Members members{begin};
-      (void)covering(Branch::main, d, members, 1);
-      return members[0];
-    }
+  const bool is_below = half_[static_cast<std::size_t>(first_)].s < 0;  // zero acceleration
+  if (rises_slowly_ || (is_below && begin.hold[static_cast<std::size_t>(1 - first_)] > 0)) {
+    Members members{begin};
+    (void)covering(Branch::main, d, members, 1);
+    return members[0];
+  }
+  if (is_below) {
     // The velocity passes zero acceleration with the same formula; but the distance may have risen,
     // and fallen again, before that.
     lo.vp = natural_;
@@ -235,12 +205,12 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   }
   if (second_sat > lo.vp) {
     Stretch p{Stretch::Held::one, 1 - lower, lo.z[free], inf};
-    if (second_sat == inf) return member(p, solve(p, d, true, 0));
+    if (second_sat == inf) return solve(p, d, true, 0);
     const Extremal hi = at_peak(second_sat);
     const double reach = distance(hi);
     if (reach >= d) {
       p.hi = hi.z[free];
-      return member(p, solve(p, d, true, guess(p.lo, p.hi, (d - covered) / (reach - covered))));
+      return solve(p, d, true, guess(p.lo, p.hi, (d - covered) / (reach - covered)));
     }
     lo = hi;
     covered = reach;
@@ -250,7 +220,7 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
     const double reach = vmax_ == inf ? inf : distance(hi);
     if (reach >= d) {
       const Stretch p{Stretch::Held::both, 0, lo.vp, vmax_};
-      return member(p, solve(p, d, true, 0));
+      return solve(p, d, true, 0);
     }
     lo = hi;
     covered = reach;

@@ -27,8 +27,9 @@ double velocity_difference(const MotionState& from, const MotionState& to,
   const double af = to.acceleration;
   const double dv = to.velocity - from.velocity;
   const double ramp = std::abs(af - a0) * (af + a0) * (af > a0 ? j.per_rise : j.per_fall) / 2;
+  // Of jerks far apart the larger: with that one, what rounding leaves of the velocity is made good.
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
-                       (a0 * a0 + af * af) * (j.per_rise + j.per_fall);
+                       2 * (a0 * a0 + af * af) * std::min(j.per_rise, j.per_fall);
   return std::abs(dv - ramp) <= ulps * scale ? ramp : dv;
 }
 

@@ -6,9 +6,19 @@
 //
 //   (1)  v1 - v0 = (z^2 - a0^2)/(2 jp) + (z^2 - a1^2)/(2 jd) + z h
 //
-// It goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image.
+// It goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image. Without a hold, (1)
+// gives z^2 - a0^2 and z^2 - a1^2 without z: where the jerks are far apart, z may agree with one of both to
+// its last digits.
 
 namespace jounce::detail {
+namespace {
+
+/// z - a, given z^2 - a^2.
+double difference(double z, double a, double squares) {
+  return z * a > 0 ? squares / (z + a) : z - a;
+}
+
+}  // namespace
 
 MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
                             const Bounds& b, Profile& profile) noexcept {
@@ -28,14 +38,20 @@ MotionState change_velocity(const MotionState& from, double velocity, double acc
     t2 = (a1 - a0) / jd;
   } else {
     const double limit = up ? b.acceleration_max : b.acceleration_min;
-    double z = std::sqrt((2 * dv + a0 * a0 / jp - a1 * a1 / jd) / (1 / jp - 1 / jd));
+    const double k = 1 / jp - 1 / jd;
+    const double squares = (a0 - a1) * (a0 + a1);
+    double from_a0 = (2 * dv + squares / jd) / k;  // z^2 - a0^2
+    double from_a1 = (2 * dv + squares / jp) / k;
+    double z = std::sqrt((2 * dv + a0 * a0 / jp - a1 * a1 / jd) / k);
     if (z > std::abs(limit)) {
       z = std::abs(limit);
-      hold = (dv - (z * z - a0 * a0) / (2 * jp) + (z * z - a1 * a1) / (2 * jd)) / limit;
+      from_a0 = (z - a0) * (z + a0);
+      from_a1 = (z - a1) * (z + a1);
+      hold = (dv - from_a0 / (2 * jp) + from_a1 / (2 * jd)) / limit;
     }
     z = up ? z : -z;
-    t1 = (z - a0) / jp;
-    t2 = (a1 - z) / jd;
+    t1 = difference(z, a0, from_a0) / jp;
+    t2 = -difference(z, a1, from_a1) / jd;
   }
   MotionState s = from;
   const double times[] = {t1, hold, t2};

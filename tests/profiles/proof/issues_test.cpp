@@ -606,5 +606,21 @@ TEST(Issue, Jounce17PhaseSynchronisationKeepsEveryAxisInside) {
   EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::not_straight);
 }
 
+TEST(Issue, Jounce17JerksFarApart) {
+  // Ended off by up to 1e-6 of the scale: phases of a slow jerk were differences of accelerations that
+  // agree to their last digits.
+  const auto ask = [](const MotionState& from, const MotionState& to, double a, double jerk_min,
+                      double jerk_max) {
+    Bounds b = within(14, a, 1);
+    b.jerk_min = jerk_min;
+    b.jerk_max = jerk_max;
+    expect_optimal(from, to, b);
+  };
+  ask({3.40861, 0.449232, 0}, {4.44646, 0, -0.238817}, 2.89, -13.2, 1.33e-5);
+  ask({-6.0699, 11.447, -12.0464}, {-0.773703, 0, 1.80372}, 4.62, -1.22e-5, 9.1);
+  ask({-3.21021, 1.12139, -0.499775}, {-3.31512, 0, 0}, 2.9, -3.11e-6, 11.8);
+  ask({5.06329, -9.43153, 9.66959}, {-0.0412018, 0.437939, 0}, 9.51, -13.5, 2.88e-5);
+}
+
 }  // namespace
 }  // namespace jounce::proof
