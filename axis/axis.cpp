@@ -29,6 +29,8 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.refused.reset();
   now_.dropped.reset();
   now_.handed_back = {};
+  now_.frozen = false;
+  now_.broken = 0;
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing) state_ = State::standstill;
@@ -55,6 +57,7 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
+  now_.group = active_ || waiting_ ? group_ : 0;
   now_.held = held_;
   now_.waiting = waiting_ || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
@@ -67,13 +70,23 @@ void MotionAxis::report() {
 // ---- what it sees ------------------------------------------------------------------------------
 
 void MotionAxis::take(const Inputs& inputs) {
+  const double renamed = inputs.master_offset - inputs_.master_offset;
   inputs_ = sound(inputs, config_);
+  see_renamed(renamed);
   now_.actual_position = inputs_.feedback.position + now_.offset;
   now_.torque = inputs_.feedback.torque;
   // While nothing is commanded the axis is where the drive is: enabling it moves nothing.
   if (state_ == State::disabled && std::isfinite(now_.actual_position))
     now_.position = now_.actual_position;
   now_.following_error = now_.position - now_.actual_position;
+}
+
+/// Another name for where the master is passes nothing and moves nothing.
+void MotionAxis::see_renamed(double by) {
+  if (by == 0) return;
+  last_master_[0] += by;
+  renamed_ += by;
+  if (base_ == Base::movement && !on_path()) outputs_.place(SwitchesOf::master);
 }
 
 void MotionAxis::watch() {
@@ -89,7 +102,8 @@ void MotionAxis::watch() {
   if (wrong == Cause::watchdog && stops) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
-  if (wrong != Cause::none) fail(wrong);
+  if (wrong != Cause::none) return fail(wrong);
+  if (inputs_.group_broken) stop_with_group();
 }
 
 // ---- the next setpoint -------------------------------------------------------------------------
@@ -120,7 +134,8 @@ void MotionAxis::play() {
 Cause MotionAxis::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
   if (base_ == Base::movement) {
-    next = active_->at(moment(seconds(now_.tick - origin_)));
+    next = active_->at(coupled(moment(seconds(now_.tick - origin_))));
+    next.master += renamed_;
     if (active_->progress() != Progress::broken) return Cause::none;
     return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
   }
@@ -143,7 +158,7 @@ void MotionAxis::lift(Setpoint& next) {
   next.slave[1] += v;
   next.slave[2] += a;
   next.slave[3] += j;
-  if (t < lift_.duration()) return;
+  if (t < lift_.duration() || lift_rests_) return;
   lifting_ = false;
   shift_ += lift_.end().position;
 }
@@ -212,12 +227,13 @@ void MotionAxis::hand_back(const Movement* movement) {
 }
 
 void MotionAxis::refuse(Cause cause, double value, double limit) {
-  now_.refused = Refusal{cause, value, limit, 0};
+  now_.refused = Refusal{cause, value, limit};
 }
 
 /// What waits does not begin. An answer to the command of this tick only if that asked for it.
 void MotionAxis::drop(const Refusal& why) {
   (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
+  break_group();
   disarm();
 }
 
@@ -231,6 +247,12 @@ MotionState MotionAxis::last() const {
 
 Moment MotionAxis::moment(double t) const {
   return {t, dt(), inputs_.master};
+}
+
+/// As the live movement that is played counts its master.
+Moment MotionAxis::coupled(Moment now) const {
+  now.master[0] -= renamed_;
+  return now;
 }
 
 double MotionAxis::seconds(std::int64_t ticks) const {

@@ -40,6 +40,9 @@ struct Tick {
   double rate = 1;             ///< of path time now
   bool held = false;           ///< the motion waits for the order resume
   bool power = false;          ///< the drive shall follow setpoints
+  std::int64_t group = 0;      ///< of what is played, or waits for its start; 0: none
+  std::int64_t broken = 0;     ///< the group that was broken in this tick: by a stop, a halt or a fault
+  bool frozen = false;         ///< in this tick the velocity was cut to 0: its fault says why
   double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
   double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known
   double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
@@ -102,11 +105,12 @@ class MotionAxis {
  private:
   enum class Base : std::uint8_t { rest, movement, move };
   /// table: what was played ended at a velocity.
-  enum class Ending : std::uint8_t { none, stop, release, halt, table, fault };
+  enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
   enum class Boundary : std::uint8_t { none, swap, finish };
 
   // axis.cpp: one tick
   void take(const Inputs& inputs);
+  void see_renamed(double by);
   void watch();
   void play();
   Cause advance(Setpoint& next);
@@ -123,6 +127,7 @@ class MotionAxis {
   [[nodiscard]] bool on_path() const;
   [[nodiscard]] MotionState last() const;
   [[nodiscard]] Moment moment(double t) const;
+  [[nodiscard]] Moment coupled(Moment now) const;
   [[nodiscard]] double seconds(std::int64_t ticks) const;
   [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
 
@@ -133,6 +138,8 @@ class MotionAxis {
   void reset();
   void set_position(double position);
   void end_motion(Ending ending, const Command& command);
+  void break_group();
+  void stop_with_group();
   void hold(bool on);
   void set_override(double factor);
   void finish();
@@ -176,6 +183,7 @@ class MotionAxis {
   [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
   bool stop_on_path();
   bool replan();
+  bool replan_path();
 
   // axis_moves.cpp: moves of its own
   void move(const Command& command);
@@ -188,8 +196,11 @@ class MotionAxis {
   [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
   void superimpose(double distance, MoveDynamics dynamics);
   void decouple();
+  [[nodiscard]] std::optional<Profile> plan_lift(const Motion& from, const Goal& goal,
+                                                 double factor) const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
+  bool replan_move();
   bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
   void leave(Goal::Kind kind);
@@ -216,6 +227,7 @@ class MotionAxis {
   void conclude();
   void rest();
   void freeze();
+  void cut_off();
   void fail(Cause cause);
   void drop_movement();
 
@@ -225,6 +237,7 @@ class MotionAxis {
   std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
   Inputs inputs_;
   Jet last_master_ = Inputs{}.master;  // of the live one
+  double renamed_ = 0;  // m: what its count has gained since the movement was coupled to it
   Supervision windows_;
 
   Movement* active_ = nullptr;
@@ -234,6 +247,7 @@ class MotionAxis {
   std::int64_t start_tick_ = 0;
   double start_position_ = 0;   // of the master
   std::int64_t accepted_ = -1;  // tick in which that start was
+  std::int64_t group_ = 0;      // of the last start
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;
@@ -257,8 +271,10 @@ class MotionAxis {
   bool held_ = false;
 
   bool lifting_ = false;  // a superimposed move runs
+  bool lift_rests_ = false;  // until the path beneath it is resumed
   Profile lift_;
-  MoveDynamics lift_dynamics_;
+  Goal lift_goal_;   // u from where the first of them began
+  Limits lift_most_;  // what the motion below leaves it
   std::int64_t lift_origin_ = 0;
   double shift_ = 0;  // u, of those that are over
 

@@ -32,7 +32,7 @@ void MotionAxis::obey_due() {
 }
 
 void MotionAxis::forget_later() {
-  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0, 0};
+  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0};
   later_.reset();
 }
 
@@ -103,7 +103,7 @@ void MotionAxis::begin_next() {
   next_.pop();
   Goal goal;
   auto no = goal_of(command, last(), goal);
-  if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0, 0};
+  if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
   if (!no) return;
   now_.dropped = no;
   next_.clear();
@@ -111,7 +111,7 @@ void MotionAxis::begin_next() {
 
 /// Something else has taken their place; the first of them is told.
 void MotionAxis::forget(const WaitingMoves& moves) {
-  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0, 0};
+  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0};
 }
 
 void MotionAxis::forget_next() {

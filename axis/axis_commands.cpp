@@ -13,7 +13,9 @@ using Kind = Command::Kind;
 
 void MotionAxis::obey(const Command& command) {
   if (command.kind == Kind::none) return;
-  if (const Cause no = permitted(state_, command.kind); no != Cause::none) {
+  // Whoever let go of a jog may order the next motion before this one has come to rest.
+  const State state = ending_ == Ending::release ? State::discrete_motion : state_;
+  if (const Cause no = permitted(state, command.kind); no != Cause::none) {
     if (command.movement) hand_back(command.movement);
     return refuse(no);
   }
@@ -85,7 +87,7 @@ void MotionAxis::power(bool on) {
   disarm();
   forget_next();
   forget_later();
-  freeze();
+  cut_off();
   state_ = State::disabled;
 }
 
@@ -119,16 +121,28 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   const bool stops = ending != Ending::halt;
   now_.refused = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_);
   if (now_.refused) return;
+  break_group();
   disarm();
   forget_next();
   if (stops) forget_later();
-  if (!moving() || state_ == State::stopping) return;
+  const bool stopping = ending_ == Ending::stop || (stops && ending_ == ending);
+  if (!moving() || stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
   state_ = stops ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;
+}
+
+void MotionAxis::break_group() {
+  if (active_ || waiting_) now_.broken = group_;
+}
+
+/// What began together ends together: by a stop, whatever ended the other one.
+void MotionAxis::stop_with_group() {
+  if (waiting_) drop({.cause = Cause::group_stopped});
+  if (active_ && ending_ == Ending::none) end_motion(Ending::group, {});
 }
 
 void MotionAxis::hold(bool on) {
@@ -141,7 +155,8 @@ void MotionAxis::hold(bool on) {
 void MotionAxis::set_override(double factor) {
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
   // What is superimposed was given what the factor left.
-  if (lifting_ && factor > factor_) return refuse(Cause::in_motion, factor, factor_);
+  const double most = std::max(1.0, factor_);
+  if (lifting_ && factor > most) return refuse(Cause::in_motion, factor, most);
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path())) return;
   if (!replan()) factor_ = before;

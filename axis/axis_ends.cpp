@@ -34,12 +34,12 @@ void MotionAxis::conclude() {
 
 /// The motion is over, in whatever way.
 void MotionAxis::rest() {
-  const bool stopped =
-      ending_ == Ending::stop || ending_ == Ending::release || ending_ == Ending::halt;
+  const bool stopped = ending_ >= Ending::stop && ending_ <= Ending::halt;
   if (stopped) ++now_.stopped;
   if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
   now_.reason = ending_ == Ending::stop         ? Cause::stopped
                 : ending_ == Ending::release    ? Cause::released
+                : ending_ == Ending::group      ? Cause::group_stopped
                 : ending_ == Ending::halt       ? Cause::halted
                 : ending_ == Ending::table      ? Cause::end_velocity
                 : ending_ == Ending::fault      ? now_.fault
@@ -48,10 +48,11 @@ void MotionAxis::rest() {
   state_ = ending_ == Ending::fault ? State::error_stop : State::standstill;
   const bool goes_on = lifting_ && ending_ == Ending::none;
   const double more =
-      goes_on ? lift_.end().position - lift_.at(seconds(now_.tick - lift_origin_)).position : 0;
+      goes_on ? lift_goal_.value - lift_.at(seconds(now_.tick - lift_origin_)).position : 0;
   const MotionState from = last();
   const double target = now_.position + more;
   const bool ended = ending_ != Ending::fault;
+  const bool held = held_;
   freeze();
   if (!goes_on) {
     if (!next_.empty() && ended) begin_next();
@@ -62,7 +63,8 @@ void MotionAxis::rest() {
   now_.velocity = from.velocity;
   now_.acceleration = from.acceleration;
   state_ = State::discrete_motion;
-  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, lift_dynamics_}, 1))
+  held_ = held;
+  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, lift_goal_.dynamics}, wanted_rate()))
     fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
 }
 
@@ -77,11 +79,18 @@ void MotionAxis::freeze() {
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }
 
+/// The same in the middle of a motion.
+void MotionAxis::cut_off() {
+  now_.frozen = now_.velocity != 0;
+  freeze();
+}
+
 void MotionAxis::fail(Cause cause) {
   // The first fault is the one that stays: what follows is its consequence.
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
+  break_group();
   disarm();
   forget_next();
   forget_later();
@@ -89,14 +98,14 @@ void MotionAxis::fail(Cause cause) {
   if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
   if (reaction == Reaction::power_off) {
     now_.power = false;
-    freeze();
+    cut_off();
     state_ = State::disabled;
     return;
   }
   if (state_ == State::disabled) return;
   state_ = State::error_stop;
   if (!moving()) return;
-  if (reaction == Reaction::freeze) return freeze();
+  if (reaction == Reaction::freeze) return cut_off();
   if (base_ == Base::move && ending_ == Ending::fault && cause != Cause::aborted) return;
   const bool on_it = reaction == Reaction::stop_on_path && on_path() && !lifting_;
   boundary_ = Boundary::none;

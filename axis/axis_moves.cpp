@@ -19,7 +19,7 @@ std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
   constexpr double least = 1e-9;  // of a limit
   const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
     const double most = std::exchange(limit, limit - used);
-    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most, 0});
+    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
   };
   Limits& limits = config.limits;
   if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
@@ -60,7 +60,7 @@ void MotionAxis::move(const Command& command) {
 std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionState& from,
                                            Goal& goal) const {
   const double value = command.position;
-  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0, 0};
+  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0};
   MoveDynamics dynamics = command.dynamics;
   if (command.kind == Kind::move_velocity) dynamics.velocity = as_configured;
   if (const auto no = fill(dynamics, config_)) return no;
@@ -70,7 +70,7 @@ std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionS
     target = target_of(value, command.direction, from, dynamics, config_);
   const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
   if (command.kind == Kind::move_additive && aimed) target = goal_.value + shift_ + value;
-  if (!target) return Refusal{Cause::no_such_move, value, 0, 0};
+  if (!target) return Refusal{Cause::no_such_move, value, 0};
   goal = {Goal::Kind::position, *target, dynamics};
   return forbidden(*target, from.position);
 }
@@ -79,16 +79,16 @@ std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionS
 std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionState& from,
                                                  MoveDynamics dynamics, Goal& goal) const {
   const double most = dynamics.velocity;
-  if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most, 0};
+  if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most};
   const bool blocked =
       (velocity > 0 && inputs_.positive_switch) || (velocity < 0 && inputs_.negative_switch);
-  if (blocked) return Refusal{Cause::direction_blocked, velocity, 0, 0};
+  if (blocked) return Refusal{Cause::direction_blocked, velocity, 0};
   const auto limit = velocity > 0   ? config_.limits.position_max
                      : velocity < 0 ? config_.limits.position_min
                                     : std::nullopt;
   const double near = 1e-9 * most * seconds(1);
   if (limit && (*limit - from.position) * std::copysign(1.0, velocity) < near)
-    return Refusal{Cause::position_limit, from.position, *limit, 0};
+    return Refusal{Cause::position_limit, from.position, *limit};
   dynamics.velocity = std::abs(velocity);
   goal = {Goal::Kind::velocity, velocity, dynamics};
   return std::nullopt;
@@ -97,11 +97,11 @@ std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionSt
 /// Why no move may have this target.
 std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
   const auto& [low, high, v, a, j] = config_.limits;
-  if (low && target < *low) return Refusal{Cause::position_limit, target, *low, 0};
-  if (high && target > *high) return Refusal{Cause::position_limit, target, *high, 0};
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
   const bool blocked =
       (inputs_.positive_switch && target > from) || (inputs_.negative_switch && target < from);
-  return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from, 0}) : std::nullopt;
+  return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from}) : std::nullopt;
 }
 
 /// What is under way below a superimposed move, at most.
@@ -127,8 +127,8 @@ std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
   if (!end || lifting_) return std::nullopt;
   const double target = end->position + distance;
   const auto& [low, high, v, a, j] = config_.limits;
-  if (low && target < *low) return Refusal{Cause::position_limit, target, *low, 0};
-  if (high && target > *high) return Refusal{Cause::position_limit, target, *high, 0};
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
   return std::nullopt;
 }
 
@@ -140,14 +140,26 @@ void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
   if (now_.refused = fill(dynamics, left); now_.refused) return;
   if (now_.refused = ends_outside(distance); now_.refused) return;
   const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
+  const Goal goal{Goal::Kind::position, up.position + distance, dynamics};
   left.limits.position_min = left.limits.position_max = std::nullopt;
-  const auto profile = plan({up.position, up.velocity, up.acceleration},
-                            {Goal::Kind::position, up.position + distance, dynamics}, 1, left);
-  if (!profile || !keeps(*profile, left.limits)) return refuse(Cause::no_such_move, distance);
+  const Limits before = std::exchange(lift_most_, left.limits);
+  const auto profile = plan_lift(up, goal, 1);
+  if (!profile || !keeps(*profile, lift_most_)) {
+    lift_most_ = before;
+    return refuse(Cause::no_such_move, distance);
+  }
   lifting_ = true;
+  lift_rests_ = false;
   lift_ = *profile;
-  lift_dynamics_ = dynamics;
+  lift_goal_ = goal;
   lift_origin_ = now_.tick;
+}
+
+std::optional<Profile> MotionAxis::plan_lift(const Motion& from, const Goal& goal,
+                                             double factor) const {
+  AxisConfig left = config_;
+  left.limits = lift_most_;
+  return plan({from.position, from.velocity, from.acceleration}, goal, factor, left);
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
@@ -196,11 +208,24 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
   return true;
 }
 
+/// At another rate. Where it comes to rest what is superimposed becomes a part of it.
+bool MotionAxis::replan_move() {
+  const double rate = wanted_rate();
+  if (rate > 0 || (!lifting_ && shift_ == 0)) return plan_from(bare_, emitted_, goal_, rate);
+  Goal both = goal_;
+  both.value += shift_ + (lifting_ ? lift_goal_.value : 0);
+  if (!plan_from(last(), emitted_, both, rate)) return false;
+  bare_ = last();
+  lifting_ = false;
+  shift_ = 0;
+  return true;
+}
+
 /// From the last setpoint that was good, and from the tick in which it went out.
 void MotionAxis::brake(double deceleration) {
   const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
-    if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return freeze();
+    if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
     ending_ = Ending::fault;
     if (stays_inside(plan_, config_)) return;  // else harder
   }

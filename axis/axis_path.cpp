@@ -119,18 +119,28 @@ double MotionAxis::slope_to(double rate, std::int64_t tick) const {
   const double highest = std::max({1.0, clock_.highest(tick), rate});
   Peaks above;
   if (lifting_)
-    above = {lift_dynamics_.velocity,
-             std::max(lift_dynamics_.acceleration, lift_dynamics_.deceleration),
-             lift_dynamics_.jerk};
+    above = {*lift_most_.velocity, *lift_most_.acceleration, lift_most_.jerk.value_or(0)};
   return rate_slope(peaks_, config_, highest, above);
 }
 
 /// The rate has changed: the path runs at another one, a move is planned anew.
 bool MotionAxis::replan() {
-  const bool done =
-      on_path() ? change_rate(granted_rate()) : plan_from(bare_, emitted_, goal_, wanted_rate());
+  const bool done = on_path() ? replan_path() : replan_move();
   if (!done) refuse(Cause::no_such_move);
   return done;
+}
+
+/// Where the path comes to rest, so does what is superimposed on it; and goes on with it.
+bool MotionAxis::replan_path() {
+  const bool rests = wanted_rate() == 0;
+  if (!lifting_ || rests == lift_rests_) return change_rate(granted_rate());
+  const auto lift =
+      plan_lift(lift_.at(seconds(emitted_ - lift_origin_)), lift_goal_, rests ? 0 : 1);
+  if (!lift || !change_rate(granted_rate())) return false;
+  lift_ = *lift;
+  lift_origin_ = emitted_;
+  lift_rests_ = rests;
+  return true;
 }
 
 }  // namespace jounce

@@ -30,7 +30,7 @@ void MotionAxis::arm(Movement* movement) {
 /// Where what is under way will come to rest, or where a pass of it ends; nothing: nobody knows.
 std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
-  const double above = shift_ + (lifting_ ? lift_.end().position : 0);
+  const double above = shift_ + (lifting_ ? lift_goal_.value : 0);
   if (base_ == Base::move) {
     if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
     const bool there = goal_.kind == Goal::Kind::position;
@@ -70,6 +70,7 @@ void MotionAxis::start(const Command& command) {
   }
   waiting_ = true;
   accepted_ = now_.tick;
+  group_ = command.group;
   start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
   start_tick_ = std::max(command.at, now_.tick);
   start_position_ = command.position;
@@ -96,6 +97,7 @@ void MotionAxis::gear_in(const Command& command) {
   pending_ = movement;
   waiting_ = true;
   accepted_ = now_.tick;
+  group_ = 0;
   start_at_ = StartAt::tick;
   start_tick_ = std::max(command.at, now_.tick);
 }
@@ -128,8 +130,10 @@ std::optional<Moment> MotionAxis::begins_at() {
     return std::nullopt;
   }
   const double t = seconds(now_.tick - origin_);
-  auto at = active_->pass_end(moment(t));
-  if (at) at->t -= t;
+  auto at = active_->pass_end(coupled(moment(t)));
+  if (!at) return at;
+  at->t -= t;
+  at->master[0] += renamed_;
   return at;
 }
 
@@ -149,7 +153,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
   if (!moving() || pending_->course() != Course::live) return last();
   Setpoint next;
   if (start_at_ != StartAt::tick && base_ == Base::movement && !on_path()) {
-    Moment there = at;
+    Moment there = coupled(at);
     there.t += seconds(now_.tick - origin_);
     next = active_->at(there);
     if (active_->progress() == Progress::broken) no = active_->cause();
@@ -194,6 +198,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   joint_ = true;
   peaks_ = active_->peaks();
   origin_ = now_.tick;
+  renamed_ = 0;
   if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
   if (!live) {
     const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();

@@ -114,6 +114,8 @@ constexpr std::array entries{
     Entry{Cause::replaced, "replaced", "Replaced by another motion."},
     Entry{Cause::released, "released",
           "The hold-to-run command ended: the session released it, or sent no heartbeat."},
+    Entry{Cause::group_stopped, "group_stopped",
+          "Another axis of the same start was stopped, or failed."},
 };
 
 /// Whether a number broke a bound: what else is refused has neither.
@@ -144,7 +146,8 @@ std::string Refusal::text() const {
     const std::string begins = std::isnan(value) ? "" : "it begins at " + number(value) + ", ";
     return words + " (" + begins + "the axis stands at " + number(limit) + ")";
   }
-  return words + " (" + number(value) + " at " + number(where) + " s, limit " + number(limit) + ")";
+  const std::string instant = std::isnan(where) ? "" : " at " + number(where) + " s";
+  return words + " (" + number(value) + instant + ", limit " + number(limit) + ")";
 }
 
 }  // namespace jounce

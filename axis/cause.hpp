@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace jounce {
@@ -77,6 +78,7 @@ enum class Cause : std::uint8_t {
   pass_ended = 82,
   replaced = 83,
   released = 84,
+  group_stopped = 85,
 };
 
 /// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.
@@ -91,15 +93,15 @@ constexpr bool is_fault(Cause cause) {
 }
 
 /// Why a command is not obeyed or a movement not admitted, with the number, the bound it breaks,
-/// and the instant in s of local time.
+/// and the instant along the movement in s of its local time; NaN: at no known instant.
 struct Refusal {
   Cause cause = Cause::none;
   double value = 0;
   double limit = 0;
-  double where = 0;
+  double where = std::numeric_limits<double>::quiet_NaN();
 
-  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; without the numbers
-  /// where none broke a bound.
+  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; without an instant
+  /// that is not known, and without the numbers where none broke a bound.
   [[nodiscard]] std::string text() const;
 };
 

@@ -113,9 +113,9 @@ std::optional<Refusal> FifoPath::leaves(const AxisConfig& config, double from) c
   const double near = near_of(range_, from);
   const Limits& most = config.limits;
   if (most.position_max && !(highest <= *most.position_max + near))
-    return Refusal{Cause::position_limit, highest, *most.position_max, 0};
+    return Refusal{Cause::position_limit, highest, *most.position_max};
   if (most.position_min && !(lowest >= *most.position_min - near))
-    return Refusal{Cause::position_limit, lowest, *most.position_min, 0};
+    return Refusal{Cause::position_limit, lowest, *most.position_min};
   return std::nullopt;
 }
 
@@ -143,18 +143,18 @@ void FifoPath::supervise() {
 std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
                                        const MotionState& axis) const noexcept {
   if (fifos_.visible(fifos_.stream() ? 0 : first_.load()) == 0)
-    return Refusal{Cause::no_movement, 0, 1, 0};
+    return Refusal{Cause::no_movement, 0, 1};
   if (misplaced(origin_, range_, axis.position))
-    return Refusal{Cause::start_position, *origin_, axis.position, 0};
+    return Refusal{Cause::start_position, *origin_, axis.position};
   if (auto refusal = leaves(config, origin_.value_or(axis.position))) return refusal;
   const double most = *config.limits.acceleration * static_cast<double>(config.period) / 1e9;
   if (!(std::abs(axis.velocity) <= most))
-    return Refusal{Cause::start_velocity, axis.velocity, most, 0};
+    return Refusal{Cause::start_velocity, axis.velocity, most};
   const RowPeaks f = fifos_.peaks();
   if (!(f.velocity <= *config.limits.velocity * (1 + 1e-9)))
-    return Refusal{Cause::velocity_limit, f.velocity, *config.limits.velocity, 0};
+    return Refusal{Cause::velocity_limit, f.velocity, *config.limits.velocity};
   if (!(f.acceleration <= *config.limits.acceleration * (1 + 1e-9)))
-    return Refusal{Cause::acceleration_limit, f.acceleration, *config.limits.acceleration, 0};
+    return Refusal{Cause::acceleration_limit, f.acceleration, *config.limits.acceleration};
   return std::nullopt;
 }
 
@@ -220,7 +220,7 @@ FifoFollow::FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& 
 std::optional<Refusal> FifoFollow::admit(const AxisConfig& /*config*/,
                                          const MotionState& axis) const noexcept {
   if (misplaced(origin_, range_, axis.position))
-    return Refusal{Cause::start_position, *origin_, axis.position, 0};
+    return Refusal{Cause::start_position, *origin_, axis.position};
   return std::nullopt;
 }
 

@@ -24,11 +24,15 @@ struct Feedback {
 /// a position that the axis could not reach in 2^40 ticks, has failed (`drive_fault`).
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
+  /// m: what set_position of the master has added to its count so far. What is coupled goes on in the
+  /// count in which it was coupled.
+  double master_offset = 0;
   Feedback feedback = {};
   bool positive_switch = false;  ///< limit switches: the axis stands on it
   bool negative_switch = false;
   /// Rows of its queues are there up to this number; the greatest: all that were handed over.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
+  bool group_broken = false;  ///< what began together with its motion was stopped, or failed: stop
   bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
 };
 

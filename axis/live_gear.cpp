@@ -53,8 +53,8 @@ std::optional<Refusal> LiveGear::admit(const AxisConfig& config,
                                        const MotionState& /*from*/) const noexcept {
   const auto& [low, high, v, a, j] = config.limits;
   const double acceleration = std::max(spec_.acceleration, spec_.deceleration);
-  if (a && acceleration > *a) return Refusal{Cause::acceleration_limit, acceleration, *a, 0};
-  if (j && spec_.jerk > *j) return Refusal{Cause::jerk_limit, spec_.jerk, *j, 0};
+  if (a && acceleration > *a) return Refusal{Cause::acceleration_limit, acceleration, *a};
+  if (j && spec_.jerk > *j) return Refusal{Cause::jerk_limit, spec_.jerk, *j};
   return std::nullopt;
 }
 

@@ -91,6 +91,8 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
   for (const std::size_t i : order_) {
     AxisImage& image = images[i];
     image.inputs.master = master_of(i, images, masters);
+    image.inputs.master_offset = master_offset_of(i, images);
+    image.inputs.group_broken = is_broken(image.tick.group, images);
     image.tick = motion_[i].step(tick, image.command, image.inputs);
   }
 }
@@ -105,6 +107,7 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
       return masters[index];
     case Follow::What::setpoint: {
       const Tick& leader = images[index].tick;
+      if (leader.frozen) break;  // it leapt to rest: what is in step with it must not
       return {leader.position, leader.velocity, leader.acceleration, 0};
     }
     case Follow::What::actual: {
@@ -114,6 +117,18 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
     }
   }
   return lost;
+}
+
+/// In this tick, by an axis that was stepped before; or by one after it in the tick before.
+bool Machine::is_broken(std::int64_t group, std::span<const AxisImage> images) {
+  return group != 0 && std::any_of(images.begin(), images.end(), [&](const AxisImage& image) {
+           return image.tick.broken == group;
+         });
+}
+
+double Machine::master_offset_of(std::size_t axis, std::span<const AxisImage> images) const {
+  const auto [what, index] = axes_[axis].follow;
+  return what == Follow::What::setpoint ? images[index].tick.offset : 0;
 }
 
 }  // namespace jounce

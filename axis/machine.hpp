@@ -54,6 +54,12 @@ struct AxisImage {
 /// axes are stepped leaders first, and else as they were declared; images, names and messages keep
 /// the declared order. Axes whose setpoints follow each other in a ring are refused.
 ///
+/// A leader that is given another position (set_position, home) takes no follower with it. One that is frozen (an
+/// abort, a drive that let go) is lost to its followers in that tick, so they brake within their own limits.
+///
+/// **Groups**: what starts of one group have set in motion (Command::group) is stopped together. Where one axis
+/// of it is stopped or halted, fails, or cannot begin, the others stop in that tick or the next one.
+///
 /// **Masters** come in from outside as one Jet a tick each: m, m/s, m/s^2, m/s^3; NaN: lost. An axis
 /// gives its own in u. A setpoint's jerk counts as 0, an actual position's
 /// acceleration too.
@@ -80,6 +86,8 @@ class Machine {
  private:
   [[nodiscard]] Jet master_of(std::size_t axis, std::span<const AxisImage> images,
                               std::span<const Jet> masters) const;
+  [[nodiscard]] static bool is_broken(std::int64_t group, std::span<const AxisImage> images);
+  [[nodiscard]] double master_offset_of(std::size_t axis, std::span<const AxisImage> images) const;
 
   std::vector<MachineAxis> axes_;
   std::size_t masters_;

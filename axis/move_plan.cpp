@@ -11,8 +11,8 @@ namespace {
 /// One number of the dynamics against its limit; the limit where it is not given.
 std::optional<Refusal> fill(double& value, double limit, Cause cause) {
   if (std::isnan(value)) value = limit;
-  if (!(value > 0)) return Refusal{Cause::not_positive, value, 0, 0};
-  if (value > limit) return Refusal{cause, value, limit, 0};
+  if (!(value > 0)) return Refusal{Cause::not_positive, value, 0};
+  if (value > limit) return Refusal{cause, value, limit};
   return std::nullopt;
 }
 
@@ -120,6 +120,20 @@ std::optional<Profile> speed_up(const MotionState& from, const Goal& goal, const
   return move ? std::optional(move.profile) : std::nullopt;
 }
 
+/// Whether the halves of a motion meet in the middle: the first is reckoned from its start, the second back from
+/// its end (Profile::at). Where its accelerations differ by many orders of magnitude, a double has too few digits
+/// for its durations, and they do not.
+bool halves_meet(const Profile& motion, const AxisConfig& config) {
+  const double middle = motion.duration() / 2;
+  const Motion one = motion.at(std::nextafter(middle, 0));
+  const Motion other = motion.at(middle);
+  const double dt = static_cast<double>(config.period) * 1e-9;
+  const double dv = 0.01 * *config.limits.acceleration * dt;
+  const double dp = dv * dt + 1e-15 * std::abs(one.position);
+  return std::abs(other.position - one.position) <= dp &&
+         std::abs(other.velocity - one.velocity) <= dv;
+}
+
 double wanted_at_passing(double previous, double next, BufferMode mode) {
   switch (mode) {
     case BufferMode::aborting:
@@ -137,16 +151,29 @@ double wanted_at_passing(double previous, double next, BufferMode mode) {
   return std::min(previous, next);
 }
 
-/// To rest at the end of the range that it moves towards, inside the range on the way: where a stop
-/// would end outside, it turns round and comes back.
-std::optional<Profile> rest_at_limit(const MotionState& from, const MoveDynamics& d,
-                                     const AxisConfig& config) {
-  const bool up = from.velocity > 0 || (from.velocity == 0 && from.acceleration > 0);
-  const auto limit = up ? config.limits.position_max : config.limits.position_min;
+/// To rest at the end of the range that this stop leaves, inside the range on the way: it turns round and comes back.
+/// Which end that is its velocity does not show: an acceleration may still turn it round.
+std::optional<Profile> rest_at_limit(const MotionState& from, const Profile& stop,
+                                     const MoveDynamics& d, const AxisConfig& config) {
+  const auto [lowest, highest] = positions(stop);
+  const auto beyond = [](double way) { return std::max(way, 0.0); };
+  const auto& [low, high, v, a, j] = config.limits;
+  const double above = high ? beyond(highest - std::max(*high, from.position)) : 0;
+  const double below = low ? beyond(std::min(*low, from.position) - lowest) : 0;
+  const auto limit = above > below ? high : low;
   if (!limit) return std::nullopt;
   Bounds bounds = within(*config.limits.velocity, d.deceleration, d.jerk);
   keep_range(bounds, from.position, config.limits);
   const Move move = move_to(from, {*limit, 0, 0}, bounds);
+  return move ? std::optional(move.profile) : std::nullopt;
+}
+
+std::optional<Profile> to_position(const MotionState& from, const Goal& goal, const MoveDynamics& d,
+                                   double own, const AxisConfig& config) {
+  if (std::abs(goal.through) > own) return speed_up(from, goal, d, own, config);
+  Bounds bounds = towards(from, goal.value, d, own);
+  keep_range(bounds, from.position, config.limits);
+  const Move move = move_to(from, {goal.value, goal.through, 0}, bounds);
   return move ? std::optional(move.profile) : std::nullopt;
 }
 
@@ -172,16 +199,16 @@ std::optional<Refusal> fill_stop(MoveDynamics& d, const AxisConfig& config) noex
 
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept {
+  if (!(factor > 0) && goal.kind != Goal::Kind::rest) {
+    MoveDynamics own;
+    return fill(own, config) ? std::nullopt : plan(from, {Goal::Kind::rest, 0, own}, 1, config);
+  }
   MoveDynamics d = goal.dynamics;
   d.jerk = jerk_for(from, goal, config);
   const double most = *config.limits.velocity;
-  if (goal.kind == Goal::Kind::position && factor > 0) {
-    const double own = std::min(d.velocity * factor, most);
-    if (std::abs(goal.through) > own) return speed_up(from, goal, d, own, config);
-    Bounds bounds = towards(from, goal.value, d, own);
-    keep_range(bounds, from.position, config.limits);
-    const Move move = move_to(from, {goal.value, goal.through, 0}, bounds);
-    return move ? std::optional(move.profile) : std::nullopt;
+  if (goal.kind == Goal::Kind::position) {
+    const auto motion = to_position(from, goal, d, std::min(d.velocity * factor, most), config);
+    return motion && halves_meet(*motion, config) ? motion : std::nullopt;
   }
   const double velocity =
       goal.kind == Goal::Kind::velocity ? std::clamp(goal.value * factor, -most, most) : 0;
@@ -189,7 +216,7 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
       from, velocity, within(Bounds::none, change_of_velocity(from.velocity, velocity, d), d.jerk));
   if (!move) return std::nullopt;
   if (velocity != 0 || stays_inside(move.profile, config)) return move.profile;
-  const auto inside = rest_at_limit(from, d, config);
+  const auto inside = rest_at_limit(from, move.profile, d, config);
   return inside ? inside : move.profile;
 }
 

@@ -32,10 +32,11 @@ std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) no
 /// As `fill`, with the limits of a stop: its deceleration and jerk may be what the axis stops with.
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
-/// The move to the goal from any state, at `factor` times its velocity (0: to rest); the fastest
-/// that keeps the dynamics and the position range; to rest it turns round at the end of the range, if it
-/// must, and comes back to it. Nothing where there is none. While it slows down
-/// it does so with `deceleration`; an axis that has to turn round brakes with `acceleration`.
+/// The move to the goal from any state, at `factor` times its velocity; the fastest that keeps the dynamics and the
+/// position range. Nothing where there is none, or none that a double has the digits for (a deceleration of 1e-12
+/// after full speed). While it slows down it does so with `deceleration`; an axis that has to turn round brakes
+/// with `acceleration`. To rest it turns round at the end of the range, if it must, and comes back to it.
+/// Factor 0: to rest, with the limits of the axis, whatever the goal's dynamics are.
 ///
 ///     Goal goal{Goal::Kind::position, 6000, dynamics};
 ///     if (const auto profile = plan(now, goal, 1, config)) ...

@@ -175,6 +175,7 @@ void Desk::handle(const StartRequested& start) {
   start_ = {.session = start.session, .command = start.command, .movement = armed_};
   outbox_.order({.kind = Kind::start,
                  .start_at = static_cast<StartAt>(start.when),
+                 .group = start.session,
                  .at = start.tick,
                  .position = start.position},
                 {start.session, start.command, Kind::start});

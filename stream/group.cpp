@@ -12,6 +12,7 @@ namespace {
 // Why a motion ended, in the axis's numbers (docs/executor.md): it was not the table's own end.
 constexpr std::int32_t stopped = 80;
 constexpr std::int32_t halted = 81;
+constexpr std::int32_t group_stopped = 85;
 
 std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
   if (plans.size() < 2) throw InputError("axes", std::to_string(plans.size()), "must be 2 or more");
@@ -35,20 +36,19 @@ bool at_rest(const wire::Status& status) {
 /// Whether the motion of an axis at rest ended otherwise than by its table.
 bool broken(const wire::Status& status) {
   return status.state != wire::AxisState::standstill || status.last_error != 0 ||
-         status.reason == stopped || status.reason == halted;
+         status.reason == stopped || status.reason == halted || status.reason == group_stopped;
 }
 
 }  // namespace
 
-Group::Group(std::vector<StreamPlan> plans, const std::vector<std::int64_t>& sessions,
-             GroupOptions options)
+Group::Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options)
     : options_(std::move(options)) {
   plans = checked(std::move(plans));
   axes_.reserve(plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
     std::string name = plans[i].executor;
     axes_.push_back(
-        {std::move(name), Sender(std::move(plans[i]), sessions.at(i), options_.sender)});
+        {std::move(name), Sender(std::move(plans[i]), session, options_.sender)});
   }
 }
 
@@ -121,21 +121,28 @@ void Group::start() {
   for (Axis& axis : axes_) axis.sender.start_at(tick_);
 }
 
-/// All play: one that ends by anything but its table ends the others.
+/// All play: one that ends by anything but its table ends the others. The first reason is that of the axis which the
+/// executor did not stop for another one.
 void Group::watch() {
+  const auto swept = [](const Axis& axis) { return axis.status->reason == group_stopped; };
   for (Axis& axis : axes_) {
     if (axis.over || !at_rest(*axis.status) || axis.status->start != wire::StartOutcome::begun)
       continue;
     axis.over = true;
-    if (!broken(*axis.status)) continue;
-    const std::int32_t cause =
-        axis.status->last_error != 0 ? axis.status->last_error : axis.status->reason;
-    axis.sender.fail(StreamError::stopped, "the axis came to rest before its end, by cause " +
-                                               std::to_string(cause) + " (docs/executor.md)");
-    return leave(axis);
+    if (broken(*axis.status) && !swept(axis)) return leave_broken(axis);
   }
-  if (std::all_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.over; }))
-    release();
+  if (!std::all_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.over; })) return;
+  const auto first = std::find_if(axes_.begin(), axes_.end(), swept);
+  if (first != axes_.end()) return leave_broken(*first);
+  release();
+}
+
+void Group::leave_broken(Axis& axis) {
+  const wire::Status& status = *axis.status;
+  const std::int32_t cause = status.last_error != 0 ? status.last_error : status.reason;
+  axis.sender.fail(StreamError::stopped, "the axis came to rest before its end, by cause " +
+                                             std::to_string(cause) + " (docs/executor.md)");
+  leave(axis);
 }
 
 /// One has failed: the others are released where nothing can move yet, or else stopped.
@@ -199,13 +206,11 @@ std::vector<StreamOutcome> Group::outcomes() const {
 std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan> plans,
                                         const GroupOptions& group, const StreamOptions& options,
                                         const Clock& clock) {
-  std::vector<std::int64_t> sessions;
   for (const StreamPlan& plan : plans) {
-    sessions.push_back(random_id());
     link.subscribe(wire::channel(plan.executor, wire::Lane::reply), queue_capacity);
     link.subscribe(wire::channel(plan.executor, wire::Lane::status), queue_capacity);
   }
-  Group all(std::move(plans), sessions, group);
+  Group all(std::move(plans), random_id(), group);
   Rejects rejects;
   bool cancelled = false;
   for (const Nanos begin = clock();;) {

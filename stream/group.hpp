@@ -20,7 +20,7 @@ struct GroupOptions {
 
 /// Several axes of one machine as one: a pure state machine over a Sender each, without thread, clock or link.
 ///
-///     Group group({plan_of("x"), plan_of("y")}, {11, 12});
+///     Group group({plan_of("x"), plan_of("y")}, 11);
 ///     while (!group.ended()) {
 ///       for (const auto& message : group.poll(now)) ...   // to be sent; calls every ms
 ///       group.receive(message, now);                      // replies and statuses of all axes
@@ -28,12 +28,12 @@ struct GroupOptions {
 ///
 /// All are downloaded and armed. Where one refuses, none starts, and each outcome has its own reason.
 /// They start at one tick, which they count alike: axes of different machines are refused. Where one
-/// cannot start then, stops while it plays, or fails, the others are stopped.
+/// cannot start then, stops while it plays, or fails, the others are stopped: by the executor, in that cycle or
+/// the next one, because one session has started them; and by the group, where it runs on (an older executor).
 class Group {
  public:
-  /// One session a plan. Throws InputError as Sender does, and for fewer than 2 plans or one name twice.
-  Group(std::vector<StreamPlan> plans, const std::vector<std::int64_t>& sessions,
-        GroupOptions options = {});
+  /// Throws InputError as Sender does, and for fewer than 2 plans or one name twice.
+  Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options = {});
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   void receive(const wire::Message& message, Nanos now);
@@ -66,6 +66,7 @@ class Group {
   [[nodiscard]] bool all_at_goal() const;
   [[nodiscard]] const Axis* failed() const;
   void leave(const Axis& because);
+  void leave_broken(Axis& axis);
   void release();
 
   GroupOptions options_;

@@ -31,6 +31,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("direction", c.command.direction, w.direction);
   f("buffer", c.command.buffer, w.buffer);
   for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
+  f("live_master_offset", c.inputs.master_offset, w.live_master_offset);
   f("drive_position", c.inputs.feedback.position, w.drive_position);
   f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
   f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
@@ -38,6 +39,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("drive_fault", c.inputs.feedback.fault, w.drive_fault);
   f("positive_switch", c.inputs.positive_switch, w.positive_switch);
   f("negative_switch", c.inputs.negative_switch, w.negative_switch);
+  f("group_broken", c.inputs.group_broken, w.group_broken);
   f("watchdog", c.inputs.watchdog, w.watchdog);
   f("rows", c.inputs.rows, w.rows);
 }

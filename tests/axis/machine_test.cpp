@@ -1,10 +1,14 @@
 #include "jounce/axis/machine.hpp"
 
+#include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "jounce/axis/live_gear.hpp"
 
 #include "axis/tables.hpp"
 #include "support/errors.hpp"
@@ -107,6 +111,112 @@ TEST(Machine, HandsItsMastersOnAndNoneToWhoFollowsNothing) {
   rig.step(masters);
   EXPECT_EQ(rig.images[1].inputs.master, masters[1]);
   EXPECT_TRUE(std::isnan(rig.images[0].inputs.master[0]));
+}
+
+TEST(Machine, WhatBeganTogetherStopsTogether) {
+  for (const std::size_t first : {0U, 1U})
+    for (const Kind how : {Kind::stop, Kind::halt, Kind::abort, Kind::disable}) {
+      std::vector<std::unique_ptr<Job>> jobs;
+      Rig rig({axis("a"), axis("b"), axis("c")});
+      for (const std::size_t i : {0U, 1U, 2U}) {
+        jobs.push_back(std::make_unique<Job>(i + 1, trapezoid_table(50, 4, 10, 10)));
+        rig.tell(i, {.kind = Kind::enable});
+        rig.tell(i, {.kind = Kind::arm, .movement = jobs.back().get()});
+        rig.tell(i, {.kind = Kind::start, .group = i < 2 ? 7 : 8, .at = 300});
+      }
+      for (int k = 0; k < 500; ++k) rig.step();
+      EXPECT_EQ(rig.images[first].tick.group, 7);
+      rig.tell(first, {.kind = how});
+      rig.step();
+      EXPECT_EQ(rig.images[1 - first].tick.state, State::stopping);
+      EXPECT_EQ(rig.images[2].tick.state, State::discrete_motion) << "of another group";
+      for (int k = 0; k < 1000; ++k) rig.step();
+      EXPECT_EQ(rig.images[1 - first].tick.reason, Cause::group_stopped);
+      EXPECT_EQ(rig.images[1 - first].tick.state, State::standstill);
+    }
+}
+
+TEST(Machine, WhatShouldBeginTogetherDoesNotBeginAlone) {
+  Job jobs[] = {Job(1, trapezoid_table(50, 4, 10, 10)), Job(2, trapezoid_table(50, 4, 10, 10))};
+  Rig rig({axis("a"), axis("b")});
+  for (const std::size_t i : {0U, 1U}) {
+    rig.tell(i, {.kind = Kind::enable});
+    rig.tell(i, {.kind = Kind::arm, .movement = &jobs[i]});
+    rig.tell(i, {.kind = Kind::start, .group = 7, .at = 300});
+  }
+  rig.tell(1, {.kind = Kind::stop});
+  rig.step();
+  ASSERT_TRUE(rig.images[0].tick.dropped);
+  EXPECT_EQ(rig.images[0].tick.dropped->cause, Cause::group_stopped);
+  for (int k = 0; k < 500; ++k) rig.step();
+  EXPECT_EQ(rig.images[0].tick.position, 0);
+}
+
+/// A leader and a slave that runs with twice its velocity.
+struct InGear : Rig {
+  InGear() : Rig({wide("leader"), wide("slave", setpoint_of(0))}) {
+    for (const std::size_t i : {0U, 1U}) tell(i, {.kind = Kind::enable});
+    tell(1, {.kind = Kind::gear_in, .movement = &gear});
+  }
+  static MachineAxis wide(std::string name, Follow follow = {}) {
+    return {.name = std::move(name), .config = {.limits = limits(1000, 1e4)}, .follow = follow};
+  }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) step();
+  }
+  [[nodiscard]] const Tick& leader() const { return images[0].tick; }
+  [[nodiscard]] const Tick& slave() const { return images[1].tick; }
+  LiveGear gear{1, {.numerator = 2, .denominator = 1, .acceleration = 1e4, .deceleration = 1e4}};
+};
+
+TEST(Machine, ALeaderWithAnotherNameForItsPositionTakesNoFollowerWithIt) {
+  InGear machine;
+  machine.run(10);
+  const double before = machine.slave().position;
+  machine.tell(0, {.kind = Kind::set_position, .position = 250});
+  ASSERT_FALSE(machine.leader().refused);
+  EXPECT_EQ(machine.slave().position, before);
+  EXPECT_EQ(machine.slave().master, 250) << "it sees the name";
+  machine.tell(0, {.kind = Kind::move_relative, .position = 10});
+  machine.run(500);
+  EXPECT_EQ(machine.leader().position, 260);
+  EXPECT_NEAR(machine.slave().position, before + 20, 1e-9);
+  EXPECT_EQ(machine.slave().state, State::synchronized_motion);
+  EXPECT_EQ(machine.slave().fault, Cause::none);
+}
+
+TEST(Machine, ALeaderWithAnotherNameForItsPositionPassesNoStart) {
+  InGear machine;
+  LiveGear next{2, {.numerator = 1, .denominator = 1, .acceleration = 1e4, .deceleration = 1e4}};
+  machine.tell(1, {.kind = Kind::arm, .movement = &next});
+  machine.tell(1, {.kind = Kind::start, .start_at = StartAt::master_position, .position = 100});
+  machine.tell(0, {.kind = Kind::set_position, .position = 250});
+  machine.run(5);
+  EXPECT_EQ(machine.slave().job, 1U);
+  machine.tell(0, {.kind = Kind::move_relative, .position = -200, .dynamics = {.velocity = 100}});
+  machine.run(2500);
+  EXPECT_EQ(machine.slave().job, 2U) << "that passes it";
+}
+
+TEST(Machine, AFollowerOfAFrozenLeaderBrakesWithinItsOwnLimits) {
+  InGear machine;
+  machine.tell(0, {.kind = Kind::move_velocity, .position = 100});
+  machine.run(200);
+  EXPECT_EQ(machine.slave().velocity, 200);
+  machine.tell(0, {.kind = Kind::abort});
+  EXPECT_EQ(machine.leader().velocity, 0);
+  EXPECT_TRUE(machine.leader().frozen);
+  EXPECT_EQ(machine.slave().fault, Cause::master_lost);
+  Tick before = machine.slave();
+  for (int i = 0; i < 50; ++i) {
+    machine.step();
+    const Tick& now = machine.slave();
+    ASSERT_LE(std::abs(now.velocity - before.velocity), 20 * (1 + 1e-9));
+    ASSERT_NEAR(now.position - before.position, 5e-4 * (now.velocity + before.velocity), 5.1e-3);
+    before = now;
+  }
+  EXPECT_EQ(before.velocity, 0);
+  EXPECT_FALSE(machine.leader().frozen);
 }
 
 std::string refused(std::vector<MachineAxis> axes) {

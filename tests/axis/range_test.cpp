@@ -44,6 +44,22 @@ struct Watched : Bench {
   double low = INFINITY, high = -INFINITY;
 };
 
+// It moves down, but an acceleration upwards that only the jerk can end turns it round beyond the upper end: the
+// stop comes back to that end. It went to the lower one, at full speed.
+TEST(Range, AStopThatIsTurnedRoundRestsAtTheEndThatItPasses) {
+  for (const double sign : {1.0, -1.0}) {
+    const AxisConfig config = resolved(between(-300, 300, limits(500, 5000, 5e4)));
+    MoveDynamics dynamics;
+    ASSERT_FALSE(fill_stop(dynamics, config));
+    const MotionState from{sign * 299.32, sign * -20, sign * 3000};
+    const auto stop = plan(from, {Goal::Kind::rest, 0, dynamics}, 1, config);
+    ASSERT_TRUE(stop);
+    EXPECT_NEAR(stop->end().position, sign * 300, 1e-9);
+    const auto [low, high] = positions(*stop);
+    EXPECT_LT(high - low, 1);
+  }
+}
+
 // Issue 17, B2: it rested at 307.25.
 TEST(Range, AMoveBlendsIntoAJogOnlyAsFastAsTheAxisCanStopInside) {
   for (const Limits& limits : {trapezoids, curves})

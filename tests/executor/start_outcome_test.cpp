@@ -1,6 +1,8 @@
 // What becomes of a start that is accepted for later, and of several axes that start as one: from the
 // streamer through an executor to the axis, on a virtual clock.
 
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,8 +42,7 @@ StreamPlan at_460(const TablePtr& cam, const CouplingSpec& coupling = {}) {
 }
 
 StreamPlan jog() {
-  return {.executor = "line",
-          .tables = {{*constant_master(2000, 200), {"s", "mm"}}}};
+  return {.executor = "line", .tables = {{*constant_master(2000, 200), {"s", "mm"}}}};
 }
 
 TEST(StartOutcome, AStartAtAMasterPositionIsAwaitedAndJudgedThere) {
@@ -188,6 +189,32 @@ TEST(Group, AStopOfOneStopsTheOther) {
     EXPECT_EQ(site.last(i).state, State::standstill);
     EXPECT_LT(site.last(i).position, 60) << "of 200";
   }
+}
+
+// Nothing watches any more: it is the executor that stops the other one.
+TEST(Group, TheExecutorStopsTheOthersItself) {
+  for (const char* const first : {"x", "y"})
+    for (const auto mode : {wire::StopMode::stop, wire::StopMode::abort}) {
+      Site site(x_and_y());
+      const TablePtr slow = trapezoid_table(200, 50, 1000, 1000);
+      for (const auto& outcome :
+           stream_group(site.link, both(slow, slow), {.watch = false}, {}, site.clock))
+        ASSERT_TRUE(outcome.ok()) << outcome.reason;
+      std::int64_t ended[2] = {0, 0};
+      site.after = [&] {
+        for (const std::size_t i : {0, 1})
+          if (ended[i] == 0 && site.last(i).state != State::discrete_motion)
+            ended[i] = site.last(i).tick;
+      };
+      ASSERT_TRUE(operator_stop(site.link, first, mode, 2s, site.clock));
+      site.advance(500ms);
+      EXPECT_GT(ended[0], 0);
+      EXPECT_LE(std::abs(ended[0] - ended[1]), 1);
+      const std::size_t other = first[0] == 'x' ? 1 : 0;
+      EXPECT_EQ(site.last(other).state, State::standstill);
+      EXPECT_EQ(site.last(other).reason, Cause::group_stopped);
+      EXPECT_EQ(site.last(other).stopped, 1U);
+    }
 }
 
 TEST(Group, ATickThatIsOverStartsNone) {

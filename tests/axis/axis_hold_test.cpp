@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/axis.hpp"
+
+#include "axis/tables.hpp"
+
+// A hold brings everything to rest in the time of a halt, whatever the motion under way asked for.
+
+namespace jounce {
+namespace {
+
+using namespace test;
+
+const AxisConfig wide{.limits = limits(1000, 1e4)};
+
+struct Held : Bench {
+  explicit Held(const AxisConfig& config = wide) : Bench(config) { tell(Kind::enable); }
+
+  /// Ticks until it rests, at most 5000.
+  int rest() {
+    int ticks = 0;
+    for (last = step(); last.velocity != 0 && ticks < 5000; ++ticks) {
+      const Tick now = step();
+      most = std::max(most, std::abs(now.velocity - last.velocity) * 1e3);
+      last = now;
+    }
+    return ticks;
+  }
+  Tick last;
+  double most = 0;  // u/s^2
+};
+
+TEST(AxisHold, BrakesWithTheLimitsOfTheAxisWhateverItsMoveAskedFor) {
+  Held axis;
+  axis.step({.kind = Kind::move_velocity, .position = 100, .dynamics = {.deceleration = 1e-9}});
+  axis.run(50);
+  axis.tell(Kind::hold);
+  EXPECT_LE(axis.rest(), 10);  // 100 u/s by 1e4 u/s^2
+  EXPECT_LE(axis.most, 1e4 * (1 + 1e-9));
+  axis.tell(Kind::resume);
+  EXPECT_EQ(axis.run(50).velocity, 100);
+  axis.step({.kind = Kind::override_, .factor = 0});
+  EXPECT_LE(axis.rest(), 10) << "an override of 0 is the same";
+}
+
+TEST(AxisHold, OfAMoveTakesWhatIsSuperimposedWithItAndResumesToTheTargetOfBoth) {
+  Held axis;
+  axis.step({.kind = Kind::move_absolute,
+             .position = 100,
+             .dynamics = {.velocity = 100, .acceleration = 5000, .deceleration = 5000}});
+  axis.run(100);
+  axis.step({.kind = Kind::move_superimposed,
+             .position = 50,
+             .dynamics = {.velocity = 20, .deceleration = 10}});
+  EXPECT_GT(axis.run(50).velocity, 110);
+  axis.tell(Kind::hold);
+  EXPECT_LE(axis.rest(), 15);
+  EXPECT_LE(axis.most, 1e4 * (1 + 1e-9));
+  const double stands = axis.last.position;
+  EXPECT_EQ(axis.run(1000).position, stands);
+  axis.tell(Kind::resume);
+  EXPECT_EQ(axis.run(3000).position, 150);
+}
+
+TEST(AxisHold, OfAPathTakesWhatIsSuperimposedWithItAndGoesOnWithIt) {
+  Held axis;
+  Job job(1, trapezoid_table(200, 100, 1000, 1000));
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(500);
+  axis.step({.kind = Kind::move_superimposed,
+             .position = 50,
+             .dynamics = {.velocity = 20, .deceleration = 10}});
+  EXPECT_GT(axis.run(100).velocity, 110);
+  axis.tell(Kind::hold);
+  EXPECT_LE(axis.rest(), 30);
+  EXPECT_LE(axis.most, 2e4 * (1 + 1e-9)) << "within the stop limits";
+  const double stands = axis.last.position;
+  EXPECT_EQ(axis.run(1000).position, stands);
+  EXPECT_EQ(axis.last.job, 1U);
+  EXPECT_FALSE(axis.tell(Kind::resume).refused);
+  EXPECT_NEAR(axis.run(30'000).position, 250, 1e-9);
+  EXPECT_EQ(axis.axis.state(), State::standstill);
+}
+
+TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
+  Held axis;
+  Job job(1, trapezoid_table(10, 100, 5000, 5000));
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(105);
+  axis.step({.kind = Kind::move_superimposed,
+             .position = 50,
+             .dynamics = {.velocity = 20, .deceleration = 10}});
+  axis.run(12);
+  axis.tell(Kind::hold);
+  axis.rest();
+  const double stands = axis.last.position;
+  EXPECT_LT(stands, 30);
+  EXPECT_EQ(axis.run(1000).position, stands);
+  axis.tell(Kind::resume);
+  EXPECT_NEAR(axis.run(30'000).position, 60, 1e-9);
+}
+
+// The way back from beyond the target would take a day at 1e-9 u/s; the planner's durations have no digits
+// for it, and its motion leapt by 122 u in the middle.
+TEST(AxisMoves, AMoveThatNoDoubleHasTheDigitsForIsRefused) {
+  Held axis({.limits = limits(1000, 1e4, 1e6)});
+  axis.step({.kind = Kind::move_velocity, .position = 400});
+  Tick last = axis.run(200);
+  const Command far{.kind = Kind::move_relative,
+                    .position = 2,
+                    .dynamics = {.velocity = 500, .deceleration = 2e-14}};
+  const Tick now = axis.step(far);
+  EXPECT_EQ(refusal(now), Cause::no_such_move);
+  EXPECT_EQ(now.velocity, 400) << "the jog goes on";
+  axis.step({.kind = Kind::halt});
+  for (last = axis.step(); last.state != State::standstill; last = axis.step())
+    ASSERT_LT(axis.tick, 1000);
+  Command near = far;
+  near.dynamics.deceleration = 1e-6;
+  EXPECT_FALSE(axis.step(near).refused) << "from rest it is only as fast as it can brake";
+}
+
+// Let go of the jog to one side, an operator presses that to the other one.
+TEST(AxisHold, AfterAReleaseTheNextMotionBeginsAtOnceAndAfterAStopNone) {
+  const Command back{.kind = Kind::move_velocity, .position = -100};
+  for (const bool stops : {false, true}) {
+    Held axis;
+    axis.step({.kind = Kind::move_velocity, .position = 500});
+    axis.run(100);
+    axis.tell(Kind::release);
+    EXPECT_EQ(axis.run(3).state, State::stopping);
+    if (stops) axis.tell(Kind::stop);
+    const Tick now = axis.step(back);
+    EXPECT_EQ(refusal(now), stops ? Cause::stopping : Cause::none);
+    axis.run(200);
+    EXPECT_EQ(axis.step().velocity, stops ? 0 : -100);
+    EXPECT_EQ(axis.step().reason, stops ? Cause::stopped : Cause::replaced);
+  }
+}
+
+}  // namespace
+}  // namespace jounce
