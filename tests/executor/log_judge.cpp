@@ -15,9 +15,17 @@ struct Line {
   std::int64_t tick = 0;
   std::string_view state{};
   double p = 0, v = 0, a = 0;
-  bool path = false;  // a table, a stream or a coupling is played
-  bool fault = false;
+  bool path = false;         // a table, a stream or a coupling is played
+  std::string_view fault{};  // "none", or why the axis is in error
+  [[nodiscard]] bool failed() const { return fault != "none"; }
 };
+
+/// The setpoint stays where it is: nothing brakes it.
+bool freezes(std::string_view fault) {
+  constexpr std::string_view some[] = {"aborted",     "disabled_in_motion", "following_error",
+                                       "drive_fault", "drive_not_ready",    "stalled"};
+  return std::find(std::begin(some), std::end(some), fault) != std::end(some);
+}
 
 double number(std::string_view text) {
   double value = 0;
@@ -38,16 +46,39 @@ Line line_of(std::string_view text) {
           number(cells[6]),
           number(cells[7]),
           cells[8] != "0",
-          cells[9] != "none"};
+          cells[9]};
 }
+
+/// The lines of a log, without its head.
+class Lines {
+ public:
+  explicit Lines(const std::string& csv) : rest_(csv) { static_cast<void>(text()); }
+
+  std::optional<Line> next() {
+    const std::string_view line = text();
+    return line.empty() ? std::nullopt : std::optional(line_of(line));
+  }
+
+ private:
+  std::string_view text() {
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    return line;
+  }
+  std::string_view rest_;
+};
 
 class Judge {
  public:
-  Judge(const Bounds& bounds, const std::vector<Accepted>& orders)
-      : bounds_(bounds), orders_(orders) {}
+  Judge(const Bounds& bounds, const std::vector<Accepted>& orders, const std::string& leader)
+      : bounds_(bounds), orders_(orders), leader_(leader) {}
 
   void take(const Line& now) {
     obey(now);
+    follow(now);
+    frozen_ =
+        begun_ && now.failed() && (last_.failed() ? may_freeze_ && now.v == 0 : freezes(now.fault));
     if (begun_) {
       place(now);
       within_limits(now);
@@ -74,15 +105,16 @@ class Judge {
 
   /// What the orders that have been answered by now allow, and what they demand.
   void obey(const Line& now) {
-    placed_ = false;
+    placed_ = may_freeze_ = false;
     for (; next_ < orders_.size() && orders_[next_].sent <= now.tick; ++next_)
       open_.push_back(&orders_[next_]);
     for (const Accepted*& order : open_) {
       if (order == nullptr) continue;
-      const bool done = now.tick == order->answered + 1;
+      const bool done = now.tick > order->answered;  // or in a tick that was left out
       words_ = order->words;
       if (order->what == What::places) placed_ = true;
       if (order->what == What::moves) begin(*order);
+      if (order->what == What::disables || order->aborts) may_freeze_ = true;
       if (!done) continue;
       if (order->what == What::rests) demand_rest(now, *order);
       if (order->what == What::stops) demand_stop(now, order->words);
@@ -91,7 +123,18 @@ class Judge {
     std::erase_if(open_, [&](const Accepted* order) {
       return order == nullptr || now.tick > order->answered;
     });
-    if (now.fault && !last_.fault) demand_stop(now, "fault");
+    if (now.failed() && !last_.failed()) demand_stop(now, "fault");
+  }
+
+  /// By how much the leader's acceleration changes up to this tick.
+  void follow(const Line& now) {
+    const double before = master_.a;
+    while (master_.tick < now.tick)
+      if (const auto next = leader_.next())
+        master_ = *next;
+      else
+        break;
+    master_step_ = std::abs(master_.a - before);
   }
 
   /// What was accepted before it and waits for its tick is void.
@@ -104,23 +147,36 @@ class Judge {
   void begin(const Accepted& order) {
     licensed_ = true;
     rest_by_.reset();
-    gentle_a_ = std::min(gentle_a_, given(order.acceleration, bounds_.acceleration));
-    gentle_j_ = std::min(gentle_j_, given(order.jerk, bounds_.jerk.value_or(HUGE_VAL)));
+    ratio_ = std::max(ratio_, order.ratio);
   }
 
   static double given(double value, double limit) { return value > 0 ? value : limit; }
 
   void demand_stop(const Line& now, const std::string& by) {
     demanded_by_ = by;
+    stops_ = true;
     const double jerk = bounds_.jerk ? bounds_.stop_jerk : HUGE_VAL;
     demand(now, bounds_.stop_acceleration, jerk);
   }
 
-  /// What is held brakes as the gentlest of the motions that it may consist of.
+  /// No other motion may have begun after it. Of orders that overlap, who came first is not known.
+  [[nodiscard]] bool last_of_motions(const Accepted& order) const {
+    const auto sent = orders_.begin() + static_cast<std::ptrdiff_t>(next_);
+    return std::none_of(orders_.begin(), sent, [&](const Accepted& other) {
+      return &other != &order && (other.what == What::moves || other.what == What::rests) &&
+             other.answered > order.sent;
+    });
+  }
+
   void demand_rest(const Line& now, const Accepted& order) {
+    if (!last_of_motions(order)) {
+      if (!stops_) rest_by_.reset();
+      return;
+    }
+    stops_ = false;
     demanded_by_ = order.words;
-    demand(now, std::min(gentle_a_, given(order.acceleration, bounds_.acceleration)),
-           std::min(gentle_j_, given(order.jerk, bounds_.jerk.value_or(HUGE_VAL))));
+    demand(now, given(order.acceleration, bounds_.acceleration),
+           given(order.jerk, bounds_.jerk.value_or(HUGE_VAL)));
   }
 
   /// First the acceleration must end, then the velocity, and the braking too.
@@ -131,7 +187,9 @@ class Judge {
     if (now.path || last_.path) time = std::max(time, bounds_.path_stop_time);
     constexpr double longest = 1e6;  // s: an order may ask for as little as it likes
     time = std::min(1.01 * time, longest);
-    rest_by_ = now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + 3;
+    // A fault in a late cycle begins where the tick before it was.
+    const std::int64_t late = now.tick - last_.tick - 1;
+    rest_by_ = now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + 3 + late;
   }
 
   void place(const Line& now) {
@@ -151,25 +209,32 @@ class Judge {
     const double rounding = 1e-6;
     // An acceleration that a fault ends goes down by the jerk of a stop: meanwhile the velocity rises.
     const double a = bounds_.stop_acceleration;
-    const bool rises = now.fault && bounds_.jerk;
+    const bool rises = now.failed() && bounds_.jerk;
     const double fastest = bounds_.velocity + (rises ? a * a / (2 * bounds_.stop_jerk) : 0);
     if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding) find(now, "velocity", now.v, fastest);
-    if (now.fault || last_.fault) return;
-    const bool stop_limits = now.state == "stopping" || now.path || last_.path;
+    if (frozen_) return;
+    const bool stop_limits =
+        now.state == "stopping" || now.path || last_.path || now.failed() || last_.failed();
     const double most = stop_limits ? bounds_.stop_acceleration : bounds_.acceleration;
     // What leaves a live master or a path may begin above its own limit; it must come down.
     const double highest = std::max(most, std::abs(last_.a));
     if (std::abs(now.a) > highest * (1 + 1e-9) + rounding) find(now, "acceleration", now.a, most);
-    if (!bounds_.jerk || (bounds_.follows && (now.path || last_.path))) return;
+    if (!bounds_.jerk) return;
     const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
     const double jerk = (now.a - last_.a) / dt;
-    if (std::abs(jerk) > bounds_.stop_jerk * (1 + 1e-6) + 1e-6 * bounds_.stop_jerk)
-      find(now, "jerk", jerk, bounds_.stop_jerk);
+    const bool coupled = now.state == "synchronized_motion" || last_.state == "synchronized_motion";
+    const double masters = coupled && master_step_ > 0 ? ratio_ * master_step_ / dt : 0;
+    if (std::abs(jerk) > (bounds_.stop_jerk + masters) * (1 + 2e-6))
+      find(now, "jerk", jerk, bounds_.stop_jerk + masters);
   }
 
   /// Position and velocity are what the velocity and the acceleration make of those before.
   void together(const Line& now) {
-    if (placed_ || now.fault || last_.fault) return;
+    if (placed_) return;
+    if (frozen_) {
+      if (now.v != 0 || now.p != last_.p) find(now, "a frozen setpoint moves", now.p, last_.p);
+      return;
+    }
     const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
     const double most = std::max(bounds_.stop_acceleration, bounds_.acceleration);
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
@@ -185,14 +250,15 @@ class Judge {
     const bool moves = std::abs(now.v) > 1e-9 * bounds_.velocity ||
                        (!placed_ && step > 1e-9 * std::max(1.0, std::abs(now.p)));
     if (now.state == "disabled" && moves) find(now, "moves while disabled", now.v, 0);
-    if (rest_by_ && now.tick > *rest_by_ && moves) {
+    // What it did in ticks that were left out is not known.
+    const bool late = rest_by_ && (now.v != 0 ? now.tick : last_.tick) > *rest_by_;
+    if (late && moves) {
       words_ = demanded_by_ + " until tick " + std::to_string(*rest_by_) + "; " + words_;
       find(now, "not at rest in the time of its stop", now.v, 0);
       rest_by_.reset();
     }
-    if (moves && !moved_ && !licensed_ && !now.fault)
+    if (moves && !moved_ && !licensed_ && !now.failed())
       find(now, "begins to move without an order", now.v, 0);
-    if (!moves && now.state == "standstill") gentle_a_ = gentle_j_ = HUGE_VAL;
     moved_ = moves;
   }
 
@@ -207,25 +273,23 @@ class Judge {
   bool placed_ = false;
   bool moved_ = false;
   bool licensed_ = false;
-  double gentle_a_ = HUGE_VAL;
-  double gentle_j_ = HUGE_VAL;
+  bool frozen_ = false;  // in this tick
+  bool may_freeze_ = false;
+  bool stops_ = false;  // what it must rest for is a stop or a fault
+  double ratio_ = 0;               // the greatest of the gears so far
+  Lines leader_;
+  Line master_;             // of this tick
+  double master_step_ = 0;  // u/s^2
   std::optional<std::int64_t> rest_by_;
 };
 
 }  // namespace
 
 std::vector<std::string> judged(const std::string& csv, const Bounds& bounds,
-                                const std::vector<Accepted>& orders) {
-  Judge judge(bounds, orders);
-  std::string_view rest(csv);
-  bool head = true;
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (!head) judge.take(line_of(line));
-    head = false;
-  }
+                                const std::vector<Accepted>& orders, const std::string& leader) {
+  Judge judge(bounds, orders, leader);
+  Lines lines(csv);
+  while (const auto line = lines.next()) judge.take(*line);
   return judge.findings;
 }
 

@@ -17,7 +17,6 @@ struct Bounds {
   std::optional<double> lowest{}, highest{};
   double path_stop_time = 0;  ///< s: how long a stop on one of the axis's paths may take
   double period = 1e-3;       ///< s
-  bool follows = false;       ///< a live master: what is coupled has the master's jerk
 };
 
 /// An order that the axis has accepted; it took effect in one of the ticks `sent` to `answered` + 1.
@@ -35,6 +34,9 @@ struct Accepted {
   std::int64_t answered = 0;
   double acceleration = 0;  ///< that were asked for; 0: the axis's limit
   double jerk = 0;
+  /// Of a gear, which multiplies its master's jerk; infinite: of a curve over its master.
+  double ratio = 0;
+  bool aborts = false;  ///< a stop that may freeze the setpoint
   std::string words{};
 };
 
@@ -42,11 +44,15 @@ struct Accepted {
 /// of its own: shares no code with the axis, its planner, or the reader of logs.
 ///
 /// - position: within the range; from outside it (set_position) never farther out;
-/// - velocity, acceleration, jerk: within the limits, of a stop within those of a stop; and position,
-///   velocity and acceleration belong together from tick to tick;
-/// - after a stop, a halt, a jog of 0 or a fault: at rest in the time that its limits allow;
+/// - velocity, acceleration, jerk: within the limits; of a stop, of a coupling and after a fault within those of a
+///   stop. A coupling adds its master's jerk, times its ratio, from `leader`, the log of the axis that it follows.
+///   Position, velocity and acceleration belong together from tick to tick, also where ticks are left out;
+/// - a fault that freezes the setpoint (an abort, a drive that is switched off, a cycle that is too late) leaves it where
+///   it was, at velocity 0;
+/// - after a stop, a halt, a hold, a jog of 0 or a fault: at rest in the time that its limits allow;
 /// - disabled: nothing moves; at rest: nothing begins to move that no order asked to.
 std::vector<std::string> judged(const std::string& csv, const Bounds& bounds,
-                                const std::vector<Accepted>& orders);
+                                const std::vector<Accepted>& orders,
+                                const std::string& leader = {});
 
 }  // namespace jounce::test
