@@ -80,6 +80,10 @@ MotionState acceleration_inside(const MotionState& from, const Bounds& b,
   return s;
 }
 
+int runs_out(const MotionState& s, const Bounds& b) noexcept {
+  return violated(s, b, natural_velocity(s, b));
+}
+
 MotionState begin_inside(const MotionState& from, const Bounds& b, Profile& profile) noexcept {
   const MotionState s = acceleration_inside(from, b, profile);
   const double n = natural_velocity(s, b);

@@ -18,6 +18,9 @@ double natural_velocity(const MotionState& s, const Bounds& bounds) noexcept;
 MotionState acceleration_inside(const MotionState& from, const Bounds& bounds,
                                 Profile& profile) noexcept;
 
+/// Which velocity limit a state will pass whatever is done: 1 the upper, -1 the lower, 0 none.
+int runs_out(const MotionState& s, const Bounds& bounds) noexcept;
+
 /// Appends the beginning that all motions from a start outside the bounds share, and returns the
 /// state after it. From there the bounds hold for all motions whose peak velocity lies inside.
 MotionState begin_inside(const MotionState& from, const Bounds& bounds, Profile& profile) noexcept;

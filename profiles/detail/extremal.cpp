@@ -103,8 +103,11 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   // Below zero it is the other direction's limit that counts, which an end keeps.
   if (sign < 0 || square_of_z < other.limit * other.limit) {
     z = sign * root(square_of_z);
-    if (sign > 0) z = std::max(z, other.s);
     e.fall = (z * s < 0 ? more / (z - s) : z + s) * ijd_;
+    if (sign > 0 && z < other.s) {
+      z = other.s;
+      e.fall = (z + s) * ijd_;
+    }
   } else {
     z = other.limit;
     squares = (other.limit - other.s) * (other.limit + other.s);
@@ -206,7 +209,6 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
       const double r = q_ > 0 ? q_ / x : 0;
       e.z[hi] = (x - r) / 2;
       e.z[1 - hi] = (x + r) / 2;
-      for (std::size_t i = 0; i < 2; ++i) e.z[i] = std::max(e.z[i], half_[i].s);
       e.vp = half_[hi].c + k_ * square(e.z[hi]) / 2;
       e.fall = x * ijd_;
       break;
@@ -233,9 +235,14 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   const bool cruises = e.cruise > 0;
+  double fall = e.fall;
+  // A rise that rounding made negative is left out: the fall makes up for it, so that the acceleration
+  // ends where it should.
+  if (std::min(e.rise[0], e.rise[1]) < 0)
+    fall -= (std::min(e.rise[0], 0.0) + std::min(e.rise[1], 0.0)) * ijd_ / ijp_;
   return {e.rise[0],
           e.hold[0],
-          cruises ? e.z[0] * ijd_ : e.fall,
+          cruises ? e.z[0] * ijd_ : fall,
           e.cruise,
           cruises ? e.z[1] * ijd_ : 0,
           e.hold[1],

@@ -16,7 +16,7 @@
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
-// unless S is small beside s1 and s2: then z1 - z2 = (z1^2 - z2^2)/S has its digits.
+// unless s1 + s2 <= 0: then the rises take as long as whole ramps do, and keep their digits.
 // While one half holds z = L, x of the other runs, and dT/dx = k jp (1 + z/L).
 //
 // **jd is the small one.** Digits are lost only where the acceleration keeps its sign: one half holds
@@ -28,19 +28,14 @@ namespace jounce::detail {
 
 bool Extremals::is_timed(const Stretch& p) const noexcept {
   if (p.held == Stretch::Held::one) return rises_slowly_ || (falls_slowly_ && p.hi <= 0);
-  // Below a sum that is small, the rises take as long as whole ramps do and keep their digits.
-  return p.held == Stretch::Held::none && rises_slowly_ &&
-         4 * p.hi > std::abs(half_[0].s) + std::abs(half_[1].s);
+  return p.held == Stretch::Held::none && rises_slowly_ && half_[0].s + half_[1].s > 0;
 }
 
 Extremal Extremals::timed_none(double x) const noexcept {
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
-  const double sum = std::max(s0 + s1 + x / ijp_, 0.0);
-  const double difference = q_ > 0 ? (high_ == 0 ? -q_ : q_) / sum : 0;  // z1 - z2
-  const double apart = 4 * sum < std::abs(s0) + std::abs(s1)
-                           ? (difference + s1 - s0) * ijp_
-                           : (-2 * excess_ * ijp_ * ik_ + (s1 - s0) * x) / sum;
+  const double sum = s0 + s1 + x / ijp_;
+  const double apart = (-2 * excess_ * ijp_ * ik_ + (s1 - s0) * x) / sum;
   Extremal e;
   e.rise = {(x + apart) / 2, (x - apart) / 2};
   e.z = {s0 + e.rise[0] / ijp_, s1 + e.rise[1] / ijp_};

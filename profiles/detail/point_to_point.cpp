@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/velocity_change.hpp"
 
 namespace jounce::detail {
@@ -40,6 +41,14 @@ double to_natural(double a, const Extremals::Jerks& j) {
 }
 
 }  // namespace
+
+void block(const Durations::Interval& interval, Durations& out) noexcept {
+  const bool goes_on = out.count > 0 && out.blocked[out.count - 1].to == interval.from;
+  if (goes_on || out.count == out.blocked.size())
+    out.blocked[out.count - 1].to = interval.to;
+  else
+    out.blocked[out.count++] = interval;
+}
 
 PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
                            const Bounds& bounds) noexcept
@@ -236,8 +245,10 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const double main = up_.duration(direct_);
   const bool is_early = both.early && t < main && t <= up_.duration(up_.last_early()) * (1 + ulps);
   if (!is_early && t < main * (1 - ulps)) return false;
-  // At the edge of a blocked interval both sides have rounded.
-  const double slack = 3 * (rounding(t) + ulps * std::abs(d_));
+  // At the edge of a blocked interval both sides have rounded, also what the accelerations at the ends add.
+  const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
+  const double slack =
+      3 * (rounding(t) + ulps * std::abs(d_)) + ulps * cube(scale_.acceleration) * square(per_jerk);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -276,34 +287,56 @@ bool PointToPoint::reachable(const Families& both, double t) const noexcept {
          -both.down.distance(both.down.lasting(b, t)) <= d_ + slack;
 }
 
+void PointToPoint::add_events(Branch b, const Families& both, Events& events) const noexcept {
+  events.add(up_.duration(up_.first(b)));
+  if (b == Branch::early) events.add(up_.duration(up_.last_early()));
+  for (const bool upwards : {true, false}) {
+    const Extremals& f = both.of(upwards);
+    Extremals::Members members;
+    const int found = f.covering(b, towards(upwards), members);
+    for (int i = 0; i < found; ++i) events.add(f.duration(members[static_cast<std::size_t>(i)]));
+  }
+}
+
+/// Adds what is not possible after the minimum, between two events each.
+template <class Possible>
+void PointToPoint::find_blocked(Events events, Durations& out, Possible possible) noexcept {
+  std::sort(events.at.begin(), events.at.begin() + events.count);
+  for (std::size_t i = 0; i + 1 < events.count; ++i) {
+    const double from = std::max(events.at[i], out.minimum);
+    const double to = events.at[i + 1];
+    if (!(to > from * (1 + ulps)) || possible(from + (to - from) / 2)) continue;
+    block({from, to}, out);
+  }
+}
+
 Durations PointToPoint::durations() const noexcept {
   Durations out;
   out.minimum = minimum();
   const Families both = families();
-  // Between these instants nothing changes about whether the target can be reached.
-  std::array<double, 16> event{out.minimum};
-  std::size_t n = 1;
-  for (const Branch b : {Branch::early, Branch::main}) {
-    if (b == Branch::early && !both.early) continue;
-    event[n++] = up_.duration(up_.first(b));
-    if (b == Branch::early) event[n++] = up_.duration(up_.last_early());
-    for (const bool upwards : {true, false}) {
-      const Extremals& f = both.of(upwards);
-      Extremals::Members members;
-      const int found = f.covering(b, towards(upwards), members);
-      for (int i = 0; i < found; ++i) event[n++] = f.duration(members[static_cast<std::size_t>(i)]);
-    }
-  }
-  std::sort(event.begin(), event.begin() + n);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const double from = std::max(event[i], out.minimum);
-    const double to = event[i + 1];
-    if (!(to > from * (1 + ulps)) || reachable(both, from + (to - from) / 2)) continue;
-    if (out.count > 0 && out.blocked[out.count - 1].to == from)
-      out.blocked[out.count - 1].to = to;
-    else if (out.count < out.blocked.size())
-      out.blocked[out.count++] = {from, to};
-  }
+  Events events;
+  events.add(out.minimum);
+  if (both.early) add_events(Branch::early, both, events);
+  add_events(Branch::main, both, events);
+  find_blocked(events, out, [&](double t) { return reachable(both, t); });
+  return out;
+}
+
+bool PointToPoint::has_early() const noexcept {
+  Course course;
+  return fastest_early(course);
+}
+
+Durations PointToPoint::early_durations() const noexcept {
+  Durations out;
+  out.minimum = minimum();
+  const Families both = families();
+  const double last = up_.duration(up_.last_early());
+  Events events;
+  events.add(out.minimum);
+  add_events(Branch::early, both, events);
+  events.add(std::numeric_limits<double>::infinity());
+  find_blocked(events, out, [&](double t) { return t <= last && reachable(both, t); });
   return out;
 }
 

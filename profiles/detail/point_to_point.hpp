@@ -23,6 +23,12 @@ class PointToPoint {
   [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
 
+  // The early branch alone, for a start that runs out of the bounds and may meet its target before.
+  // It has the state from which the acceleration has to return at once, and may not pass zero.
+  [[nodiscard]] bool has_early() const noexcept;
+  /// Whose last blocked interval is without end.
+  [[nodiscard]] Durations early_durations() const noexcept;
+
  private:
   using Branch = Extremals::Branch;
 
@@ -50,6 +56,16 @@ class PointToPoint {
   [[nodiscard]] bool fastest_early(Course& out) const noexcept;
   [[nodiscard]] Course fastest() const noexcept;
   [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
+  /// Instants between which nothing changes about whether the target can be reached.
+  struct Events {
+    std::array<double, 17> at{};
+    std::size_t count = 0;
+
+    void add(double t) noexcept { at[count++] = t; }
+  };
+  void add_events(Branch b, const Families& both, Events& events) const noexcept;
+  template <class Possible>
+  static void find_blocked(Events events, Durations& out, Possible possible) noexcept;
   [[nodiscard]] double rounding(double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
   void append(const Course& c, Profile& out) const noexcept;
@@ -70,5 +86,9 @@ class PointToPoint {
   MotionState scale_;  ///< what the states are made of
   double rounding_;    ///< of positions: a distance is not known better
 };
+
+/// Adds a blocked interval behind the others: to the last where it goes on, or where there is no room
+/// for another (so that no duration is promised that is blocked).
+void block(const Durations::Interval& interval, Durations& out) noexcept;
 
 }  // namespace jounce::detail

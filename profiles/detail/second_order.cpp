@@ -48,12 +48,15 @@ void SecondOrder::Way::append_peak(double peak, Profile& out) const noexcept {
   out.add(above(vf, v0, rise, peak) / fall, -sign * fall);
 }
 
-double SecondOrder::Way::cruise_velocity(double t) const noexcept {
-  // -(1/r + 1/f) p^2/2 + (t + v0/r + vf/f) p - v0^2/(2 r) - vf^2/(2 f) = d, the smaller solution.
-  const double a = 1 / rise + 1 / fall;
-  const double b = t + v0 / rise + vf / fall;
-  const double c = 2 * d + v0 * v0 / rise + vf * vf / fall;
-  return c / (b + std::sqrt(std::max(b * b - a * c, 0.0)));
+void SecondOrder::Way::append_cruise(double spare, double excess, Profile& out) const noexcept {
+  const double k = 1 / rise + 1 / fall;
+  const double m = natural();
+  const double more = std::max(excess - m * spare, 0.0);
+  const double w = std::sqrt(std::max(spare * spare - 2 * k * more, 0.0));
+  const double y = std::min({2 * more / (spare + w), spare / k, vmax - m});
+  out.add((y + (m - v0)) / rise, sign * rise);
+  out.add(spare - k * y, 0);
+  out.add((y + (m - vf)) / fall, -sign * fall);
 }
 
 void SecondOrder::Way::append(double peak, double cruise, Profile& out) const noexcept {
@@ -96,14 +99,15 @@ bool SecondOrder::lasting(double t, Profile& out) const noexcept {
     return true;
   }
   const double spare = t - direct_;
-  const double v = (up_.d - direct_distance_) / spare;
-  if (v > up_.natural() || -v > down_.natural()) {
-    const Way& w = v > up_.natural() ? up_ : down_;
-    const double p = std::min(w.cruise_velocity(t), w.vmax);
-    w.append(p, t - w.duration(p), out);
-    return true;
-  }
-  // Between the two velocities: the change stops half-way to cruise.
+  const double excess = up_.d - direct_distance_;
+  for (const Way* w : {&up_, &down_})
+    if (w->sign * excess > w->natural() * spare) {
+      w->append_cruise(spare, w->sign * excess, out);
+      return true;
+    }
+  // Between the two velocities: the change stops half-way to cruise. (Of a time that is rounding alone,
+  // the quotient may be anything.)
+  const double v = std::clamp(excess / spare, -down_.natural(), up_.natural());
   const double a = up_.vf > up_.v0 ? up_.rise : -up_.fall;
   out.add((v - up_.v0) / a, a);
   out.add(spare, 0);
@@ -121,11 +125,12 @@ Durations SecondOrder::durations() const noexcept {
         std::sqrt(std::max((2 * w->d + w->v0 * w->v0 / w->rise + w->vf * w->vf / w->fall) /
                                (1 / w->rise + 1 / w->fall),
                            0.0));
-    if (-p > w->natural() && p > 0) {
+    const bool falls_back = -p > w->natural();
+    if (p > 0 && (falls_back || (w->natural() < 0 && is_direct()))) {
       const double back = p <= w->vmax
                               ? w->duration(p)
                               : w->duration(w->vmax) + (w->d - w->distance(w->vmax)) / w->vmax;
-      out.blocked[out.count++] = {w->duration(-p), back};
+      out.blocked[out.count++] = {falls_back ? w->duration(-p) : direct_, back};
     }
   }
   return out;

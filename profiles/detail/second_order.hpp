@@ -12,7 +12,10 @@ namespace jounce::detail {
 //
 // The direct change has p = max(v0, vf) and covers d0. The shortest motion goes up for d > d0: (2)
 // without cruise, or with p = vmax. To last longer than the direct change, by `spare`, it cruises at
-// (d - d0)/spare if that lies between v0 and vf; otherwise (1) and (2) are solved for p.
+// (d - d0)/spare if that lies between v0 and vf. Otherwise p lies above max(v0, vf) = m by y, and with
+// k = 1/r + 1/f (1) and (2) are
+//
+//   (3)  k y^2/2 - spare y + (d - d0 - m spare) = 0,   the smaller solution; cruise = spare - k y
 
 /// The same as PointToPoint for an acceleration that may step; the start inside the bounds.
 class SecondOrder {
@@ -37,7 +40,8 @@ class SecondOrder {
     /// peak() less the velocity at one end, accurate also where they nearly agree.
     [[nodiscard]] double above(double v, double other, double its_rate, double peak) const noexcept;
     void append_peak(double peak, Profile& out) const noexcept;
-    [[nodiscard]] double cruise_velocity(double t) const noexcept;  ///< (1) and (2)
+    /// (3): lasts longer than the direct change by `spare`, and goes farther by `excess`.
+    void append_cruise(double spare, double excess, Profile& out) const noexcept;
     void append(double peak, double cruise, Profile& out) const noexcept;
   };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "jounce/profiles/detail/brake.hpp"
-#include "jounce/profiles/detail/point_to_point.hpp"
 #include "jounce/profiles/detail/second_order.hpp"
 #include "jounce/profiles/detail/velocity_change.hpp"
 
@@ -78,6 +77,26 @@ Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bou
   Profile p(start_, order_);
   inside_ = begin(p);
   before_ = p.duration();
+  if (order_ == 3) look_on_the_way_out();
+}
+
+/// The velocity is monotone up to a target that runs out as the start does: it stays inside.
+void Solver::look_on_the_way_out() noexcept {
+  const int side = runs_out(to_, bounds_);
+  if (side == 0 || side * to_.acceleration <= 0) return;
+  Profile p(start_, order_);
+  leaving_ = acceleration_inside(start_, bounds_, p);
+  const double limit = side > 0 ? bounds_.velocity_max : -bounds_.velocity_min;
+  meets_ = side * leaving_.acceleration > 0 && side * leaving_.velocity <= limit &&
+           runs_out(leaving_, bounds_) == side && on_the_way_out().has_early();
+}
+
+/// The beginning of a motion that meets the target on the way out.
+Profile Solver::led_out() const noexcept {
+  Profile p(start_, order_);
+  (void)acceleration_inside(start_, bounds_, p);
+  p.finish(asked_);
+  return p;
 }
 
 MotionState Solver::begin(Profile& profile) const noexcept {
@@ -104,6 +123,10 @@ Solver Solver::with_all_braking() const noexcept {
 }
 
 double Solver::minimum() const noexcept {
+  return meets_ ? led_out().duration() + on_the_way_out().minimum() : minimum_inside();
+}
+
+double Solver::minimum_inside() const noexcept {
   if (order_ == 3 && before_ == 0) return PointToPoint(inside_, to_, bounds_).minimum();
   if (order_ == 3) {  // summed as the phases of the motion itself are
     Profile motion = begun();
@@ -116,10 +139,24 @@ double Solver::minimum() const noexcept {
 }
 
 Durations Solver::durations() const noexcept {
+  const Durations inside = durations_inside();
+  if (!meets_) return inside;
+  const double before = led_out().duration();
+  Durations d = on_the_way_out().early_durations();
+  d.minimum += before;
+  for (std::size_t i = 0; i < d.count; ++i)
+    d.blocked[i] = {d.blocked[i].from + before, d.blocked[i].to + before};
+  d.blocked[d.count - 1].to = inside.minimum;
+  for (std::size_t i = 0; i < inside.count; ++i) block(inside.blocked[i], d);
+  return d;
+}
+
+/// Of the motions that come inside first.
+Durations Solver::durations_inside() const noexcept {
   Durations d;
   if (extended_) {
     d = with_all_braking().durations();
-    const double shortest = minimum();
+    const double shortest = minimum_inside();
     // To a target at rest no duration is blocked but these.
     if (d.minimum > shortest && d.count == 0) d.blocked[d.count++] = {shortest, d.minimum};
     d.minimum = shortest;
@@ -127,7 +164,7 @@ Durations Solver::durations() const noexcept {
   }
   if (order_ == 3) d = PointToPoint(inside_, to_, bounds_).durations();
   if (order_ == 2) d = SecondOrder(inside_, to_, bounds_).durations();
-  d.minimum = order_ == 2 ? d.minimum + before_ : minimum();
+  d.minimum = order_ == 2 ? d.minimum + before_ : minimum_inside();
   for (auto& interval : d.blocked) interval = {interval.from + before_, interval.to + before_};
   return d;
 }
@@ -137,7 +174,10 @@ void Solver::straight(double t, Profile& out) const noexcept {
 }
 
 MoveStatus Solver::shortest(Profile& out) const noexcept {
-  if (order_ == 3 && before_ == 0 && !(inside_ == to_)) {
+  if (meets_) {
+    out = led_out();
+    if (!(leaving_ == to_)) on_the_way_out().append_shortest(out);
+  } else if (order_ == 3 && before_ == 0 && !(inside_ == to_)) {
     out = PointToPoint(inside_, to_, bounds_).shortest(start_, asked_);
   } else {
     out = begun();
@@ -152,6 +192,13 @@ MoveStatus Solver::shortest(Profile& out) const noexcept {
 
 MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
   if (extended_) return with_all_braking().lasting(t, out);
+  if (meets_) {
+    out = led_out();
+    const double before = out.duration();
+    const PointToPoint way = on_the_way_out();
+    if (way.early_durations().allows(t - before) && way.lasting(t - before, out))
+      return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
+  }
   out = begun();
   bool possible = true;
   if (order_ == 3) possible = PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/detail/point_to_point.hpp"
 #include "jounce/profiles/move.hpp"
 
 namespace jounce::detail {
@@ -38,6 +39,11 @@ class Solver {
   [[nodiscard]] Solver with_all_braking() const noexcept;
   void straight(double t, Profile& out) const noexcept;
   [[nodiscard]] bool by_way_of_rest(Profile& out) const noexcept;
+  void look_on_the_way_out() noexcept;
+  [[nodiscard]] PointToPoint on_the_way_out() const noexcept { return {leaving_, to_, bounds_}; }
+  [[nodiscard]] Profile led_out() const noexcept;
+  [[nodiscard]] Durations durations_inside() const noexcept;
+  [[nodiscard]] double minimum_inside() const noexcept;
 
   int order_;
   Bounds bounds_;
@@ -47,6 +53,9 @@ class Solver {
   double before_ = 0;       ///< how long it takes
   double hold_ = 0;         ///< how long it holds the start's acceleration
   bool extended_ = false;   ///< the bounds, by braking under way
+  /// A start that runs out of the velocity limits meets a target that does so, too, before it is out.
+  bool meets_ = false;
+  MotionState leaving_;  ///< from where on
 };
 
 /// The fastest change to a velocity and acceleration.

@@ -216,6 +216,35 @@ Case extremes(Random& r) {
   return with_ratio(r, 1e6);
 }
 
+/// The state after a random jerk, held for t: as far as the acceleration stays inside and above zero.
+MotionState driven(const MotionState& s, const Bounds& b, double t, double share) {
+  const double jerk = b.jerk_min + share * (b.jerk_max - b.jerk_min);
+  const double most = jerk > 0 ? (b.acceleration_max - s.acceleration) / jerk : s.acceleration / -jerk;
+  t = std::min(t, std::max(most, 0.0));
+  return {s.position + t * (s.velocity + t * (s.acceleration / 2 + t * jerk / 6)),
+          s.velocity + t * (s.acceleration + t * jerk / 2), s.acceleration + t * jerk};
+}
+
+/// Starts that run out of the velocity limit, upwards, and targets that may be met before: now and then
+/// beside it.
+Case leaving(Random& random) {
+  return reachable_case(random, [](Random& r) {
+    Case c = directional(r);
+    const Bounds& b = c.bounds;
+    c.from.acceleration = b.acceleration_max * (r.below(8) == 0 ? r.uniform(1, 2) : r.uniform(0, 1));
+    const double out = c.from.acceleration * c.from.acceleration / (2 * -b.jerk_min);
+    c.from.velocity = std::max(b.velocity_max - out * r.uniform(0, 1), b.velocity_min);
+    MotionState s = c.from;
+    if (s.acceleration > b.acceleration_max)
+      s = driven(s, b, (s.acceleration - b.acceleration_max) / -b.jerk_min, 0);
+    for (int i = r.below(4); i >= 0; --i)
+      s = driven(s, b, r.uniform(0, 1) * s.acceleration / -b.jerk_min, r.uniform(0, 1));
+    c.to = s;
+    if (r.below(4) == 0) c.to.position += normal(r, 0.1);
+    return c;
+  });
+}
+
 Case second(Random& random) {
   return reachable_case(random, [](Random& r) {
     Case c = ruckig_states(r, {0.9, 0, 0.7, 0});
@@ -271,6 +300,7 @@ constexpr Draw all[] = {
     {"ratios", "jerk in one direction up to a hundred times that in the other", ratios,
      true},
     {"extremes", "jerk in one direction up to a million times that in the other", extremes, true},
+    {"leaving", "starts that run out of the limit, and targets that do", leaving},
     {"unlimited", "no limit of velocity, of acceleration, or of both", unlimited},
     {"second", "no limit of jerk", second},
     {"first", "no limit of acceleration", first},

@@ -87,7 +87,10 @@ const Arc& Envelope::arc(Real t) const {
   return at(arcs, t);
 }
 
-Envelope envelope(Real v, Real a, const Side& s) {
+namespace {
+
+/// With the level return from its very beginning.
+Envelope from_the_start(Real v, Real a, const Side& s) {
   const Arc limit{0, s.top, 0, 0};
   if (!std::isfinite(s.rise)) {  // the acceleration steps: braking at once
     if (v <= s.top) return {{limit}, 0};
@@ -105,6 +108,26 @@ Envelope envelope(Real v, Real a, const Side& s) {
   const Arc rising{0, v, a, s.rise};
   const Real t = bisected([&](Real x) { return rising.velocity(x) <= s.top; }, 0, -a / s.rise);
   return {{rising, {t, s.top, 0, 0}}, std::max<Real>(into, 0)};
+}
+
+/// The same from t on.
+std::vector<Arc> cut(const std::vector<Arc>& arcs, Real t) {
+  const Arc& now = at(arcs, t);
+  std::vector<Arc> rest{after(now, t, now.j)};
+  for (const Arc& arc : arcs)
+    if (arc.begin > t) rest.push_back(arc);
+  return rest;
+}
+
+}  // namespace
+
+Envelope envelope(Real v, Real a, const Side& s) {
+  Envelope e = from_the_start(v, a, s);
+  if (e.arcs.size() < 2 || v >= s.top) return e;
+  const auto outside = [&](Real t) { return e.velocity(t) > s.top; };
+  e.arcs = cut(e.arcs, bisected(outside, 0, a / s.fall));
+  e.arcs.insert(e.arcs.begin(), {0, s.top, 0, 0});
+  return e;
 }
 
 namespace {
@@ -233,7 +256,7 @@ Freedom fastest_stop(const MotionState& from, const Bounds& b) {
   const auto stopped = [&](Real v, Real a, Side s) {
     s.top = 0;  // level with zero
     if (!(natural(v, a, s) > 0)) return along({{0, v, a, s.rise}}, 0, -a / s.rise);
-    const Envelope e = envelope(v, a, s);
+    const Envelope e = from_the_start(v, a, s);
     if (e.arcs.size() == 1) return along({{0, v, a, s.rise}}, 0, -a / s.rise);  // 0 by rounding
     return along(e.arcs, 0, e.arcs.back().begin);
   };

@@ -36,7 +36,8 @@ struct Arc {
 ///
 /// - inside, the limit;
 /// - where the acceleration can first be back at zero above the limit only: the fastest level
-///   return, that is full braking, released so that velocity reaches the limit with acceleration 0;
+///   return, that is full braking, released so that velocity reaches the limit with acceleration 0.
+///   Up to where that passes the limit, the limit: a target that runs out, too, may be met there;
 /// - where the braking carries the velocity through the limit whatever is done: the velocity under
 ///   full jerk upwards until it passes the limit, then the limit.
 ///
@@ -44,7 +45,8 @@ struct Arc {
 /// last bits of long double.
 struct Envelope {
   std::vector<Arc> arcs;  ///< ascending, the last is the limit itself
-  Real forced = 0;        ///< until then there is only one admissible motion
+  /// Until then there is only one admissible motion that goes on; others end where the limit still holds.
+  Real forced = 0;
 
   [[nodiscard]] const Arc& arc(Real t) const;
   [[nodiscard]] Real velocity(Real t) const { return arc(t).velocity(t); }

@@ -622,5 +622,54 @@ TEST(Issue, Jounce17JerksFarApart) {
   ask({5.06329, -9.43153, 9.66959}, {-0.0412018, 0.437939, 0}, 9.51, -13.5, 2.88e-5);
 }
 
+TEST(Issue, Jounce17ATargetThatRunsOutAsTheStartDoes) {
+  // Lasted 6.19 s: the start came inside first, though both states lie inside and .2 s at .9 u/s^2 do it.
+  const MotionState from{0, 0.7, 0.9};
+  const MotionState to{0.158, 0.88, 0.9};
+  const Bounds b = within(1, 2, 1);
+  EXPECT_LT(expect_optimal(from, to, b).duration(), 0.2);
+  const Durations d = durations(from, to, b);
+  ASSERT_EQ(d.count, 1U);  // after that, the axis has to come inside first
+  for (const double t : {d.minimum, d.blocked[0].to, 2 * d.blocked[0].to}) {
+    const Move move = move_to(from, to, b, t);
+    ASSERT_TRUE(move) << explain(move.status);
+    EXPECT_EQ(check(move.profile, {from, to, b, t}).fault, "");
+  }
+  EXPECT_EQ(move_to(from, to, b, d.blocked[0].to / 2).status, MoveStatus::blocked);
+}
+
+TEST(Issue, Jounce17AVelocityThatRunsOutAsTheStartDoes) {
+  // What runs out may be met before it is out; nothing else passes a limit.
+  const MotionState from{0, 0, -4};
+  const Bounds b = within(1, 4, 4);
+  const Move move = move_velocity(from, -1, b, -4);
+  ASSERT_TRUE(move);
+  EXPECT_NEAR(move.profile.duration(), 0.25, 1e-15);
+  const Case c{from, move.profile.end(), b, {}, true};
+  EXPECT_EQ(check(move.profile, c).fault, "");
+}
+
+TEST(Issue, Jounce17SecondOrderALittleLongerThanTheDirectChange) {
+  // Lasted .133 ms longer than asked for, ended off in velocity, or went where nothing goes.
+  const Bounds b = within(5, 10);
+  const double direct = (1.1663 - 0.4341) / 10;
+  const auto at_mean = [direct](double excess) {
+    return MotionState{0.0123 + direct * (1.1663 + 0.4341) / 2 + excess, 1.1663, 0};
+  };
+  const MotionState from{0.0123, 0.4341, 0};
+  for (const double more : {1e-15, 1e-13, 4e-12, 1e-9, 1e-5})
+    for (const double v : {-4.0, 0.0, 0.3, 0.8, 1.2, 4.0}) {
+      const Case c{from, at_mean(v * more * direct), b, direct * (1 + more)};
+      const Durations d = durations(c.from, c.to, b);
+      const Move move = move_to(c.from, c.to, b, *c.duration);
+      EXPECT_EQ(move ? check(move.profile, c).fault : "", "") << reproducer(c);
+      EXPECT_TRUE(move || !d.allows(*c.duration)) << reproducer(c);
+    }
+  // A hair longer than the direct change is blocked: the axis would have to go back.
+  const Durations d = durations(from, at_mean(0), b);
+  ASSERT_EQ(d.count, 1U);
+  EXPECT_EQ(move_to(from, at_mean(0), b, direct * (1 + 1e-9)).status, MoveStatus::blocked);
+}
+
 }  // namespace
 }  // namespace jounce::proof

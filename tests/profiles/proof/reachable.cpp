@@ -42,6 +42,10 @@
 // p = a_min / (2 m q)), the slope is monotone; cut once more where it vanishes, hi is monotone, and
 // a change of sign between neighbours is the only way to have a root. Nothing is sampled.
 //
+// **A start that runs out** of the velocity limit, a > 0, may meet a target that does, too, before either
+// is out. Up to T = a/m every motion has a > 0, so that the velocity is monotone between both ends: hi
+// and lo hold without a limit of velocity.
+//
 // **A start outside** is first brought to where its freedom begins (`freedom` in envelope.hpp): up to
 // there only one motion is admissible. From there on, the envelope of its velocity rises with k and
 // ends level on v_max. Then (3) holds unchanged: no motion with these jerks is above that arc; the
@@ -393,6 +397,30 @@ std::vector<Span> passing(const MotionState& from, const MotionState& to, const 
   return at;
 }
 
+/// The durations of the motions that meet the target while the start runs out of its limit. One order
+/// lower without the position.
+std::vector<Span> on_the_way_out(const MotionState& from, const MotionState& to, const Bounds& b,
+                                 const Slack& slack, bool position) {
+  const bool down = from.acceleration < 0;
+  const Side s = down ? lower(b) : upper(b);
+  const Real sign = down ? -1 : 1;
+  Point p{0, sign * from.velocity, sign * from.acceleration};
+  const Real into = std::max<Real>((p.a - s.a_max) / s.fall, 0);
+  p.advance(into, -s.fall);
+  const Real left = p.a / s.fall;
+  if (!(p.a > 0) || p.v > s.top || p.v + p.a * left / 2 <= s.top) return {};
+  const Level v{p.v, sign * to.velocity, -infinity, infinity};
+  const Level a{p.a, sign * to.acceleration, s.a_min, s.a_max};
+  std::vector<Span> spans = second(v, a, -s.fall, s.rise, slack.velocity, slack.acceleration);
+  if (position)
+    spans = between(spans, third_order(v, a, s.rise, s.fall),
+                    third_order(v.mirrored(), a.mirrored(), s.fall, s.rise),
+                    sign * (Real{to.position} - from.position) - p.x, slack.position);
+  std::erase_if(spans, [left](const Span& span) { return span.from > left; });
+  for (Span& span : spans) span.to = std::min(span.to, left);
+  return later(spans, into);
+}
+
 /// All spans together.
 std::vector<Span> merged(std::vector<Span> some, const std::vector<Span>& more) {
   for (const Span& s : more) append(some, s.from, s.to);
@@ -417,7 +445,9 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
   const Force force = in_force(from, to, b, slack.position);
   std::vector<Span> spans = durations_of(from, to, force.bounds, force.hold, slack);
   if (std::isfinite(b.jerk_max))
-    spans = merged(passing(from, to, force.bounds, force.hold, slack, true), spans);
+    spans = merged(merged(on_the_way_out(from, to, b, slack, true),
+                          passing(from, to, force.bounds, force.hold, slack, true)),
+                   spans);
   if (force.longer != force.bounds && !spans.empty())
     spans = from_on(durations_of(from, to, force.longer, 0, slack), spans.front().from);
   // One that is its target may also stay, outside too; afterwards it has to come inside.
@@ -434,8 +464,9 @@ std::vector<Span> reachable_velocity(const MotionState& from, double velocity, d
   const Freedom free = freedom(from, b);
   const Level v = level(free.v, velocity, b.velocity_min, b.velocity_max);
   const Level a = level(free.a, acceleration, b.acceleration_min, b.acceleration_max);
+  const MotionState to{0, velocity, acceleration};
   return merged(
-      passing(from, {0, velocity, acceleration}, b, 0, slack, false),
+      merged(on_the_way_out(from, to, b, slack, false), passing(from, to, b, 0, slack, false)),
       later(second(v, a, b.jerk_min, b.jerk_max, slack.velocity, slack.acceleration), free.time));
 }
 

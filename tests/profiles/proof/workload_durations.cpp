@@ -134,8 +134,7 @@ void expect_monotone(const Case& c, const Profile& f, const Verdict& verdict, Ta
 void velocity(Random& r, Tally& tally) {
   Case c = any(r);
   if (!std::isfinite(c.bounds.acceleration_max)) return;
-  // Not solved by the rule yet: a start and a target both of which run out of the bounds.
-  if (!safe_start(c.from, c.bounds) && !safe_start(c.to, c.bounds)) return;
+
   const Move move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
   ++tally.cases;
   if (!move) return tally.fail(std::string("move_velocity refused: ") + explain(move.status), c);
