@@ -21,7 +21,6 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
       k_(jerks.k),
       ik_(jerks.per_k),
       rises_slowly_(jerks.per_rise > uneven * jerks.per_fall),
-      falls_slowly_(jerks.per_fall > uneven * jerks.per_rise),
       first_(degenerate) {
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;

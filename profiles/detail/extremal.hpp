@@ -150,7 +150,7 @@ class Extremals {
   std::array<Half, 2> half_;
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double excess_;  ///< of the first half's velocity over the second's, where the accelerations are zero
-  bool rises_slowly_, falls_slowly_;  ///< one jerk is far below the other
+  bool rises_slowly_;  ///< jp is far below jd
   double natural_;
   double mean_, cubic_, inverse_, base_;  ///< of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
   double q_;                              ///< z_low^2 - z_high^2 while nothing is held

@@ -19,15 +19,15 @@
 // unless s1 + s2 <= 0: then the rises take as long as whole ramps do, and keep their digits.
 // While one half holds z = L, x of the other runs, and dT/dx = k jp (1 + z/L).
 //
-// **jd is the small one.** Digits are lost only where the acceleration keeps its sign: one half holds
-// L, the other has z = jd y - L, where y is the time of the fall. Then
+// **Otherwise** digits are lost only where the acceleration keeps its sign: one half holds L, the
+// other has z = jd y - L, where y, the time of the fall, may be short beside L/jd. Then
 //
 //   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L)        c' of the half that holds
 
 namespace jounce::detail {
 
 bool Extremals::is_timed(const Stretch& p) const noexcept {
-  if (p.held == Stretch::Held::one) return rises_slowly_ || (falls_slowly_ && p.hi <= 0);
+  if (p.held == Stretch::Held::one) return rises_slowly_ || p.hi <= 0;
   return p.held == Stretch::Held::none && rises_slowly_ && half_[0].s + half_[1].s > 0;
 }
 

@@ -113,14 +113,16 @@ bool PointToPoint::fastest_early(Course& out) const noexcept {
   const Extremal first = up_.first(Branch::early);
   const double direct = up_.distance(first);
   out = {true, up_.phases(first)};
-  if (std::abs(d_ - direct) <= rounding_) return true;
+  // The branch may be far shorter than the direct change of the main one.
+  const double known = rounding(up_.duration(first));
+  if (std::abs(d_ - direct) <= known) return true;
   out.upwards = d_ > direct;
   const Extremals& f = both.of(out.upwards);
   Extremals::Members members{f.last_early()};
   const double reach = f.distance(members[0]);
   const bool covered = f.covering(Branch::early, towards(out.upwards), members, 1) == 1;
   out.phases = f.phases(members[0]);
-  return covered || std::abs(towards(out.upwards) - reach) <= rounding_;
+  return covered || std::abs(towards(out.upwards) - reach) <= known;
 }
 
 PointToPoint::Course PointToPoint::fastest() const noexcept {
