@@ -256,7 +256,7 @@ void OnlineAxis::follow(const AxisMove& move, const Profile& plan, Purpose purpo
   asked_ = bounds_;
   in_force_ = move.bounds;
   purpose_ = purpose;
-  changed_ = false;
+  changed_ = bent_ = false;
 }
 
 void OnlineAxis::go(const AxisMove& move, const Profile& plan) noexcept {

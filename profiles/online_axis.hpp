@@ -19,7 +19,8 @@ class OnlineAxis {
   [[nodiscard]] const Motion& now() const noexcept { return now_; }
   [[nodiscard]] const Bounds& in_force() const noexcept { return in_force_; }
   [[nodiscard]] MoveStatus status() const noexcept {
-    return bounded_ || !has_goal() ? status_ : MoveStatus::invalid_bounds;
+    if (!bounded_ && has_goal()) return MoveStatus::invalid_bounds;
+    return bent_ && !ended() ? MoveStatus::not_straight : status_;
   }
   [[nodiscard]] bool arrived() const noexcept;
   [[nodiscard]] double remaining() const noexcept { return ended() ? 0 : duration_ - elapsed_; }
@@ -45,6 +46,12 @@ class OnlineAxis {
   /// Whether the axis may follow a plan: one direction may be forbidden to it.
   [[nodiscard]] bool permits(const Profile& plan) const noexcept;
   void go(const AxisMove& move, const Profile& plan) noexcept;
+  /// Whether the motion under way still leads to the goal: only what it has to keep has changed.
+  [[nodiscard]] bool is_on_its_way() const noexcept {
+    return purpose_ == Purpose::goal && is_aimed();
+  }
+  /// The motion under way leaves the line that was asked for.
+  void bend() noexcept { bent_ = true; }
 
   /// There is no motion to the goal, or there may be none: the motion under way goes on if it keeps
   /// the bounds. Otherwise the axis must stop.
@@ -103,6 +110,7 @@ class OnlineAxis {
   Motion now_;
   MoveGoal aim_goal_ = MoveGoal::velocity;
   Purpose purpose_ = Purpose::stop;
+  bool bent_ = false;    ///< leaves the line
   bool passed_ = false;  ///< a state that is not at rest has been reached: on at its velocity
   MoveStatus status_ = MoveStatus::ok;
 };

@@ -67,7 +67,7 @@ bool OnlineGroup::gather(bool widened) noexcept {
     }
     any = true;
     moves[i] = axis.move(widened);
-    if (axis.stale() || in_phase()) continue;
+    if (axis.stale() || (in_phase() && !bent)) continue;
     rests[i] = axis.rest_of_plan();
     moves[i].under_way = &rests[i];
   }
@@ -88,9 +88,33 @@ Synchronised OnlineGroup::solve() noexcept {
       result = synchronise(moves, sync, next, 0, grid);
     }
   }
-  if (sync != Sync::phase && sync != Sync::none && result.status == MoveStatus::ok)
+  if (sync == Sync::phase && is_on_its_way() &&
+      (result.status == MoveStatus::not_straight ||
+       (result.status == MoveStatus::ok && detour(Judged::mildly))))
+    result = bend(result);
+  if ((sync != Sync::phase || bent) && sync != Sync::none && result.status == MoveStatus::ok)
     wait_rather_than_turn_round();
   return result;
+}
+
+/// Whether all that take part go to their goals already, so that only bounds have changed.
+bool OnlineGroup::is_on_its_way() const noexcept {
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (moves[i].enabled && !axes[i].is_on_its_way()) return false;
+  return true;
+}
+
+/// The line is left where that keeps the axes from passing their goals or turning round.
+Synchronised OnlineGroup::bend(const Synchronised& straight) noexcept {
+  bent = true;
+  gather(false);
+  const Synchronised result = synchronise(moves, Sync::time, next, 0, grid);
+  if (straight.status != MoveStatus::ok || result.status != MoveStatus::ok) return result;
+  wait_rather_than_turn_round();
+  if (!detour(Judged::mildly)) return result;
+  bent = false;
+  gather(false);
+  return synchronise(moves, sync, next, 0, grid);
 }
 
 bool OnlineGroup::can_widen() const noexcept {
@@ -136,6 +160,7 @@ void OnlineGroup::go() noexcept {
       axes[i].go(m, next[i]);
     else
       axes[i].refuse(MoveStatus::target_outside);
+    if (bent) axes[i].bend();
   }
 }
 

@@ -8,7 +8,9 @@ namespace jounce {
 
 /// What a step found.
 struct OnlineStep {
-  MoveStatus status = MoveStatus::ok;  ///< why an axis cannot go to its goal
+  /// Why an axis cannot go to its goal; `not_straight` also while the axes are off the line, because
+  /// none on it keeps the bounds.
+  MoveStatus status = MoveStatus::ok;
   std::size_t axis = 0;                ///< the first such axis, where the status is not ok
   bool arrived = false;                ///< every enabled axis is at its goal
   bool planned = false;                ///< a motion was planned; otherwise all were kept
@@ -24,14 +26,17 @@ struct OnlineGroup {
   Sync sync;
   double grid;
   bool regroup;  ///< plan all, whether stale or not
+  bool bent = false;  ///< planned in time, because no motion on the line keeps the bounds
 
   OnlineStep step(double dt) noexcept;
 
  private:
   void plan() noexcept;
   [[nodiscard]] bool in_phase() const noexcept;
+  [[nodiscard]] bool is_on_its_way() const noexcept;
   bool gather(bool widened) noexcept;
   Synchronised solve() noexcept;
+  Synchronised bend(const Synchronised& straight) noexcept;
   [[nodiscard]] bool can_widen() const noexcept;
   [[nodiscard]] bool detour(Judged judged) const noexcept;
   void wait_rather_than_turn_round() noexcept;
