@@ -15,10 +15,12 @@ namespace jounce {
 MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
     : config_(resolved(config)),
+      unranged_(config_),
       clock_(config_.period),
       shown_(config_.period),
       outputs_(switches, compare) {
   now_.position = config_.position;
+  unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
 
 Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
@@ -33,7 +35,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.broken = 0;
   joint_ = false;
   const bool rested = !moving();
-  if (state_ == State::homing) state_ = State::standstill;
+  if (state_ == State::homing && !moving()) state_ = State::standstill;
   for (Movement* const movement : {active_, pending_, command.movement})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
@@ -41,6 +43,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   obey(command);
   watch();
   begin_due();
+  if (state_ == State::homing && moving()) seek();
   if (rested && moving()) outputs_.begin();
   if (moving()) play();
   operate_outputs();
@@ -72,6 +75,8 @@ void MotionAxis::report() {
 void MotionAxis::take(const Inputs& inputs) {
   const double renamed = inputs.master_offset - inputs_.master_offset;
   inputs_ = sound(inputs, config_);
+  inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
+  inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
   see_renamed(renamed);
   now_.actual_position = inputs_.feedback.position + now_.offset;
   now_.torque = inputs_.feedback.torque;
@@ -170,12 +175,13 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   const double kinks = on_path() ? peaks_.velocity_step : 0;
   const double joint = joint_ ? *config_.limits.acceleration * seconds(1) : 0;
   const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
-  const Cause no = check_setpoint(last(), state, step, config_);
+  const Cause no = check_setpoint(last(), state, step, rules());
   const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
   if (supervised && (no == Cause::none || no == Cause::out_of_range))
-    if (const Cause limit = check_range(last(), state, config_); limit != Cause::none) return limit;
+    if (const Cause limit = check_range(last(), state, rules()); limit != Cause::none) return limit;
   if (no != Cause::none) return no;
   if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
+  if (homing_) return Cause::none;
   if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
   if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
   return Cause::none;

@@ -7,6 +7,7 @@
 
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/command.hpp"
+#include "jounce/axis/homing.hpp"
 #include "jounce/axis/inputs.hpp"
 #include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/outputs.hpp"
@@ -39,6 +40,7 @@ struct Tick {
   double override_ = 1;        ///< factor that the axis was granted
   double rate = 1;             ///< of path time now
   bool held = false;           ///< the motion waits for the order resume
+  bool homed = false;          ///< positions count from the machine's home position
   bool power = false;          ///< the drive shall follow setpoints
   std::int64_t group = 0;      ///< of what is played, or waits for its start; 0: none
   std::int64_t broken = 0;     ///< the group that was broken in this tick: by a stop, a halt or a fault
@@ -87,6 +89,9 @@ bool in_motion(const Tick& tick);
 /// `offset`, not the drive. While the axis is disabled its position is the drive's, where that is
 /// known, so that enabling moves nothing.
 ///
+/// **Homing** (homing.hpp) finds the machine's home position by what the drive reports of its switches
+/// and index. Until it has come to rest the position range does not hold, and it may stand on a limit switch.
+///
 /// **Safety.** Arming admits a movement against the limits, whatever its sender did. In motion,
 /// every setpoint is compared with the one before and the limits before it is given out. A fault
 /// stays until a reset; what the axis does about it says reaction_to().
@@ -133,6 +138,7 @@ class MotionAxis {
 
   // axis_commands.cpp: what it is told
   void obey(const Command& command);
+  [[nodiscard]] bool needs_home(const Command& command) const;
   void act(const Command& command);
   void power(bool on);
   void reset();
@@ -143,6 +149,14 @@ class MotionAxis {
   void hold(bool on);
   void set_override(double factor);
   void finish();
+
+  // axis_homing.cpp: the search for its home position
+  void home(const Command& command);
+  void seek();
+  void find_home();
+  [[nodiscard]] Homing::Seen seen() const;
+  /// The limits that hold now: without the position range until a homing has come to rest.
+  [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: its slots
   void arm(Movement* movement);
@@ -232,6 +246,7 @@ class MotionAxis {
   void drop_movement();
 
   AxisConfig config_;
+  AxisConfig unranged_;  // the same without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
   std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
@@ -277,6 +292,9 @@ class MotionAxis {
   Limits lift_most_;  // what the motion below leaves it
   std::int64_t lift_origin_ = 0;
   double shift_ = 0;  // u, of those that are over
+
+  std::optional<Homing> homing_;  // until it has come to rest, however it ends
+  double home_position_ = 0;      // u: the position that the home position will get
 
   bool has_master_ = false;  // since a cam was started; until the next table without one
   Outputs outputs_;

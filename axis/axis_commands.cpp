@@ -19,9 +19,19 @@ void MotionAxis::obey(const Command& command) {
     if (command.movement) hand_back(command.movement);
     return refuse(no);
   }
+  if (needs_home(command)) {
+    if (command.movement) hand_back(command.movement);
+    return refuse(Cause::not_homed);
+  }
   const bool has_own = command.kind == Kind::start || command.kind == Kind::gear_in;
   if (command.at >= 0 && command.at != now_.tick && !has_own) return postpone(command);
   act(command);
+}
+
+/// What goes to a position needs to have found from where that counts.
+bool MotionAxis::needs_home(const Command& command) const {
+  if (!config_.require_home || now_.homed) return false;
+  return command.kind == Kind::move_absolute || (command.movement && command.movement->absolute());
 }
 
 void MotionAxis::act(const Command& command) {
@@ -53,9 +63,7 @@ void MotionAxis::act(const Command& command) {
     case Kind::set_position:
       return set_position(command.position + (command.relative ? now_.position : 0));
     case Kind::home:
-      set_position(command.position);
-      if (!now_.refused) state_ = State::homing;
-      return;
+      return home(command);
     case Kind::hold:
     case Kind::resume:
       return hold(command.kind == Kind::hold);
@@ -129,7 +137,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   if (!moving() || stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
-  state_ = stops ? State::stopping : State::discrete_motion;
+  state_ = stops || homing_ ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;

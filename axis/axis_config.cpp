@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "jounce/axis/homing.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -23,6 +24,29 @@ double stop_limit(const char* key, double value, double limit) {
 void not_negative(const char* key, double value) {
   require_finite(key, value);
   if (value < 0) throw InputError(key, value, "must not be negative");
+}
+
+HomingSpec resolved(HomingSpec homing, const Limits& limits) {
+  if (!homing_method(homing.method))
+    throw InputError("homing.method", std::to_string(homing.method),
+                     "must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402, object 6098h)");
+  const auto within = [](const char* key, double& value, double otherwise, double limit) {
+    if (value == 0) value = otherwise;
+    require_finite(key, value);
+    if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
+    if (value > limit)
+      throw InputError(key, value, "must not exceed the axis's limit, " + number(limit));
+  };
+  within("homing.search_velocity", homing.search_velocity, *limits.velocity / 10, *limits.velocity);
+  within("homing.index_velocity", homing.index_velocity, homing.search_velocity / 4,
+         *limits.velocity);
+  within("homing.acceleration", homing.acceleration, *limits.acceleration, *limits.acceleration);
+  require_finite("homing.offset", homing.offset);
+  require_finite("homing.timeout", homing.timeout);
+  if (!(homing.timeout > 0))
+    throw InputError("homing.timeout", homing.timeout, "must be greater than 0");
+  not_negative("homing.distance", homing.distance);
+  return homing;
 }
 
 }  // namespace
@@ -51,6 +75,7 @@ AxisConfig resolved(AxisConfig config) {
                                    {"in_position", config.in_position},
                                    {"in_position_time", config.in_position_time}})
     not_negative(key, value);
+  config.homing = resolved(config.homing, config.limits);
   if (config.limit_acceleration == 0) config.limit_acceleration = config.stop_acceleration;
   return config;
 }

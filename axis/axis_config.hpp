@@ -6,6 +6,17 @@
 
 namespace jounce {
 
+/// How an axis finds its home position, after CiA 402. What is 0 is a default: resolved() fills it in.
+struct HomingSpec {
+  int method = 37;             ///< 6098h; 35, 37: where the axis stands
+  double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's limit
+  double index_velocity = 0;   ///< u/s, 6099h:2, of edge and index; 0: a quarter of search_velocity
+  double acceleration = 0;     ///< u/s^2, 609Ah; 0: the limit of the axis
+  double offset = 0;           ///< u, 607Ch: the position that the home position gets
+  double timeout = 60;         ///< s, of all of it, > 0
+  double distance = 0;         ///< u that each search may go; 0: not limited
+};
+
 /// What an axis is allowed to do, fixed when the executor starts. What is 0 is off, unless it says
 /// otherwise.
 struct AxisConfig {
@@ -23,6 +34,9 @@ struct AxisConfig {
   double following_time = 0;      ///< s
   double in_position = 0;         ///< u; within this for in_position_time: in position
   double in_position_time = 0;    ///< s
+
+  HomingSpec homing = {};
+  bool require_home = false;  ///< before it is homed no motion goes to a position
 };
 
 /// The same with the defaults filled in. Throws InputError for a value out of range.

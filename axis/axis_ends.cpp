@@ -8,6 +8,7 @@
 namespace jounce {
 
 void MotionAxis::conclude() {
+  if (state_ == State::homing) return;  // it says itself when it has ended
   if (base_ == Base::move) {
     if (plan_time() < plan_.duration()) return;
     if (ending_ != Ending::none) return rest();
@@ -75,6 +76,7 @@ void MotionAxis::freeze() {
   ending_ = Ending::none;
   boundary_ = Boundary::none;
   held_ = lifting_ = false;
+  homing_.reset();
   shift_ = 0;
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }
@@ -91,6 +93,7 @@ void MotionAxis::fail(Cause cause) {
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
   break_group();
+  if (cause == Cause::drive_fault) now_.homed = false;  // its count may have been lost
   disarm();
   forget_next();
   forget_later();

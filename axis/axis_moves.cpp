@@ -199,7 +199,7 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
                            double factor) {
   Goal aim = goal;
   aim.through = through(from, goal, factor);
-  const auto profile = plan(from, aim, factor, config_);
+  const auto profile = plan(from, aim, factor, rules());
   if (!profile) return false;
   plan_ = *profile;
   goal_ = aim;
@@ -227,7 +227,7 @@ void MotionAxis::brake(double deceleration) {
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
     if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
     ending_ = Ending::fault;
-    if (stays_inside(plan_, config_)) return;  // else harder
+    if (stays_inside(plan_, rules())) return;  // else harder
   }
 }
 

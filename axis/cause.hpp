@@ -72,6 +72,15 @@ enum class Cause : std::uint8_t {
   no_ramp = 57,
   not_in_sync = 58,
 
+  // Homing: faults, then commands that were not obeyed.
+  home_timeout = 60,
+  home_not_found = 61,
+  index_not_found = 62,
+  both_switches = 63,
+  not_homed = 66,
+  no_such_method = 67,
+  no_sensor = 68,
+
   // Why the last motion ended where no fault ended it; none: it reached its end.
   stopped = 80,
   halted = 81,
@@ -89,7 +98,8 @@ const char* meaning(Cause cause);
 
 /// Whether it is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
-  return cause >= Cause::aborted && cause <= Cause::master_reversed;
+  return (cause >= Cause::aborted && cause <= Cause::master_reversed) ||
+         (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 
 /// Why a command is not obeyed or a movement not admitted, with the number, the bound it breaks,

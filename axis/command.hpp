@@ -27,6 +27,15 @@ enum class StartAt : std::uint8_t {
   master_position,  ///< where the master passes `position`
 };
 
+/// What a command may change of an axis's HomingSpec, besides its offset (`position`), search velocity and
+/// acceleration (`dynamics`). NaN, and method 0: as configured.
+struct HomingChoice {
+  int method = 0;
+  double index_velocity = as_configured;  ///< u/s, > 0
+  double timeout = as_configured;         ///< s, > 0
+  double distance = as_configured;        ///< u, > 0
+};
+
 /// What an axis is told. At most one command a tick; of several in a row the last one wins.
 struct Command {
   enum class Kind : std::uint8_t {
@@ -40,7 +49,7 @@ struct Command {
     abort,              ///< at once: a fault
     reset,              ///< clears a fault
     set_position,       ///< the axis stands at `position` (or `relative`: so much further on)
-    home,               ///< the same, as the end of a homing: through the state homing
+    home,               ///< searches for the home position, as `homing` says, in the state homing
     hold,               ///< a path, or a planned move: to rest, and it waits there
     resume,             ///< ends the hold
     override_,          ///< `factor` times the speed from now on
@@ -63,13 +72,16 @@ struct Command {
   StartAt start_at = StartAt::tick;
   std::int64_t group = 0;  ///< of a start: motions of one group stop together; 0: none
   std::int64_t at = -1;  ///< tick; -1: in the step that gets the command. Arm knows no other
-  double position = 0;   ///< u; u/s of move_velocity, m for a master; relative moves: a distance
+  /// u; u/s of move_velocity, m for a master; relative moves: a distance; home: the position that home
+  /// gets, NaN: as configured.
+  double position = 0;
   bool relative = false;
   double factor = 1;  ///< of override_, 0 to 2
   MoveDynamics dynamics = {};
   Direction direction = Direction::shortest;  ///< of a move on a modulo axis
   /// When a move takes over from the motion before it: docs/executor/axis.md.
   BufferMode buffer = BufferMode::aborting;  ///< of move_absolute, move_relative, move_velocity
+  HomingChoice homing = {};
 };
 inline constexpr std::size_t command_kinds = 25;
 

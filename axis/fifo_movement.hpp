@@ -68,6 +68,7 @@ class FifoPath final : public Movement {
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override { return cause_; }
+  [[nodiscard]] bool absolute() const noexcept override { return origin_.has_value(); }
   [[nodiscard]] double known() const noexcept override;
   [[nodiscard]] bool growing() const noexcept override { return fifos_.growing(); }
   [[nodiscard]] Peaks peaks() const noexcept override;
@@ -118,6 +119,7 @@ class FifoFollow final : public Movement {
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override { return cause_; }
+  [[nodiscard]] bool absolute() const noexcept override { return origin_.has_value(); }
 
  private:
   SegmentFifos fifos_;

@@ -10,6 +10,23 @@ namespace jounce {
 /// Numbers beyond this are none of a machine; move_to() has the same bound.
 inline constexpr double most_magnitude = 1e50;
 
+/// A switch or an index of the machine, as a drive reports it for one cycle.
+struct Sensor {
+  bool wired = false;  ///< the machine has it
+  bool on = false;     ///< at the end of the cycle; of an index nothing
+  /// u, as the drive counts: where it changed first since the cycle before (an index: where it was
+  /// passed), latched by the drive; NaN: nowhere.
+  double edge = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The sensors that say where a machine is: CiA 402, objects 60FDh (levels) and 60BAh (latches).
+struct Sensors {
+  Sensor home;      ///< home switch
+  Sensor negative;  ///< limit switches
+  Sensor positive;
+  Sensor index;  ///< of the encoder
+};
+
 /// What a drive says in one cycle. NaN: it does not tell.
 struct Feedback {
   double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
@@ -17,6 +34,7 @@ struct Feedback {
   double torque = std::numeric_limits<double>::quiet_NaN();    ///< share of the rated one
   bool ready = true;   ///< it follows setpoints (CiA 402: operation enabled)
   bool fault = false;  ///< it has failed (CiA 402: fault)
+  Sensors sensors = {};
 };
 
 /// What an axis sees in one cycle besides commands. Whatever it is, the axis stays within its limits:
@@ -28,7 +46,7 @@ struct Inputs {
   /// count in which it was coupled.
   double master_offset = 0;
   Feedback feedback = {};
-  bool positive_switch = false;  ///< limit switches: the axis stands on it
+  bool positive_switch = false;  ///< limit switches: the axis stands on it; also the drive's
   bool negative_switch = false;
   /// Rows of its queues are there up to this number; the greatest: all that were handed over.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();

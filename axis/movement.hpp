@@ -79,6 +79,9 @@ class Movement {
   /// said by the axis at the beginning of every tick (Inputs::rows).
   virtual void see(std::uint64_t /*number*/) noexcept {}
 
+  /// Whether it goes to positions of its own, rather than on from wherever the axis stands.
+  [[nodiscard]] virtual bool absolute() const noexcept { return true; }
+
   /// What the axis would refuse it for, if it began in the state `from`; asked when it is armed.
   [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
                                                      const MotionState& /*from*/) const noexcept {

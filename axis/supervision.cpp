@@ -31,6 +31,10 @@ Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept {
   if (!detail::usable(sound.master)) sound.master = {unknown, 0, 0, 0};
   Feedback& drive = sound.feedback;
   for (auto [value, most] : {std::pair{&drive.position, furthest(config)},
+                             {&drive.sensors.home.edge, furthest(config)},
+                             {&drive.sensors.negative.edge, furthest(config)},
+                             {&drive.sensors.positive.edge, furthest(config)},
+                             {&drive.sensors.index.edge, furthest(config)},
                              {&drive.velocity, most_magnitude},
                              {&drive.torque, most_magnitude}}) {
     if (std::isnan(*value) || std::abs(*value) <= most) continue;

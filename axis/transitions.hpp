@@ -16,7 +16,7 @@ enum class State : std::uint8_t {
   stopping = 4,             ///< on its way to rest; nothing but a fault ends that
   error_stop = 5,           ///< at rest, or on its way there, until a reset
   continuous_motion = 6,    ///< at a velocity, until the next command
-  homing = 7,               ///< for the one step in which `home` sets the position
+  homing = 7,               ///< searches for its home position; where it stands there: for one step
 };
 inline constexpr std::size_t states = 8;
 const char* name(State state);
