@@ -28,7 +28,8 @@ wire::AxisState on_wire(State state) {
 bool moves(Kind kind) {
   return kind == Kind::move_absolute || kind == Kind::move_relative ||
          kind == Kind::move_additive || kind == Kind::move_superimposed ||
-         kind == Kind::move_velocity || kind == Kind::gear_in || kind == Kind::resume;
+         kind == Kind::move_velocity || kind == Kind::gear_in || kind == Kind::home ||
+         kind == Kind::resume;
 }
 
 }  // namespace
@@ -424,6 +425,7 @@ wire::Status Desk::status() const {
                       .computing = vitals_.computing.counts(),
                       .units = options_.units,
                       .held = last_.held,
+                      .homed = last_.homed,
                       .unwritten = unwritten()};
   if (last_.job != 0 || last_.progress != Progress::done)
     status.progress = jounce::on_wire(last_.progress);

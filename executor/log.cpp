@@ -66,7 +66,7 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
         << "],velocity" << u << "/s],acceleration" << u
-        << "/s^2],job,fault,outputs,edges [s],held\n";
+        << "/s^2],job,fault,outputs,edges [s],held,homed\n";
   file_.flush();
   if (file_) return;
   const int why = errno;
@@ -86,7 +86,7 @@ void TickLog::add(const Tick& tick) {
   if (!truncated_.empty()) return;
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
        tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
-       tick.held ? 1 : 0);
+       tick.held ? 1 : 0, tick.homed ? 1 : 0);
   file_ << line_;
   look();
 }

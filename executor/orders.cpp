@@ -35,6 +35,16 @@ Command move_absolute(const std::array<double, 8>& value) {
   return command;
 }
 
+Command home(const std::array<double, 8>& value) {
+  return {.kind = Kind::home,
+          .position = value[0],
+          .dynamics = {.velocity = value[2], .acceleration = value[4]},
+          .homing = {.method = static_cast<int>(std::lround(value[1])),
+                     .index_velocity = value[3],
+                     .timeout = value[5],
+                     .distance = value[6]}};
+}
+
 Command move_velocity(const std::array<double, 8>& value) {
   return {.kind = Kind::move_velocity,
           .position = value[0],
@@ -58,7 +68,7 @@ std::optional<Command> untimed(const OrderRequested& order) {
     case OrderKind::set_position:
       return Command{.kind = Kind::set_position, .position = value[0], .relative = value[1] == 1};
     case OrderKind::home:
-      return Command{.kind = Kind::home, .position = value[0]};
+      return home(value);
     case OrderKind::hold:
       return Command{.kind = Kind::hold};
     case OrderKind::resume:

@@ -114,7 +114,12 @@ CallOutcome Client::set_position(double position, bool relative) {
 }
 
 CallOutcome Client::home(double position) {
-  return order(OrderKind::home, {position});
+  constexpr double where_it_stands = 37;
+  return order(OrderKind::home, {position, where_it_stands});
+}
+
+CallOutcome Client::search_home(int method, double offset) {
+  return order(OrderKind::home, {offset, static_cast<double>(method)});
 }
 
 CallOutcome Client::override_(double factor) {

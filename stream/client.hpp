@@ -58,7 +58,10 @@ class Client {
   CallOutcome disable() { return order(wire::OrderKind::disable); }
   CallOutcome reset() { return order(wire::OrderKind::reset); }
   CallOutcome set_position(double position, bool relative = false);
+  /// Nothing moves: where the axis stands is its home, and has this position.
   CallOutcome home(double position);
+  /// Searches for home by a method of CiA 402, 0 and NaN: as the axis is configured. Accepted: it has begun.
+  CallOutcome search_home(int method = 0, double offset = Pacing::not_given);
   CallOutcome hold() { return order(wire::OrderKind::hold); }
   CallOutcome resume() { return order(wire::OrderKind::resume); }
   CallOutcome override_(double factor);

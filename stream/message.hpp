@@ -263,6 +263,7 @@ struct Status {
   std::int32_t start_cause = 0;             ///< why it was dropped, as last_error
   std::string start_reason{};               ///< in words
   bool held = false;                        ///< a motion waits for the order resume
+  bool homed = false;                       ///< its position counts from its home position
   std::uint8_t unwritten = 0;               ///< files that could not be written: see Unwritten
 
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

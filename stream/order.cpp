@@ -10,7 +10,7 @@
 namespace jounce::wire {
 namespace {
 
-/// What a value is, as a letter: any number (n), a magnitude (m: > 0, or NaN: not given), a flag (f), a direction (d),
+/// What a value is, as a letter: any number (n), a place (p: any number, or NaN: not given), a magnitude (m: > 0, or NaN: not given), a flag (f), a direction (d),
 /// a factor 0 to 2 (o), a whole number (w), one that is not 0 (z), a count (c: whole, >= 0), a
 /// bank (f), a buffer mode (b: whole, 0 to 5).
 struct Meaning {
@@ -30,7 +30,9 @@ constexpr Meaning meanings[] = {
     {"disable", "", {}},
     {"reset", "", {}},
     {"set_position", "nf", {"position", "relative"}},
-    {"home", "n", {"position"}},
+    {"home",
+     "pcmmmmm",
+     {"offset", "method", "search velocity", "index velocity", a, "timeout", "distance"}},
     {"hold", "", {}},
     {"resume", "", {}},
     {"override", "o", {"factor"}},
@@ -61,7 +63,7 @@ const Meaning& meaning(OrderKind kind) {
 /// The rule that the value breaks; empty: none.
 const char* broken(char letter, double value) {
   const bool whole = std::abs(value) <= 2147483647 && value == std::trunc(value);
-  if (letter == 'm' && std::isnan(value)) return "";
+  if ((letter == 'm' || letter == 'p') && std::isnan(value)) return "";
   if (!std::isfinite(value)) return "must be finite";
   if (letter == 'm' && !(value > 0))
     return "must be greater than 0; leave it out to use the limit of the axis";
@@ -89,7 +91,7 @@ std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given
   std::array<double, 8> all{};
   const char* const letters = meaning(kind).values;
   for (std::size_t i = 0; i < arity(kind); ++i)
-    if (letters[i] == 'm') all[i] = std::numeric_limits<double>::quiet_NaN();
+    if (letters[i] == 'm' || letters[i] == 'p') all[i] = std::numeric_limits<double>::quiet_NaN();
   std::copy(given.begin(), given.end(), all.begin());
   return all;
 }

@@ -23,7 +23,8 @@ enum class OrderKind : std::int8_t {
   disable = 1,         ///< []
   reset = 2,           ///< [] clears a fault
   set_position = 3,    ///< [position u, 1: relative] nothing moves
-  home = 4,            ///< [position u] what the axis stands at is called so
+  home = 4,            ///< [offset u, method of CiA 402, search velocity, index velocity,
+                       ///< acceleration, timeout s, distance u]; method 0, NaN: as configured
   hold = 5,            ///< [] to rest on the path
   resume = 6,          ///< [] goes on from there
   override_ = 7,       ///< [velocity factor 0...2]
@@ -61,11 +62,11 @@ const char* name(OrderKind kind);
 std::size_t arity(OrderKind kind);
 
 /// The values of an order of this kind. What is left out at the end is not given: NaN for a velocity,
-/// acceleration, deceleration or jerk, else 0.
+/// acceleration, deceleration, jerk, time or distance of home, else 0.
 std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given);
 
 /// What an order says wrongly, as a sentence that names the value; empty: nothing. Every value is
-/// finite, magnitudes are > 0 or NaN, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
+/// finite, magnitudes are > 0 or NaN, home's offset any number or NaN, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
 /// blending low, previous, next, high), a direction -1, 0 or 1, an override 0 to 2, a
 /// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
 std::string contradiction(const Order& order);

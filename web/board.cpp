@@ -33,6 +33,7 @@ ordered_json facts(const wire::Status& s) {
           {"override", s.override_},
           {"progress", name(s.progress)},
           {"held", s.held},
+          {"homed", s.homed},
           {"unwritten", s.unwritten},
           {"fault", cause_of(s.last_error)},
           {"reason", cause_of(s.reason)},

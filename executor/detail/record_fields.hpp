@@ -13,6 +13,17 @@
 /// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a function of one's own compares.
 namespace jounce::record_fields {
 
+template <class Ours, class Theirs, class F>
+void each_sensor(Ours& s, Theirs& w, F f) {
+  std::size_t k = 0;
+  for (auto* sensor : {&s.home, &s.negative, &s.positive, &s.index}) {
+    f("sensor_wired", sensor->wired, w.sensor_wired[k]);
+    f("sensor_on", sensor->on, w.sensor_on[k]);
+    f("sensor_edge", sensor->edge, w.sensor_edge[k]);
+    ++k;
+  }
+}
+
 /// f(name, ours, theirs) for every field.
 template <class Ours, class Theirs, class F>
 void each_input(Ours& c, Theirs& w, F f) {
@@ -30,6 +41,10 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
   f("direction", c.command.direction, w.direction);
   f("buffer", c.command.buffer, w.buffer);
+  f("home_method", c.command.homing.method, w.home_method);
+  f("index_velocity", c.command.homing.index_velocity, w.index_velocity);
+  f("home_timeout", c.command.homing.timeout, w.home_timeout);
+  f("home_distance", c.command.homing.distance, w.home_distance);
   for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
   f("live_master_offset", c.inputs.master_offset, w.live_master_offset);
   f("drive_position", c.inputs.feedback.position, w.drive_position);
@@ -37,6 +52,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
   f("drive_ready", c.inputs.feedback.ready, w.drive_ready);
   f("drive_fault", c.inputs.feedback.fault, w.drive_fault);
+  each_sensor(c.inputs.feedback.sensors, w, f);
   f("positive_switch", c.inputs.positive_switch, w.positive_switch);
   f("negative_switch", c.inputs.negative_switch, w.negative_switch);
   f("group_broken", c.inputs.group_broken, w.group_broken);
@@ -80,6 +96,7 @@ void each_output(TickOfOurs& t, RefusalsOfOurs& r, Theirs& w, F f) {
   f("override", t.override_, w.override_factor);
   f("rate", t.rate, w.rate);
   f("held", t.held, w.held);
+  f("homed", t.homed, w.homed);
   f("power", t.power, w.power);
   f("offset", t.offset, w.offset);
   f("actual_position", t.actual_position, w.actual_position);
@@ -119,6 +136,14 @@ void each_number(Ours& c, Theirs& w, F f) {
   f("following_time", c.following_time, w.following_time);
   f("in_position", c.in_position, w.in_position);
   f("in_position_time", c.in_position_time, w.in_position_time);
+  f("home_method", c.homing.method, w.home_method);
+  f("search_velocity", c.homing.search_velocity, w.search_velocity);
+  f("index_velocity", c.homing.index_velocity, w.index_velocity);
+  f("home_acceleration", c.homing.acceleration, w.home_acceleration);
+  f("home_offset", c.homing.offset, w.home_offset);
+  f("home_timeout", c.homing.timeout, w.home_timeout);
+  f("home_distance", c.homing.distance, w.home_distance);
+  f("require_home", c.require_home, w.require_home);
 }
 
 template <class Ours, class Theirs, class F>

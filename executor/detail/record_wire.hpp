@@ -28,7 +28,7 @@ namespace jounce::record_wire {
 using namespace jounce_record;
 using namespace record_fields;
 
-inline constexpr std::int16_t version = 5;  ///< the format version of every record type
+inline constexpr std::int16_t version = 6;  ///< the format version of every record type
 inline constexpr std::size_t knots_an_event = 200;
 
 template <std::size_t N>

@@ -48,6 +48,7 @@ void put(const Status& from, jounce_lcm::status_t& to) {
   to.start_cause = from.start_cause;
   put_text(from.start_reason, to.start_reason, reason_bytes);
   to.held = from.held ? 1 : 0;
+  to.homed = from.homed ? 1 : 0;
   to.unwritten = static_cast<std::int8_t>(from.unwritten);
 }
 
@@ -84,7 +85,7 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
          get_text(from.unit_position, unit_bytes, to.units.position) && to.start_command >= 0 &&
          get_enum(from.start_outcome, to.start) &&
          get_text(from.start_reason, reason_bytes, to.start_reason) &&
-         get_flag(from.held, to.held) && to.unwritten <= 7;
+         get_flag(from.held, to.held) && get_flag(from.homed, to.homed) && to.unwritten <= 7;
 }
 
 void put(const Event& from, jounce_lcm::event_t& to) {

@@ -178,6 +178,10 @@ wire::Order order_of(Random& random, const Bounds& b) {
         value[4] = random.uniform(0, 100);
       }
       break;
+    case OrderKind::home:  // where it stands: this machine has no switches
+      value =
+          wire::values(order.kind, {random.below(3) == 0 ? nasty(random) : place(random, b), 0});
+      break;
     default:
       for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
         value[i] = random.below(3) == 0 ? nasty(random) : place(random, b);
@@ -359,8 +363,7 @@ class Episode {
       done.what = done.what == What::rests ? What::moves : What::other;
     note(axis, done, sent, words_of(order, axis));
     accepted_[axis].back().answered = std::max(order.at, by);
-    // A homing may move; where a table adopts the position, its start names it.
-    if (order.kind == OrderKind::home) also(axis, Accepted::What::moves);
+    // Where a table adopts the position, its start names it.
     if (order.kind == OrderKind::start) also(axis, Accepted::What::places);
   }
 

@@ -47,6 +47,7 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
            .acceleration = -0.0,
            .job = 18446744073709551615U,
            .held = true,
+           .homed = true,
            .switches = {.outputs = 0x80000001U,
                         .count = 2,
                         .edge = {{{0.00025, 32, true}, {0.00075, 3, false}}}}});
@@ -60,11 +61,11 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
   text << file.rdbuf();
   EXPECT_EQ(text.str(),
             "tick,time [s],state,master [deg],master_velocity [deg/s],position [mm],"
-            "velocity [mm/s],acceleration [mm/s^2],job,fault,outputs,edges [s],held\n"
-            "0,0,standstill,0,0,0,0,0,0,none,0,,0\n"
+            "velocity [mm/s],acceleration [mm/s^2],job,fault,outputs,edges [s],held,homed\n"
+            "0,0,standstill,0,0,0,0,0,0,none,0,,0,0\n"
             "12,0.012,synchronized_motion,0.30000000000000004,1e-09,-0.3333333333333333,"
-            "1e+300,-0,18446744073709551615,none,2147483649,+32@0.00025 -3@0.00075,1\n"
-            "13,0.013,error_stop,0,0,0,0,0,0,aborted,0,,0\n");
+            "1e+300,-0,18446744073709551615,none,2147483649,+32@0.00025 -3@0.00075,1,1\n"
+            "13,0.013,error_stop,0,0,0,0,0,0,aborted,0,,0,0\n");
 }
 
 TEST_F(TickLogTest, LeavesNothingBehindIfItIsNeverClosed) {

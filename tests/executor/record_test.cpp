@@ -465,12 +465,14 @@ TEST(RecordedEvents, ComeBackAsTheyWere) {
                    .relative = true,
                    .factor = 0.3,
                    .dynamics = {1.1, 2.2, 3.3, 4.4},
-                   .direction = Direction::negative};
+                   .direction = Direction::negative,
+                   .homing = {.method = 1000, .index_velocity = 5.5, .timeout = nan}};
   cycle.inputs = {
       .master = {1.5, -2.5, nan, 4.5},
       .feedback = {.position = 0.1, .velocity = nan, .torque = -0.7, .ready = false, .fault = true},
       .positive_switch = true,
       .watchdog = true};
+  cycle.inputs.feedback.sensors.positive = {.wired = true, .on = true, .edge = -0.3};
   cycle.tick.tick = 1LL << 40;
   cycle.tick.position = 1.0 / 3;
   cycle.tick.fault = Cause::overspeed;
@@ -481,6 +483,11 @@ TEST(RecordedEvents, ComeBackAsTheyWere) {
   EXPECT_EQ(encoded(back), encoded(cycle));
   EXPECT_EQ(back.command.direction, Direction::negative);
   EXPECT_EQ(back.command.dynamics.deceleration, 3.3);
+  EXPECT_EQ(back.command.homing.method, 1000);
+  EXPECT_EQ(back.command.homing.index_velocity, 5.5);
+  EXPECT_TRUE(back.inputs.feedback.sensors.positive.on);
+  EXPECT_EQ(back.inputs.feedback.sensors.positive.edge, -0.3);
+  EXPECT_FALSE(back.inputs.feedback.sensors.negative.wired);
   EXPECT_EQ(back.inputs.feedback.torque, -0.7);
   EXPECT_TRUE(back.inputs.positive_switch);
   EXPECT_FALSE(back.inputs.negative_switch);
@@ -526,6 +533,7 @@ TEST(RecordedEvents, EveryFieldOfATickCounts) {
   with([](Tick& t) { t.override_ = 0.5; });
   with([](Tick& t) { t.rate = 0.5; });
   with([](Tick& t) { t.held = true; });
+  with([](Tick& t) { t.homed = true; });
   with([](Tick& t) { t.power = true; });
   with([](Tick& t) { t.offset = 1; });
   with([](Tick& t) { t.actual_position = 1; });
@@ -544,6 +552,8 @@ TEST(RecordedEvents, AnAxisKeepsItsConfiguration) {
   axis.config.limits = test::limits(3, 4, 5);
   axis.config.limits.position_min = -7;
   axis.config.following_error = 0.25;
+  axis.config.homing = {.method = 24, .search_velocity = 2, .distance = 9};
+  axis.config.require_home = true;
   const auto back = std::get<RecordedAxis>(*decoded("JOUNCE.axis", encoded(axis)));
   EXPECT_EQ(encoded(back), encoded(axis));
   EXPECT_EQ(back.name, "Zuführung");
@@ -551,6 +561,9 @@ TEST(RecordedEvents, AnAxisKeepsItsConfiguration) {
   EXPECT_EQ(back.config.limits.position_min, -7);
   EXPECT_FALSE(back.config.limits.position_max);
   EXPECT_EQ(back.config.following_error, 0.25);
+  EXPECT_EQ(back.config.homing.method, 24);
+  EXPECT_EQ(back.config.homing.distance, 9);
+  EXPECT_TRUE(back.config.require_home);
   EXPECT_TRUE(back.switches);
   EXPECT_FALSE(decoded("LASER", encoded(axis)));
   EXPECT_THROW(decoded("JOUNCE.job", encoded(axis)), InputError);

@@ -92,6 +92,7 @@ std::vector<Message> messages() {
                       .start_cause = 55,
                       .start_reason = "would_reverse",
                       .held = true,
+                      .homed = true,
                       .unwritten = 6};
   const std::vector<wire::Row> rows{{0.1, 2, 0, 40, 0, 0, wire::RowOrder::cubic, false},
                                     {0.25, 9, 40, 0, 0, 0, wire::RowOrder::cubic, true}};

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "jounce/drive/machine_sensors.hpp"
+#include "jounce/stream/client.hpp"
+#include "jounce/stream/driver.hpp"
+
+#include "axis/tables.hpp"
+#include "executor/log_judge.hpp"
+#include "executor/site.hpp"
+
+// A homing that is ordered over the stream: what its log shows, and what becomes of other orders meanwhile.
+
+namespace jounce {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+constexpr double acceleration = 800, jerk = 2e4;
+
+/// A slide between limit switches at -100 and 100, its home switch on from 10 to 32.
+ExecutorOptions slide(double at) {
+  ExecutorOptions options = axis_named("slide", limits(200, 1000, jerk), {"", "mm"});
+  options.axis.homing = {
+      .method = 24, .search_velocity = 50, .index_velocity = 5, .acceleration = acceleration};
+  options.drive = std::make_shared<DriveOnMachine>(
+      std::make_shared<NullDrive>(at),
+      MachineSensorsSpec{.home = MachineSwitch{.position = 10, .width = 22, .bounce = 0.004},
+                         .negative = negative_switch(-100),
+                         .positive = positive_switch(100),
+                         .index = MachineIndex{.period = 10, .offset = 3}},
+      1e-3);
+  return options;
+}
+
+struct Slide : Site {
+  explicit Slide(const ExecutorOptions& options) : Site({options}, {.recorded = true}) {
+    EXPECT_TRUE(client.enable().ok());
+  }
+  /// Until the homing has ended; its owner is heard meanwhile.
+  void finish() {
+    for (int i = 0; i < 4000 && last().state == State::homing; ++i) {
+      advance(20ms);
+      ASSERT_TRUE(client.beat().ok());
+    }
+  }
+  Client client{link, "slide", {}, clock};
+};
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(OrderedHoming, TheLogKeepsTheLimitsAndTheRecordReplays) {
+  const auto csv = std::filesystem::temp_directory_path() /
+                   ("jounce-homing-" + std::to_string(::getpid()) + ".csv");
+  for (const int method : {1, 2, 8, 10, 17, 18, 23, 24, 25, 26, 33, 34})
+    for (const double start : {-101.0, -50.0, 20.0, 60.0, 101.0}) {
+      if ((method == 33 && start < -100) || (method == 34 && start > 100)) continue;
+      SCOPED_TRACE("method " + std::to_string(method) + " from " + std::to_string(start));
+      ExecutorOptions options = slide(start);
+      options.log = csv;
+      Slide site(options);
+      const std::int64_t sent = site.last().tick;
+      ASSERT_TRUE(site.client.search_home(method, 7).ok());
+      std::vector<Accepted> orders{{.what = Accepted::What::moves,
+                                    .sent = sent,
+                                    .answered = site.last().tick,
+                                    .words = "home"}};
+      while (site.last().state == State::homing) {
+        site.turn();
+        if (site.last().tick % 100 != 0) continue;
+        ASSERT_TRUE(site.client.beat().ok());
+      }
+      ASSERT_TRUE(site.last().homed) << name(site.last().fault);
+      const std::int64_t named = site.last().tick;  // its position, in one of the last ticks
+      orders.push_back({.what = Accepted::What::places, .sent = named - 30, .answered = named});
+      EXPECT_TRUE(site.replayed().same());
+      const auto findings = judged(read(csv),
+                                   {.velocity = 50,
+                                    .acceleration = acceleration,
+                                    .jerk = jerk,
+                                    .stop_acceleration = acceleration,
+                                    .stop_jerk = jerk},
+                                   orders);
+      for (const std::string& finding : findings) ADD_FAILURE() << finding;
+      if (::testing::Test::HasFailure()) break;
+    }
+  std::filesystem::remove(csv);
+}
+
+TEST(OrderedHoming, ItsEndIsInTheStatus) {
+  Slide site(slide(-50));
+  const auto status = [&] {
+    site.advance(60ms);
+    return site.dispatcher.desk().status();
+  };
+  EXPECT_FALSE(status().homed);
+  ASSERT_TRUE(site.client.search_home().ok());
+  EXPECT_EQ(status().state, wire::AxisState::homing);
+  EXPECT_EQ(status().progress, wire::Progress::running);
+  site.finish();
+  EXPECT_TRUE(status().homed);
+  EXPECT_EQ(status().state, wire::AxisState::standstill);
+  EXPECT_EQ(status().finished, 1);
+  ASSERT_TRUE(site.client.search_home().ok());
+  EXPECT_FALSE(status().homed) << "it searches anew";
+}
+
+TEST(OrderedHoming, OtherOrdersAreRefusedMeanwhile) {
+  Slide site(slide(-50));
+  ASSERT_TRUE(site.client.search_home().ok());
+  site.advance(200ms);
+  for (const CallOutcome& outcome :
+       {site.client.search_home(), site.client.move_absolute(5), site.client.move_velocity(5),
+        site.client.set_position(0), site.client.hold()}) {
+    EXPECT_EQ(outcome.error, StreamError::refused);
+    EXPECT_EQ(outcome.cause, static_cast<std::int32_t>(Cause::in_motion)) << outcome.reason;
+  }
+  EXPECT_EQ(site.last().state, State::homing);
+  Client other(site.link, "slide", {}, site.clock);
+  EXPECT_EQ(other.search_home().refusal, wire::Refusal::busy);
+  const StreamOutcome streamed = site.play(*trapezoid_table(50, 10, 20, 20));
+  EXPECT_FALSE(streamed.ok());
+  EXPECT_EQ(streamed.refusal, wire::Refusal::busy);
+  site.finish();
+  EXPECT_TRUE(site.last().homed);
+}
+
+TEST(OrderedHoming, IsRefusedWhileATableIsPlayed) {
+  Slide site(slide(-50));
+  ASSERT_TRUE(site.client.move_relative(50, {.velocity = 10}).ok());
+  site.advance(100ms);
+  EXPECT_EQ(site.client.search_home().cause, static_cast<std::int32_t>(Cause::in_motion));
+  EXPECT_EQ(site.last().state, State::discrete_motion);
+}
+
+TEST(OrderedHoming, StopsByAnOperatorAndBySilence) {
+  Slide stopped(slide(-50));
+  ASSERT_TRUE(stopped.client.search_home().ok());
+  stopped.advance(300ms);
+  ASSERT_TRUE(operator_stop(stopped.link, "slide", wire::StopMode::stop, 2s, stopped.clock));
+  stopped.advance(500ms);
+  EXPECT_EQ(stopped.last().reason, Cause::stopped);
+  EXPECT_EQ(stopped.last().state, State::standstill);
+  EXPECT_FALSE(stopped.last().homed);
+
+  Slide silent(slide(-50));
+  ASSERT_TRUE(silent.client.search_home(18).ok());
+  silent.advance(1800ms);
+  EXPECT_EQ(silent.last().reason, Cause::stopped);
+  EXPECT_FALSE(silent.last().homed);
+}
+
+TEST(OrderedHoming, WhatIsNotGivenOrWrong) {
+  Slide site(slide(-50));
+  const auto refused = [&](std::initializer_list<double> values) {
+    wire::Order order{.kind = wire::OrderKind::home,
+                      .value = wire::values(wire::OrderKind::home, values)};
+    return site.client.tell(order).reason;
+  };
+  const double nan = Pacing::not_given;
+  EXPECT_NE(refused({nan, 99}).find("no_such_method"), std::string::npos);
+  EXPECT_NE(refused({nan, 2.5}).find("method"), std::string::npos);
+  EXPECT_NE(refused({nan, 24, 0}).find("search velocity must be greater than 0"),
+            std::string::npos);
+  EXPECT_NE(refused({nan, 24, 201}).find("velocity_limit"), std::string::npos);
+  EXPECT_NE(refused({nan, 24, 10, 1, 100, -1}).find("timeout must be greater than 0"),
+            std::string::npos);
+  EXPECT_NE(refused({INFINITY, 24}).find("offset must be finite"), std::string::npos);
+  EXPECT_EQ(site.last().state, State::standstill);
+}
+
+TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
+  ExecutorOptions options = slide(0);
+  options.axis.require_home = true;
+  Slide site(options);
+  ASSERT_TRUE(site.client.release().ok());
+  const Table table = *trapezoid_table(5, 10, 20, 20);
+  EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
+  ASSERT_TRUE(site.client.home(0).ok());
+  ASSERT_TRUE(site.client.release().ok());
+  EXPECT_TRUE(site.play(table).ok());
+}
+
+}  // namespace
+}  // namespace jounce
