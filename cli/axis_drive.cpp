@@ -1,5 +1,8 @@
 #include "axis_drive.hpp"
 
+#include <utility>
+
+#include "jounce/drive/machine_sensors.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/drive/simulated_drive.hpp"
 #include "jounce/profiles/error.hpp"
@@ -30,7 +33,10 @@ std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axi
 
 std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis) {
   try {
-    return make(spec, axis);
+    auto drive = make(spec, axis);
+    if (!spec.machine) return drive;
+    return std::make_shared<DriveOnMachine>(std::move(drive), *spec.machine,
+                                            static_cast<double>(axis.period) * 1e-9);
   } catch (const InputError& error) {  // a drive names its own numbers
     throw InputError("drive." + error.key(), error.value(), error.rule());
   }

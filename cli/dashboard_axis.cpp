@@ -85,6 +85,7 @@ void add_motion(std::vector<Row>& rows, const wire::Status& s, const View& view)
   rows.push_back(
       line("state", {{padded(name(s.state), 21), tone_of(s.state)}, {"motion " + doing}}));
   std::string position = padded(valued(s.slave_position, u), 21);
+  if (s.homed) position += "homed ";
   if (!std::isnan(s.master_position))
     position += "master " + valued(s.master_position, harmless(s.units.x, view.ascii));
   rows.push_back(line("position", {{position, Tone::strong}}));

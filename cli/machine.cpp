@@ -31,6 +31,17 @@ struct Read {
   std::string key = {};
 };
 
+/// `unit`: s of the spec's time.
+HomingSpec homing_of(const AxisSpec::Homing& spec, double unit) {
+  return {.method = spec.method,
+          .search_velocity = spec.search_velocity / unit,
+          .index_velocity = spec.index_velocity / unit,
+          .acceleration = spec.acceleration / (unit * unit),
+          .offset = spec.offset,
+          .timeout = spec.timeout,
+          .distance = spec.distance};
+}
+
 AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
@@ -54,6 +65,8 @@ AxisConfig config_of(const Spec& spec) {
   config.following_time = axis->following_time;
   config.in_position = axis->in_position;
   config.in_position_time = axis->in_position_time;
+  if (axis->homing) config.homing = homing_of(*axis->homing, unit);
+  config.require_home = axis->require_home;
   if (axis->longest_gap > 0) config.longest_gap = std::llround(axis->longest_gap / axis->cycle);
   return config;
 }

@@ -34,10 +34,11 @@ struct Options {
 void print_line(const std::string& axis, const wire::Status& s) {
   fmt::print(
       "{:<12} {:<9} tick {:<10} master {:<12} position {:<12.6g} velocity {:<12.6g} late "
-      "{}{}{}{}\n",
+      "{}{}{}{}{}\n",
       axis, name(s.state), s.tick,
       std::isnan(s.master_position) ? "none" : fmt::format("{:.6g}", s.master_position),
       s.slave_position, s.slave_velocity, s.late_ticks, s.held ? "  held" : "",
+      s.homed ? "  homed" : "",
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_of(s.unwritten)));
   std::fflush(stdout);
@@ -57,6 +58,7 @@ void print_json(const std::string& axis, const wire::Status& s) {
                                     {"override", s.override_},
                                     {"progress", name(s.progress)},
                                     {"held", s.held},
+                                    {"homed", s.homed},
                                     {"unwritten", unwritten_of(s.unwritten)},
                                     {"queue_rows", s.queue_rows}};
   fmt::print("{}\n", line.dump());

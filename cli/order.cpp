@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -16,6 +17,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
 
+#include "await_home.hpp"
 #include "interrupt.hpp"
 #include "link.hpp"
 #include "verb.hpp"
@@ -139,7 +141,7 @@ void require_meant(const Options& options) {
       {"halt", " deceleration jerk "},
       {"gear-in", " VALUE acceleration deceleration jerk "},
       {"override", " VALUE "},
-      {"home", " VALUE "},
+      {"home", " method offset search-velocity index-velocity acceleration timeout distance "},
       {"set-position", " VALUE relative "}};
   const auto found = meant.find(options.what);
   const auto require = [&](const std::string& option, const std::string& text, bool given) {
@@ -188,6 +190,37 @@ wire::Order move_of(const Options& options, const Units& units) {
   return *order;
 }
 
+/// The method, 0: as the axis is configured.
+double method_of(const std::string& text) {
+  if (text.empty()) return 0;
+  const auto method = number_in(text);
+  if (!method || *method != std::floor(*method) || *method < 1 || *method > 37)
+    throw InputError("--method", text, "must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)");
+  return *method;
+}
+
+double timeout_of(const std::string& text) {
+  if (text.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double timeout = number_of("--timeout", text, "s");
+  if (!(timeout > 0)) throw InputError("--timeout", text, "must be greater than 0");
+  return timeout;
+}
+
+wire::Order home_of(const Options& options, const Units& units) {
+  if (options.at >= 0)
+    throw InputError("--at", std::to_string(options.at),
+                     "does not go with home, which waits until the axis is homed");
+  const double distance = quantity_of(options, "distance", units);
+  if (distance <= 0)
+    throw InputError("--distance", options.named.at("distance"), "must be greater than 0");
+  return {.kind = OrderKind::home,
+          .value = {quantity_of(options, "offset", units), method_of(options.named.at("method")),
+                    quantity_of(options, "search-velocity", units, 1),
+                    quantity_of(options, "index-velocity", units, 1),
+                    quantity_of(options, "acceleration", units, 2),
+                    timeout_of(options.named.at("timeout")), distance}};
+}
+
 wire::Order order_of(const Options& options, const Units& units) {
   const std::string& what = options.what;
   const double a = quantity_of(options, "acceleration", units, 2);
@@ -207,8 +240,7 @@ wire::Order order_of(const Options& options, const Units& units) {
             .value = {quantity_of(options, "VALUE", units),
                       quantity_of(options, "velocity", units, 1), a, d, j}};
   if (what == "halt") return {.kind = OrderKind::halt, .value = {d, j}};
-  if (what == "home")
-    return {.kind = OrderKind::home, .value = {quantity_of(options, "VALUE", units)}};
+  if (what == "home") return home_of(options, units);
   if (what == "set-position") {
     return {.kind = OrderKind::set_position,
             .value = {quantity_of(options, "VALUE", units), options.relative ? 1.0 : 0.0}};
@@ -257,6 +289,8 @@ CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
     Client client(link.transport(), options.executor, {.key = link.key()});
     CallOutcome outcome = client.order(order);
     if (options.hold_to_run && outcome.ok()) outcome = hold(options, client);
+    if (order.kind == OrderKind::home && outcome.ok())
+      outcome = await_home(options.executor, client, link);
     static_cast<void>(client.release());
     return outcome;
   }
@@ -276,7 +310,8 @@ int report(const Options& options, const CallOutcome& outcome) {
                                           {"reason", outcome.reason}};
     fmt::print("{}\n", document.dump(1));
   } else if (outcome.ok()) {
-    fmt::print("{}: {} accepted\n", options.executor, options.what);
+    fmt::print("{}: {}\n", options.executor,
+               options.what == "home" ? "homed" : options.what + " accepted");
   } else {
     fmt::print(stderr, "jounce: {}: {}\n", options.executor, outcome.reason);
   }
@@ -305,6 +340,7 @@ void add_order(CommandLine& line) {
                               "jounce order feeder jog -20mm/s --hold-to-run\n"
                               "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
                               "jounce order feeder override 50%\n"
+                              "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit are in that of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->what,
@@ -316,7 +352,7 @@ void add_order(CommandLine& line) {
                      "jog", "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
                      "cam-out", "start"}));
   verb.option("VALUE", options->value,
-              "override's factor (50%), inch's distance, jog's velocity (0: to rest), home's and "
+              "override's factor (50%), inch's distance, jog's velocity (0: to rest), "
               "set-position's position, "
               "gear-in's and gear-in-pos's ratio (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
@@ -330,6 +366,12 @@ void add_order(CommandLine& line) {
   add("acceleration", "Acceleration");
   add("deceleration", "Deceleration");
   add("jerk", "Jerk");
+  add("method", "home: of CiA 402; not given: [homing] of the axis's spec, as all that follow");
+  add("offset", "home: the position that the home position gets");
+  add("search-velocity", "home: on the way to a switch, and off it");
+  add("index-velocity", "home: on the way over the edge of the switch to the index");
+  add("timeout", "home: end it as a fault after so long a time");
+  add("distance", "home: end it as a fault where one search is longer than this");
   add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
       .check(one_of({"shortest", "positive", "negative"}));
   add("blend",

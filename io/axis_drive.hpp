@@ -5,6 +5,7 @@
 #include <string>
 
 #include "jounce/validate/drive.hpp"
+#include "jounce/validate/machine_sensors.hpp"
 
 namespace jounce {
 
@@ -32,6 +33,7 @@ struct AxisDriveSpec {
   Type type = Type::simulated;
   std::optional<Drive> model = {};
   std::optional<Shared> shared = {};
+  std::optional<MachineSensorsSpec> machine = {};  ///< [drive.machine], of null and simulated
 };
 
 struct Spec;

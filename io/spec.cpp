@@ -91,6 +91,7 @@ void read_pvt(TomlReader& top, Spec& spec) {
 
 void read_axis(TomlReader& top, Spec& spec) {
   AxisSpec axis = detail::read_axis(top.table("axis"), spec.units);
+  axis.homing = detail::read_homing(top, spec.units);
   axis.follow = detail::read_whom(top);
   (void)detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
   spec.subject = axis;

@@ -96,6 +96,17 @@ struct DiscPart {
 
 /// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
 struct AxisSpec {
+  /// [homing], as axis/axis_config.hpp: u and the spec's time; velocities and acceleration 0: left out.
+  struct Homing {
+    int method = 37;
+    double search_velocity = 0;
+    double index_velocity = 0;
+    double acceleration = 0;
+    double offset = 0;
+    double timeout = 60;  ///< s
+    double distance = 0;  ///< 0: not limited
+  };
+
   double cycle = 1e-3;  ///< s
   double position = 0;  ///< where the axis stands at first
   // How it stops, and what it watches, as axis/axis_config.hpp; 0: left out. u and the spec's time.
@@ -107,9 +118,11 @@ struct AxisSpec {
   double following_error = 0;
   double following_time = 0;  ///< s
   double in_position = 0;
-  double in_position_time = 0;            ///< s
-  double longest_gap = 0;                 ///< s; 0: 100 cycles
-  double session_timeout = 1;             ///< s of silence, then its owner has lost the axis
+  double in_position_time = 0;  ///< s
+  double longest_gap = 0;       ///< s; 0: 100 cycles
+  double session_timeout = 1;   ///< s of silence, then its owner has lost the axis
+  bool require_home = false;
+  std::optional<Homing> homing = {};
   std::optional<FollowWhom> follow = {};  ///< its live master
 };
 

@@ -49,6 +49,8 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
   if (!table) return std::nullopt;
   AxisDriveSpec drive;
   drive.type = static_cast<AxisDriveSpec::Type>(table->optional_choice("type", types).value_or(1));
+  if (drive.type != AxisDriveSpec::Type::shared_memory)
+    drive.machine = read_machine_sensors(*table, units);
   if (drive.type == AxisDriveSpec::Type::simulated && !table->has("spec")) {
     drive.model = read_drive_table(*table, units).drive;
     return drive;

@@ -48,6 +48,7 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
   if (!(spec.cycle >= 1e-5 && spec.cycle <= 1))
     axis.fail("cycle", number(spec.cycle), "must be between 10 us and 1 s");
   spec.position = axis.optional_number("position", units.position).value_or(0);
+  spec.require_home = axis.optional_flag("require_home").value_or(false);
   read_watch(axis, units, spec);
   read_patience(axis, spec);
   axis.finish();

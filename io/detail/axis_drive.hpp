@@ -14,6 +14,9 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
 /// The keys of a drive behind shared memory.
 AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units);
 
+/// [drive.machine]: the switches and the index of a machine that is not there.
+std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const Units& units);
+
 /// A [drive] of which its owner may have read keys of its own.
 DriveSpec read_drive_table(TomlReader& table, const Units& units);
 

@@ -62,6 +62,8 @@ std::span<const ProfileReader> controller_profiles();
 MoveSpec read_move(TomlReader move, const Units& units);
 Table read_knots(TomlReader& top, Spec& spec, Rule rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
+/// [homing], where there is one.
+std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units);
 /// [follow]: whom an axis follows.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
 /// [master.NAME]: the masters of a machine.

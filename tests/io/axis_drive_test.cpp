@@ -93,5 +93,55 @@ TEST(AxisDriveSpec, RefusesWhatItsTypeDoesNotHave) {
   EXPECT_THAT(complaint("[drive]\nspec = \"a.toml\"\nmotor.inertia = 1\n"), HasSubstr("a.toml"));
 }
 
+TEST(AxisDriveSpec, ReadsTheSensorsOfItsMachine) {
+  const auto drive = read(R"([drive]
+type = "null"
+[drive.machine]
+encoder_offset = "0.1 rev"
+home_switch = { position = 20, width = 15, inverted = true, bounce = "3 ms" }
+negative_switch = { position = -5, bounce = 0.002 }
+positive_switch = { position = 320 }
+index = { period = "1 rev", offset = 4 }
+)");
+  ASSERT_TRUE(drive && drive->machine);
+  const MachineSensorsSpec& machine = *drive->machine;
+  EXPECT_DOUBLE_EQ(machine.encoder_offset, 36);
+  EXPECT_EQ(machine.home->position, 20);
+  EXPECT_EQ(machine.home->width, 15);
+  EXPECT_TRUE(machine.home->inverted);
+  EXPECT_DOUBLE_EQ(machine.home->bounce, 0.003);
+  EXPECT_EQ(machine.negative->position, -5);
+  EXPECT_TRUE(machine.negative->inverted) << "on below it";
+  EXPECT_EQ(machine.negative->bounce, 0.002);
+  EXPECT_FALSE(machine.positive->inverted);
+  EXPECT_EQ(machine.positive->position, 320);
+  EXPECT_DOUBLE_EQ(machine.index->period, 360);
+  EXPECT_EQ(machine.index->offset, 4);
+  EXPECT_FALSE(read("[drive]\ntype = \"null\"\n")->machine);
+  const auto model = read(
+      "[drive]\nposition_per_rev = 360\nmotor = { inertia = 5e-5, torque_limit = 3 }\n"
+      "[drive.machine]\nindex = { period = 360 }\n");
+  EXPECT_TRUE(model->model && model->machine->index);
+}
+
+TEST(AxisDriveSpec, RefusesSensorsThatNoMachineHas) {
+  const std::string machine = "[drive]\ntype = \"null\"\n[drive.machine]\n";
+  EXPECT_THAT(complaint(machine + "home_switch = { width = 3 }\n"),
+              HasSubstr("drive.machine.home_switch.position"));
+  EXPECT_THAT(complaint(machine + "home_switch = { position = 0, width = 0 }\n"),
+              HasSubstr("width = 0: must be greater than 0"));
+  EXPECT_THAT(complaint(machine + "home_switch = { position = 0, bounce = -1 }\n"),
+              HasSubstr("bounce = -1: must not be negative"));
+  EXPECT_THAT(complaint(machine + "index = { period = 0 }\n"),
+              HasSubstr("period = 0: must be greater than 0"));
+  EXPECT_THAT(complaint(machine + "negative_switch = { position = 5 }\n"
+                                  "positive_switch = { position = 5 }\n"),
+              HasSubstr("must lie above the negative switch, 5"));
+  EXPECT_THAT(complaint("[drive]\ntype = \"shared_memory\"\nname = \"x\"\n"
+                        "increments_per_rev = 1000\nposition_per_rev = 360\n"
+                        "[drive.machine]\nindex = { period = 360 }\n"),
+              HasSubstr("machine"));
+}
+
 }  // namespace
 }  // namespace jounce

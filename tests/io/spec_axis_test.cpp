@@ -44,6 +44,36 @@ TEST(AxisSpec, LeavesOffWhatIsNotAskedFor) {
   EXPECT_EQ(axis.following_error, 0);
 }
 
+const std::string homing = "[homing]\n";
+
+TEST(AxisSpec, ReadsItsHoming) {
+  const AxisSpec axis = read(R"(require_home = true
+[homing]
+method = 24
+search_velocity = "5 cm/s"
+index_velocity = 5
+acceleration = "1 m/s^2"
+offset = "-1 cm"
+timeout = "20 s"
+distance = 400
+)");
+  EXPECT_TRUE(axis.require_home);
+  ASSERT_TRUE(axis.homing);
+  EXPECT_EQ(axis.homing->method, 24);
+  EXPECT_DOUBLE_EQ(axis.homing->search_velocity, 50);
+  EXPECT_DOUBLE_EQ(axis.homing->index_velocity, 5);
+  EXPECT_DOUBLE_EQ(axis.homing->acceleration, 1000);
+  EXPECT_DOUBLE_EQ(axis.homing->offset, -10);
+  EXPECT_DOUBLE_EQ(axis.homing->timeout, 20);
+  EXPECT_DOUBLE_EQ(axis.homing->distance, 400);
+  EXPECT_FALSE(read("").homing);
+  EXPECT_FALSE(read("").require_home);
+  const AxisSpec left_out = read(homing);
+  EXPECT_EQ(left_out.homing->method, 37);
+  EXPECT_EQ(left_out.homing->search_velocity, 0);
+  EXPECT_EQ(left_out.homing->timeout, 60);
+}
+
 TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   const auto complaint = [](const std::string& keys) -> std::string {
     try {
@@ -61,6 +91,12 @@ TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   EXPECT_THAT(complaint("stop_jerk = \"3 mm\"\n"),
               AllOf(HasSubstr("a.toml:5"), HasSubstr("stop_jerk")));
   EXPECT_THAT(complaint("in_position = nan\n"), HasSubstr("in_position"));
+  EXPECT_THAT(complaint(homing + "method = 38\n"),
+              AllOf(HasSubstr("a.toml:6"), HasSubstr("method = 38: must be 1 to 37")));
+  EXPECT_THAT(complaint(homing + "search_velocity = 0\n"),
+              HasSubstr("search_velocity = 0: must be greater than 0"));
+  EXPECT_THAT(complaint(homing + "timeout = -1\n"), HasSubstr("timeout = -1: must be"));
+  EXPECT_THAT(complaint(homing + "velocity = 1\n"), HasSubstr("velocity"));
 }
 
 }  // namespace

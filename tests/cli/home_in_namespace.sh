@@ -1,0 +1,109 @@
+#!/bin/sh
+# home_in_namespace.sh JOUNCE EXAMPLE: `jounce order AXIS home` as an operator uses it, rightly and wrongly, on the
+# example's slide; what the monitor, the log and a replay show of it.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+jounce=$1
+example=$2
+cd "$scratch"
+sed 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/; s/^name = .*/name = "bare"/; /^\[drive/,$d; /^require_home/d; /^\[homing\]/,/^distance/d' \
+  "$example" > bare.toml
+sed 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/' "$example" > slide.toml
+"$jounce" run slide.toml bare.toml --enable --log run.csv --record run.lcmlog --seconds 100 2> said &
+executor=$!
+for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order bare enable > /dev/null 2>&1 && break; sleep 0.3; done
+
+order() { "$jounce" order "$@" > out 2>&1; }
+refused() {  # refused STATUS WORDS ARGUMENTS...
+  status=$1
+  words=$2
+  shift 2
+  got=0
+  order "$@" || got=$?
+  [ $got = "$status" ] || fail "$*: exit status $got, not $status: $(cat out)"
+  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
+}
+
+# before it is homed
+refused 1 not_homed slide move --to 10mm
+order slide move --by 1mm || fail "a move by a distance: $(cat out)"
+sleep 0.5
+refused 2 'method = 99.*must be 1 to 14' slide home --method 99
+refused 1 no_such_method slide home --method 15
+refused 2 'search-velocity = 0.*must be greater than 0' slide home --search-velocity 0
+refused 2 'index-velocity = -1.*must be greater than 0' slide home --index-velocity -1
+refused 2 'timeout = 0.*must be greater than 0' slide home --timeout 0
+refused 2 'distance = 0.*must be greater than 0' slide home --distance 0
+refused 1 velocity_limit slide home --search-velocity 5m/s
+refused 2 'VALUE = 12.*home takes' slide home 12
+refused 2 'method = 3.*move takes' slide move --to 3 --method 3
+refused 2 'at = 5.*waits until the axis is homed' slide home --at 5
+refused 1 no_sensor bare home --method 24
+"$jounce" monitor slide --json --seconds 2 | grep -q '"homed":false' || fail "homed before its homing"
+
+# what ends it
+refused 1 'not homed: home_timeout' slide home --timeout 100ms
+order slide reset
+refused 1 'not homed: home_not_found' slide home --distance 5mm
+order slide reset
+"$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
+slow=$!
+sleep 1
+refused 1 busy slide home
+"$jounce" stop slide > out 2>&1 || fail "stop: $(cat out)"
+status=0
+wait $slow || status=$?
+[ $status = 1 ] || fail "a homing that was stopped: exit status $status: $(cat slow)"
+grep -q 'not homed: stopped' slow || fail "a homing that was stopped: $(cat slow)"
+"$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
+slow=$!
+sleep 1
+kill -INT $slow
+status=0
+wait $slow || status=$?
+[ $status = 1 ] || fail "Ctrl-C: exit status $status: $(cat slow)"
+grep -q 'not homed: stopped' slow || fail "Ctrl-C: $(cat slow)"
+
+# and its end
+order slide home || fail "home: $(cat out)"
+grep -qx 'slide: homed' out || fail "home: $(cat out)"
+"$jounce" monitor slide --json --seconds 2 | grep -q '"homed":true' || fail "not homed on the monitor"
+order slide move --to 0mm || fail "move: $(cat out)"
+sleep 1.5
+order slide jog 5mm/s || fail "jog: $(cat out)"
+refused 1 in_motion slide home
+order slide halt
+sleep 0.3
+order slide move --to 0mm
+sleep 0.5
+cat > long.toml <<'END'
+jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "s_curve"
+to = 100
+velocity = 20
+acceleration = 500
+jerk = 20000
+END
+"$jounce" stream long.toml --to slide > streamed 2>&1 &
+streamer=$!
+sleep 1.5
+got=0
+order slide home || got=$?
+if kill -0 $streamer 2> /dev/null; then
+  [ $got = 1 ] && grep -q busy out || fail "home while a table is streamed: $got, $(cat out)"
+else  # the streamer has released the axis, and the motion goes on
+  [ $got = 1 ] && grep -q in_motion out || fail "home while a table is played: $got, $(cat out)"
+fi
+wait $streamer || fail "the stream: $(cat streamed)"
+order bare home --offset 7mm || fail "home where it stands: $(cat out)"
+
+kill -INT $executor
+wait $executor || fail "the run: $(cat said)"
+head -1 run.slide.csv | grep -q ',homed$' || fail "no column homed: $(head -1 run.slide.csv)"
+tail -1 run.slide.csv | grep -q ',1$' || fail "the log ends unhomed: $(tail -1 run.slide.csv)"
+grep -c ',homing,' run.slide.csv | grep -qv '^0$' || fail "no homing in the log"
+tail -1 run.bare.csv | cut -d, -f6 | grep -qx 7 || fail "the bare axis does not end at 7 mm: $(tail -1 run.bare.csv)"
+"$jounce" replay run.lcmlog > out || fail "the replay: $(cat out)"
