@@ -14,7 +14,8 @@ using Kind = Command::Kind;
 void MotionAxis::obey(const Command& command) {
   if (command.kind == Kind::none) return;
   // Whoever let go of a jog may order the next motion before this one has come to rest.
-  const State state = ending_ == Ending::release ? State::discrete_motion : state_;
+  const bool released = ending_ == Ending::release && !homing_;
+  const State state = released ? State::discrete_motion : state_;
   if (const Cause no = permitted(state, command.kind); no != Cause::none) {
     if (command.movement) hand_back(command.movement);
     return refuse(no);

@@ -109,19 +109,19 @@ constexpr std::array entries{
     Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis is on its cam."},
     Entry{Cause::home_timeout, "home_timeout", "The homing took longer than its timeout."},
     Entry{Cause::home_not_found, "home_not_found",
-          "The switch of the homing method was not on the way to a limit switch and back, or "
-          "within the distance of the search."},
+          "The search reached the second limit switch, or its distance, before the switch of the "
+          "homing method."},
     Entry{Cause::index_not_found, "index_not_found",
-          "The homing passed no index within the distance of the search."},
+          "The search for the index went further than its distance."},
     Entry{Cause::both_switches, "both_switches",
           "Both limit switches were on during the homing: check their wiring."},
     Entry{Cause::not_homed, "not_homed",
-          "The axis is not homed, and its spec requires that (require_home): home it first."},
+          "The axis is not homed, and its spec has require_home: home it first."},
     Entry{Cause::no_such_method, "no_such_method",
           "The homing method must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)."},
     Entry{Cause::no_sensor, "no_sensor",
-          "The drive has no such switch or index as the homing method needs: choose another "
-          "method, or see [drive.machine] of the axis's spec."},
+          "The drive reports no switch or index that the homing method needs: choose another "
+          "method, or add [drive.machine] to the axis's spec."},
     Entry{Cause::stopped, "stopped", "Stopped on request."},
     Entry{Cause::halted, "halted", "Halted on request."},
     Entry{Cause::pass_ended, "pass_ended",

@@ -187,7 +187,7 @@ TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
   options.axis.require_home = true;
   Slide site(options);
   ASSERT_TRUE(site.client.release().ok());
-  const Table table = *trapezoid_table(5, 10, 20, 20);
+  const Table table = *trapezoid_table(50, 10, 20, 20);
   EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
   ASSERT_TRUE(site.client.home(0).ok());
   ASSERT_TRUE(site.client.release().ok());

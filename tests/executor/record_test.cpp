@@ -298,7 +298,7 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
 // As those of before outputs were replayed.
 TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
   std::string bytes = encoded(RecordedAxis{});
-  ASSERT_EQ(bytes[9], 5) << "the version, big-endian, after eight bytes of the type";
+  ASSERT_EQ(bytes[9], 6) << "the version, big-endian, after eight bytes of the type";
   bytes[9] = 2;
   try {
     decoded("JOUNCE.axis", bytes);

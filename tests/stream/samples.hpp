@@ -90,7 +90,7 @@ inline std::vector<wire::Message> samples() {
                     55,
                     "would_reverse",
                     true,
-                    5}},
+                    true, 5}},
       {name, 20,
        wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
