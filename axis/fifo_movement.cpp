@@ -67,6 +67,7 @@ Progress progress_of(SegmentFifos::State state) {
     case SegmentFifos::State::ended:
       return Progress::done;
     case SegmentFifos::State::cut_off:
+    case SegmentFifos::State::left:
     case SegmentFifos::State::lost:
       return Progress::broken;
     case SegmentFifos::State::taken:
@@ -244,9 +245,13 @@ Setpoint FifoFollow::at(const Moment& now) noexcept {
   const bool lost = !detail::usable(now.master);
   if (!lost) {
     const Sample sample{now.t, now.master};
-    const Jet f = step(run_, fifos_, before_, sample);
+    Jet f = step(run_, fifos_, before_, sample);
     before_ = sample;
     progress_ = progress_of(fifos_.state());
+    if (fifos_.state() == SegmentFifos::State::cut_off && !fifos_.stream()) {
+      f = beyond(now.master[0]);
+      progress_ = Progress::done;
+    }
     if (progress_ != Progress::broken)
       return last_ = detail::setpoint(now.master, chained(f, now.master));
   }
@@ -254,6 +259,14 @@ Setpoint FifoFollow::at(const Moment& now) noexcept {
   cause_ =
       lost || fifos_.state() == SegmentFifos::State::lost ? Cause::master_lost : Cause::underrun;
   return last_;
+}
+
+/// The slave and its derivatives by the master, further along the line on which its tables ended.
+Jet FifoFollow::beyond(double master) const noexcept {
+  const SegmentFifos::End& end = fifos_.end();
+  const double travel = run_.dir == 0 ? master - run_.origin : run_.furthest;
+  const double sign = run_.dir < 0 ? -1 : 1;  // travel counts against the master's direction
+  return {end.position + end.rate * (travel - end.x), sign * end.rate, 0, 0};
 }
 
 }  // namespace jounce

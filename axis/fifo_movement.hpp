@@ -100,8 +100,9 @@ class FifoPath final : public Movement {
 ///     for (const PtPoint& p : bridge) push(follow.fifos(), 1, p);
 ///     follow.fifos().queue_switch();              // at the end of the pass; then FIFO 0 is empty
 ///
-/// While the event has not come it is `waiting`. A table that ends at rest is done; at a ratio, broken
-/// by `underrun`: the axis leaves it within its limits. A master that is lost breaks it.
+/// While the event has not come it is `waiting`. A table that has ended is done. One that ends at a ratio
+/// moves on at it in that tick, and the axis brakes from there within its limits, as after a cam. A
+/// master that is lost breaks it.
 class FifoFollow final : public Movement {
  public:
   /// As FifoPath; also for an event or a direction out of range (gear/follow_start.hpp).
@@ -122,6 +123,8 @@ class FifoFollow final : public Movement {
   [[nodiscard]] bool absolute() const noexcept override { return origin_.has_value(); }
 
  private:
+  [[nodiscard]] Jet beyond(double master) const noexcept;
+
   SegmentFifos fifos_;
   std::optional<double> origin_;
   SegmentFifos::Reach range_;  // from the origin: how near is there

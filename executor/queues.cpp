@@ -236,6 +236,10 @@ wire::Progress Queues::progress(const Open& open, const Tick& last) {
     case SegmentFifos::State::ended:
       return wire::Progress::done;
     case SegmentFifos::State::cut_off:
+      if (open.queue.axis == Axis::master && !open.made.fifos().stream())
+        return wire::Progress::done;  // at a ratio: the axis brakes
+      return wire::Progress::broken;
+    case SegmentFifos::State::left:
     case SegmentFifos::State::lost:
       return wire::Progress::broken;
     case SegmentFifos::State::moving:

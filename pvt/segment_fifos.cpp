@@ -346,6 +346,7 @@ void SegmentFifos::stop() {
   constexpr double rounding = 1e-9;  // what a chain of quotients leaves where it comes to rest
   const bool rests = std::abs(rate_) <= rounding * std::abs(rates_here().start - rate_);
   origin_.position += last_row().p_end;
+  end_ = {origin_.x + last_row().x_end, origin_.position, rate_};
   spent_.store(layout_.stream);
   state_.store(rests ? State::ended : State::cut_off);
 }
@@ -362,7 +363,7 @@ void SegmentFifos::lose() {
 }
 
 void SegmentFifos::leave() {
-  if (moving()) return stand(State::cut_off);
+  if (moving()) return stand(State::left);
   give_back();
 }
 

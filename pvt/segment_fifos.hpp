@@ -72,6 +72,7 @@ class SegmentFifos {
     moving,   ///< it plays
     ended,    ///< it has played its last row, which came to rest
     cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
+    left,     ///< whoever played it has gone before its end
     lost,     ///< x was not finite, or 2^53 passes off: it stands where it was, until started again
   };
   [[nodiscard]] State state() const { return state_.load(); }
@@ -141,13 +142,21 @@ class SegmentFifos {
   /// Both.
   bool start(int fifo, double x, double position);
 
-  /// Whoever played has gone: it is cut off where it is. Tables are kept, a stream is to be cleared.
+  /// Whoever played has gone: it stands where it is. Tables are kept, a stream is to be cleared.
   void leave();
 
   /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
   /// passes of a table are taken at once, so that the time a call takes depends on the rows alone.
   /// Where it is not moving: the position where it ended, at rest.
   Jet at(double x);
+
+  /// Where the rows ended, and at which rate: once they are `ended` or `cut_off`.
+  struct End {
+    double x = 0;
+    double position = 0;
+    double rate = 0;
+  };
+  [[nodiscard]] const End& end() const { return end_; }
 
   /// x at which what is known now ends; infinite where tables are played for ever.
   [[nodiscard]] double known() const;
@@ -232,12 +241,13 @@ class SegmentFifos {
   State before_ = State::idle;  // what a take() is given back to
   Origin table_;                // of the first pass of its period
   std::int64_t turns_ = 0;
-  Origin origin_;                       // of this pass: table_ + turns_ times the table
-  RowStart base_;                       // of a stream: the end of what was emptied
-  std::size_t slot_ = 0;                // played
-  std::size_t seen_ = 0;                // rows of this pass
-  double rate_ = 0;                     // at the end of the row before
-  double position_ = 0;                 // given last
+  Origin origin_;         // of this pass: table_ + turns_ times the table
+  RowStart base_;         // of a stream: the end of what was emptied
+  std::size_t slot_ = 0;  // played
+  std::size_t seen_ = 0;  // rows of this pass
+  double rate_ = 0;       // at the end of the row before
+  double position_ = 0;   // given last
+  End end_;
   std::array<double, 3> pass_rates_{};  // at the ends of the last passes, and how many are known
   int known_rates_ = 0;
 };

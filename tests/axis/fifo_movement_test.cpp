@@ -338,9 +338,44 @@ TEST(FifoFollow, PlaysFig713) {
   EXPECT_NEAR(slave.run(999).slave[0], 250, 1e-9) << "at master 1500: stated";
   EXPECT_NEAR(slave.run(1).slave[1], 500, 1e-9) << "ratio 1";
   EXPECT_NEAR(slave.run(1498).slave[0], 999.5, 1e-9) << "at master 2249.5";
-  EXPECT_NEAR(slave.run(1).slave[0], 999.5, 1e-9);
-  EXPECT_EQ(follow.progress(), Progress::broken) << "the table ends at ratio 1, at speed";
-  EXPECT_EQ(follow.cause(), Cause::underrun);
+  EXPECT_NEAR(slave.run(1).slave[0], 1000, 1e-9);
+  EXPECT_EQ(follow.progress(), Progress::done) << "the table ends at ratio 1, at speed";
+  EXPECT_NEAR(slave.now().slave[1], 500, 1e-9) << "from which the axis brakes";
+}
+
+// Ended at ratio 1 between two ticks, the slave goes on at it to the tick, and the axis brakes from there.
+TEST(FifoFollow, ThatEndsAtARatioBrakesWithinTheLimits) {
+  for (const int dir : {0, 1, -1}) {
+    FifoFollow follow(1, {.stream = false}, {.dir = dir});
+    push(follow.fifos(), 0, {500, 250});
+    push(follow.fifos(), 0, {1250.3, 1000.3});
+    Bench bench({.limits = limits(1000, 2000)});
+    bench.tell(Kind::enable);
+    const auto step = [&](const Command& command = {}) {
+      Inputs inputs;
+      const double speed = dir < 0 ? -500 : 500;
+      inputs.master = {speed * static_cast<double>(++bench.tick) * 1e-3, speed, 0, 0};
+      return bench.axis.step(bench.tick, command, inputs);
+    };
+    ASSERT_FALSE(step({.kind = Kind::arm, .movement = &follow}).refused);
+    Tick before = step({.kind = Kind::start});
+    double fastest = 0;
+    double left = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const Tick now = step();
+      if (left == 0 && now.state == State::discrete_motion) left = before.position;
+      const double change = std::abs(now.velocity - before.velocity);
+      ASSERT_LE(left == 0 ? 0 : change, 2 * (1 + 1e-9)) << k;
+      fastest = std::max(fastest, now.velocity);
+      before = now;
+    }
+    EXPECT_EQ(before.state, State::standstill);
+    EXPECT_EQ(before.fault, Cause::none);
+    EXPECT_EQ(before.reason, Cause::end_velocity);
+    EXPECT_NEAR(fastest, 500, 1e-6);
+    EXPECT_NEAR(left, 1000.3, 0.5) << "to the tick in which it ended";
+    EXPECT_NEAR(before.position, left + 500.0 * 500 / 2 / 2000, 1);
+  }
 }
 
 // Example 7-7: PASS at 50000 of a master that speeds up by 1 pulse/ms^2 to 50 pulse/ms.

@@ -18,6 +18,7 @@ axis gear 'velocity = 50000\nacceleration = 2000000' "$follow"
 axis slave 'velocity = 3000\nacceleration = 200000' "$follow"
 axis x 'velocity = 500\nacceleration = 10000\nposition_min = 0\nposition_max = 300'
 axis y 'velocity = 500\nacceleration = 10000'
+axis shear 'velocity = 3000\nacceleration = 200000' "$follow"
 axis knife 'velocity = 3000\nacceleration = 200000' "$follow"
 sed -i 's/position = "mm", master = "mm"/position = "deg", master = "mm"/; s/^cycle/modulo = "360 deg"\ncycle/' knife.toml
 for example in 7-6 7-7; do sed 's/"pulse"/"mm"/g' "$examples/googol-follow/$example.toml" > $example.toml; done
@@ -35,7 +36,7 @@ master_start_distance = 4000
 avoid_reversal = true
 master_end = 10000
 END
-for mode in absolute ramp_in_neg; do
+for mode in absolute ramp_in_neg ramp_in_pos; do
   cat > cam_$mode.toml <<END
 jounce = 1
 kind = "cam"
@@ -64,6 +65,21 @@ cut_length = $cut
 sync_angle = 20
 END
 done
+for cut in 200 300; do
+  cat > shear$cut.toml <<END
+jounce = 1
+kind = "shear"
+units = { position = "mm", master = "mm" }
+[shear]
+cut_length = $cut
+line_speed = 200
+sync_time = 0.2
+stroke = 100
+[limits.slave]
+velocity = 3000
+acceleration = 10000
+END
+done
 for range in 0-80 200-280; do
   from=${range%-*} to=${range#*-}
   cat > $range.toml <<END
@@ -80,7 +96,7 @@ jerk = 50000
 END
 done
 
-"$jounce" run line.toml carr.toml gear.toml slave.toml x.toml y.toml knife.toml --enable --log run.csv --seconds 110 > run.txt 2>&1 &
+"$jounce" run line.toml carr.toml gear.toml slave.toml x.toml y.toml shear.toml knife.toml --enable --log run.csv --seconds 130 > run.txt 2>&1 &
 executor=$!
 trap 'kill $executor 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
 for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order line override 100% > /dev/null 2>&1 && break; sleep 0.3; done
@@ -134,15 +150,24 @@ sleep 0.3
 "$jounce" order slave move --to=-500 > /dev/null
 sleep 1
 refused "the wrong direction" 'dropped.*would_reverse' cam_ramp_in_neg.toml --to slave --live --start-at 1800
+begin=$(awk -v m="$(position line)" 'BEGIN { print int(m) + 400 }')
+stream cam_ramp_in_pos.toml --to slave --live --start-at "$begin" || fail "the right direction: $(cat out.txt)"
+"$jounce" order slave halt > /dev/null
 
 # Another cut length from the next cut on: a knife behind the line at 200 mm/s.
 line=$(position line)
 begin=$(awk -v m="$line" 'BEGIN { print 250 * int(m / 250 + 3) }')
 stream knife250.toml --to knife --live --start-at "$begin" || fail "the knife does not begin: $(cat out.txt)"
+begin=$(awk -v m="$(position line)" 'BEGIN { print 200 * int(m / 200 + 3) }')
+stream shear200.toml --to shear --live --start-at "$begin" --no-wait || fail "the shear is not accepted: $(cat out.txt)"
+grep -q 'accepted, waits for its start' out.txt || fail "--no-wait says: $(cat out.txt)"
 sleep 2
 stream knife300.toml --to knife --live --at-next-cut || fail "no other length: $(cat out.txt)"
 sleep 3
+stream shear300.toml --to shear --live --at-next-cut || fail "no other length of the shear: $(cat out.txt)"
+sleep 4
 "$jounce" order knife halt > /dev/null
+"$jounce" order shear halt > /dev/null
 "$jounce" order line halt > /dev/null
 
 # A follow spec as what it says, and a gear that stays in gear: both stand when their master does.
@@ -194,5 +219,12 @@ for tick, state, m, p, v, job in log("knife"):
         cuts.append(last[0] + (m - last[0]) * (k - last[1]) / (p - last[1]))
     last = (m, p)
 lengths = [round(b - a, 1) for a, b in zip(cuts, cuts[1:])]
+begins, last = [], None  # of the shear, 1 mm from its home; the cams of both lengths differ by less than 2 mm there
+for tick, state, m, p, v, job in log("shear"):
+    if last and state == "synchronized_motion" and last[1] < 1 <= p: begins.append(m)
+    last = (m, p)
+pieces = [b - a for a, b in zip(begins, begins[1:])]
+assert pieces and all(min(abs(p - 200), abs(p - 300)) < 2 for p in pieces), pieces
+assert abs(pieces[0] - 200) < 2 and abs(pieces[-1] - 300) < 2 and sorted(round(p, -2) for p in pieces) == [round(p, -2) for p in pieces], pieces
 assert 250.0 in lengths and lengths[-1] == 300.0 and sorted(lengths) == lengths and set(lengths) <= {250.0, 300.0}, lengths
 END

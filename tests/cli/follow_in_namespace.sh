@@ -1,0 +1,143 @@
+#!/bin/sh
+# follow_in_namespace.sh JOUNCE EXAMPLES: examples 7-7 and 7-9 of the Googol manual and a table that ends at a ratio,
+# streamed to an executor and compared with the manual's numbers in its logs.
+set -eu
+. "$(dirname "$0")/namespace.sh"
+jounce=$1
+examples=$2/googol-follow
+cd "$scratch"
+
+axis() {  # axis NAME MASTER: follows that axis or master
+  cat > "$1.toml" <<END
+jounce = 1
+kind = "axis"
+name = "$1"
+units = { position = "pulse", master = "pulse" }
+[axis]
+cycle = "1 ms"
+longest_gap = "2 s"
+[limits]
+velocity = 60000
+acceleration = 2000000
+END
+  printf '[[axis]]\nspec = "%s.toml"\n%s\n' "$1" "${2:+follow = { $2 \}}" >> machine.toml
+}
+cat > machine.toml <<'END'
+jounce = 1
+kind = "machine"
+[master.line]
+kind = "external"
+unit = "pulse"
+velocity = 60000
+acceleration = 2000000
+longest_age = "5 s"
+END
+axis web
+axis waits 'axis = "web"'
+axis open 'axis = "web"'
+axis bridge 'master = "line"'
+move() {  # move NAME DISTANCE: the manual's master, 50 pulse/ms by 1 pulse/ms^2
+  cat > "$1.toml" <<END
+jounce = 1
+kind = "move"
+units = { position = "pulse" }
+[move]
+profile = "trapezoid"
+to = $2
+velocity = 50000
+acceleration = 1000000
+END
+}
+move once 180000
+move far 330000
+cat > open.toml.follow <<'END'
+jounce = 1
+kind = "follow"
+units = { position = "pulse", master = "pulse" }
+segment = [{ master = 20000, slave = 10000 }]
+END
+
+"$jounce" run machine.toml --enable --log run.csv --seconds 60 > run.txt 2>&1 &
+executor=$!
+"$jounce" master far.toml --as line --before 8 --after 40 > line.txt 2>&1 &
+line=$!
+trap 'kill $executor $line 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
+for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order web override 100% > /dev/null 2>&1 && break; sleep 0.3; done
+timeout 20 "$jounce" stream "$examples/7-9.toml" --to bridge --live > 7-9.txt 2>&1 || fail "7-9: $(cat 7-9.txt run.txt line.txt)"
+timeout 20 "$jounce" stream open.toml.follow --to open --live > open.txt 2>&1 || fail "open: $(cat open.txt)"
+timeout 20 "$jounce" stream "$examples/7-7.toml" --to waits --live > 7-7.txt 2>&1 &
+waits=$!
+timeout 20 "$jounce" stream "$examples/7-7.toml" --to open > refused.txt 2>&1 && fail "pass without a live master"
+sleep 1
+timeout 20 "$jounce" stream once.toml --to web > web.txt 2>&1 || fail "web: $(cat web.txt)"
+wait $waits || fail "7-7: $(cat 7-7.txt)"
+grep -q 'started' 7-7.txt || fail "7-7 does not say that it follows: $(cat 7-7.txt)"
+sleep 11
+kill -INT $executor
+wait $executor || fail "the executor ended badly: $(cat run.txt)"
+kill -INT $line
+
+python3 - <<'END'
+import csv
+def log(axis):
+    with open(f"run.{axis}.csv") as f:
+        rows = list(csv.reader(f))[1:]
+    assert all(r[9] == "none" for r in rows), f"{axis}: {[r for r in rows if r[9] != 'none'][0]}"
+    return [(int(r[0]), r[2], float(r[3]), float(r[4]), float(r[5]), float(r[6])) for r in rows]
+def segment(u, length, way, begin):  # position and ratio at u in it, and the ratio at its end
+    end = 2 * way / length - begin
+    return begin * u + (end - begin) * u * u / (2 * length), begin + (end - begin) * u / length, end
+def chain(ways, u, begin, length=20000):  # of segments 20000 long
+    done = 0
+    for way in ways:
+        if u <= length:
+            p, ratio, _ = segment(u, length, way, begin)
+            return done + p, ratio
+        begin = segment(length, length, way, begin)[2]
+        done, u = done + way, u - length
+def example_7_7(m):  # from 50000 on, for ever
+    if m <= 50000: return 0, 0
+    n, u = divmod(m - 50000, 60000)
+    p, ratio = chain((10000, 20000, 10000), u, 0)
+    return 40000 * n + p, ratio
+def example_7_9(m):  # a table, the bridge, then the last one for ever
+    if m <= 0: return 0, 0
+    if m <= 60000: return chain((10000, 20000, 10000), m, 0)
+    if m <= 120000:
+        p, ratio = chain((10000, 20000, 16000), m - 60000, 0)
+        return 40000 + p, ratio
+    n, u = divmod(m - 120000, 60000)
+    p, ratio = chain((16000, 20000, 16000), u, 0.6)
+    return 86000 + 52000 * n + p, ratio
+def follows(axis, exact, least):
+    rows = [r for r in log(axis) if r[1] == "synchronized_motion"]
+    assert rows[-1][4] > least, f"{axis} is at {rows[-1][4]}"
+    for tick, state, m, mv, p, v in rows:
+        want, ratio = exact(m)
+        assert abs(p - want) < 1e-4, f"{axis} at tick {tick}: {p} at {m}, not {want}"
+        assert abs(v - ratio * mv) < 0.02, f"{axis} at tick {tick}: {v} pulse/s, not {ratio * mv}"
+    return rows
+
+# 7-7: the master is at 50000 at 1025 ms; then passes of 1200 ms and 40000 pulses, at most 50 pulse/ms.
+rows = follows("waits", example_7_7, 80000)
+cruise = [r for r in rows if abs(r[3] - 50000) < 1e-6]
+start = round(cruise[0][0] - (cruise[0][2] / 50 + 25))
+assert all(abs(r[0] - start - 25 - r[2] / 50) < 1e-6 for r in cruise), "the master is not the manual's"
+for tick, state, m, mv, p, v in rows:
+    assert (p > 0) == (tick > start + 1025), f"begun at {tick - start} ms"
+    if tick == start + 1025 + 1200: assert abs(p - 40000) < 1e-6 and abs(v) < 1e-3, (p, v)
+assert abs(max(r[5] for r in rows) - 50000) < 1e-6
+# 7-9: at 50 pulse/ms the last table swings between 30 and 50.
+rows = follows("bridge", example_7_9, 200000)
+last = [v / mv for tick, state, m, mv, p, v in rows if m > 120000 and mv > 10000]
+assert abs(min(last) - 0.6) < 1e-3 and abs(max(last) - 1) < 1e-9, (min(last), max(last))
+# The table that ends at a ratio: the axis brakes within its limits, without a fault.
+rows = log("open")
+assert rows[-1][1] == "standstill" and rows[-1][5] == 0
+speed = max(r[5] for r in rows)
+for a, b in zip(rows, rows[1:]):
+    assert abs(b[5] - a[5]) <= 2000 * (b[0] - a[0]) * (1 + 1e-9), f"{b[5] - a[5]} in a tick at {b[0]}"
+assert speed <= 50000 * (1 + 1e-9)
+brakes = speed ** 2 / 2 / 2e6
+assert 10000 + brakes <= rows[-1][4] + 1e-6 <= 10000 + brakes + 0.1 * speed, rows[-1][4]
+END
