@@ -21,14 +21,6 @@ Finding finding(std::string rule, const char* quantity, double where, double val
           .has_limit = false};
 }
 
-/// The fastest end of a cam that runs once: there the slave is let go.
-void add_end(const Coupling& coupling, Report& report) {
-  const Cam& cam = coupling.cam();
-  for (const auto& [where, side] : {std::pair{cam.start(), Side::right}, {cam.end(), Side::left}})
-    if (const double slope = cam.jet(where, side)[1]; slope != 0)
-      report.findings.push_back(finding("coupling/end", "geo_velocity", where, slope, false, ""));
-}
-
 /// A master outside comes in at an end of the cam: a slave that waits there at rest has to move at once.
 void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Report& report) {
   const Cam& cam = coupling.cam();
@@ -67,6 +59,16 @@ void add_ramp(const Engaged& engaged, const Jet& x, Report& report) {
 
 }  // namespace
 
+Report check_ends(const Cam& cam) {
+  Report report;
+  if (repeats(cam.outside())) return report;
+  const double least = 1e-9 * std::abs(extrema(cam, 1).peak().value);
+  for (const auto& [where, side] : {std::pair{cam.start(), Side::right}, {cam.end(), Side::left}})
+    if (const double slope = cam.jet(where, side)[1]; std::abs(slope) > least)
+      report.findings.push_back(finding("coupling/end", "geo_velocity", where, slope, false, ""));
+  return report;
+}
+
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master) {
   Report report;
   const Engagement in = engage(coupling, slave, master, 0);
@@ -89,7 +91,7 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
                 std::abs(coupling.period_jump()) > near[0],
                 "the slave jumps so far at each period's end: slave_absolute = false goes on"));
   else
-    add_end(coupling, report);
+    for (Finding& f : check_ends(coupling.cam()).findings) report.findings.push_back(std::move(f));
   add_enter(coupling, in.engaged.placement, master, report);
   add_ramp(in.engaged, master, report);
   sort(report);

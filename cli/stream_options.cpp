@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "jounce/io/sync_check.hpp"
 #include "jounce/io/sync_spec.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
@@ -18,13 +19,6 @@ namespace {
 
 /// Ctrl-C stops what was armed before the streamer leaves.
 volatile std::sig_atomic_t interrupted = 0;
-
-/// A gear stays in gear, however far its table goes.
-bool ends_in_gear(const Input& input) {
-  const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
-  return sync != nullptr && (std::holds_alternative<GearCourse>(*sync) ||
-                             std::holds_alternative<GearInPosPart>(*sync));
-}
 
 /// From the first knot on, wherever the master and, of an axis that turns on, the slave are by then.
 void begin_at_cut(const Table& table, CouplingSpec& coupling) {
@@ -53,9 +47,9 @@ SwapPlan add_input(StreamPlan& plan, Input input, const StreamVerb& options) {
   if (options.live) {
     added.mode = wire::ArmMode::follow_input;
     added.coupling = coupling.value_or(CouplingSpec{});
-    added.end = options.keep_velocity ? wire::CamEnd::keep_velocity
-                : ends_in_gear(input) ? wire::CamEnd::extend
-                                      : wire::CamEnd::brake;
+    added.end = options.keep_velocity                      ? wire::CamEnd::keep_velocity
+                : input.spec && stays_in_gear(*input.spec) ? wire::CamEnd::extend
+                                                           : wire::CamEnd::brake;
     if (options.at_next_cut) begin_at_cut(plan.tables.back().table, added.coupling);
   }
   return added;

@@ -155,8 +155,8 @@ class Inspection {
       Finding f = finding("follow/open_end", first_ - 1, where, ratio);
       f.quantity = "geo_velocity";
       f.advice =
-          "the table ends there and the slave is stopped dead: end with a stop segment, "
-          "repeat it, or let another table follow";
+          "the controller stops the slave dead there, and an axis of Jounce brakes within its "
+          "limits: end with a stop segment, repeat the table, or let another one follow";
       return add(std::move(f));
     }
     const auto again = pt_rates<OverMaster>(table.segments, ratio);

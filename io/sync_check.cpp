@@ -172,6 +172,12 @@ bool is_made_for_a_speed(const Spec& spec) {
   return sync != nullptr && std::holds_alternative<FlyingShear>(*sync);
 }
 
+bool stays_in_gear(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  return sync != nullptr && (std::holds_alternative<GearCourse>(*sync) ||
+                             std::holds_alternative<GearInPosPart>(*sync));
+}
+
 std::string sync_sentence(const Finding& f, const std::string& where) {
   if (f.rule == "shear/sync")
     return fmt::format("the carriage is in step for {} {} alone, from {}: less than {} {}",

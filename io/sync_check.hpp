@@ -25,6 +25,9 @@ std::vector<SyncFigure> sync_figures(const Spec& spec);
 /// another cam would do.
 bool is_made_for_a_speed(const Spec& spec);
 
+/// Whether the slave of this spec stays in gear beyond its table, behind a live master.
+bool stays_in_gear(const Spec& spec);
+
 /// What a finding of check_sync says, for the reports: the rules "knife/...", "shear/..." and
 /// "gear/...".
 bool is_sync_rule(const std::string& rule);

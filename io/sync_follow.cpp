@@ -1,5 +1,9 @@
 #include "jounce/io/sync_follow.hpp"
 
+#include <fmt/format.h>
+
+#include "jounce/io/report_text.hpp"
+#include "jounce/io/units.hpp"
 #include "jounce/profiles/s_curve.hpp"
 
 namespace jounce {
@@ -32,8 +36,20 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   return f;
 }
 
+/// How fast the slave is where its tables end at a ratio.
+void add_speed(Report& report, const Spec& spec) {
+  for (Finding& f : report.findings)
+    if (f.rule == "follow/open_end" && spec.master)
+      f.advice =
+          fmt::format("at the master's {} {} the slave moves at {} {} there; {}",
+                      rounded(spec.master->velocity), rate_unit(spec.units.x, spec.time_unit, 1),
+                      rounded(f.value * spec.master->velocity),
+                      rate_unit(spec.units.position, spec.time_unit, 1), f.advice);
+}
+
 Report checked(const FollowPart& part, const Spec& spec) {
   Report report = std::visit([](const auto& slave) { return check(slave); }, part.slave);
+  add_speed(report, spec);
   if (part.start.event == FollowEvent::pass && spec.master)
     report.findings.push_back(beginning(part.start, spec));
   return report;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "jounce/io/disc.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/io/sync_check.hpp"
@@ -106,12 +108,17 @@ Report check_curve(const Curve<Over>& curve, const Input& input, int continuity)
   return report;
 }
 
+/// Of the master, in s; 0 where none is given.
+double master_speed(const Spec& spec, const EngageState& at) {
+  const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
+  return at.master_velocity.value_or(speed);
+}
+
 /// What engaging does. A coupling is in s, whatever the spec's unit of time is.
 Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   const Coupling coupling(cam, *spec.coupling);
   const double slave = at.slave.value_or(value(cam.segments().front(), 0));
-  const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
-  const Jet master{at.master.value_or(cam.start()), at.master_velocity.value_or(speed), 0, 0};
+  const Jet master{at.master.value_or(cam.start()), master_speed(spec, at), 0, 0};
   Report report = check(coupling, {.position = slave}, master);
   for (Finding& f : report.findings) {
     if (f.quantity == "master") f.unit = spec.units.x;
@@ -120,6 +127,33 @@ Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
         f.unit = rate_unit(spec.units.position, "s", static_cast<int>(k));
   }
   return report;
+}
+
+/// What becomes of the slave at an end at which the cam moves, and how fast it is there.
+void explain_end(Finding& end, const Spec& spec, const EngageState& at) {
+  const auto coupling = spec.coupling.value_or(CouplingSpec{});
+  const double speed = master_speed(spec, at);
+  const double slave = end.value * coupling.slave_scaling * coupling.master_scaling * speed;
+  if (speed != 0)
+    end.advice = fmt::format("at the master's {} {} the slave moves at {} {} there; ",
+                             rounded(speed), rate_unit(spec.units.x, "s", 1), rounded(slave),
+                             rate_unit(spec.units.position, "s", 1));
+  end.advice += stays_in_gear(spec)
+                    ? "behind a live master it stays in gear beyond its table"
+                    : "behind a live master it brakes there within its axis's limits, or keeps its "
+                      "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
+  if (!stays_in_gear(spec)) end.severity = Severity::warning;
+}
+
+/// The ends of a cam that runs once. Those of a follow spec are judged with its tables.
+void add_ends(const Input& input, const EngageState& at, Report& report) {
+  const auto* const cam = std::get_if<Cam>(&input.curve);
+  const auto* const sync = std::get_if<SyncSpec>(&input.spec->subject);
+  if (cam == nullptr || (sync != nullptr && std::holds_alternative<FollowPart>(*sync))) return;
+  if (!input.spec->coupling)
+    for (Finding& end : check_ends(*cam).findings) report.findings.push_back(std::move(end));
+  for (Finding& f : report.findings)
+    if (f.rule == "coupling/end") explain_end(f, *input.spec, at);
 }
 
 /// A step of the velocity that the check of continuity has found is told once, with the advice of the
@@ -179,6 +213,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     add(merged(table_warnings(spec), report));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve), at));
+    add_ends(input, at, report);
     if (spec.compare && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
   }
