@@ -9,15 +9,15 @@ namespace jounce {
 namespace {
 
 // Googol: a FIFO holds 32 or 1024 PT segments, 16 or 512 follow segments (GTS manual 7.4, 7.6); times
-// and master positions are `long`. Velocity changes linearly in a NORMAL segment, so that a table of
-// ours is one of EVEN segments: straight lines. Their origin is a knot more.
+// and master positions are `long`, the others `double`. Velocity changes linearly in a NORMAL segment, so
+// that its position is quadratic. The origin of the segments is a knot more.
 // HMPL: 50 points of time, position and velocity (MovePVT, 5.2.8).
 // SEW: 1024 points in a curve point table (MOVI-C).
 constexpr std::array known{
-    ControllerTable{"googol_pt", Axis::time, Rule::linear, 33, "ms"},
-    ControllerTable{"googol_pt_1024", Axis::time, Rule::linear, 1025, "ms"},
-    ControllerTable{"googol_follow", Axis::master, Rule::linear, 17, "pulse"},
-    ControllerTable{"googol_follow_512", Axis::master, Rule::linear, 513, "pulse"},
+    ControllerTable{"googol_pt", Axis::time, Rule::cubic_hermite, 33, "ms", true},
+    ControllerTable{"googol_pt_1024", Axis::time, Rule::cubic_hermite, 1025, "ms", true},
+    ControllerTable{"googol_follow", Axis::master, Rule::cubic_hermite, 17, "pulse", true},
+    ControllerTable{"googol_follow_512", Axis::master, Rule::cubic_hermite, 513, "pulse", true},
     ControllerTable{"hmpl_pvt", Axis::time, Rule::cubic_hermite, 50, ""},
     ControllerTable{"sew", Axis::master, Rule::linear, 1024, ""},
 };
@@ -36,7 +36,10 @@ const ControllerTable* controller_table(const std::string& name) {
 
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step, const std::string& key) {
-  Target target{.rule = controller.rule, .most = controller.most, .x_step = x_step.value_or(0)};
+  Target target{.rule = controller.rule,
+                .quadratic = controller.quadratic,
+                .most = controller.most,
+                .x_step = x_step.value_or(0)};
   if (*controller.step == '\0' || x_step) return target;
   try {
     target.x_step = conversion(controller.step, units.x);

@@ -23,9 +23,10 @@ struct ControllerTable {
   std::size_t most;  ///< knots, the one that the table begins with included
   const char*
       step;  ///< the unit whose whole numbers the first column takes; "" where any number does
+  bool quadratic = false;  ///< pieces of linear velocity (Target::quadratic)
 };
 
-/// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (EVEN segments), hmpl_pvt, sew.
+/// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (NORMAL segments), hmpl_pvt, sew.
 std::span<const ControllerTable> controller_tables();
 
 /// By name; null where there is none.

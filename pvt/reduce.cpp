@@ -9,6 +9,7 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/detail/halves.hpp"
 #include "jounce/pvt/detail/longest.hpp"
 #include "jounce/pvt/detail/stretches.hpp"
 #include "jounce/pvt/detail/whole_steps.hpp"
@@ -72,7 +73,7 @@ class Reduction {
 
   Sampled run() {
     const bool any = target_.tolerance || target_.velocity_tolerance;
-    const std::size_t most = target_.most.value_or(many);
+    const std::size_t most = most_ends();
     Attempt found = attempt(1, most);
     if (!found.reaches) refuse(found);
     if (!any)
@@ -83,7 +84,13 @@ class Reduction {
   }
 
  private:
-  [[nodiscard]] int order() const { return detail::order(target_.rule); }
+  [[nodiscard]] int order() const { return detail::order(target_); }
+
+  /// Knots at the ends of intervals, of which quadratic pieces take twice as many, less the first.
+  [[nodiscard]] std::size_t most_ends() const {
+    const std::size_t most = target_.most.value_or(many);
+    return target_.quadratic ? (most - 1) / 2 + 1 : most;
+  }
 
   [[nodiscard]] Tolerances tolerances(double scale) const {
     return {std::max(scale * asked_.position, floor_), scale * asked_.velocity};
@@ -123,7 +130,7 @@ class Reduction {
   [[nodiscard]] std::vector<Straight> kept_within(const Tolerances& allowed) const {
     std::vector<Straight> kept = stretches_;
     std::erase_if(kept, [&](const Straight& each) {
-      return !each.dwell && detail::share(f_, target_.rule, each.begin, each.end, allowed) > 1;
+      return !each.dwell && detail::share(f_, target_, each.begin, each.end, allowed) > 1;
     });
     return kept;
   }
@@ -180,7 +187,7 @@ class Reduction {
       std::vector<Knot> kept{knots.front()};
       for (std::size_t i = 1; i + 1 < knots.size(); ++i)
         if (std::binary_search(fixed.begin(), fixed.end(), knots[i].x) ||
-            detail::share(f_, target_.rule, kept.back(), knots[i + 1], allowed) > 1)
+            detail::share(f_, target_, kept.back(), knots[i + 1], allowed) > 1)
           kept.push_back(knots[i]);
       kept.push_back(knots.back());
       knots = std::move(kept);
@@ -188,9 +195,22 @@ class Reduction {
     return knots;
   }
 
-  [[nodiscard]] Sampled made(const std::vector<Knot>& knots) const {
+  /// The knots with those between quadratic pieces.
+  [[nodiscard]] std::vector<Knot> all_of(const std::vector<Knot>& ends) const {
+    if (!target_.quadratic) return ends;
+    std::vector<Knot> all{ends.front()};
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const bool one = detail::is_one_quadratic(ends[i - 1], ends[i]);
+      if (const auto between = detail::knot_between(target_, ends[i - 1], ends[i]); between && !one)
+        all.push_back(*between);
+      all.push_back(ends[i]);
+    }
+    return all;
+  }
+
+  [[nodiscard]] Sampled made(const std::vector<Knot>& ends) const {
     Columns columns;
-    for (const Knot& knot : knots) {
+    for (const Knot& knot : all_of(ends)) {
       columns.x.push_back(detail::rounded_to(knot.x, target_.x_step));
       columns.p.push_back(knot.jet[0]);
       if (target_.rule != Rule::linear) columns.v.push_back(knot.jet[1]);
@@ -246,7 +266,8 @@ class Reduction {
   }
 
   [[noreturn]] void refuse(const Attempt& failed) const {
-    const std::string table = std::string("a ") + name(target_.rule) + " table";
+    const std::string table =
+        std::string("a ") + (target_.quadratic ? "quadratic" : name(target_.rule)) + " table";
     const std::string where = " at " + number(failed.knots.back().x);
     if (!failed.stuck && !target_.most)
       throw InputError(target_.tolerance ? "tolerance" : "velocity_tolerance",
@@ -255,8 +276,9 @@ class Reduction {
     if (!failed.stuck) {
       const Attempt enough = attempt(1, many);
       const bool any = target_.tolerance || target_.velocity_tolerance;
-      const double scale = any ? scale_for(*target_.most) : 0;
-      const std::string count = table + " needs " + std::to_string(enough.knots.size()) + " knots";
+      const double scale = any ? scale_for(most_ends()) : 0;
+      const std::string count =
+          table + " needs " + std::to_string(all_of(enough.knots).size()) + " knots";
       throw InputError("most", std::to_string(*target_.most),
                        (enough.reaches ? count + (any ? " within the tolerance" : "") +
                                              (scale > 0 ? "" : lines())
@@ -268,7 +290,7 @@ class Reduction {
           "most", std::to_string(target_.most.value_or(many)),
           table + " with such knots stops" + where +
               ": the curve steps there, or spacing or resolution leave no place for a knot");
-    const double scale = scale_for(target_.most.value_or(many));
+    const double scale = scale_for(most_ends());
     const bool position = target_.tolerance.has_value();
     throw InputError(
         position ? "tolerance" : "velocity_tolerance", position ? asked_.position : asked_.velocity,
@@ -295,6 +317,14 @@ void require_valid(const Target& target) {
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
   if (target.most && *target.most < 2)
     throw InputError("most", std::to_string(*target.most), "a table needs at least two knots");
+  if (target.quadratic && target.rule != Rule::cubic_hermite)
+    throw InputError("rule", name(target.rule), "must be cubic_hermite for quadratic pieces");
+  for (const auto& [key, step] : {std::pair{"p_step", target.p_step}, {"v_step", target.v_step}})
+    if (target.quadratic && step != 0)
+      throw InputError(
+          key, step,
+          "cannot be kept by quadratic pieces: each hands the rounding of its end on with "
+          "its sign turned; leave it out, or take straight lines");
   require_not_negative("spacing", target.spacing);
   require_not_negative("x_step", target.x_step);
   require_not_negative("p_step", target.p_step);

@@ -34,6 +34,10 @@ namespace jounce {
 /// as in a table that was recorded in counts, only dwells of 1/64 of the curve and more. A line gives
 /// way where rounding its ends breaks the tolerance; any stretch where `spacing` leaves no place.
 ///
+/// **Quadratic pieces.** A knot of the curve is followed by one of two pieces' own, in the middle of the
+/// interval: without a step of the velocity, and on the curve at every other knot, so that no error is
+/// handed on. One piece does where the curve is quadratic itself.
+///
 /// **Steps.** A knot has one velocity and one acceleration. Where the curve's step, a knot takes the
 /// left ones (beside a dwell, the dwell's) and the next interval is as short as it must be.
 ///
@@ -44,6 +48,9 @@ namespace jounce {
 /// tolerances the position error is the least that `most` knots can have.
 struct Target {
   Rule rule = Rule::cubic_hermite;
+  /// Pieces of degree 2, as a controller's segments of linear velocity are (Googol's NORMAL): two for
+  /// most intervals. Of a cubic_hermite table, in numbers that are not rounded.
+  bool quadratic = false;
   std::optional<double> tolerance = {};           ///< greatest position error, > 0
   std::optional<double> velocity_tolerance = {};  ///< greatest error of the first derivative, > 0
   std::optional<std::size_t> most = {};           ///< knots that the controller holds, >= 2

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/pvt/detail/halves.hpp"
 #include "jounce/pvt/detail/whole_steps.hpp"
 
-// The error of an interval of length h goes with h^k (Hermite interpolation: k = 2, 4, 6), so that a
+// The error of an interval of length h goes with h^k (Hermite interpolation: k = 2, 4, 6; of two
+// quadratic pieces: 3), so that a
 // length whose share of the tolerance is e is followed by
 //
 //   (1)  h (0.99995 / e)^(1/k)
@@ -28,8 +30,9 @@
 //   (3)  an interval that ends just before the limit ends where the limit can be reached from.
 namespace jounce::detail {
 
-int order(Rule rule) {
-  return rule == Rule::linear ? 2 : rule == Rule::cubic_hermite ? 4 : 6;
+int order(const Target& target) {
+  if (target.quadratic) return 3;
+  return target.rule == Rule::linear ? 2 : target.rule == Rule::cubic_hermite ? 4 : 6;
 }
 
 template <class Over>
@@ -60,9 +63,14 @@ namespace {
 template <class Over>
 class Search {
  public:
-  Search(const Curve<Over>& f, Rule rule, const Knot& a, const Knot& limit,
+  /// Wherever knots may be: the target's steps and spacing are kept by who takes what is found.
+  Search(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& limit,
          const Tolerances& tolerances)
-      : f_(f), rule_(rule), a_(a), limit_(limit), tolerances_(tolerances) {}
+      : f_(f),
+        target_{.rule = target.rule, .quadratic = target.quadratic},
+        a_(a),
+        limit_(limit),
+        tolerances_(tolerances) {}
 
   std::optional<Knot> run(double guess) {
     double h = guess;
@@ -83,7 +91,7 @@ class Search {
   /// The share up to x, which is the new end of the bracket on its side of 1.
   double tried(double x) {
     const Knot b = knot_at(f_, x, x == limit_.x ? limit_.side : Side::right);
-    const double e = share(f_, rule_, a_, b, tolerances_);
+    const double e = share(f_, target_, a_, b, tolerances_);
     if (e <= 1)
       best_ = b;
     else
@@ -93,7 +101,7 @@ class Search {
 
   /// (1), within the bracket.
   [[nodiscard]] double next(double h, double e, int i) const {
-    const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(rule_));
+    const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(target_));
     if (hi_ == inf) return h * std::clamp(factor, 1.01, 8.0);
     const double from = lo() - a_.x;
     const double to = hi_ - a_.x;
@@ -116,13 +124,13 @@ class Search {
     if (!near || x <= a_.x || x == lo() || x == limit_.x) return best_;
     for (const Side side : {Side::right, Side::left}) {
       const Knot b = knot_at(f_, x, side);
-      if (share(f_, rule_, a_, b, tolerances_) <= 1) return b;
+      if (share(f_, target_, a_, b, tolerances_) <= 1) return b;
     }
     return best_;
   }
 
   const Curve<Over>& f_;
-  Rule rule_;
+  Target target_;
   const Knot& a_;
   const Knot& limit_;
   const Tolerances& tolerances_;
@@ -193,12 +201,12 @@ class Followers {
         tolerances_(tolerances) {}
 
   std::vector<Knot> run(double guess) {
-    if (is_line_ && share(f_, target_.rule, a_, limit_, tolerances_) <= 1) return {limit_};
+    if (is_line_ && share(f_, target_, a_, limit_, tolerances_) <= 1) return {limit_};
     const bool rounds = target_.p_step > 0 || target_.v_step > 0;
     const bool anywhere = !rounds && target_.x_step == 0 && target_.spacing == 0;
     const Knot from = rounds ? knot_at(f_, a_.x, a_.side) : a_;
     const Tolerances wide{tolerances_.position + target_.p_step / 2, tolerances_.velocity};  // (2)
-    const auto reach = Search<Over>(f_, target_.rule, from, limit_, wide).run(guess);
+    const auto reach = Search<Over>(f_, target_, from, limit_, wide).run(guess);
     if (!reach) return {};
     const double last = from_where_the_limit_is_reached(reach->x);
     if (!anywhere || last < reach->x) add_first_of(places(target_, a_.x, last, limit_.x));
@@ -214,7 +222,7 @@ class Followers {
     if (reach == limit_.x || limit_.x - reach > 1e-3 * whole) return reach;
     for (double h = whole / 2; h > limit_.x - reach; h /= 2) {
       const Knot from = knot_at(f_, limit_.x - h, Side::right);
-      if (share(f_, target_.rule, from, limit_, tolerances_) <= 1) return from.x;
+      if (share(f_, target_, from, limit_, tolerances_) <= 1) return from.x;
     }
     return reach;
   }
@@ -222,12 +230,12 @@ class Followers {
   /// The knot at x, if it keeps the tolerances: with what the curve has to the right, or to the left.
   std::optional<Knot> keeping(double x) {
     if (x == limit_.x)
-      return share(f_, target_.rule, a_, limit_, tolerances_) <= 1 ? std::optional(limit_)
-                                                                   : std::nullopt;
+      return share(f_, target_, a_, limit_, tolerances_) <= 1 ? std::optional(limit_)
+                                                              : std::nullopt;
     for (const Side side : {Side::right, Side::left}) {
       if (side == Side::left && !steps_at(f_, x)) continue;
       const Knot b = held_at(f_, target_, x, side);
-      if (share(f_, target_.rule, a_, b, tolerances_) <= 1) return b;
+      if (share(f_, target_, a_, b, tolerances_) <= 1) return b;
     }
     return std::nullopt;
   }

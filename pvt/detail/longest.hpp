@@ -25,7 +25,7 @@ std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Kn
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess);
 
-/// Which power of its length the error of an interval goes with: 2, 4, 6.
-int order(Rule rule);
+/// Which power of its length the error of an interval goes with: 2, 4, 6; 3 for two quadratic pieces.
+int order(const Target& target);
 
 }  // namespace jounce::detail

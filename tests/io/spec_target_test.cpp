@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/io/make.hpp"
+#include "jounce/io/points_text.hpp"
 #include "jounce/io/table_target.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -66,8 +67,10 @@ TEST(TargetSpec, ReadsEveryKeyInTheWordsOfItsAxis) {
 TEST(TargetSpec, MakesWhatAControllerHolds) {
   const Made follow = make(parse_spec(cam_with("controller = \"googol_follow\"\n"), "a"));
   const Columns& c = follow.sampled.table.columns();
-  EXPECT_EQ(follow.sampled.table.rule(), Rule::linear);
+  EXPECT_EQ(follow.sampled.table.rule(), Rule::cubic_hermite);
   EXPECT_LE(c.x.size(), 17U);
+  for (const PtPoint& point : points_of(follow.sampled.table))
+    EXPECT_EQ(point.type, PtType::normal);
   for (const double x : c.x) EXPECT_EQ(x, std::round(x));
   const Made pt = make(parse_spec(move_with("controller = \"googol_pt\"\ntolerance = 0.1\n"), "a"));
   for (const double x : pt.sampled.table.columns().x) EXPECT_EQ(x, std::round(x * 1000) / 1000);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/pvt/detail/interval.hpp"
 #include "jounce/pvt/detail/longest.hpp"
+#include "jounce/pvt/pt.hpp"
 
 #include "cam/random_cams.hpp"
 #include "support/random.hpp"
@@ -435,6 +437,88 @@ TEST(Reduced, RefusesWhatCannotBe) {
   EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .x_step = 0.3}), "") << "1 is no multiple";
   const Cam drifting({line(10, 0, 2.5)}, 0, Outside::advance);
   EXPECT_NE(refusal(drifting, {.tolerance = 1, .p_step = 1}).find("drift"), std::string::npos);
+}
+
+// ---- quadratic pieces ----------------------------------------------------------------------------
+
+/// Googol manual, example 7-4: v = 50 sin(2 pi t) pulse/ms over two periods of a second, in ms.
+Trajectory example_7_4() {
+  const double stroke = 50 * 1000 / std::numbers::pi;
+  std::vector<Segment> segments;
+  for (int period = 0; period < 2; ++period)
+    for (const double way : {stroke, -stroke})
+      for (const Segment& part : normalised(Law::simple_sine)) {
+        segments.push_back(scaled(part, way, way < 0 ? stroke : 0));
+        segments.back().length *= 500;
+      }
+  return Trajectory(std::move(segments));
+}
+
+/// The table's knots as normal segments.
+std::vector<PtPoint> normal_points(const Table& table) {
+  std::vector<PtPoint> points;
+  const Columns& c = table.columns();
+  for (std::size_t i = 1; i < table.size(); ++i)
+    points.push_back({c.x[i] - c.x[0], c.p[i] - c.p[0], PtType::normal});
+  return points;
+}
+
+// Played by its positions alone, as a controller does, each segment beginning at the velocity that the one
+// before has ended with: the same motion, to rounding, without a step.
+TEST(ReducedToQuadraticPieces, IsWhatNormalSegmentsPlay) {
+  const Trajectory f = example_7_4();
+  for (const double x_step : {0.0, 1.0, 4.0}) {
+    const Sampled made = reduced(f, {.quadratic = true, .most = 127, .x_step = x_step});
+    ASSERT_LE(made.table.size(), 127U);
+    const std::vector<PtPoint> points = normal_points(made.table);
+    const Trajectory played = pt<OverTime>(points);
+    double worst = 0;
+    for (double t = 0; t <= 2000; t += 0.37) {
+      ASSERT_NEAR(played.at(t).position, made.table.jet(t)[0], 1e-7) << t;
+      worst = std::max(worst, std::abs(played.at(t).position - f.at(t).position));
+    }
+    EXPECT_LE(worst, made.error.position * (1 + 1e-9));
+    EXPECT_GE(worst, made.error.position * 0.9) << "certified, and no more than it is";
+    EXPECT_TRUE(check_pt<OverTime>(points).ok());
+    for (const Finding& each : check_pt<OverTime>(points).findings)
+      EXPECT_EQ(each.rule, "pt/oscillation") << each.value;
+    const auto on_steps = [&](double x) {
+      return x_step == 0 || x == x_step * std::round(x / x_step);
+    };
+    EXPECT_TRUE(std::ranges::all_of(made.table.columns().x, on_steps));
+    const Sampled even = reduced(f, {.rule = Rule::linear, .most = 127, .x_step = x_step});
+    EXPECT_LT(8 * made.error.position, even.error.position);
+  }
+}
+
+// A trapezoid is quadratic itself, and a dwell one piece: no knot more than the motion has.
+TEST(ReducedToQuadraticPieces, TakesOnePieceWhereTheCurveIsOne) {
+  const Trajectory f = trapezoid({.to = 4096, .velocity = 2, .acceleration = 2.0 / 1024}).curve();
+  const Sampled made = reduced(f, {.quadratic = true, .tolerance = 1e-6, .x_step = 1});
+  EXPECT_EQ(made.table.columns().x, (std::vector<double>{0, 1024, 2048, 3072}));
+  EXPECT_LE(made.error.position, 1e-9);
+}
+
+TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
+  const Cam f = Cam(normalised(Law::inclined_sine));
+  for (const double tolerance : {1e-3, 1e-5}) {
+    const Sampled made =
+        reduced(f, {.quadratic = true, .tolerance = tolerance, .velocity_tolerance = 0.01});
+    EXPECT_LE(made.error.position, tolerance);
+    EXPECT_LE(made.error.velocity, 0.01);
+  }
+  const auto key = [&](const Target& target) {
+    try {
+      (void)reduced(f, target);
+    } catch (const InputError& error) {
+      return error.key();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-6, .most = 9}), "most");
+  EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-3, .p_step = 0.01}), "p_step");
+  EXPECT_EQ(key({.rule = Rule::linear, .quadratic = true, .most = 9}), "rule");
+  EXPECT_EQ(key({.quadratic = true, .most = 9, .spacing = 0.4}), "");
 }
 
 }  // namespace
