@@ -2,12 +2,15 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/io/exchange.hpp"
 #include "jounce/io/file.hpp"
+#include "jounce/io/points_text.hpp"
 #include "jounce/io/samples_csv.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/pvt/fill.hpp"
 
 #include "input.hpp"
 #include "target_options.hpp"
@@ -87,6 +90,19 @@ Sampled sampled(const Input& input, Rule rule, const Options& options) {
       input.curve);
 }
 
+/// Through the knots a cubic spline, periodic where the cam repeats, otherwise with natural ends: KAS
+/// joins points of the type SPLINE by curves, and does not document their ends.
+SampleError spline_error(const Input& input, const Table& made) {
+  Columns columns{made.columns().x, made.columns().p, std::vector<double>(made.size()), {}};
+  spline_velocities(columns.x, columns.p,
+                    repeats(made.outside()) ? Filling::periodic : Filling::natural, columns.v);
+  return std::visit(
+      [&](const auto& curve) {
+        return certified(curve, Rule::cubic_hermite, std::move(columns)).error;
+      },
+      input.curve);
+}
+
 Converted convert(const Input& input, const Options& options) {
   const Rule rule = rule_for(options, input.table.table);
   Converted result{input.table, input.error};
@@ -94,13 +110,16 @@ Converted convert(const Input& input, const Options& options) {
     Sampled made = sampled(input, rule, options);
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
   }
+  if (format_of(options) == Format::kollmorgen)
+    result.error = spline_error(input, result.file.table);
   result.file = in_units(std::move(result.file), options);
   return result;
 }
 
 /// The values at every step of a controller's cycle, for other programs to read.
 std::string samples_of(const TableFile& file, const Options& options) {
-  if (format_of(options) || options.to == "json" || options.output.ends_with(".json"))
+  if (format_of(options) || options.to == "json" || options.to == "points" ||
+      options.output.ends_with(".json"))
     throw InputError("--every", options.every, "writes samples, as CSV and nothing else");
   try {
     return samples_csv(file, quantity(options.every, file.units.x));
@@ -117,30 +136,50 @@ std::string text_of(const TableFile& file, const Options& options) {
     if (unit->empty())
       throw InputError(option, "", "is missing: the file does not say what it counts in");
   if (!options.every.empty()) return samples_of(file, options);
-  return options.to == "json"  ? to_json(file)
-         : options.to == "csv" ? to_csv(file)
-                               : table_text(options.output, file);
+  return options.to == "json"     ? to_json(file)
+         : options.to == "csv"    ? to_csv(file)
+         : options.to == "points" ? points_text(file)
+                                  : table_text(options.output, file);
 }
 
-/// What the format cannot say of this table.
-std::vector<std::string> losses(const Options& options, const Input& input) {
-  std::vector<std::string> all;
+/// "laws, limits, coupling and 2 cam switches stay in the spec"
+std::string left_in(const Spec& spec) {
+  std::vector<std::string> parts{"laws", "limits"};
+  if (spec.coupling) parts.emplace_back("the coupling");
+  if (const std::size_t n = spec.switches.table.switches.size(); n > 0)
+    parts.push_back(fmt::format("{} cam switch{}", n, n == 1 ? "" : "es"));
+  const std::string last = parts.back();
+  parts.pop_back();
+  return fmt::format("{} and {} stay in the spec", fmt::join(parts, ", "), last);
+}
+
+/// What a table of straight lines or splines loses of what Jounce's own tables say.
+void add_losses(std::vector<std::string>& all, Format format, const Table& table) {
+  if (format == Format::xyva || format == Format::codesys) return;
+  all.emplace_back(format == Format::kollmorgen
+                       ? "positions only: the error is that of a cubic spline through them; how "
+                         "KAS ends its splines is not documented"
+                       : "positions only: the error is that of straight lines between them");
+  all.emplace_back("units and hash are not in the file");
+  if (repeats(table.outside()) && format != Format::kollmorgen)
+    all.emplace_back("that it repeats is not in the file: read it with --periodic");
+}
+
+/// What the file that is written, or the table that was read, does not hold.
+std::vector<std::string> losses(const Options& options, const Input& input, const Table& made) {
+  std::vector<std::string> all = input.unread;
   if (!options.every.empty())
     all.emplace_back("samples: what lies between them is not in the file");
-  if (input.spec) all.emplace_back("laws and limits stay in the spec");
-  const auto format = format_of(options);
-  if (!format) return all;
-  if (rule_of(*format) == Rule::linear)
-    all.emplace_back("positions only: the error is that of straight lines between them");
-  if (*format != Format::xyva && *format != Format::codesys)
-    all.emplace_back("units and hash are not in the file");
-  if (*format != Format::xyva && *format != Format::codesys && repeats(input.table.table.outside()))
-    all.emplace_back("that it repeats is not in the file: read it with --periodic");
+  if (options.to == "points")
+    all.emplace_back("points count from the first knot; their types say the rates");
+  if (input.spec) all.push_back(left_in(*input.spec));
+  if (const auto format = format_of(options)) add_losses(all, *format, made);
   return all;
 }
 
 std::string word_for(const Options& options) {
   if (const auto format = format_of(options)) return name(*format);
+  if (options.to == "points") return options.to;
   return options.to == "json" || (options.to.empty() && options.output.ends_with(".json")) ? "json"
                                                                                            : "csv";
 }
@@ -156,7 +195,7 @@ nlohmann::ordered_json json_of(const Converted& made, const Options& options, co
     document["error_where"] = made.error->where;
     document["error_velocity"] = made.error->velocity;
   }
-  document["losses"] = losses(options, input);
+  document["losses"] = losses(options, input, made.file.table);
   return document;
 }
 
@@ -173,7 +212,7 @@ void print_text(std::FILE* out, const Converted& made, const Options& options, c
         labels.units.x, rounded(made.error->velocity),
         labels.unit_of(std::string(labels.over_master ? OverMaster::names[1] : OverTime::names[1])),
         labels.over_master ? OverMaster::names[1] : OverTime::names[1]);
-  for (const auto& loss : losses(options, input)) fmt::print(out, "{}\n", loss);
+  for (const auto& loss : losses(options, input, made.file.table)) fmt::print(out, "{}\n", loss);
 }
 
 /// What the file is to be must be said: by its ending, or by --to.
@@ -214,10 +253,12 @@ void add_convert(CommandLine& line) {
               "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
               "is standard output");
   std::vector<std::string> formats = format_names();
-  formats.insert(formats.begin(), {"csv", "json"});
-  verb.option("--to", options->to,
-              "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
-              "pairs, sew, kollmorgen")
+  formats.insert(formats.begin(), {"csv", "json", "points"});
+  verb.option(
+          "--to", options->to,
+          "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
+          "pairs, sew, kollmorgen; points: CSV of segments with their types, for Googol's PT and "
+          "follow mode")
       .check(one_of(formats));
   verb.axis(options->axis);
   verb.option("--rule", options->rule,

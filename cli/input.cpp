@@ -15,6 +15,20 @@ std::string names_of(const std::vector<Input>& inputs) {
   return names;
 }
 
+/// One input for each cam: where there are several, a cam's name stands for the axis's.
+std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
+  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  const bool several = cams.size() > 1;
+  std::vector<Input> all;
+  for (ExchangeCam& cam : cams) {
+    Input input = input_of(std::move(cam.file), several ? name + " " + cam.name : name);
+    if (several) input.axis = cam.name;
+    input.unread = std::move(cam.unread);
+    all.push_back(std::move(input));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
@@ -24,7 +38,7 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
   if (is_table(text))
     all.push_back(input_of(parse_table(text, name), name));
   else if (format_of_text(text))
-    all.push_back(input_of(parse_exchange(text, name, decimal_comma), name));
+    all = cams_of(text, name, decimal_comma);
   else
     all = inputs_of(parse_spec(std::move(text), name), path);
   if (axis.empty()) return all;
@@ -45,7 +59,7 @@ Input load(const std::string& path, const std::string& axis, bool decimal_comma)
   if (all.size() > 1)
     throw InputError("--axis", "",
                      "is missing: this verb takes one axis at a time, " +
-                         all.front().spec->document.name + " has " + names_of(all));
+                         (path == "-" ? "standard input" : path) + " has " + names_of(all));
   return std::move(all.front());
 }
 

@@ -105,7 +105,7 @@ std::vector<Shade> in_step(const Cam& cam, const Labels& labels) {
 Figure figure_of(const std::vector<Input>& axes) {
   Figure figure = figure_of_axis(axes.front());
   if (axes.size() == 1) return figure;
-  figure.title = axes.front().spec->name;
+  if (axes.front().spec) figure.title = axes.front().spec->name;
   figure.knots.clear();  // each axis has its own
   for (std::size_t i = 1; i < axes.size(); ++i) {
     if (axes[i].labels.units.position != axes.front().labels.units.position)

@@ -189,7 +189,8 @@ Option Verb::flag(const std::string& name, bool& target, const std::string& help
 }
 
 Option Verb::axis(std::string& target) const {
-  return option("--axis", target, "NAME: this axis only, of a spec with several");
+  return option("--axis", target,
+                "NAME: this axis only, of a spec with several, or this cam of a file with several");
 }
 
 void Verb::work(Work work) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "jounce/io/csv.hpp"
@@ -67,6 +68,38 @@ Table table_of(detail::Exchanged& read, Outside outside, const detail::Place& pl
   }
 }
 
+ExchangeCam cam_of(detail::Exchanged& read, const detail::Place& place) {
+  Outside outside = Outside::hold;
+  TableFile file{Table(Axis::master, Rule::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
+  take_notes(read, place, file, outside);
+  file.table = table_of(read, outside, place);
+  require_whole(read, place, file);
+  return {read.name, std::move(file), std::move(read.unread)};
+}
+
+/// Of several cams each has the comments above its last knot and below the cam before.
+std::vector<detail::Line> own_lines(const detail::Exchanged& cam,
+                                    const std::vector<detail::Exchanged>& all,
+                                    const std::vector<detail::Line>& lines) {
+  int from = 0;
+  for (const detail::Exchanged& other : all)
+    if (other.lines.back() < cam.lines.front()) from = std::max(from, other.lines.back());
+  std::vector<detail::Line> own;
+  for (const detail::Line& line : lines)
+    if (line.number > from && line.number < cam.lines.back()) own.push_back(line);
+  return own;
+}
+
+std::vector<ExchangeCam> cams_of(std::vector<detail::Exchanged> all,
+                                 const std::vector<detail::Line>& lines,
+                                 const detail::Place& place) {
+  for (detail::Exchanged& cam : all)
+    cam.notes = detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
+  std::vector<ExchangeCam> cams;
+  for (detail::Exchanged& cam : all) cams.push_back(cam_of(cam, place));
+  return cams;
+}
+
 }  // namespace
 
 namespace detail {
@@ -76,6 +109,13 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(white);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(white) - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
 }
 
 std::vector<Line> lines_of(std::string_view text) {
@@ -180,7 +220,7 @@ Rule rule_of(Format format) {
 
 std::optional<Format> format_of_text(const std::string& text) {
   if (is_table(text)) return std::nullopt;
-  if (text.find("SMC_CAMXYVA") != std::string::npos) return Format::codesys;
+  if (detail::lower(text).find("smc_camxyva") != std::string::npos) return Format::codesys;
   if (text.find("TABLE_BEGIN") != std::string::npos) return Format::kollmorgen;
   const auto lines = detail::lines_of(text);
   const auto first = std::find_if(lines.begin(), lines.end(), [](const detail::Line& line) {
@@ -206,23 +246,24 @@ std::string exchange_text(Format format, const TableFile& file) {
   return format == Format::codesys ? detail::st_text(file) : detail::columns_text(format, file);
 }
 
-TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
+std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
+                                             bool decimal_comma) {
   const detail::Place place(name, decimal_comma);
   const auto format = format_of_text(text);
   if (!format) place.fail(1, "", "", "is no cam table in a format that Jounce reads");
   if (*format == Format::kollmorgen)
     place.fail(1, "", "", "is a table of KAS, whose splines are not documented: it cannot be read");
   const auto lines = detail::lines_of(text);
-  detail::Exchanged read = *format == Format::codesys
-                               ? detail::parse_st(text, place)
-                               : detail::parse_columns(*format, lines, place);
-  read.notes = detail::notes_of(lines);
-  Outside outside = Outside::hold;
-  TableFile file{Table(Axis::master, Rule::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
-  take_notes(read, place, file, outside);
-  file.table = table_of(read, outside, place);
-  require_whole(read, place, file);
-  return file;
+  if (*format == Format::codesys) return cams_of(detail::parse_st(text, place), lines, place);
+  return cams_of({detail::parse_columns(*format, lines, place)}, lines, place);
+}
+
+TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
+  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  if (cams.size() == 1) return std::move(cams.front().file);
+  std::string names;
+  for (const ExchangeCam& cam : cams) names += (names.empty() ? "" : ", ") + cam.name;
+  throw InputError("", "", "holds several cams: " + names).at(name, 1);
 }
 
 }  // namespace jounce

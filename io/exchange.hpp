@@ -18,7 +18,7 @@ namespace jounce {
 /// | format | file | a knot is | rule | read |
 /// |---|---|---|---|---|
 /// | `xyva` | .xyva | a line X Y V A: the columns of the cam editors of CODESYS and PMC600 | quintic_hermite | yes |
-/// | `codesys` | .st | an SMC_CAMXYVA of a declaration in Structured Text | quintic_hermite | yes |
+/// | `codesys` | .st | an SMC_CAMXYVA of a declaration in Structured Text, also as "Display generated code" shows it | quintic_hermite | yes |
 /// | `pairs` | .txt | a line X Y: CODESYS "Cam Data from ASCII Table", Lenze, ISG | linear | yes |
 /// | `sew` | | a line X;Y after a line with their number: SEW MOVI-C curve point table | linear | yes |
 /// | `kollmorgen` | | a line X;Y;SPLINE between TABLE_BEGIN and TABLE_END: KAS | linear | no |
@@ -55,7 +55,17 @@ std::string exchange_text(Format format, const TableFile& file);
 /// Reads any format that is read. Throws InputError with file, line, key, value and rule: a wrong
 /// number of columns, text that is not a finite number (a decimal comma is named as such), knots that
 /// do not ascend, a number of knots or a hash that does not match, a format that cannot be read.
-/// `decimal_comma` reads 0,5 as 0.5 in columns that are not separated by commas.
+/// `decimal_comma` reads 0,5 as 0.5 in columns that are not separated by commas. A declaration may
+/// hold several cams: all of them, in the order of their references.
+struct ExchangeCam {
+  std::string name;  ///< of its MC_CAM_REF, or of its array; empty in the other formats
+  TableFile file;
+  std::vector<std::string> unread = {};  ///< what the file holds beside the table: a phrase each
+};
+std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
+                                             bool decimal_comma = false);
+
+/// The only cam of the file. Throws InputError where there are several, too.
 TableFile parse_exchange(const std::string& text, const std::string& name,
                          bool decimal_comma = false);
 

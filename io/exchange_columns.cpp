@@ -26,13 +26,6 @@ std::string_view without_comment(std::string_view line) {
   return trimmed(line.substr(0, line.find("//")));
 }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 const std::vector<std::string> editor_columns{"x", "y", "v", "a", "j", "type"};
 
 /// The columns that a header names; none where the line is no header. J follows from the others and
@@ -128,6 +121,15 @@ std::string kollmorgen_text(const TableFile& file) {
          rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
 }
 
+std::string sew_text(const TableFile& file) {
+  constexpr std::size_t most = 16383;  // MOVI-C, curve point table
+  if (file.table.size() > most)
+    throw InputError("knots", std::to_string(file.table.size()),
+                     "a curve point table of SEW holds at most " + std::to_string(most) +
+                         ": give a tolerance, or fewer intervals");
+  return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
+}
+
 }  // namespace
 
 std::vector<std::string_view> column_cells(std::string_view line) {
@@ -171,7 +173,7 @@ std::string columns_text(Format format, const TableFile& file) {
       return "# a cam as X Y V A, by " + made_by() + "\n" + notes_text(file, "#") + "X\tY\tV\tA\n" +
              rows_text(file, '\t', "\n");
     case Format::sew:
-      return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
+      return sew_text(file);
     case Format::kollmorgen:
       return kollmorgen_text(file);
     case Format::pairs:

@@ -1,5 +1,6 @@
 #include "jounce/io/table_file.hpp"
 
+#include <cctype>
 #include <utility>
 
 #include "jounce/io/detail/table_parts.hpp"
@@ -64,7 +65,9 @@ TableFile read_table(const std::string& path) {
 }
 
 bool is_table(const std::string& text) {
-  return text.starts_with("# jounce table") || text.starts_with('{');
+  // A letter behind the brace makes it a pragma of Structured Text: {attribute 'linkalways'}.
+  const bool pragma = text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
+  return text.starts_with("# jounce table") || (text.starts_with('{') && !pragma);
 }
 
 std::string table_text(const std::string& path, const TableFile& file) {

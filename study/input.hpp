@@ -26,7 +26,8 @@ struct Input {
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};
-  std::optional<Binding> binding = {};  ///< of a table of fewest knots
+  std::optional<Binding> binding = {};   ///< of a table of fewest knots
+  std::vector<std::string> unread = {};  ///< what its file holds beside the table
 };
 
 /// Where slave and master are when a coupling begins. Left out: the slave rests at the cam's first

@@ -21,6 +21,7 @@ struct Line {
 std::vector<Line> lines_of(std::string_view text);
 
 std::string_view trimmed(std::string_view text);
+std::string lower(std::string_view text);
 
 /// The comments `# key: value` or `// key: value` that Jounce wrote.
 struct Note {
@@ -34,12 +35,14 @@ bool is_comment(std::string_view line);
 /// The comments themselves, each line begun with `mark`.
 std::string notes_text(const TableFile& file, const std::string& mark);
 
-/// What was read: a column entry and a line for each knot.
+/// What was read of one cam: a column entry and a line for each knot.
 struct Exchanged {
+  std::string name = {};  ///< where the format names its cams
   Rule rule = Rule::quintic_hermite;
   Columns columns = {};
   std::vector<int> lines = {};
   Notes notes = {};
+  std::vector<std::string> unread = {};  ///< what the file holds beside the knots
 };
 
 /// Where in a file something is wrong.
@@ -60,7 +63,8 @@ class Place {
 };
 
 Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Place& place);
-Exchanged parse_st(const std::string& text, const Place& place);
+/// All that the file declares, at least one.
+std::vector<Exchanged> parse_st(const std::string& text, const Place& place);
 
 /// The values of a line, separated by semicolons, white space or commas.
 std::vector<std::string_view> column_cells(std::string_view line);

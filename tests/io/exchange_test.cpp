@@ -220,5 +220,84 @@ TEST(Exchange, WritesWhatKasImports) {
             "SPLINE\nTABLE_END;;\n");
 }
 
+// As "Display generated code" of the cam editor shows it (CODESYS SoftMotion), typed as people do.
+const std::string generated =
+    "{attribute 'linkalways'}\nVAR_GLOBAL\n"
+    "  e_a : array[0..2] of smc_camxyva := [(dx := LREAL#0.0, DY := 0),\n"
+    "    (dX := 1_80, dY := - 40, dV := LREAL#-0.5), (dX := 360.0, dY := 0)];\n"
+    "  E : MC_Cam_Ref := (nElements := 3, byType := 3, xStart := 0, xEnd := 360, nTappets := 2,\n"
+    "    strCAMName := 'E, the (* first', pce := adr(E_A), xPartofLM := TRUE);\n"
+    "  F_A : ARRAY[1..2] OF SM3_Basic.SMC_CAMXYVA := [(dX := 0), (dX := 100, dY := 7)];\n"
+    "  F : MC_CAM_REF := (byType := SMC_CAM_TYPE.XYVA, xStart := 0, xEnd := 100,\n"
+    "    pce := ADR(GVL.F_A), wCamStructID := 16#DC34);\n"
+    "  limits : ARRAY[0..N] OF LREAL;\nEND_VAR\n";
+
+TEST(Exchange, ReadsAllCamsOfGeneratedCode) {
+  EXPECT_FALSE(is_table(generated)) << "its first sign is a brace";
+  EXPECT_EQ(format_of_text(generated), Format::codesys);
+  const auto cams = parse_exchange_cams(generated, "t");
+  ASSERT_EQ(cams.size(), 2U);
+  EXPECT_EQ(cams[0].name, "E");
+  EXPECT_EQ(cams[0].file.table.columns().x, (std::vector<double>{0, 180, 360}));
+  EXPECT_EQ(cams[0].file.table.columns().p, (std::vector<double>{0, -40, 0}));
+  EXPECT_EQ(cams[0].file.table.columns().v, (std::vector<double>{0, -0.5, 0}));
+  EXPECT_EQ(cams[0].unread, (std::vector<std::string>{"2 tappets of E are not read"}));
+  EXPECT_EQ(cams[1].name, "F");
+  EXPECT_EQ(cams[1].file.table.columns().p, (std::vector<double>{0, 7}));
+  EXPECT_TRUE(cams[1].unread.empty());
+  EXPECT_EQ(complaint(generated), "t:1: holds several cams: E, F");
+}
+
+TEST(Exchange, ReadsCamsOfOursOneAfterAnother) {
+  const TableFile first = ragged(Rule::quintic_hermite, Outside::wrap, 5);
+  const TableFile second = ragged(Rule::quintic_hermite, Outside::hold, 9);
+  const auto cams = parse_exchange_cams(
+      exchange_text(Format::codesys, first) + exchange_text(Format::codesys, second), "t");
+  ASSERT_EQ(cams.size(), 2U);
+  for (const auto& [cam, file] : {std::pair{&cams[0], &first}, {&cams[1], &second}})
+    EXPECT_EQ(content_hash(cam->file.table, cam->file.units),
+              content_hash(file->table, file->units));
+}
+
+TEST(Exchange, ReadsTheFormOfCoDeSys23) {
+  const TableFile file = parse_exchange(
+      "VAR_GLOBAL\n A : ARRAY[1..2] OF SMC_CAMXYVA := (dX:=0,dY:=0,dV:=0,dA:=0),\n"
+      "  (dX:=360,dY:=-1.5E+1,dV:=0,dA:=0);\n R : MC_CAM_REF := (byType:=3, xStart:=0, "
+      "xEnd:=360);\n",
+      "t");
+  EXPECT_EQ(file.table.columns().p, (std::vector<double>{0, -15}));
+}
+
+TEST(Exchange, RefusesARangeOfTheMasterThatThePointsDoNotCover) {
+  EXPECT_EQ(complaint(replaced(generated, "xEnd := 360", "xEnd := 400")),
+            "t:5: E.xEnd = 400: the last point is at 360: the points must cover the master's range "
+            "(errors 751 and 752 of the controllers)");
+  EXPECT_NE(complaint(replaced(generated, "xStart := 0", "xStart := 10")).find("E.xStart = 10"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint(replaced(generated, "nElements := 3", "nElements := 4")).find("E.nElements = 4"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint(replaced(generated, "adr(E_A)", "adr(G_A)")).find("is no array of SMC_CAMXYVA"),
+      std::string::npos);
+  EXPECT_NE(complaint(replaced(generated, "byType := 3", "byType := 2")).find("must be 3"),
+            std::string::npos);
+  EXPECT_NE(complaint(replaced(generated, "1_80", "16#B4")).find("decimal number"),
+            std::string::npos);
+}
+
+TEST(Exchange, RefusesMorePointsThanSewHolds) {
+  const auto points = [](std::size_t n) {
+    Columns c;
+    for (std::size_t i = 0; i < n; ++i) {
+      c.x.push_back(static_cast<double>(i));
+      c.p.push_back(0);
+    }
+    return TableFile{Table(Axis::master, Rule::linear, Outside::hold, std::move(c)), {}, {}};
+  };
+  EXPECT_NO_THROW((void)exchange_text(Format::sew, points(16383)));
+  EXPECT_THROW((void)exchange_text(Format::sew, points(16384)), InputError);
+}
+
 }  // namespace
 }  // namespace jounce
