@@ -36,8 +36,8 @@ class MpiWorld {
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// Rank 0 hands out one case after another to whoever is free, and takes the lines; the others make
-  /// them, and take nothing. Rank 0 throws InputError if another's `identity` is not its own: it sees
+  /// Rank 0 hands out cases, more at once the cheaper they are (20 ms of work at most), and takes the lines; a thread of
+  /// its own makes cases, too. The others make them, and take nothing. Rank 0 throws InputError if another's `identity` is not its own: it sees
   /// other files. A world of one works on its own threads.
   [[nodiscard]] Farm farm(std::string identity) const;
 

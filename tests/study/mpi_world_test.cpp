@@ -1,5 +1,6 @@
 #include "jounce/study/mpi_world.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <map>
@@ -21,6 +22,7 @@ struct Post {
   std::mutex mutex;
   std::condition_variable arrived;
   std::map<int, std::deque<std::pair<int, std::string>>> boxes;
+  std::size_t sent = 0;  ///< orders of the first rank
 };
 Post post;
 thread_local int me = 0;
@@ -28,6 +30,7 @@ thread_local int me = 0;
 void send(int to, const std::string& bytes) {
   const std::lock_guard lock(post.mutex);
   post.boxes[to].emplace_back(me, bytes);
+  post.sent += me == 0 ? 1 : 0;
   post.arrived.notify_all();
 }
 
@@ -63,11 +66,7 @@ std::map<std::size_t, std::string> taken(int size, std::size_t cases, std::size_
   std::map<std::size_t, std::string> all;
   me = 0;
   farm_over(calls, 0, size, "id")(
-      first(cases),
-      [](std::size_t) -> std::string {
-        ADD_FAILURE() << "the first rank makes nothing";
-        return "";
-      },
+      first(cases), [](std::size_t k) { return "case " + std::to_string(k); },
       [&](std::size_t k, const std::string& line) {
         EXPECT_TRUE(all.emplace(k, line).second) << k << " is taken twice";
         return all.size() < most;
@@ -85,9 +84,53 @@ TEST(MpiFarm, HandsOutEachCaseOnce) {
 }
 
 TEST(MpiFarm, StopsWhenNoMoreIsWantedAndTakesWhatWasBegun) {
-  const auto all = taken(4, 200, 10);
+  const auto all = taken(4, 2000, 10);
   EXPECT_GE(all.size(), 10U);
-  EXPECT_LE(all.size(), 12U);
+  EXPECT_LE(all.size(), 10U + 3 * 65 + 1);  // what three workers hold at most, and one here
+}
+
+/// Cheap cases go out many in a message, dear ones one by one; each worker's lines come back one by one.
+TEST(MpiFarm, SendsCheapCasesTogetherAndDearOnesOneByOne) {
+  const auto orders = [](std::chrono::milliseconds each) {
+    post.boxes.clear();
+    post.sent = 0;
+    constexpr std::size_t cases = 60;
+    const auto make = [each](std::size_t k) {
+      std::this_thread::sleep_for(each);
+      return std::to_string(k);
+    };
+    std::jthread worker([&] {
+      me = 1;
+      farm_over(calls, 1, 2, "id")(first(cases), make,
+                                   [](std::size_t, const std::string&) { return false; });
+    });
+    me = 0;
+    std::size_t lines = 0;
+    farm_over(calls, 0, 2, "id")(first(cases), make,
+                                 [&](std::size_t, const std::string&) { return ++lines > 0; });
+    EXPECT_EQ(lines, cases);
+    return post.sent;  // to the worker
+  };
+  EXPECT_LT(orders(std::chrono::milliseconds(1)), 40U);  // 30 or so cases are the worker's
+  EXPECT_GE(orders(std::chrono::milliseconds(25)), 20U);
+}
+
+TEST(MpiFarm, EndsWhereACaseThrowsOnTheFirstRank) {
+  post.boxes.clear();
+  std::jthread worker([] {
+    me = 1;
+    farm_over(calls, 1, 2, "id")(
+        first(50), [](std::size_t) { return "x"; },
+        [](std::size_t, const std::string&) { return false; });
+  });
+  me = 0;
+  EXPECT_THAT(testing::error_of([] {
+                farm_over(calls, 0, 2, "id")(
+                    first(50),
+                    [](std::size_t) -> std::string { throw InputError("case", "", "is bad"); },
+                    [](std::size_t, const std::string&) { return true; });
+              }),
+              ::testing::HasSubstr("case"));
 }
 
 TEST(MpiFarm, RefusesAWorkerWithOtherFiles) {
