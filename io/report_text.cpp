@@ -127,9 +127,9 @@ std::string tidy(double value, const Range& range) {
 
 Json to_object(const Finding& finding, const Labels& labels) {
   Json object{
-      {"rule", finding.rule},     {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
-      {"where", finding.where},   {"value", finding.value},       {"limit", nullptr},
-      {"margin", nullptr},        {"broken", finding.broken}};
+      {"rule", finding.rule},   {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
+      {"where", finding.where}, {"value", finding.value},       {"limit", nullptr},
+      {"margin", nullptr},      {"broken", finding.broken}};
   if (finding.has_limit) {
     object["limit"] = finding.limit;
     object["margin"] = finding.margin;
@@ -245,6 +245,10 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));
+  if (finding.rule == "drive/stability")
+    return fmt::format(
+        "the loop is unstable{}: what is left of an error grows by the factor e in {} ms",
+        finding.where > 0 ? " at " + place(finding, labels) : "", rounded(1e3 / finding.value));
   if (finding.rule.ends_with("/integration"))
     return fmt::format("the integration ended at {}", place(finding, labels));
   if (is_sync_rule(finding.rule)) return sync_sentence(finding, place(finding, labels));
@@ -270,8 +274,7 @@ std::string one_line(const Report& report, const Labels& labels) {
   if (const std::size_t n = report.broken(); n > 0)  // sort() puts the worst of them first
     return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings",
                        sentence(report.findings.front(), labels), more);
-  const auto closest =
-      std::find_if(report.findings.begin(), report.findings.end(), is_limit);
+  const auto closest = std::find_if(report.findings.begin(), report.findings.end(), is_limit);
   if (closest != report.findings.end())
     return "all limits hold; the closest: " + sentence(*closest, labels) + more;
   const bool continuous =

@@ -48,12 +48,13 @@ double widest(const std::vector<std::string>& labels) {
 
 /// As many ticks as fit beside each other on `width` px.
 Ticks x_ticks(const Figure& figure, PlotRange extent, double width) {
-  for (int most = 12; most > 1; --most) {
-    Ticks found = figure.degrees ? angle_ticks(extent, most) : ticks(extent, most);
+  const auto of = figure.degrees ? angle_ticks : figure.decades ? decade_ticks : ticks;
+  for (int most = figure.decades ? 20 : 12; most > 1; --most) {
+    Ticks found = of(extent, most);
     const double needed = (widest(found.labels) + 14) * static_cast<double>(found.at.size());
     if (needed <= width) return found;
   }
-  return figure.degrees ? angle_ticks(extent, 1) : ticks(extent, 1);
+  return of(extent, 1);
 }
 
 /// One entry a label, in rows; none if there is nothing to tell apart.

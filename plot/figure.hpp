@@ -67,6 +67,8 @@ struct Figure {
   std::vector<std::vector<Shade>> strips{};
   std::vector<double> knots{};  ///< thin vertical lines; left out, and so noted, where too dense
   bool degrees = false;         ///< x is an angle: ticks at 30, 45, 60, 90 deg, ...
+  bool decades =
+      false;  ///< x is a decimal logarithm: ticks at 1, 2, 5, 10, ... as the number itself
 };
 
 struct SvgOptions {

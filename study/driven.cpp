@@ -22,7 +22,7 @@ DriveResult driven(const Input& input, std::size_t samples) {
   DriveResult result = drive_through(view(reference), drive.drive, drive.options(samples));
   for (Finding& finding : result.report.findings) {
     finding.axis = "drive";
-    finding.where_unit = "s";
+    if (finding.where_unit.empty()) finding.where_unit = "s";
     if (finding.unit.empty()) finding.unit = unit_of(finding.rule);
     if (finding.unit.empty()) finding.unit = input.labels.units.position;
   }

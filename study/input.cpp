@@ -13,6 +13,7 @@
 #include "jounce/io/sync_check.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/validate/loop.hpp"
 
 namespace jounce {
 namespace {
@@ -217,6 +218,11 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     if (spec.compare && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
   }
+  if (input.drive)
+    if (auto unstable = unstable_loop(input.drive->drive)) {
+      unstable->axis = "drive";
+      report.findings.push_back(*std::move(unstable));
+    }
   sort(report);
   return report;
 }

@@ -39,7 +39,8 @@ struct EngageState {
 };
 
 /// Everything that can be checked without integration: limits and joints of the curve, the table's
-/// error, limits that the table alone breaks, and what engaging a coupling does in the given state.
+/// error, limits that the table alone breaks, what engaging a coupling does in the given state, and a [drive]
+/// whose loop is unstable.
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// How far the table may stray from its curve, in the unit of the position: the tolerance asked for;

@@ -214,7 +214,7 @@ struct DriveResult {
   /// "drive/end_following_error", "drive/sync_following_error", "drive/residual",
   /// "drive/settling_time" against the limits given; "drive/i2t", "drive/rated_torque" (rms) and
   /// "drive/max_velocity" where the motor has these; always "drive/saturation", broken where the
-  /// torque limit was reached at all; "drive/exact" where there are samples and exact_opinion() has one;
+  /// torque limit was reached at all; "drive/stability", broken, where the loop is unstable (loop.hpp); "drive/exact" where there are samples and exact_opinion() has one;
   /// and "drive/integration" where the integration did not end well: then limits that were not exceeded by
   /// its end are no findings.
   Report report;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "jounce/validate/detail/peak_finding.hpp"
+#include "jounce/validate/loop.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -81,6 +82,7 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
     std::erase_if(report.findings, [](const Finding& f) { return !f.broken; });
     report.findings.push_back(integration_of(result.integration));
   }
+  if (const auto unstable = unstable_loop(drive)) report.findings.push_back(*unstable);
   sort(report);
   return report;
 }

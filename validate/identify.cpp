@@ -11,6 +11,8 @@ const char* name(Identification::Status status) {
   switch (status) {
     case Identification::Status::converged:
       return "converged";
+    case Identification::Status::misfit:
+      return "misfit";
     case Identification::Status::not_identifiable:
       return "not identifiable";
     case Identification::Status::stalled:

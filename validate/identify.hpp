@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,19 +53,32 @@ struct Entangled {
   double correlation = 0;  ///< of the estimates' logarithms, -1 to 1
 };
 
-/// How well one recorded quantity is explained.
+/// A statistic against the value that it exceeds in one of a thousand recordings if the model is right.
+struct ResidualTest {
+  double value = 0;
+  double limit = std::numeric_limits<double>::infinity();  ///< infinite: not tested
+
+  [[nodiscard]] bool failed() const { return value > limit; }
+};
+
+/// How well one recorded quantity is explained. What is not above the recording's own resolution, or the
+/// integrator's error, is not tested.
 struct Explained {
   std::string quantity;        ///< "position", "velocity", "torque", "load"
   double before = 0;           ///< rms of recorded - model with the start's numbers
   double after = 0;            ///< the same with the fitted ones: the noise, if the model is right
   double autocorrelation = 0;  ///< of neighbouring residuals: about 0 for a model that is right
+  ResidualTest white = {};     ///< Ljung and Box's Q
+  ResidualTest growth = {};  ///< squares of the last third over the first: Goldfeld and Quandt's F
+  ResidualTest worsening = {};     ///< squares after the fit over those before it
   std::vector<double> model = {};  ///< the fitted model's, one for each sample
 };
 
 /// What identify() answers.
 struct Identification {
   enum class Status {
-    converged,         ///< the fit is a least one and every number is known
+    converged,  ///< the fit is a least one, every number is known and the residuals are noise
+    misfit,  ///< the fit is a least one, but residuals are not white, or grow: the model is wrong
     not_identifiable,  ///< the recording does not tell some of the numbers: see reason
     stalled,           ///< iterations ran out
     cancelled,         ///< the caller said stop
@@ -80,7 +94,8 @@ struct Identification {
   int iterations = 0;
 
   [[nodiscard]] bool usable() const {
-    return status == Status::converged || status == Status::not_identifiable;
+    return status == Status::converged || status == Status::misfit ||
+           status == Status::not_identifiable;
   }
 };
 

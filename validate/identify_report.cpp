@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "jounce/validate/detail/drive_response.hpp"
 #include "jounce/validate/detail/identify_fit.hpp"
 #include "jounce/validate/detail/identify_rules.hpp"
+#include "jounce/validate/detail/residual_tests.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -20,7 +22,6 @@ using Status = Identification::Status;
 
 constexpr double known = 1.0;      // a 95 % interval wider than a factor e either way: not known
 constexpr double together = 0.95;  // correlation from which two numbers are named
-constexpr double white = 0.3;      // autocorrelation from which intervals are clearly too narrow
 
 double autocorrelation(const VectorXd& r) {
   const Index n = r.size() - 1;
@@ -71,6 +72,29 @@ double significant(const std::vector<double>& d, double tolerance) {
   return 1e3 * tolerance * (*high - *low);
 }
 
+void test_residuals(const VectorXd& before, const VectorXd& after, Explained& e) {
+  const std::span<const double> r(after.data(), static_cast<std::size_t>(after.size()));
+  e.white = whiteness(r);
+  e.growth = growth(r);
+  e.worsening = worsening({before.data(), r.size()}, r);
+}
+
+/// What the tests say against the model.
+std::vector<std::string> doubts(const Explained& e) {
+  std::vector<std::string> all;
+  const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
+    if (test.failed())
+      all.push_back(fmt::format(
+          "the residuals of {} {} ({} {:.4g}, limit {:.4g} at 0.1 %): the model misses something, "
+          "and the intervals are too narrow",
+          e.quantity, what, statistic, test.value, test.limit));
+  };
+  doubt(e.white, "are not white", "Ljung-Box Q");
+  doubt(e.growth, "grow along the recording", "Goldfeld-Quandt F");
+  doubt(e.worsening, "are greater than those of the start", "F");
+  return all;
+}
+
 void explain(const Recording& recording, const IdentifySpec& spec, const Fitted& fit,
              Identification& answer) {
   for (std::size_t b = 0; b < fit.used.size(); ++b) {
@@ -81,11 +105,9 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
                 autocorrelation(r)};
     e.model.resize(d.size());
     for (std::size_t i = 0; i < d.size(); ++i) e.model[i] = d[i] + r[static_cast<Index>(i)];
-    if (e.autocorrelation > white && e.after > significant(d, spec.tolerance))
-      answer.notes.push_back(
-          fmt::format("the residuals of {} are not white (autocorrelation {:.2f}): the model "
-                      "misses something, and the intervals are too narrow",
-                      e.quantity, e.autocorrelation));
+    if (e.after > std::max(significant(d, spec.tolerance), resolution(d) / 2))
+      test_residuals(fit.block(fit.before, at), r, e);
+    for (const std::string& doubt : doubts(e)) answer.notes.push_back(doubt);
     answer.explained.push_back(std::move(e));
   }
 }
@@ -126,6 +148,8 @@ void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& un
     return end(Status::stalled,
                fmt::format("no convergence within {} iterations: start nearer, or fit less",
                            spec.max_iterations));
+  for (const Explained& e : answer.explained)
+    if (const auto all = doubts(e); !all.empty()) return end(Status::misfit, all.front());
   end(Status::converged,
       fmt::format("{} number{} fitted to {} samples in {} iterations", answer.numbers.size(),
                   answer.numbers.size() == 1 ? "" : "s", samples, answer.iterations));

@@ -95,7 +95,7 @@ std::vector<DriveMode> modes(const Drive& drive);
 /// controller, which differentiates the angle, the share of torque is of what it makes of the stroke in a cycle). Broken
 /// beyond a hundred times the tolerance of the run. Nothing where there is none: for a drive that is
 /// not linear, a torque that met its limit, a signal without segments, an integration that failed, a
-/// run without samples. `periodic`: whether the run was that of a period of the steady state.
+/// run without samples, a disagreement in an unstable loop, where rounding grows as the motion does. `periodic`: whether the run was that of a period of the steady state.
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
                                      const DriveResult& run, double tolerance = 1e-8,
                                      bool periodic = false);

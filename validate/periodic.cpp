@@ -15,13 +15,13 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/detail/drive_system.hpp"
 #include "jounce/validate/detail/exponential.hpp"
 #include "jounce/validate/linear_drive.hpp"
+#include "jounce/validate/loop.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -33,11 +33,12 @@ double first_velocity(const Trajectory& period) {
   return evaluate(period.segments().front(), 0)[1];
 }
 
-void require_calm(const LinearSystem& system, const Drive& drive) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> modes(system.a, false);
-  if (!(modes.eigenvalues().real().maxCoeff() < 0))
+void require_calm(const Drive& drive) {
+  const std::vector<LoopPole> poles = loop_poles(drive);
+  if (poles.front().growth >= 0)
     throw InputError("controller.velocity_gain", drive.controller.velocity_gain,
-                     "makes loops that do not calm down: they have no periodic steady state");
+                     "makes a loop that is unstable at " + number(poles.front().frequency) +
+                         " Hz: it has no periodic steady state");
 }
 
 /// What a period makes of a state, the wrap included.
@@ -60,7 +61,7 @@ void require_steady(const Drive& drive) {
 }
 
 VectorXd periodic_start(const LinearSystem& system, const Trajectory& period, const Drive& drive) {
-  require_calm(system, drive);
+  require_calm(drive);
   const Index n = system.states();
   const Eigen::PartialPivLU<Eigen::MatrixXd> left(Eigen::MatrixXd::Identity(n, n) -
                                                   exponential(system.a * period.length()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,20 @@ Ticks ticks_at(PlotRange axis, Step step) {
   return out;
 }
 
+/// The ticks of an axis of logarithms at every `stride`-th power of ten, times each of the mantissas.
+Ticks ticks_of_decades(PlotRange axis, int stride, std::span<const double> mantissas) {
+  Ticks out;
+  const int first = static_cast<int>(std::floor(axis.lo / stride)) * stride;
+  for (int decade = first; decade <= axis.hi; decade += stride)
+    for (const double mantissa : mantissas) {
+      const double at = decade + std::log10(mantissa);
+      if (at < axis.lo - 1e-9 || at > axis.hi + 1e-9) continue;
+      out.at.push_back(at);
+      out.labels.push_back(fmt::format("{:.10g}", mantissa * std::pow(10.0, decade)));
+    }
+  return out;
+}
+
 }  // namespace
 
 void PlotRange::add(double value) {
@@ -96,6 +111,17 @@ Ticks ticks(PlotRange axis, int most) {
 Ticks angle_ticks(PlotRange axis, int most) {
   const bool wide = axis.span() >= 60 && axis.span() <= 1e6;
   return wide ? ticks_at(axis, angle_step(axis.span(), most)) : ticks(axis, most);
+}
+
+Ticks decade_ticks(PlotRange axis, int most) {
+  constexpr std::array fine{1.0, 2.0, 5.0};
+  const auto fits = [&](const Ticks& t) {
+    return t.at.size() <= static_cast<std::size_t>(most) + 1;
+  };
+  Ticks found = ticks_of_decades(axis, 1, fine);
+  for (int stride = 1; !fits(found) && stride < 700; ++stride)
+    found = ticks_of_decades(axis, stride, std::span(fine).first(1));
+  return found;
 }
 
 }  // namespace jounce

@@ -37,4 +37,8 @@ Ticks ticks(PlotRange axis, int most);
 /// multiples of 360.
 Ticks angle_ticks(PlotRange axis, int most);
 
+/// The same for an axis of decimal logarithms, labelled with the numbers themselves: at 1, 2, 5 times each power of
+/// ten, at each power, or at every n-th.
+Ticks decade_ticks(PlotRange axis, int most);
+
 }  // namespace jounce

@@ -35,6 +35,17 @@ TEST(Ticks, ShareAPowerOfAThousand) {
   EXPECT_THAT(small.labels, ElementsAre("−3", "−2", "−1", "0", "1"));
 }
 
+TEST(DecadeTicks, StandAtNumbersOfTheLogarithmsAxis) {
+  const Ticks fine = decade_ticks({0, 2.1}, 12);
+  EXPECT_THAT(fine.labels, ElementsAre("1", "2", "5", "10", "20", "50", "100"));
+  EXPECT_NEAR(fine.at[1], std::log10(2), 1e-15);
+  EXPECT_EQ(fine.exponent, 0);
+  EXPECT_THAT(decade_ticks({-2.5, 3.2}, 6).labels,
+              ElementsAre("0.01", "0.1", "1", "10", "100", "1000"));
+  EXPECT_THAT(decade_ticks({-6, 6}, 4).labels,
+              ElementsAre("1e-06", "0.001", "1", "1000", "1000000"));
+}
+
 TEST(AngleTicks, DivideTheTurn) {
   EXPECT_THAT(angle_ticks({0, 360}, 12).at,
               ElementsAre(0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330, 360));
