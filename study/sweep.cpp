@@ -14,6 +14,7 @@
 #include "jounce/io/hash.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/study/journal.hpp"
+#include "jounce/study/tune.hpp"
 
 namespace jounce {
 namespace {
@@ -21,7 +22,20 @@ namespace {
 std::vector<std::string> names_of(const SweepSpec& spec) {
   std::vector<std::string> names;
   for (const KeyFigure& f : spec.given) names.push_back(f.name);
+  names.resize(names.size() - spec.chosen);
   return names;
+}
+
+/// What a case is looked at as: its spec, or what optimising that makes of it. `chosen`: the numbers.
+Spec spec_of(const SweepSpec& spec, std::size_t number, std::vector<double>& chosen) {
+  Spec given = spec.base.spec(spec.numbers(number));
+  if (!spec.optima) return given;
+  const TuneOutcome best = tune(given);
+  if (!best.usable())
+    throw InputError("optimize", "",
+                     std::string(name(best.search.status)) + ": " + best.search.reason);
+  for (const TunedNumber& n : best.numbers) chosen.push_back(n.reached);
+  return parse_spec(best.text, given.document.name);
 }
 
 SweepRow impossible(const SweepSpec& spec, std::size_t number, const std::string& why) {
@@ -66,12 +80,14 @@ bool read(std::string_view word, Number& value) {
 
 SweepRow evaluated(const SweepSpec& spec, std::size_t number) {
   try {
-    const Assessment all = assess(spec.base.spec(spec.numbers(number)), names_of(spec));
+    std::vector<double> chosen;
+    const Assessment all = assess(spec_of(spec, number, chosen), names_of(spec));
     SweepRow row{number, {}, Verdict::within, broken_limit(spec, all)};
     if (!row.why.empty()) row.verdict = Verdict::broken;
     for (const KeyFigure& f : all.figures)
       row.figures.push_back(std::isnan(f.value) ? std::numeric_limits<double>::quiet_NaN()
                                                 : f.value);
+    row.figures.insert(row.figures.end(), chosen.begin(), chosen.end());
     return row;
   } catch (const InputError& error) {
     // Without the place in the text: it has other numbers in it than the file.

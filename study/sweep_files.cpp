@@ -1,11 +1,11 @@
 #include "jounce/study/sweep_files.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
+#include <vector>
 
 #include "jounce/io/hash.hpp"
+#include "jounce/io/npy.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/io/table_file.hpp"
 
@@ -24,48 +24,6 @@ std::string cell(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
-}
-
-template <class Integer>
-void append_little_endian(std::string& bytes, Integer value) {
-  for (std::size_t i = 0; i < sizeof value; ++i)
-    bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
-}
-
-void append(std::string& bytes, std::size_t value) {
-  append_little_endian(bytes, static_cast<std::uint64_t>(value));
-}
-
-void append(std::string& bytes, double value) {
-  append_little_endian(bytes, std::bit_cast<std::uint64_t>(value));
-}
-
-/// A text as Python writes it.
-std::string literal(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += (c == '\'' || c == '\\' ? "\\" : "") + std::string(1, c);
-  return quoted + "'";
-}
-
-/// Magic, version, length and description, filled up so that the data begin at a multiple of 64:
-/// https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
-std::string npy_head(const std::string& description) {
-  bool ascii = true;
-  for (const char c : description) ascii = ascii && static_cast<unsigned char>(c) < 0x80U;
-  const bool is_long = description.size() > 65'000;
-  const char version = !ascii ? 3 : is_long ? 2 : 1;
-  const std::size_t prefix = version == 1 ? 10 : 12;
-  const std::size_t whole = (prefix + description.size() + 1 + 63) / 64 * 64;
-  std::string head("\x93NUMPY", 6);
-  head += version;
-  head += '\0';
-  if (version == 1)
-    append_little_endian(head, static_cast<std::uint16_t>(whole - prefix));
-  else
-    append_little_endian(head, static_cast<std::uint32_t>(whole - prefix));
-  head += description;
-  head.resize(whole - 1, ' ');
-  return head + '\n';
 }
 
 }  // namespace
@@ -92,19 +50,18 @@ std::string to_csv(const SweepSpec& spec, const SweepResult& result) {
 }
 
 std::string to_npy(const SweepSpec& spec, const SweepResult& result) {
-  std::string fields = "('case', '<i8'), ";
-  for (const SweepParameter& p : spec.parameters) fields += "(" + literal(p.key) + ", '<f8'), ";
-  for (const KeyFigure& f : spec.given) fields += "(" + literal(f.name) + ", '<f8'), ";
-  std::string bytes =
-      npy_head("{'descr': [" + fields + "('verdict', '<i8')], 'fortran_order': False, 'shape': (" +
-               std::to_string(result.rows.size()) + ",), }");
+  std::vector<NpyField> fields{{"case", NpyType::whole}};
+  for (const SweepParameter& p : spec.parameters) fields.push_back({p.key});
+  for (const KeyFigure& f : spec.given) fields.push_back({f.name});
+  fields.push_back({"verdict", NpyType::whole});
+  NpyFile file(fields, result.rows.size());
   for (const SweepRow& row : result.rows) {
-    append(bytes, row.number + 1);
-    for (const auto& change : spec.numbers(row.number)) append(bytes, change.value);
-    for (const double value : row.figures) append(bytes, value);
-    append(bytes, static_cast<std::size_t>(row.verdict));
+    file.add(std::uint64_t{row.number + 1});
+    for (const auto& change : spec.numbers(row.number)) file.add(change.value);
+    for (const double value : row.figures) file.add(value);
+    file.add(static_cast<std::uint64_t>(row.verdict));
   }
-  return bytes;
+  return file.bytes();
 }
 
 }  // namespace jounce

@@ -128,6 +128,22 @@ void read_parameters(TomlReader& top, SweepSpec& spec) {
     top.fail("parameter", "", "is missing: a sweep has at least one [[parameter]]");
 }
 
+void read_design(TomlReader& table, SweepSpec& spec) {
+  const std::array<std::string, 3> names{"random", "latin_hypercube", "sobol"};
+  if (!table.has("design")) return;
+  const auto design = static_cast<Design>(table.choice("design", names));
+  std::vector<std::string> random;
+  for (const SweepParameter& p : spec.parameters)
+    if (p.random()) random.push_back(p.key);
+  if (spec.samples > SweepSpec::most_cases)
+    table.fail("samples", std::to_string(spec.samples), "are too many: at most 10000000");
+  try {
+    spec.design = SampleDesign(design, spec.seed, std::move(random), spec.samples);
+  } catch (const InputError& error) {
+    table.fail("design", error.value(), error.rule());
+  }
+}
+
 void read_monte_carlo(TomlReader& top, SweepSpec& spec) {
   auto table = top.optional_table("monte_carlo");
   if (!table && spec.random())
@@ -142,7 +158,16 @@ void read_monte_carlo(TomlReader& top, SweepSpec& spec) {
   spec.samples = *samples;
   if (const auto seed = table->optional_whole("seed"))
     spec.seed = static_cast<std::uint64_t>(*seed);
+  read_design(*table, spec);
   table->finish();
+}
+
+bool read_optima(TomlReader& top, const SpecNumbers& base) {
+  if (!top.optional_flag("optima").value_or(false)) return false;
+  if (!base.spec({}).parameters)
+    top.fail("optima", "true",
+             "needs a spec with [[optimize.parameter]] (" + base.document().name + ")");
+  return true;
 }
 
 void require_few(const TomlReader& top, const SweepSpec& spec) {
@@ -185,6 +210,15 @@ Assessment assess_given(TomlReader& top, const SweepSpec& spec,
   }
 }
 
+/// The numbers that each case chooses, as columns behind the figures.
+void add_chosen(SweepSpec& spec) {
+  const Spec given = spec.base.spec({});
+  for (const SpecParameter& p : given.parameters->parameters) {
+    spec.given.push_back({p.key, spec.base.value(p.key), spec.base.unit(p.key), {}});
+    ++spec.chosen;
+  }
+}
+
 void read_figures(TomlReader& top, SweepSpec& spec) {
   const std::vector<std::string> figures = top.texts("figures");
   for (const std::string& name : top.texts("minimize")) spec.objectives.push_back({name, false});
@@ -196,6 +230,7 @@ void read_figures(TomlReader& top, SweepSpec& spec) {
   if (!top.has("figures") && !(spec.objectives.empty() && limited.empty()))
     (void)assess_given(top, spec, wanted({}, spec, limited));
   spec.given = std::move(given.figures);
+  if (spec.optima) add_chosen(spec);
   spec.given_ok = given.report.ok();
   for (const std::string& name : limited) {
     const auto figure = std::find_if(spec.given.begin(), spec.given.end(),
@@ -224,22 +259,29 @@ std::vector<SpecNumbers::Change> SweepSpec::numbers(std::size_t number) const {
   const std::size_t sample = number % samples;
   std::size_t rest = number / samples;
   std::vector<SpecNumbers::Change> all(parameters.size());
+  auto random = static_cast<std::size_t>(std::count_if(
+      parameters.begin(), parameters.end(), [](const SweepParameter& p) { return p.random(); }));
   for (std::size_t i = parameters.size(); i-- > 0;) {
     const SweepParameter& p = parameters[i];
-    const Draw draw{seed, stream_of(p.key), sample};
-    double value = 0;
     if (const auto* values = std::get_if<Values>(&p.how)) {
-      value = values->all[rest % values->all.size()];
+      all[i] = {p.key, values->all[rest % values->all.size()]};
       rest /= values->all.size();
-    } else if (const auto* spread = std::get_if<UniformSpread>(&p.how)) {
-      value = spread->from + (spread->to - spread->from) * uniform(draw);
     } else {
-      const auto& bell = std::get<NormalSpread>(p.how);
-      value = bell.mean + bell.sigma * normal(draw);
+      all[i] = {p.key, drawn(p, --random, sample)};
     }
-    all[i] = {p.key, value};
   }
   return all;
+}
+
+double SweepSpec::drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const {
+  const Draw draw{seed, stream_of(p.key), sample};
+  if (const auto* spread = std::get_if<UniformSpread>(&p.how)) {
+    const double u = independent() ? uniform(draw) : design.at(which, sample);
+    return spread->from + (spread->to - spread->from) * u;
+  }
+  const auto& bell = std::get<NormalSpread>(p.how);
+  const double g = independent() ? normal(draw) : normal_quantile(design.at(which, sample));
+  return bell.mean + bell.sigma * g;
 }
 
 Sha256 SweepSpec::identity() const {
@@ -260,9 +302,20 @@ SweepSpec read_sweep(const std::string& path) {
   const std::string file = top.text("spec");
   const std::string base =
       (std::filesystem::path(path == "-" ? "." : path).parent_path() / file).string();
-  SweepSpec spec{
-      {}, std::move(name), SpecNumbers({base, read_file(base), {}, {}}), {}, 1, 1, {}, false, {},
-      {}};
+  SweepSpec spec{{},
+                 std::move(name),
+                 SpecNumbers({base, read_file(base), {}, {}}),
+                 {},
+                 1,
+                 1,
+                 {},
+                 false,
+                 0,
+                 {},
+                 false,
+                 {},
+                 {}};
+  spec.optima = read_optima(top, spec.base);
   read_parameters(top, spec);
   read_monte_carlo(top, spec);
   require_few(top, spec);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jounce/study/key_figures.hpp"
+#include "jounce/study/sample_design.hpp"
 #include "jounce/study/spec_numbers.hpp"
 
 namespace jounce {
@@ -53,6 +54,7 @@ struct SweepLimit {
 ///     kind = "sweep"
 ///     spec = "cam.toml"                       # beside this file
 ///     figures = ["peak torque", "residual"]   # left out: all that the spec has
+///     optima = true                           # each case is what `jounce optimize` makes of it
 ///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]
 ///     [[parameter]]
 ///     key = "segment[1].end.master"
@@ -62,6 +64,7 @@ struct SweepLimit {
 ///     tolerance = "10 %"                      # or uniform = { from, to }, normal = { mean, sigma }
 ///     [monte_carlo]
 ///     samples = 1000
+///     design = "sobol"                        # or "latin_hypercube"; left out: "random"
 ///     [limits]
 ///     "peak torque" = 2.5                     # beside those of the spec
 ///
@@ -78,18 +81,29 @@ struct SweepSpec {
   std::vector<SweepParameter> parameters;
   std::size_t samples = 1;  ///< 1 where nothing is random
   std::uint64_t seed = 1;
+  SampleDesign design = {};
+  bool optima =
+      false;  ///< each case is optimised by the [optimize] of the spec, before it is looked at
+  std::size_t chosen =
+      0;  ///< how many of the last of `given` are numbers that each case chooses, with `optima`
   std::vector<KeyFigure> given;  ///< the figures that are looked at, of the spec as given
   bool given_ok = false;         ///< whether it is within all limits
   std::vector<SweepObjective> objectives;
   std::vector<SweepLimit> limits;
 
   [[nodiscard]] bool random() const;
+  /// Whether the samples are independent, so that shares among them have an interval.
+  [[nodiscard]] bool independent() const { return design.design() == Design::random; }
   [[nodiscard]] std::size_t cases() const;
   /// The numbers of a case, in the order of the parameters.
   [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
   /// SHA-256 of all that the results depend on: both texts, what the spec as given makes (so also of
   /// files that it names), and this program.
   [[nodiscard]] Sha256 identity() const;
+
+ private:
+  /// What a sample gives a random parameter, the `which`-th of these.
+  [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 
 /// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws

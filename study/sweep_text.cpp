@@ -37,9 +37,11 @@ std::string heading(const SweepSpec& spec, const SweepSummary& s) {
   if (spec.samples > 1 && s.cases > spec.samples)
     text += fmt::format(", {} combinations of {} samples", s.cases / spec.samples, spec.samples);
   text += fmt::format("; {} within all limits", s.within);
-  if (s.yield)
+  if (s.yield && spec.independent())
     text += fmt::format(" ({}; with 95 % confidence {} to {})", percent(s.yield->value),
                         percent(s.yield->low), percent(s.yield->high));
+  else if (s.yield)
+    text += fmt::format(" ({})", percent(s.yield->value));
   if (s.broken > 0) text += fmt::format(", {} beyond one", s.broken);
   if (s.impossible > 0) text += fmt::format(", {} impossible", s.impossible);
   return text + "\n";
@@ -55,8 +57,11 @@ std::string yield_lines(const SweepSpec& spec, const SweepResult& result, const 
     for (std::size_t k = 0; k < spec.samples; ++k)
       within += result.rows[i * spec.samples + k].verdict == Verdict::within ? 1U : 0U;
     const Share share = share_of(within, spec.samples);
-    text += fmt::format("  {} ({} to {}) at {}\n", percent(share.value), percent(share.low),
-                        percent(share.high), listed_text(spec, i * spec.samples));
+    const std::string interval =
+        spec.independent() ? fmt::format(" ({} to {})", percent(share.low), percent(share.high))
+                           : "";
+    text += fmt::format("  {}{} at {}\n", percent(share.value), interval,
+                        listed_text(spec, i * spec.samples));
   }
   return text;
 }
@@ -176,11 +181,10 @@ std::string summary_json(const SweepSpec& spec, const SweepResult& result,
            {"within", summary.within},         {"broken", summary.broken},
            {"impossible", summary.impossible}, {"evaluated", result.evaluated},
            {"resumed", result.resumed}};
-  if (summary.yield)
-    all["yield"] = {{"share", summary.yield->value},
-                    {"low", summary.yield->low},
-                    {"high", summary.yield->high},
-                    {"confidence", 0.95}};
+  if (summary.yield) all["yield"]["share"] = summary.yield->value;
+  if (summary.yield && spec.independent())
+    all["yield"].update(
+        {{"low", summary.yield->low}, {"high", summary.yield->high}, {"confidence", 0.95}});
   all["figures"] = Json::array();
   for (const FigureSpread& f : summary.figures) all["figures"].push_back(json_of(f, result));
   if (summary.worst) all["worst"] = json_of(spec, result.rows[*summary.worst]);

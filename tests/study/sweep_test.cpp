@@ -1,6 +1,7 @@
 #include "jounce/study/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -128,6 +129,115 @@ TEST_F(Sweeps, MeetTheSameSamplesInEveryCombination) {
     }
   }
   EXPECT_EQ(drawn.size(), 40U);
+}
+
+/// Of N samples of an even design one is in each N-th of every parameter's distribution.
+TEST_F(Sweeps, FillTheirRangesEvenlyWhereTheyAreAskedTo) {
+  for (const std::string design : {"latin_hypercube", "sobol"}) {
+    const SweepSpec spec = sweep(R"(figures = ["duration"]
+[[parameter]]
+key = "move.velocity"
+uniform = { from = 8, to = 12 }
+[[parameter]]
+key = "move.to"
+values = [20, 30]
+[[parameter]]
+key = "move.acceleration"
+normal = { sigma = 2 }
+[monte_carlo]
+samples = 64
+design = ")" + design + "\"\n");
+    ASSERT_EQ(spec.cases(), 128U);
+    std::set<int> uniform, normal;
+    for (std::size_t s = 0; s < 64; ++s) {
+      const auto numbers = spec.numbers(64 + s);
+      EXPECT_EQ(numbers[1].value, 30);
+      uniform.insert(static_cast<int>((numbers[0].value - 8) / 4 * 64));
+      normal.insert(static_cast<int>(32 * std::erfc((20 - numbers[2].value) / 2 / std::sqrt(2.0))));
+      EXPECT_EQ(spec.numbers(s)[0].value,
+                numbers[0].value);  // the same samples in every combination
+    }
+    EXPECT_EQ(uniform.size(), 64U) << design;
+    EXPECT_EQ(normal.size(), 64U) << design;
+    const SweepResult result = run_sweep(spec);
+    const std::string text = summary_text(spec, result, summary_of(spec, result));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("confidence")));  // the samples are not independent
+  }
+}
+
+/// The fastest trapezoid for a peak velocity: 30 / v + v / a, with the greatest a.
+TEST_F(Sweeps, OfOptimaMakeAFrontByConstraints) {
+  write("move.toml", R"(jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "trapezoid"
+to = 30
+velocity = 5
+acceleration = 10
+[optimize]
+minimize = "duration"
+[[optimize.parameter]]
+key = "move.velocity"
+range = [1, 40]
+[[optimize.parameter]]
+key = "move.acceleration"
+range = [5, 20]
+[[optimize.require]]
+figure = "peak velocity"
+at_most = 10
+)");
+  const SweepSpec spec = sweep(R"(optima = true
+figures = ["duration", "peak velocity"]
+minimize = ["duration", "peak velocity"]
+[[parameter]]
+key = "optimize.require[1].at_most"
+values = [6, 12, 18]
+)");
+  const SweepResult result = run_sweep(spec);
+  ASSERT_EQ(result.rows.size(), 3U);
+  const std::size_t time = column_of(spec, "duration"), v = column_of(spec, "move.velocity");
+  EXPECT_EQ(spec.given[v].value, 5);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double most = std::array{6.0, 12.0, 18.0}[i];
+    const SweepRow& row = result.rows[i];
+    ASSERT_EQ(row.verdict, Verdict::within) << row.why;
+    EXPECT_NEAR(row.figures[time], 30 / most + most / 20, 2e-5) << most;
+    EXPECT_NEAR(row.figures[v], most, 1e-4 * most);
+    EXPECT_EQ(row_of(line_of(row), spec)->figures, row.figures);
+  }
+  EXPECT_EQ(summary_of(spec, result).front.size(), 3U);
+}
+
+TEST_F(Sweeps, OfOptimaHaveARowForWhatHasNone) {
+  write("move.toml", R"(jounce = 1
+kind = "move"
+units = { position = "mm" }
+[move]
+profile = "trapezoid"
+to = 30
+velocity = 5
+acceleration = 10
+[optimize]
+minimize = "peak velocity"
+max_evaluations = 100
+[[optimize.parameter]]
+key = "move.velocity"
+range = [1, 40]
+[[optimize.require]]
+figure = "duration"
+at_most = 8
+)");
+  const SweepSpec spec = sweep(R"(optima = true
+figures = ["peak velocity"]
+[[parameter]]
+key = "optimize.require[1].at_most"
+values = [0.1, 8]
+)");
+  const SweepResult result = run_sweep(spec);
+  EXPECT_EQ(result.rows[0].verdict, Verdict::impossible);
+  EXPECT_THAT(result.rows[0].why, HasSubstr("infeasible"));
+  EXPECT_EQ(result.rows[1].verdict, Verdict::within) << result.rows[1].why;
 }
 
 TEST_F(Sweeps, GiveTheSameBytesOnAnyNumberOfThreads) {
@@ -326,6 +436,11 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
               HasSubstr("did you mean \"peak velocity\"?"));
   EXPECT_THAT(refused(one + "values = [1]\n[limits]\n\"peak speed\" = 1\n"),
               HasSubstr("limits = \"peak speed\": must be one of"));
+  EXPECT_THAT(
+      refused(one + "tolerance = 0.1\n[monte_carlo]\nsamples = 2\ndesign = \"grid\"\n"),
+      HasSubstr("monte_carlo.design = \"grid\": must be one of random, latin_hypercube, sobol"));
+  EXPECT_THAT(refused("optima = true\n" + one + "values = [1]\n"),
+              HasSubstr("optima = true: needs a spec with [[optimize.parameter]]"));
 }
 
 }  // namespace
