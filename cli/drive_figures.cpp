@@ -42,13 +42,16 @@ Marker marked(double x, double y, const std::string& text) {
   return {.x = x, .y = y, .text = text, .hint = text};
 }
 
-/// Swinging modes of a linear drive whose controller is continuous; of any other none.
+/// Modes of a linear drive whose controller is continuous that swing and die away; of any other drive none.
 std::vector<DriveMode> swinging(const Drive& drive) {
   Drive continuous = drive;
   continuous.controller.cycle = 0;
   if (nonlinearity(continuous)) return {};
   std::vector<DriveMode> found = modes(continuous);
-  std::erase_if(found, [](const DriveMode& m) { return m.frequency == 0 || m.damping > 0.7; });
+  std::erase_if(found, [](const DriveMode& m) {
+    return m.frequency == 0 || m.damping > 0.7 ||
+           m.damping < 0;  // one that grows leaves no residual
+  });
   return found;
 }
 

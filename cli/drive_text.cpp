@@ -1,8 +1,11 @@
 #include "drive_text.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "input.hpp"
+#include "loop_text.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -58,6 +61,7 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
   }
   line(fmt::format("{}: torque {} N m peak at {} s, {} N m rms", d.report.ok() ? "ok" : "BROKEN",
                    rounded(d.torque.value), rounded(d.torque.where), rounded(d.rms_torque)));
+  if (const auto loop = loop_of(drive)) line("loop " + loop_text(*loop));
   line(motor_text(d, drive.motor));
   line(fmt::format("following error {}; {} {} at the end", at(d.following_error, u),
                    rounded(d.end_following_error), u));
@@ -73,7 +77,11 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
   if (drive.pendulum) line(fmt::format("pendulum swings {}", at(d.swing, u)));
   line(energy_text(d, drive.motor));
   if (d.impacts > 0) line(fmt::format("backlash: a flank was met {} times", d.impacts));
-  for (const Saturation& s : d.saturation) line(saturation_text(s));
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, d.saturation.size()); ++i)
+    line(saturation_text(d.saturation[i]));
+  if (d.saturation.size() > most)
+    line(fmt::format("... and {} times more; --json has all", d.saturation.size() - most));
   return text;
 }
 
@@ -103,6 +111,7 @@ nlohmann::ordered_json drive_json(const DriveResult& d, const DriveSpec& spec) {
   for (const Saturation& s : d.saturation)
     json["saturation"].push_back(
         {{"from", s.from}, {"to", s.to}, {"sign", s.sign}, {"envelope", s.envelope}});
+  if (const auto loop = loop_of(spec.drive)) json["loop"] = loop_json(*loop);
   json["steps"] = d.integration.steps;
   json["restarts"] = d.integration.restarts;
   return json;

@@ -12,11 +12,13 @@ Interrupt::Interrupt() {
   struct sigaction once {};
   once.sa_handler = [](int) { interrupted = 1; };
   once.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one ends the program
-  sigaction(SIGINT, &once, &before_);
+  sigaction(SIGINT, &once, &interrupt_);
+  sigaction(SIGTERM, &once, &terminate_);
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &before_, nullptr);
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
 }
 
 bool Interrupt::asked() const {

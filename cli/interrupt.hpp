@@ -4,8 +4,8 @@
 
 namespace jounce::cli {
 
-/// While it lives, Ctrl-C asks for an end instead of making one: what was found so far is kept. A
-/// second one ends the program as usual.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM ask for an end instead of making one: what was found so far is
+/// kept. The second of the same kind ends the program as usual.
 class Interrupt {
  public:
   Interrupt();
@@ -16,7 +16,8 @@ class Interrupt {
   [[nodiscard]] bool asked() const;
 
  private:
-  struct sigaction before_ {};
+  struct sigaction interrupt_ {};
+  struct sigaction terminate_ {};
 };
 
 }  // namespace jounce::cli

@@ -1,7 +1,11 @@
 #include <memory>
 
+#include "jounce/io/exchange.hpp"
+#include "jounce/io/file.hpp"
+
 #include "drive_figures.hpp"
 #include "follower_figure.hpp"
+#include "loop_figures.hpp"
 #include "over_time.hpp"
 #include "picture.hpp"
 #include "verb.hpp"
@@ -19,7 +23,35 @@ struct Options {
   std::string output = "-";
 };
 
+/// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
+Drive drive_of(const Options& options) {
+  const std::string text = read_file(options.file);
+  const std::string name = options.file == "-" ? "standard input" : options.file;
+  const InputError missing("drive", "",
+                           "is missing: only a spec with a [drive] has such a picture");
+  if (is_table(text) || format_of_text(text)) throw InputError(missing).at(name);
+  const Spec spec = parse_spec(text, name);
+  const std::vector<AxisPart> parts = spec.parts();
+  if (parts.size() > 1 && options.axis.empty())
+    throw InputError("--drive", options.drive, "is of one axis: say which with --axis");
+  for (const AxisPart& part : parts)
+    if (part.drive && (options.axis.empty() || part.name == options.axis)) return part.drive->drive;
+  throw spec.document.located(missing);
+}
+
+Figure loop_figure(const Options& options) {
+  const Drive drive = drive_of(options);
+  Figure figure = options.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
+  figure.title = options.file + ": " + figure.title;
+  return figure;
+}
+
+bool of_loop(const Options& options) {
+  return options.drive == "bode" || options.drive == "nyquist";
+}
+
 Figure figure(const Options& options) {
+  if (of_loop(options)) return loop_figure(options);
   std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (!options.drive.empty()) {
     if (inputs.size() > 1)
@@ -47,6 +79,8 @@ int run(const Options& options) {
   require_other_file(options.file, options.output);
   SvgOptions look;
   if (options.drive == "torque-speed" || options.drive == "spectrum") look.panel_height = 320;
+  if (options.drive == "bode") look.panel_height = 220;
+  if (options.drive == "nyquist") look.panel_height = nyquist_height;
   write_picture(options.output, figure(options), look);
   return fine;
 }
@@ -68,8 +102,9 @@ void add_plot(CommandLine& line) {
   const Option drive =
       verb.option("--drive", options->drive,
                   "Of a spec with a [drive]: its response over time, its torque over speed within "
-                  "the motor's envelope, or the spectrum of the vibration left")
-          .check(one_of({"response", "torque-speed", "spectrum"}))
+                  "the motor's envelope, the spectrum of the vibration left, or its loop's "
+                  "frequency response with the margins (bode, nyquist)")
+          .check(one_of({"response", "torque-speed", "spectrum", "bode", "nyquist"}))
           .excludes({over, before});
   verb.flag("--follower", options->follower,
             "Of a cam with a [follower]: its lift and its contact force over time")

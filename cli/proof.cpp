@@ -22,7 +22,7 @@ namespace {
 void add(Report& all, const Report& part, const char* axis, const std::string& where_unit = "") {
   for (Finding finding : part.findings) {
     finding.axis = axis;
-    finding.where_unit = where_unit;
+    if (finding.where_unit.empty()) finding.where_unit = where_unit;
     if (finding.rule.starts_with("witness/")) finding.unit = "of the range";
     all.findings.push_back(std::move(finding));
   }
@@ -79,7 +79,7 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
   add(proof.report, fit, "table");
   if (input.drive) {
     constexpr std::size_t compared = 201;
-    proof.drive = driven(input, std::max(drive_samples, compared));
+    proof.drive = driven(input, drive_samples > 0 ? drive_samples : compared);
     add(proof.report, proof.drive->report, "drive", "s");
     if (input.drive->tolerances) {
       const Reference reference = table_reference(input);

@@ -14,6 +14,7 @@
 #include "jounce/study/sweep_summary.hpp"
 
 #include "folders.hpp"
+#include "interrupt.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "verb.hpp"
@@ -29,8 +30,6 @@ struct Options {
   unsigned jobs = 0;
   bool json = false;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// Beside the first file that is written; "" where nothing is.
 std::string journal_of(const Options& options) {
@@ -58,8 +57,7 @@ class Remaining {
 };
 
 SweepResult worked_through(const SweepSpec& spec, const Options& options, const Farm& farm) {
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  const Interrupt interrupt;
   Progress progress("sweep");
   Remaining remaining;
   return run_sweep(spec, {.farm = farm,
@@ -67,7 +65,7 @@ SweepResult worked_through(const SweepSpec& spec, const Options& options, const 
                           .keep_going = [&](std::size_t done, std::size_t cases) {
                             progress.show(static_cast<double>(done) / static_cast<double>(cases),
                                           remaining.text(done, cases));
-                            return interrupted == 0;
+                            return !interrupt.asked();
                           }});
 }
 
@@ -120,7 +118,9 @@ int run_under_mpi(const Options& options) {
     const SweepSpec spec = read_sweep(options.file);
     const Farm farm = world.farm(hex(spec.identity()));
     if (world.rank() == 0) return report(spec, worked_through(spec, options, farm), options);
-    std::signal(SIGINT, SIG_IGN);  // the first takes what is being made, then stops all
+    for (const int signal :
+         {SIGINT, SIGTERM})  // the first takes what is being made, then stops all
+      std::signal(signal, SIG_IGN);
     (void)run_sweep(spec, {.farm = farm});
     return fine;
   } catch (const std::exception& error) {

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/io/file.hpp"
+
+#include "drive_signals.hpp"
 #include "drive_text.hpp"
+#include "folders.hpp"
 #include "follower_text.hpp"
 #include "json.hpp"
 #include "proof.hpp"
@@ -17,6 +21,8 @@ struct Options {
   std::string file;
   std::string axis;
   std::string log;
+  std::string signals;
+  std::size_t samples = 2001;
   bool json = false;
 };
 
@@ -48,30 +54,48 @@ nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
   return document;
 }
 
-void print_text(const Proof& proof, const Input& input) {
-  fmt::print("{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
+void print_text(std::FILE* out, const Proof& proof, const Input& input) {
+  fmt::print(out, "{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
              proof_text(proof, input));
   if (!proof.drive)
-    fmt::print("  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
+    fmt::print(out,
+               "  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
                "drive");
-  if (!proof.report.ok()) fmt::print("\n{}", full_text(proof.report, input.labels));
+  if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
+}
+
+/// Throws InputError where the run of one drive cannot be written as asked.
+void require_signals_of(const Options& options, const std::vector<Input>& inputs) {
+  if (options.signals.empty()) return;
+  require_signals(options.signals);
+  require_other_file(options.file, options.signals);
+  require_folders({{"--signals", options.signals}});
+  if (inputs.size() > 1)
+    throw InputError("--signals", options.signals, "is of one axis: say which with --axis");
+  if (!inputs.front().drive)
+    throw InputError("drive", "", "is missing: --signals writes what a [drive] does")
+        .at(inputs.front().name);
 }
 
 int run(const Options& options) {
   const std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (inputs.size() > 1 && !options.log.empty())
     throw InputError("--log", options.log, "is of one axis: say which with --axis");
+  require_signals_of(options, inputs);
+  std::FILE* out = options.signals == "-" ? stderr : stdout;
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    const Proof proof = prove(input, options.log);
+    const Proof proof = prove(input, options.log, options.signals.empty() ? 0 : options.samples);
     ok = ok && proof.report.ok();
+    if (!options.signals.empty())
+      write_file(options.signals, signals_file(*proof.drive, input, options.signals));
     if (options.json)
       documents.emplace_back(input.axis, json_of(proof, input));
     else
-      print_text(proof, input);
+      print_text(out, proof, input);
   }
-  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
+  if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump(1));
   return ok ? fine : finding;
 }
 
@@ -88,6 +112,14 @@ void add_validate(CommandLine& line) {
       "--log", options->log,
       "Tick log of an executor: compare every tick with the table, to rounding, and with the exact "
       "curve, within the tolerance of the table");
+  verb.option(
+      "--signals", options->signals,
+      "Reference, motor, load, velocity, torque, current of the [drive] over time to write: .csv "
+      "or "
+      ".npy; - is CSV on standard output. The columns are those that `jounce identify` reads");
+  verb.option("--samples", options->samples, "Rows of --signals, equally spaced over the run")
+      .shown()
+      .check(whole(2, 10'000'000));
   verb.flag("--json", options->json, "Everything for machines, numbers in full");
   verb.work([options] { return run(*options); });
 }
