@@ -264,8 +264,17 @@ void Resolver::take_own(std::size_t knot, double own, std::size_t segment, doubl
 void Resolver::take_open_ends(std::size_t i) {
   const bool alone = spec_.periodic && spec_.segments.size() == 1;
   const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});
-  const Jet from = evaluate(segments.front(), 0);
-  const Jet to = evaluate(segments.back(), 1);
+  const auto& points = spec_.segments[i].points;
+  const auto own_at = [&](const CamKnot& knot, const CamPoint& point, Jet jet) {
+    if (point.master != knot.master) return jet;  // a point there is so to the bit
+    jet[1] = point.geo_velocity.value_or(jet[1]);
+    jet[2] = point.geo_acceleration.value_or(jet[2]);
+    return jet;
+  };
+  Jet from = evaluate(segments.front(), 0);
+  Jet to = evaluate(segments.back(), 1);
+  if (!points.empty()) from = own_at(knots_[i], points.front(), from);
+  if (!points.empty()) to = own_at(knots_[i + 1], points.back(), to);
   const auto take = [](CamKnot& knot, const Jet& own, bool bends) {
     if (!knot.geo_velocity) knot.geo_velocity = own[1];
     if (bends && !knot.geo_acceleration) knot.geo_acceleration = own[2];

@@ -147,6 +147,12 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   sort(report);
 }
 
+Report checked(const Input& input, int continuity, const EngageState& at) {
+  Report report = check_all(input, continuity, at);
+  add_cam_findings(report, input, continuity);
+  return report;
+}
+
 std::string cam_text(const Input& input) {
   const Cam* cam = std::get_if<Cam>(&input.curve);
   if (!cam) return "";

@@ -13,6 +13,9 @@ namespace jounce::cli {
 /// check of their own finds them. Adds nothing to a motion over time.
 void add_cam_findings(Report& report, const Input& input, int continuity);
 
+/// All that `jounce check` finds.
+Report checked(const Input& input, int continuity = 1, const EngageState& at = {});
+
 /// A line a rise with its characteristic values, and the fastest master; "" for a motion over time.
 std::string cam_text(const Input& input);
 

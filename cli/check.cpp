@@ -126,8 +126,7 @@ int run(const Options& options) {
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    Report report = check_all(input, options.continuity, engage_state(input, options));
-    add_cam_findings(report, input, options.continuity);
+    const Report report = checked(input, options.continuity, engage_state(input, options));
     ok = ok && report.ok();
     if (options.json)
       documents.emplace_back(input.axis, json_of(report, input));

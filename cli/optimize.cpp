@@ -14,11 +14,8 @@ void give_budget(Spec& spec, double seconds) {
   require_positive("--seconds", seconds);
   if (spec.parameters)
     spec.parameters->options.seconds = seconds;
-  else if (!spec.optimize.shape.shapes.empty())
-    spec.optimize.shape.seconds = seconds;
   else
-    throw InputError("--seconds", seconds,
-                     "is for free shapes and [[optimize.parameter]]: knots have no time budget");
+    spec.optimize.seconds = seconds;
 }
 
 int run(const OptimizeOptions& options) {
@@ -61,8 +58,7 @@ void add_optimize(CommandLine& line) {
               "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
               "error\", \"drive end following error\"");
   verb.option("--seconds", options->seconds,
-              "End a search over [[optimize.parameter]] or free shapes after so long, with "
-              "the best so far");
+              "Stop after so long, with the best so far");
   verb.flag("--json", options->json, "Outcome for machines");
   verb.work([options] { return run(*options); });
 }

@@ -89,8 +89,7 @@ int optimize_against(const OptimizeOptions& options, const Spec& spec) {
     print_drive(out, outcome, words);
   }
   if (!outcome.usable()) return finding;
-  write_optimized(options, spec, with_shapes(spec, outcome.shapes.best));
-  return fine;
+  return write_optimized(options, spec, with_shapes(spec, outcome.shapes.best));
 }
 
 }  // namespace jounce::cli

@@ -104,8 +104,7 @@ int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
   std::FILE* out = told_on(options);
   options.json ? print_json(out, outcome, labels) : print_text(out, outcome, labels);
   if (!outcome.usable()) return finding;
-  write_optimized(options, spec, with_knots(spec, outcome.best));
-  return fine;
+  return write_optimized(options, spec, with_knots(spec, outcome.best));
 }
 
 }  // namespace jounce::cli

@@ -114,8 +114,7 @@ int optimize_parameters(const OptimizeOptions& options, const Spec& spec) {
   std::FILE* out = told_on(options);
   options.json ? print_json(out, outcome, spec) : print_text(out, outcome, spec);
   if (!outcome.usable()) return finding;
-  write_optimized(options, spec, outcome.text);
-  return fine;
+  return write_optimized(options, spec, outcome.text);
 }
 
 }  // namespace jounce::cli

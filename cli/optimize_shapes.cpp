@@ -24,8 +24,7 @@ int optimize_shapes(const OptimizeOptions& options, const Spec& spec) {
   else
     print_text(out, outcome, words);
   if (!outcome.usable()) return finding;
-  write_optimized(options, spec, with_shapes(spec, outcome.best));
-  return fine;
+  return write_optimized(options, spec, with_shapes(spec, outcome.best));
 }
 
 }  // namespace jounce::cli

@@ -30,7 +30,8 @@ int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 /// Where the outcome is told: a spec, table or picture on standard output has it for itself.
 std::FILE* told_on(const OptimizeOptions& options);
 
-/// The optimised spec (its text), its table and the picture of both, all of them or none.
-void write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text);
+/// Writes the optimised spec (its text), its table and the picture of both, all of them or none; none where
+/// `jounce check` would find fault with the spec, which is then told. Answers the exit status.
+int write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text);
 
 }  // namespace jounce::cli

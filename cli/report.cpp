@@ -112,8 +112,7 @@ int run(const Options& options) {
   const Input input = load(options.file, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
-  Report report = check_all(input);
-  add_cam_findings(report, input, 1);
+  Report report = checked(input);
   const Proof proof = prove(input, options.log, 2000);
   std::erase_if(report.findings, [](const Finding& f) {  // the first two are in the proof
     return f.rule == "table/position" || f.rule == "drive/stability" ||

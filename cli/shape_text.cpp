@@ -10,11 +10,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// "geo_jerk is kept at 0 at 0 deg (segment 1 push): free.ends = { jerk = "free" } lets it step there".
+std::string kept_sentence(std::span<const Finding> findings, const CamRunOutcome& run,
+                          const ShapeWords& words) {
+  std::string text = "geo_jerk is kept";
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    text += fmt::format("{} at {} at {}", i == 0 ? "" : " and", rounded(findings[i].value),
+                        words.at(findings[i].where, run));
+  return text + ": free.ends = { jerk = \"free\" } lets it step there";
+}
+
 /// "limited by geo_velocity at 12 deg (segment 1 push), 212 deg (segment 2 back) and 7 more places".
 std::string active_sentence(std::span<const Finding> findings, const CamRunOutcome& run,
                             const ShapeWords& words) {
   constexpr std::size_t most = 3;
   const Finding& first = findings.front();
+  if (first.rule.starts_with("kept/")) return kept_sentence(findings, run, words);
   const bool objective = first.rule.starts_with("objective/");
   std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
   if (first.quantity == "residual" || first.quantity.starts_with("rms "))

@@ -311,6 +311,42 @@ double seconds_per_unit(const Spec& spec) {
   return conversion(spec.time_unit, "s");
 }
 
+Limits slave_limits_by_master(const Spec& spec) {
+  Limits limits;
+  double power = 1;
+  const auto divide = [&](const char* name, const std::optional<double>& over_time,
+                          std::optional<double>& by_master) {
+    if (over_time && !spec.master)
+      throw InputError(std::string("limits.slave.") + name, *over_time,
+                       "is over time, and so needs the speed of the master: add [master]");
+    if (spec.master) power *= spec.master->velocity;
+    if (over_time) by_master = *over_time / power;
+  };
+  divide("velocity", spec.slave.velocity, limits.velocity);
+  divide("acceleration", spec.slave.acceleration, limits.acceleration);
+  divide("jerk", spec.slave.jerk, limits.jerk);
+  return limits;
+}
+
+namespace {
+
+/// The tighter of two limits of a rate.
+std::optional<double> tighter(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+/// [limits] and [limits.slave].
+Limits all_limits(const Spec& spec) {
+  const Limits slave = slave_limits_by_master(spec);
+  Limits limits = spec.limits;
+  limits.velocity = tighter(limits.velocity, slave.velocity);
+  limits.acceleration = tighter(limits.acceleration, slave.acceleration);
+  limits.jerk = tighter(limits.jerk, slave.jerk);
+  return limits;
+}
+
+}  // namespace
+
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
@@ -322,17 +358,20 @@ CamProblem make_problem(const Spec& spec) {
         "polydyne", "", "is not optimised: the knots then are the load's, not the cam's"));
   CamProblem problem{.cam = *cam,
                      .free = spec.optimize.free,
-                     .limits = spec.limits,
+                     .limits = {},
                      .minimize = spec.optimize.minimize};
   if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
   if (spec.optimize.starts) problem.starts = static_cast<int>(*spec.optimize.starts);
   if (spec.optimize.tolerance) problem.tolerance = *spec.optimize.tolerance;
+  problem.seconds = spec.optimize.seconds;
   try {
     problem.cam = cam_of(spec);
+    problem.limits = all_limits(spec);
     require_valid(problem);
   } catch (const InputError& error) {
-    // The problem names its own fields; in the document all but the knots stand under [optimize].
-    const bool of_a_knot = error.key().starts_with("segment") || error.key().starts_with("start.");
+    // The problem names its own fields; in the document all but these stand under [optimize].
+    const bool of_a_knot = error.key().starts_with("segment") ||
+                           error.key().starts_with("start.") || error.key().starts_with("limits.");
     const std::string key = of_a_knot ? error.key() : "optimize." + error.key();
     throw spec.document.located(InputError(key, error.value(), error.rule()));
   }

@@ -47,7 +47,11 @@ Trajectory make_master(const Spec& spec);
 /// How many seconds one time unit of the spec is.
 double seconds_per_unit(const Spec& spec);
 
-/// The optimisation problem of a cam spec. Throws InputError, placed in the document, unless it is
+/// [limits.slave] by the master, which runs at its full speed. Throws InputError (`limits.slave.velocity`,
+/// ...) where there is such a limit, but no [master].
+Limits slave_limits_by_master(const Spec& spec);
+
+/// The optimisation problem of a cam spec, under [limits] and [limits.slave] at full speed. Throws InputError, placed in the document, unless it is
 /// well posed.
 CamProblem make_problem(const Spec& spec);
 

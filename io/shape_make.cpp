@@ -42,24 +42,27 @@ void free_what_is_left_out(const CamSpec& cam, const ShapeSpec& shape,
   }
 }
 
-/// [limits.slave] with the master at its full speed.
+/// The slave's derivatives over time at the master's full speed w, while its own acceleration is a:
+/// f' w, f'' w^2 + f' a, f''' w^3 + 3 f'' w a.
+std::array<LinearQuantity, 3> over_time(double w, double a) {
+  return {LinearQuantity{"velocity", {0, w}, 0}, LinearQuantity{"acceleration", {0, a, w * w}, 0},
+          LinearQuantity{"jerk", {0, 0, 3 * w * a, w * w * w}, 0}};
+}
+
+/// [limits.slave] with the master at its full speed, also while it accelerates and decelerates.
 void add_limits_over_time(const Spec& spec, std::vector<Corridor>& corridors) {
-  const Limits& slave = spec.slave;
-  const std::array rates{slave.velocity, slave.acceleration, slave.jerk};
-  const std::array<const char*, 3> names{"velocity", "acceleration", "jerk"};
+  (void)slave_limits_by_master(spec);
+  if (!spec.master) return;
+  const std::array rates{spec.slave.velocity, spec.slave.acceleration, spec.slave.jerk};
   const auto& cam = std::get<CamSpec>(spec.subject);
-  double factor = 1;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    if (!rates[k]) continue;
-    if (!spec.master)
-      throw InputError(std::string("limits.slave.") + names[k], *rates[k],
-                       "is over time, and so needs the speed of the master: add [master]");
-    LinearQuantity quantity{names[k], {}, 0};
-    factor = 1;
-    for (std::size_t j = 0; j <= k; ++j) factor *= spec.master->velocity;
-    quantity.by[k + 1] = factor;
-    corridors.push_back({quantity, cam.start.master, cam.segments.back().end.master,
-                         Edge{-*rates[k], -*rates[k]}, Edge{*rates[k], *rates[k]}});
+  const double most = spec.master->acceleration.value_or(0);
+  for (const double a : {most, -most}) {
+    const auto quantities = over_time(spec.master->velocity, a);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      if (rates[k] && (a == most || k > 0))
+        corridors.push_back({quantities[k], cam.start.master, cam.segments.back().end.master,
+                             Edge{-*rates[k], -*rates[k]}, Edge{*rates[k], *rates[k]}});
+    if (most == 0) break;
   }
 }
 
@@ -86,7 +89,7 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   problem.ceilings = shape.ceilings;
   problem.minimize = shape.minimize;
   problem.refine = shape.refine;
-  problem.seconds = shape.seconds;
+  problem.seconds = spec.optimize.seconds;
   if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
   if (spec.optimize.tolerance) problem.concession = *spec.optimize.tolerance;
   if (against_a_drive) return problem;

@@ -77,7 +77,6 @@ struct ShapeSpec {
   std::vector<ShapeFigureSpec> figures = {};
   std::vector<Corridor> corridors = {};
   bool refine = false;
-  std::optional<double> seconds = {};
 };
 
 }  // namespace jounce

@@ -60,6 +60,7 @@ struct OptimizeSpec {
   std::optional<std::size_t> seed;
   std::optional<std::size_t> starts;
   std::optional<double> tolerance;
+  std::optional<double> seconds = {};  ///< time budget
   ShapeSpec shape = {};  ///< where segments are free in shape; then `minimize` above is not used
 };
 

@@ -125,9 +125,16 @@ void read_knot_optimize(TomlReader& table, OptimizeSpec& optimize) {
   if (optimize.starts.value_or(1) > 10'000)
     table.fail("starts", std::to_string(*optimize.starts), "must be at most 10000");
   optimize.tolerance = table.optional_number("tolerance", "1");
+  optimize.seconds = read_budget(table);
 }
 
 }  // namespace
+
+std::optional<double> read_budget(TomlReader& table) {
+  const auto seconds = table.optional_number("budget", "s");
+  if (seconds && !(*seconds > 0)) table.fail("budget", number(*seconds), "must be greater than 0");
+  return seconds;
+}
 
 void read_optimize(TomlReader& top, Spec& spec) {
   spec.optimize.shape.load = read_load(top, spec.units);

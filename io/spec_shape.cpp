@@ -101,12 +101,28 @@ bool is_list_of_tables(TomlReader& table) {
   return table.has("minimize") && table.holds_tables("minimize");
 }
 
+/// { jerk = "free" } or { jerk = 0 }.
+EndJerk read_end_jerk(TomlReader& ends) {
+  EndJerk jerk = EndJerk::as_given;
+  if (ends.is_text("jerk")) {
+    const std::string word = ends.text("jerk");
+    if (word != "free") ends.fail("jerk", '"' + word + '"', "must be \"free\" or 0");
+    jerk = EndJerk::free;
+  } else {
+    const double value = ends.number("jerk", "1");
+    if (value != 0) ends.fail("jerk", number(value), "must be \"free\" or 0");
+    jerk = EndJerk::zero;
+  }
+  ends.finish();
+  return jerk;
+}
+
 }  // namespace
 
 void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape) {
   const auto pieces = free.optional_count("shape");
   if (!pieces) {
-    for (const char* key : {"continuity", "monotone"})
+    for (const char* key : {"continuity", "monotone", "ends"})
       if (free.has(key)) free.fail(key, "", "is of a free shape: add shape = 100");
     return;
   }
@@ -120,6 +136,7 @@ void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape) {
     found.continuity = static_cast<int>(*continuity);
   }
   found.monotone = free.optional_flag("monotone").value_or(false);
+  if (auto ends = free.optional_table("ends")) found.end_jerk = read_end_jerk(*ends);
   shape.shapes.push_back(found);
 }
 
@@ -137,9 +154,7 @@ void read_shape_optimize(TomlReader& table, Spec& spec) {
   for (TomlReader& each : table.tables("corridor"))
     shape.corridors.push_back(read_corridor(each, words));
   shape.refine = table.optional_flag("refine").value_or(false);
-  shape.seconds = table.optional_number("budget", "s");
-  if (shape.seconds && !(*shape.seconds > 0))
-    table.fail("budget", number(*shape.seconds), "must be greater than 0");
+  spec.optimize.seconds = read_budget(table);
   spec.optimize.seed = table.optional_count("seed");
   spec.optimize.tolerance = table.optional_number("tolerance", "1");
   if (const auto t = spec.optimize.tolerance; t && !(*t >= 0 && *t <= 1))

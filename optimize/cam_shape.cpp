@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "jounce/optimize/detail/cam_run.hpp"
+#include "jounce/optimize/detail/not_convex.hpp"
+#include "jounce/optimize/detail/shape_report.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -39,41 +41,56 @@ std::vector<Ceiling> kept(const CamShapeProblem& problem, const std::vector<Figu
   return ceilings;
 }
 
-/// The figures of all stages with what became of them, then those of the ceilings.
-std::vector<FigureResult> figures_of(const CamShapeProblem& problem,
-                                     std::vector<FigureResult> stages, const ShapeOutcome& last,
-                                     std::size_t done) {
-  const std::size_t own = problem.minimize[done - 1].size();
-  std::vector<FigureResult> figures = std::move(stages);
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    if (own + problem.ceilings.size() + i < last.figures.size())
-      figures[i].reached = last.figures[own + problem.ceilings.size() + i].reached;
-  for (std::size_t i = 0; i < own + problem.ceilings.size() && i < last.figures.size(); ++i)
-    figures.push_back(last.figures[i]);
+/// What became of one figure of a run.
+FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
+                       const std::vector<Segment>& shape) {
+  run.minimize = {{figure}};
+  run.ceilings.clear();
+  const auto given = optimizer::needs_search(run) ? optimizer::given_as_spline(run)
+                                                  : optimizer::given_shape(run);
+  const optimizer::ShapeModel model(run, optimizer::knots_of(run, shape), given);
+  return optimizer::figure_results(run, model.space, given, shape).front();
+}
+
+/// The figures of all entries of `minimize`, whether their turn came or not, then those of the ceilings.
+std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const ShapeProblem& run,
+                                     const std::vector<Segment>& shape) {
+  std::vector<FigureResult> figures;
+  for (const auto& stage : problem.minimize)
+    for (const WeightedFigure& m : stage) figures.push_back(result_of(run, m.figure, shape));
+  for (const Ceiling& c : problem.ceilings) figures.push_back(result_of(run, c.figure, shape));
   return figures;
+}
+
+/// One entry of `minimize` after the other, until one fails: then what was reached before stands.
+ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
+  ShapeOutcome best;
+  std::vector<FigureResult> stages;  // of those before
+  for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
+    watch.progress.stage = stage;
+    run.minimize = problem.minimize[stage];
+    run.ceilings = kept(problem, stages);
+    ShapeOutcome found =
+        optimize_shape(run, [&](int round, double value) { return watch(round, value); });
+    if (stage > 0 && !found.usable()) {
+      best.status = found.status == Status::cancelled ? found.status : Status::stalled;
+      best.reason = name(problem.minimize[stage].front().figure) +
+                    " was not improved beside what was minimised before: " + found.reason;
+      return best;
+    }
+    best = std::move(found);
+    if (!best.usable() || best.status == Status::cancelled) return best;
+    stages.push_back(best.figures.front());
+  }
+  return best;
 }
 
 CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, ShapeProblem shape,
                         Watch& watch) {
-  CamRunOutcome outcome{run.segments, {}, {}};
-  std::vector<FigureResult> stages;  // of those before
-  for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
-    watch.progress.stage = stage;
-    shape.minimize = problem.minimize[stage];
-    shape.ceilings = kept(problem, stages);
-    ShapeOutcome found =
-        optimize_shape(shape, [&](int round, double value) { return watch(round, value); });
-    if (stage > 0 && !found.usable()) {  // what was reached before stands
-      outcome.shape.status = found.status == Status::cancelled ? found.status : Status::stalled;
-      outcome.shape.reason = name(problem.minimize[stage].front().figure) +
-                             " was not improved beside what was minimised before: " + found.reason;
-      return outcome;
-    }
-    outcome.shape = std::move(found);
-    outcome.figures = figures_of(problem, stages, outcome.shape, stage + 1);
-    if (!outcome.shape.usable() || outcome.shape.status == Status::cancelled) return outcome;
-    if (!outcome.shape.figures.empty()) stages.push_back(outcome.shape.figures.front());
-  }
+  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch), {}};
+  if (outcome.shape.segments.empty()) return outcome;
+  outcome.figures = figures_of(problem, shape, outcome.shape.segments);
+  for (Finding& finding : detail::kept_jerks(run)) outcome.shape.active.push_back(std::move(finding));
   return outcome;
 }
 

@@ -11,12 +11,20 @@
 
 namespace jounce {
 
+/// The jerk at the ends of a run.
+enum class EndJerk {
+  as_given,  ///< that of the given cam, where it does not step there: its law decides
+  free,      ///< it may step there
+  zero,
+};
+
 /// A segment of a cam whose law is only where the search begins: any shape may take its place.
 struct FreeShape {
   std::size_t segment = 0;   ///< counted from 0
   std::size_t pieces = 100;  ///< polynomials
   int continuity = 4;        ///< continuous derivatives inside, 2 to 6; the degree is one more
   bool monotone = false;     ///< the slave never turns back within the segment
+  EndJerk end_jerk = EndJerk::as_given;  ///< where a run begins or ends with this segment
 };
 
 /// A cam of which some segments may take any shape.
@@ -31,7 +39,8 @@ struct FreeShape {
 /// after another; a figure is that of one run.
 ///
 /// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
-/// has them, and so does geo_jerk where the given cam has none of its steps there. What `knots` lists
+/// has them, and so does geo_jerk where the given cam has none of its steps there, unless the shape's
+/// end_jerk says otherwise; `active` of the run then lists it as "kept/geo_jerk". What `knots` lists
 /// is free within its bounds, which may be infinite: at knots inside a run, and where a cam that is not
 /// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
 ///

@@ -47,6 +47,23 @@ std::string knot_key(std::size_t knot) {
   return knot == 0 ? "start.free" : "segment[" + std::to_string(knot) + "].free";
 }
 
+void require_ends(const CamShapeProblem& problem) {
+  const auto runs = detail::runs_of(problem);
+  for (const FreeShape& shape : problem.shapes) {
+    if (shape.end_jerk == EndJerk::as_given) continue;
+    const auto at_end = [&](const detail::CamRunOf& run) {
+      return !run.closed &&
+             (run.segments.front() == shape.segment || run.segments.back() == shape.segment);
+    };
+    if (std::none_of(runs.begin(), runs.end(), at_end))
+      throw InputError(key_of(shape.segment, "ends.jerk"), "",
+                       "has no end to hold for: segments beside this one are free too");
+    if (shape.end_jerk == EndJerk::zero && shape.continuity < 3)
+      throw InputError(key_of(shape.segment, "ends.jerk"), "0",
+                       "needs a continuity of 3 or more");
+  }
+}
+
 bool is_free(const CamShapeProblem& problem, std::size_t segment) {
   return std::any_of(problem.shapes.begin(), problem.shapes.end(),
                      [&](const FreeShape& s) { return s.segment == segment; });
@@ -104,6 +121,7 @@ void require_valid(const CamShapeProblem& problem) {
   require_shapes(problem);
   (void)resolved_knots(problem.cam);
   require_knots(problem);
+  require_ends(problem);
   require_valid(problem.limits);
   if (problem.minimize.empty()) throw InputError("minimize", "none", "there must be an objective");
   for (const auto& stage : problem.minimize)

@@ -1,11 +1,13 @@
 #include "jounce/optimize/optimize.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "jounce/optimize/bound.hpp"
+#include "jounce/optimize/detail/attempts.hpp"
+#include "jounce/optimize/detail/convex_bound.hpp"
 #include "jounce/optimize/detail/findings.hpp"
-#include "jounce/optimize/detail/improve.hpp"
 
 namespace jounce {
 namespace {
@@ -16,6 +18,7 @@ using optimizer::Ceiling;
 using optimizer::Point;
 using optimizer::Space;
 using optimizer::Stage;
+using Clock = std::chrono::steady_clock;
 
 /// A change of the k-th derivative that this cam would notice.
 double natural(const Space& space, std::size_t order) {
@@ -46,7 +49,7 @@ class Search {
 
   Outcome run() {
     find_feasible();
-    for (std::size_t k = 0; k < problem_.minimize.size() && feasible() && !cancelled_; ++k)
+    for (std::size_t k = 0; k < problem_.minimize.size() && feasible() && !cancelled_ && !out_of_time_; ++k)
       minimise(k);
     finish();
     return std::move(outcome_);
@@ -59,35 +62,56 @@ class Search {
     return problem_.max_evaluations - outcome_.evaluations;
   }
 
-  bool go_on(std::size_t objective, std::size_t start, std::size_t starts) {
-    if (evaluations_left() <= 0) exhausted_ = true;
+  /// Asked again and again while the starts of an objective run.
+  bool go_on(std::size_t objective, std::size_t done, std::size_t starts,
+             const std::optional<double>& reached) {
+    const std::chrono::duration<double> gone = Clock::now() - begin_;
+    if (problem_.seconds && gone.count() >= *problem_.seconds) out_of_time_ = true;
     if (keep_going_ && !cancelled_) {
-      OptimizeProgress progress{objective, start, starts, outcome_.evaluations, {}};
-      if (best_value_) progress.reached = best_value_;
+      OptimizeProgress progress{objective, done, starts, outcome_.evaluations, reached};
       cancelled_ = !keep_going_(progress);
     }
-    return !exhausted_ && !cancelled_;
+    return !cancelled_ && !out_of_time_;
+  }
+
+  /// All starts of a stage, each with its share of the evaluations that are left.
+  std::vector<Attempt> attempted(std::size_t objective, const Stage& stage,
+                                 const std::vector<Point>& starts,
+                                 const std::function<bool(const Attempt&)>& enough) {
+    const auto count = starts.size();
+    const bool go = go_on(objective, 0, count, {});
+    share_ = go ? std::max(0, evaluations_left()) / static_cast<int>(count) : 0;
+    std::vector<Attempt> all = optimizer::attempts(
+        stage, starts,
+        {share_,
+         [&](std::size_t done, const std::optional<optimizer::Standing>& best) {
+           const bool known = best && stage.objective && best->excess <= optimizer::rounding;
+           return go_on(objective, done, count, known ? std::optional(best->value) : std::nullopt);
+         },
+         enough});
+    for (const Attempt& attempt : all) outcome_.evaluations += attempt.evaluations;
+    return all;
+  }
+
+  /// Whether more evaluations might have led an attempt further.
+  [[nodiscard]] bool starved(const Attempt& attempt) const {
+    return !attempt.converged && attempt.evaluations >= share_;
   }
 
   /// The limits alone, from every start: what keeps them goes into the pool.
   void find_feasible() {
     const Stage stage{space_, ceilings_, {}, {}, 0, problem_.tolerance};
-    const auto starts =
-        space_.convex() ? std::size_t{1} : static_cast<std::size_t>(problem_.starts);
-    for (std::size_t i = 0; i < starts; ++i) {
-      // The given cam is looked at even if there is no time for more.
-      const bool go = go_on(0, i, starts);
-      if (!go && i > 0) break;
-      const Point start = optimizer::start_point(space_, problem_.seed, i);
-      const Attempt attempt = optimizer::improve(stage, start, go ? evaluations_left() : 0);
-      outcome_.evaluations += attempt.evaluations;
-      ++outcome_.starts;
+    std::vector<Point> starts;
+    for (std::size_t i = 0; i < (space_.convex() ? 1U : static_cast<unsigned>(problem_.starts)); ++i)
+      starts.push_back(optimizer::start_point(space_, problem_.seed, i));
+    outcome_.starts = static_cast<int>(starts.size());
+    for (const Attempt& attempt : attempted(0, stage, starts, {})) {
       if (attempt.standing.excess <= optimizer::rounding && !broken_where_fixed_)
         pool_.push_back(attempt.z);
       else if (!least_violated_ || attempt.standing.excess < least_violated_->standing.excess)
         least_violated_ = attempt;
-      if (!go) break;
     }
+    exhausted_ = !feasible() && least_violated_ && starved(*least_violated_);
   }
 
   /// Limits, and the objectives before the k-th kept within tolerance.
@@ -110,21 +134,15 @@ class Search {
 
   void minimise(std::size_t k) {
     const Stage stage = this->stage(k);
-    best_value_.reset();
-    std::vector<Attempt> attempts;
-    for (std::size_t i = 0; i < pool_.size(); ++i) {
-      Attempt attempt{pool_[i], optimizer::standing(stage, pool_[i]), false, 0};
-      if (go_on(k, i, pool_.size())) {
-        attempt = optimizer::improve(stage, pool_[i], evaluations_left());
-        outcome_.evaluations += attempt.evaluations;
-      }
-      if (i > 0 && attempt.standing.excess > optimizer::rounding) continue;  // the first has none
-      if (!best_value_ || attempt.standing.value < *best_value_)
-        best_value_ = attempt.standing.value;
-      attempts.push_back(std::move(attempt));
-      if (k + 1 == problem_.minimize.size() && at_bound(k, *best_value_)) break;
+    const bool last = k + 1 == problem_.minimize.size();
+    std::vector<Attempt> kept;
+    for (Attempt& attempt : attempted(k, stage, pool_, [&](const Attempt& each) {
+           return last && at_bound(k, each.standing.value);
+         })) {
+      if (!kept.empty() && attempt.standing.excess > optimizer::rounding) continue;
+      kept.push_back(std::move(attempt));
     }
-    keep_best(k, std::move(attempts));
+    keep_best(k, std::move(kept));
   }
 
   /// The pool for the next objective: every distinct point that is as good as the best.
@@ -135,6 +153,7 @@ class Search {
     const double best = attempts.front().standing.value;
     outcome_.objectives[k].reached = best;
     converged_ = converged_ && attempts.front().converged;
+    exhausted_ = exhausted_ || starved(attempts.front());
     pool_.clear();
     for (const Attempt& attempt : attempts)
       if (attempt.standing.value <= best * (1 + problem_.tolerance) && distinct(attempt.z))
@@ -165,8 +184,19 @@ class Search {
     outcome_.limits = check(made.cam, problem_.limits);
     for (Finding& finding : outcome_.limits.findings)
       if (finding.segment) finding.segment = made.origin[*finding.segment];
+    if (feasible() && space_.convex()) prove(z);
     outcome_.active = optimizer::active_findings(space_, ceilings_, z, outcome_.objectives);
     set_status();
+  }
+
+  /// Each objective alone, under the limits.
+  void prove(const Point& z) {
+    for (ObjectiveResult& r : outcome_.objectives) {
+      const double natural_r = natural(space_, order_of(r.objective));
+      const Stage alone{space_,        ceilings_, {}, r.objective, 1e-9 * natural_r,
+                        problem_.tolerance};
+      r.bound = std::max(r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
+    }
   }
 
   void set_status() {
@@ -177,13 +207,16 @@ class Search {
       outcome_.status = status;
       outcome_.reason = std::move(reason);
     };
-    if (!outcome_.limits.ok() && !cancelled_ && !exhausted_)
+    if (!outcome_.limits.ok() && !cancelled_ && !exhausted_ && !out_of_time_)
       answer(Outcome::Status::infeasible, why_infeasible());
     else if (cancelled_)
       answer(Outcome::Status::cancelled, "stopped by the caller");
     else if (outcome_.limits.ok() && all_at_bound)
       answer(Outcome::Status::optimal,
              "every objective is at its proven bound, to a relative " + brief(problem_.tolerance));
+    else if (out_of_time_)
+      answer(Outcome::Status::stalled,
+             "the " + brief(*problem_.seconds) + " s allowed ran out");
     else if (exhausted_)
       answer(Outcome::Status::stalled,
              "the " + std::to_string(problem_.max_evaluations) + " evaluations allowed ran out");
@@ -231,10 +264,12 @@ class Search {
   std::vector<Ceiling> ceilings_;
   std::vector<Point> pool_;
   std::optional<Attempt> least_violated_;
-  std::optional<double> best_value_;
   std::optional<Finding> broken_where_fixed_;  ///< a limit, where nothing free reaches
   Outcome outcome_;
+  Clock::time_point begin_ = Clock::now();
+  int share_ = 0;  ///< of the evaluations, of each start
   bool cancelled_ = false;
+  bool out_of_time_ = false;
   bool exhausted_ = false;
   bool converged_ = true;
 };

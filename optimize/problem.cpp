@@ -163,6 +163,7 @@ void require_valid(const CamProblem& problem) {
   if (problem.starts < 1) throw InputError("starts", problem.starts, "must be at least 1");
   if (problem.max_evaluations < 1)
     throw InputError("max_evaluations", problem.max_evaluations, "must be at least 1");
+  if (problem.seconds) require_positive("seconds", *problem.seconds);
   if (!(problem.tolerance >= 1e-9 && problem.tolerance <= 1))
     throw InputError("tolerance", problem.tolerance, "must be between 1e-9 and 1");
 }

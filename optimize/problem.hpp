@@ -67,6 +67,7 @@ struct CamProblem {
   int starts = 8;                   ///< >= 1; the given cam is the first
   int max_evaluations = 50000;      ///< >= 1, of the whole problem
   double tolerance = 1e-6;          ///< relative, in [1e-9, 1]
+  std::optional<double> seconds = {};  ///< > 0; what is found by then depends on the machine
 };
 
 /// Throws InputError (keys like `segment[3].free.master`, `start.free.slave`, `tolerance`) unless

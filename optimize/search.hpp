@@ -73,8 +73,8 @@ struct SearchOutcome {
 ///
 /// **Global phase.** Local searches from the best of random places that are far from where others
 /// went, until no more basins are to be expected (Boender and Rinnooy Kan) or half of the
-/// evaluations are used. Then, and without it, the best is polished until no step, checked by
-/// probes in every direction, gains more than the tolerance. Methods, and what was measured to choose
+/// evaluations are used. Then, and without it, the best is polished until nothing gains more than the
+/// tolerance: no probe in any direction, and no step of the linearised problem. Methods, and what was measured to choose
 /// them: docs/optimize/parameters.md.
 ///
 /// **One variable** is looked at in up to 257 equally spaced places; each edge of what is feasible is

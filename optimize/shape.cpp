@@ -191,14 +191,7 @@ class ShapeSearch {
   }
 
   void fill_figures(const ShapeModel& model) {
-    out_.figures.clear();
-    const auto add = [&](const ShapeFigure& figure) {
-      const optimizer::FigureRows rows = optimizer::figure_rows(figure, model.space);
-      out_.figures.push_back({rows.name, rows.value(given_), rows.value(out_.segments),
-                              optimizer::known_bound(problem_, figure)});
-    };
-    for (const WeightedFigure& m : problem_.minimize) add(m.figure);
-    for (const Ceiling& c : problem_.ceilings) add(c.figure);
+    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.segments);
   }
 
   void answer(Outcome::Status status, std::string reason) {
@@ -215,7 +208,7 @@ class ShapeSearch {
                  : answer(Status::cancelled, "stopped by the caller");
     if (!out_.limits.ok())
       return answer(Status::stalled, "the shape found breaks a limit: " +
-                                         optimizer::sentence(out_.limits.findings.front()));
+                                         optimizer::broken_sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
     const double gap = out_.spline_bound ? (out_.value - *out_.spline_bound) / out_.value : 1;

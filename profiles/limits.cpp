@@ -109,6 +109,10 @@ void sort(Report& report) {
 
 namespace detail {
 
+double room_of(const Bound& bound, const Range& range) {
+  return margin_of(bound, worst_of(bound, range).value);
+}
+
 LimitCheck::LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke)
     : names_(names),
       bounds_(bounds_of(limits, names, stroke)),

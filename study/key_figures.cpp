@@ -242,6 +242,19 @@ Report report_of(std::vector<Looked>& axes, bool with_drive) {
   return all;
 }
 
+std::vector<LimitRoom> rooms_of(const Input& input) {
+  std::vector<LimitRoom> rooms =
+      std::visit([&](const auto& curve) { return limit_rooms(curve, input.limits); }, input.curve);
+  for (LimitRoom& room : rooms)
+    if (!input.axis.empty()) room.rule += " " + input.axis;
+  const auto* cam = std::get_if<Cam>(&input.curve);
+  if (cam == nullptr || !input.spec->master || !has_slave_limits(*input.spec)) return rooms;
+  if (master_rates(*input.spec).acceleration > 0) return rooms;
+  for (LimitRoom& room : limit_rooms(*cam, slave_limits_by_master(*input.spec)))
+    rooms.push_back({"limit/master_velocity", std::move(room.segments)});
+  return rooms;
+}
+
 [[noreturn]] void refuse(const std::string& name, const std::vector<Offer>& offers) {
   std::vector<std::string> known;
   std::string list;
@@ -296,14 +309,34 @@ std::optional<double> Assessment::value(const std::string& name) const {
   return at->value;
 }
 
-Assessment assess(const Spec& spec, const std::vector<std::string>& names) {
+namespace {
+
+Assessment assessed(const Spec& spec, const std::vector<std::string>& names, bool by_segment) {
   std::vector<Looked> axes;
   for (Input& input : inputs_of(spec, spec.document.name)) axes.emplace_back(std::move(input));
   try {
-    return assessed(axes, names);
+    Assessment all = assessed(axes, names);
+    for (const Looked& axis : axes)
+      if (by_segment)
+        for (LimitRoom& room : rooms_of(axis.input())) all.rooms.push_back(std::move(room));
+    return all;
   } catch (const InputError& error) {
     throw spec.document.located(error);
   }
+}
+
+}  // namespace
+
+Assessment assess(const Spec& spec, const std::vector<std::string>& names) {
+  return assessed(spec, names, false);
+}
+
+Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& names) {
+  return assessed(spec, names, true);
+}
+
+std::string rule_of(const Finding& finding) {
+  return finding.rule + (finding.axis.empty() ? "" : " " + finding.axis);
 }
 
 }  // namespace jounce

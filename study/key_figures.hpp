@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "jounce/io/make.hpp"
+#include "jounce/profiles/limit_rooms.hpp"
 
 namespace jounce {
 
@@ -45,6 +46,9 @@ struct KeyFigure {
 struct Assessment {
   std::vector<KeyFigure> figures;  ///< as asked for; otherwise in the order above
   Report report;  ///< every limit that the spec states: check, and the drive where it was driven
+  /// Limits of the curves, segment by segment, where they were asked for; rules as in `report`, with the
+  /// axis behind them. Those of a cam's slave over time stand under "limit/master_velocity".
+  std::vector<LimitRoom> rooms = {};
 
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
@@ -58,5 +62,11 @@ bool states_limit(const Finding& finding);
 /// Throws InputError as make() does, for a name that this spec has no figure for (with those it has),
 /// and where the drive's integration does not reach the end. Threads may call it at once.
 Assessment assess(const Spec& spec, const std::vector<std::string>& names = {});
+
+/// The same, and `rooms`.
+Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& names);
+
+/// A finding's rule with its axis behind it, where it has one.
+std::string rule_of(const Finding& finding);
 
 }  // namespace jounce

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "jounce/io/report_text.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/study/detail/tune_rows.hpp"
 #include "jounce/study/spec_numbers.hpp"
 
 namespace jounce {
@@ -45,7 +45,7 @@ class Tuned {
   }
 
   [[nodiscard]] Assessment assessed(const Point& x) const {
-    return assess(parse_spec(text(x), spec_.document.name), names_);
+    return assess_by_segment(parse_spec(text(x), spec_.document.name), names_);
   }
 
   SearchAnswer operator()(const Point& x) {
@@ -62,8 +62,8 @@ class Tuned {
     }
   }
 
-  /// Margins by rule; then what is required, lower and upper bounds in turn.
-  [[nodiscard]] const std::vector<std::string>& rules() const { return rules_; }
+  /// The rule behind each constraint; what is required follows, lower and upper bounds in turn.
+  [[nodiscard]] const std::vector<std::string>& rules() const { return rows_.rules(); }
 
   [[nodiscard]] std::vector<TunedFigure> figures(const Assessment& at) const {
     std::vector<TunedFigure> all;
@@ -119,33 +119,9 @@ class Tuned {
     }
   }
 
-  /// The smallest margin of each rule. A limit that is just met is met: check() decides, not the sign.
-  static std::map<std::string, double> margins(const Report& report) {
-    std::map<std::string, double> all;
-    for (const Finding& f : report.findings) {
-      if (!states_limit(f)) continue;
-      const double margin =
-          f.broken ? std::clamp(f.margin, -1e6, -1e-9) : std::clamp(f.margin, 0.0, 1e6);
-      const auto [it, fresh] = all.emplace(f.rule + (f.axis.empty() ? "" : " " + f.axis), margin);
-      if (!fresh) it->second = std::min(it->second, margin);
-    }
-    return all;
-  }
-
   SearchAnswer answer_of(const Assessment& at) {
-    std::map<std::string, double> left = margins(at.report);
-    if (!settled_)
-      for (const auto& [rule, margin] : left) rules_.push_back(rule);
-    settled_ = true;
     SearchAnswer answer;
-    for (const std::string& rule : rules_) {
-      const auto it = left.find(rule);
-      answer.constraints.push_back(it == left.end() ? -1 : -it->second);
-      if (it != left.end()) left.erase(it);
-    }
-    double others = 1;  // rules that spoke up later
-    for (const auto& [rule, margin] : left) others = std::min(others, margin);
-    answer.constraints.push_back(-others);
+    answer.constraints = rows_.of(at);
     for (const TunedFigure& f : figures(at)) {
       if (f.at_least) answer.constraints.push_back(*f.at_least - f.reached);
       if (f.at_most) answer.constraints.push_back(f.reached - *f.at_most);
@@ -161,8 +137,7 @@ class Tuned {
   std::vector<SearchVariable> variables_;
   std::vector<std::string> units_;
   std::vector<std::string> names_;
-  std::vector<std::string> rules_;
-  bool settled_ = false;
+  detail::TuneRows rows_;
 };
 
 bool meets(const SearchAnswer& answer) {
@@ -188,7 +163,7 @@ Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, i
   return y;
 }
 
-/// The best in as few digits as lose no more than the tolerance: three of the range to nine.
+/// The best in as few digits as lose no more than half the tolerance: three of the range to nine.
 void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) {
   const double objective = best.answer.objective;
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
@@ -198,7 +173,7 @@ void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) 
       const SearchAnswer answer = tuned(x);
       ++best.evaluations;
       if (!meets(answer)) continue;
-      if (answer.objective - objective > 10 * options.tolerance * std::abs(objective)) continue;
+      if (answer.objective - objective > 0.5 * options.tolerance * std::abs(objective)) continue;
       best.best = x;
       best.answer = answer;
       return;
@@ -209,7 +184,7 @@ void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) 
 std::string worst_of(const Report& report, const std::string& rule, const Labels& labels) {
   const Finding* worst = nullptr;
   for (const Finding& f : report.findings)
-    if (states_limit(f) && f.rule + (f.axis.empty() ? "" : " " + f.axis) == rule &&
+    if (states_limit(f) && rule_of(f) == rule &&
         (worst == nullptr || f.margin < worst->margin))
       worst = &f;
   return worst == nullptr ? rule : sentence(*worst, labels);
@@ -227,10 +202,10 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
   }
   const std::size_t rules = tuned.rules().size();
   for (const std::size_t i : outcome.search.active) {
-    if (i < rules)
-      all.push_back(worst_of(outcome.report, tuned.rules()[i], labels));
-    else if (i > rules)
-      all.push_back(required.at(i - rules - 1));
+    if (i >= rules) all.push_back(required.at(i - rules));
+    if (i >= rules || tuned.rules()[i].empty()) continue;
+    std::string worst = worst_of(outcome.report, tuned.rules()[i], labels);
+    if (std::find(all.begin(), all.end(), worst) == all.end()) all.push_back(std::move(worst));
   }
   for (const TunedNumber& n : outcome.numbers)
     if (n.at_bound)

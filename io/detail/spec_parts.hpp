@@ -36,6 +36,8 @@ void read_optimize(TomlReader& top, Spec& spec);
 std::optional<LoadSpec> read_load(TomlReader& top, const Units& units);
 void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape);
 void read_shape_optimize(TomlReader& optimize, Spec& spec);
+/// `budget`: s, > 0.
+std::optional<double> read_budget(TomlReader& optimize);
 
 /// [optimize] with [[optimize.parameter]], after everything else: by then the spec's numbers have been read.
 std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& spec);

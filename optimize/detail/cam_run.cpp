@@ -82,12 +82,39 @@ CamRunOf run_of(const CamShapeProblem& problem, std::vector<std::size_t> segment
   }
   if (run.closed || problem.shapes.front().continuity < 3) return run;
   const double peak = std::abs(extrema(cam, 3).peak().value);
-  for (RunKnot* end : {&run.knots.front(), &run.knots.back()})
-    if (!end->free.geo_acceleration) end->geo_jerk = steady_jerk(cam, end->master, peak);
+  const auto fix = [&](RunKnot& end, std::size_t segment) {
+    const EndJerk wanted = shape_of(problem, segment).end_jerk;
+    if (wanted == EndJerk::zero) end.geo_jerk = 0;
+    if (wanted == EndJerk::as_given && !end.free.geo_acceleration)
+      end.geo_jerk = steady_jerk(cam, end.master, peak);
+  };
+  fix(run.knots.front(), run.segments.front());
+  fix(run.knots.back(), run.segments.back());
   return run;
 }
 
 }  // namespace
+
+const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment) {
+  return *std::find_if(problem.shapes.begin(), problem.shapes.end(),
+                       [&](const FreeShape& s) { return s.segment == segment; });
+}
+
+std::vector<Finding> kept_jerks(const CamRunOf& run) {
+  std::vector<Finding> all;
+  const auto add = [&](const RunKnot& end, std::size_t segment) {
+    if (!end.geo_jerk) return;
+    Finding& f = all.emplace_back();
+    f.rule = "kept/geo_jerk";
+    f.quantity = "geo_jerk";
+    f.where = end.x();
+    f.value = f.limit = *end.geo_jerk;
+    f.segment = segment;
+  };
+  add(run.knots.front(), run.segments.front());
+  add(run.knots.back(), run.segments.back());
+  return all;
+}
 
 std::vector<CamRunOf> runs_of(const CamShapeProblem& problem) {
   std::vector<CamRunOf> runs;

@@ -33,6 +33,11 @@ struct CamRunOf {
 
 std::vector<CamRunOf> runs_of(const CamShapeProblem& problem);
 
+/// The jerks that are fixed at the ends of the run, as findings "kept/geo_jerk".
+std::vector<Finding> kept_jerks(const CamRunOf& run);
+
+const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment);
+
 /// Whether a corridor of the cam lies over some of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 

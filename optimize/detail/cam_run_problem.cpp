@@ -16,11 +16,6 @@ LinearQuantity derivative_named(const char* name, std::size_t order) {
 
 const std::array<const char*, 4> names{"slave", "geo_velocity", "geo_acceleration", "geo_jerk"};
 
-const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment) {
-  return *std::find_if(problem.shapes.begin(), problem.shapes.end(),
-                       [&](const FreeShape& s) { return s.segment == segment; });
-}
-
 std::size_t pieces_of(const CamShapeProblem& problem, const CamRunOf& run) {
   std::size_t pieces = 0;
   for (const std::size_t i : run.segments) pieces += shape_of(problem, i).pieces;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-// With y >= 0 the multipliers of constraints and v those of equalities, for every feasible x
+// With y >= 0 the multipliers of constraints, v those of equalities and w those of the forms of a round
+// constraint, for every feasible x
 //
 //   (1)  objective(x) >= L(x) = slope . x + sum squares(x)^2 + sum y constraints(x) + sum v equalities(x)
+//                               + w . forms(x) - |w| most
 //
 // and L is convex, so that with x0 the solution and r the gradient of L there
 //
@@ -15,6 +17,12 @@
 // that were lower by e somewhere k times outside the range would be lower by e / k inside it.
 
 namespace jounce::optimizer {
+
+double norm(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double each : numbers) sum += each * each;
+  return std::sqrt(sum);
+}
 
 double weak_bound(const ConvexProgram& p, const ConvexSolution& found,
                   const std::vector<double>& range) {
@@ -39,6 +47,10 @@ double weak_bound(const ConvexProgram& p, const ConvexSolution& found,
   };
   dual(p.constraints, found.multipliers, 0);
   dual(p.equalities, found.equal_multipliers, -HUGE_VAL);
+  for (std::size_t k = 0; k < p.round.size(); ++k) {
+    dual(p.round[k].forms, found.round_multipliers[k], -HUGE_VAL);
+    bound -= norm(found.round_multipliers[k]) * p.round[k].most;
+  }
   for (std::size_t j = 0; j < r.size(); ++j) bound -= std::abs(r[j]) * range[j];
   return bound;
 }

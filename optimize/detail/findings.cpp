@@ -69,6 +69,10 @@ std::string sentence(const Finding& finding) {
          ", the limit " + brief(finding.limit);
 }
 
+std::string broken_sentence(const Finding& finding) {
+  return sentence(finding) + ", passed by " + brief(-finding.margin) + " of it";
+}
+
 std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
                                      const Point& z, std::span<const ObjectiveResult> objectives) {
   const Shape shape(space, z);

@@ -16,6 +16,9 @@ std::string brief(double value);
 /// "geo_velocity is -2.55 at master 273.6, the limit -2.5".
 std::string sentence(const Finding& finding);
 
+/// The same of one that is broken: "..., passed by 2e-08 of it".
+std::string broken_sentence(const Finding& finding);
+
 /// Outcome::active for the cam at z.
 std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
                                      const Point& z, std::span<const ObjectiveResult> objectives);

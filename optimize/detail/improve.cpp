@@ -14,8 +14,10 @@ constexpr double slow = 1e-3;  ///< a relative gain in one solve that asks for a
 /// One attempt, round by round.
 class Run {
  public:
-  Run(const Stage& stage, const Point& start, int max_evaluations)
+  Run(const Stage& stage, const Point& start, int max_evaluations,
+      const std::function<bool()>& go_on)
       : stage_(stage),
+        go_on_(go_on),
         exchange_(stage, start),
         z_(start),
         now_(optimizer::standing(stage, start)),
@@ -34,9 +36,9 @@ class Run {
       return false;
     }
     const int left = max_evaluations_ - best_.evaluations;
-    if (left <= 0 || ++round_ > max_rounds) return false;
+    if (left <= 0 || ++round_ > max_rounds || !go_on_()) return false;
     const double before = now_.value;
-    const Solved solved = solve(program(), z_, t(), std::min(left, patience()));
+    const Solved solved = solve(program(), z_, t(), std::min(left, patience()), go_on_);
     best_.evaluations += solved.evaluations;
     if (!solved.finite) return false;
     const Shape shape(stage_.space, solved.z);
@@ -52,7 +54,7 @@ class Run {
     if (outside) return false;
     if (!held_ && descend()) return true;
     if (gain > exchange_.precision()) return true;
-    best_.converged = true;
+    best_.converged = go_on_();
     return false;
   }
 
@@ -78,6 +80,7 @@ class Run {
   bool descend() {
     double radius = 1;
     for (int i = 0; i < 10; ++i, radius /= 4) {
+      if (!go_on_()) return false;
       const Solved solved = linear_step(program(), z_, t(), radius);
       best_.evaluations += solved.evaluations;
       const double hoped = t() - solved.t;
@@ -94,6 +97,7 @@ class Run {
   }
 
   const Stage& stage_;
+  const std::function<bool()>& go_on_;
   Exchange exchange_;
   Point z_;
   Standing now_;
@@ -106,8 +110,9 @@ class Run {
 
 }  // namespace
 
-Attempt improve(const Stage& stage, const Point& start, int max_evaluations) {
-  Run run(stage, start, max_evaluations);
+Attempt improve(const Stage& stage, const Point& start, int max_evaluations,
+                const std::function<bool()>& go_on) {
+  Run run(stage, start, max_evaluations, go_on);
   while (run.step()) {
   }
   return run.best();

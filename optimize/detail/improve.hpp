@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "jounce/optimize/detail/stage.hpp"
 
 namespace jounce::optimizer {
@@ -13,7 +15,9 @@ struct Attempt {
 
 /// The exchange method: solve with the ceilings and the epigraph imposed at a few places, find the
 /// exact extrema of the result, add the places where they break a ceiling or exceed the epigraph,
-/// solve again, until none does and neither a restart nor the linearised problem gains anything.
-Attempt improve(const Stage& stage, const Point& start, int max_evaluations);
+/// solve again, until none does and neither a restart nor the linearised problem gains anything. `go_on` is
+/// asked at each evaluation; false ends it with the best so far.
+Attempt improve(const Stage& stage, const Point& start, int max_evaluations,
+                const std::function<bool()>& go_on);
 
 }  // namespace jounce::optimizer

@@ -4,20 +4,23 @@
 #include <array>
 #include <utility>
 
+#include "jounce/optimize/detail/cone_scaling.hpp"
 #include "jounce/optimize/detail/kkt.hpp"
 
 // With Q x + q the gradient of the objective, G x + s = h the constraints with multipliers y, and
 // A x = b the equalities with multipliers v,
 //
-//   (1)  Q x + q + G' y + A' v = 0,   G x + s - h = 0,   A x - b = 0,   s_k y_k = mu,   s, y > 0
+//   (1)  Q x + q + G' y + A' v = 0,   G x + s - h = 0,   A x - b = 0,   s o y = mu e,   s, y inside their cones
 //
-// is solved by Newton's method while mu falls to zero. Without ds and dy a step is
+// is solved by Newton's method while mu falls to zero; o is Jordan's product and e its unit: of constraints
+// numbers and 1 (cone_scaling.hpp). With W y = W^-1 s = l and u what has the product r with l, a step is
 //
-//   (2)  (Q + G' D G) dx + A' dv = -r_dual - G' ((y r_primal - r_s) / s),   D = diag(y / s),
-//        A dx = -r_equal,   ds = -r_primal - G dx,   dy = (-r_s - y ds) / s
+//   (2)  (Q + G' W^-2 G) dx + A' dv = -r_dual - G' (W^-2 r_primal - W^-1 u),
+//        A dx = -r_equal,   ds = -r_primal - G dx,   dy = -W^-2 ds - W^-1 u
 //
-// Twice with one factorisation: first with mu = 0, which tells how far mu may be lowered and the
-// second-order term ds dy, then with both put in (Mehrotra 1992).
+// Twice with one factorisation: first with r = l o l, which tells how far mu may be lowered and the
+// second-order term (W^-1 ds) o (W dy), then with both put in (Mehrotra 1992; of cones: L. Vandenberghe, The
+// CVXOPT linear and quadratic cone program solvers, 2010).
 
 namespace jounce::optimizer {
 namespace {
@@ -27,15 +30,14 @@ using Vector = Kkt::Vector;
 constexpr int max_iterations = 100;
 constexpr int patience = 8;    ///< iterations without progress
 constexpr double good = 1e-8;  ///< a residual that is not worth another attempt
-constexpr std::array regular{1e-8, 0.0};
 
-/// The longest step, at most 1, that keeps v + step * dv >= 0.
-double longest(const Vector& v, const Vector& dv) {
-  double step = 1;
-  for (Eigen::Index k = 0; k < v.size(); ++k)
-    if (dv[k] < 0) step = std::min(step, -v[k] / dv[k]);
-  return step;
-}
+/// How a solution is begun: what is added to the diagonal (Kkt), and mu; 0: small, one over the number of
+/// constraints. Near the boundary of a cone a small mu makes short steps.
+struct Beginning {
+  double regular = 0;
+  double mu = 0;
+};
+constexpr std::array beginnings{Beginning{1e-8, 0}, Beginning{0, 0}, Beginning{1e-8, 1}};
 
 struct Step {
   Vector x, s, y, v;
@@ -43,14 +45,16 @@ struct Step {
 
 class Newton {
  public:
-  Newton(const ConvexProgram& p, const std::vector<double>& start, double added)
-      : kkt_(p, added),
+  Newton(const ConvexProgram& p, const std::vector<double>& start, const Beginning& begin)
+      : kkt_(p, begin.regular),
+        cones_(kkt_.cones()),
         at_{Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size())),
             {},
             {},
             Vector::Zero(kkt_.b().size())} {
-    at_.s = (kkt_.h() - kkt_.g() * at_.x).cwiseMax(0.1);
-    at_.y = at_.s.cwiseInverse() / static_cast<double>(std::max<Eigen::Index>(at_.s.size(), 1));
+    const bool large = begin.mu > 0 || !cones_.round.empty();
+    at_.s = inside(cones_, kkt_.h() - kkt_.g() * at_.x, begin.mu > 0 ? 1 : 0.1);
+    at_.y = inverse(cones_, at_.s) / (large ? 1.0 : std::max(cones_.degree(), 1.0));
   }
 
   ConvexSolution run(const SolveOptions& options) {
@@ -74,15 +78,25 @@ class Newton {
       }
     }
     return {{kept.x.begin(), kept.x.end()},
-            {kept.y.begin(), kept.y.end()},
+            {kept.y.begin(), kept.y.begin() + cones_.linear},
+            round_multipliers(kept.y),
             {kept.v.begin(), kept.v.end()},
             rounds,
             best};
   }
 
  private:
+  [[nodiscard]] std::vector<std::vector<double>> round_multipliers(const Vector& y) const {
+    std::vector<std::vector<double>> all;
+    auto at = y.begin() + cones_.linear;
+    for (const Eigen::Index size : cones_.round) {
+      all.emplace_back(at + 1, at + size);
+      at += size;
+    }
+    return all;
+  }
   [[nodiscard]] double mu() const {
-    return at_.s.size() > 0 ? at_.s.dot(at_.y) / static_cast<double>(at_.s.size()) : 0;
+    return at_.s.size() > 0 ? at_.s.dot(at_.y) / cones_.degree() : 0;
   }
   [[nodiscard]] Vector dual() const {
     return kkt_.curved(at_.x) + kkt_.q() + kkt_.g().transpose() * at_.y +
@@ -96,41 +110,48 @@ class Newton {
   [[nodiscard]] double worst() const { return std::max(at_.s.dot(at_.y), infeasibility()); }
   static double largest(const Vector& v) { return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0; }
 
-  [[nodiscard]] Step step(const Vector& r_s) const {  // (2)
+  /// (2), without and with what is to be divided by l.
+  [[nodiscard]] Step step(const ConeScaling& w, const Vector& u) const {
     const auto& [x, s, y, v] = at_;
-    const Vector r = (y.cwiseProduct(primal()) - r_s).cwiseQuotient(s);
+    const Vector scaled_u = w.inverse(u);
     Vector right(x.size() + v.size());
-    right << -dual() - kkt_.g().transpose() * r, -equal();
+    right << -dual() - kkt_.g().transpose() * (w.inverse_squared(primal()) - scaled_u), -equal();
     const Vector solved = kkt_.solve(right);
     Step d;
     d.x = solved.head(x.size());
     d.v = solved.tail(v.size());
     d.s = -primal() - kkt_.g() * d.x;
-    d.y = (-r_s - y.cwiseProduct(d.s)).cwiseQuotient(s);
+    d.y = -w.inverse_squared(d.s) - scaled_u;
     return d;
+  }
+
+  [[nodiscard]] double reach(const Step& d) const {
+    return std::min(longest(cones_, at_.s, d.s), longest(cones_, at_.y, d.y));
   }
 
   bool advance() {
     auto& [x, s, y, v] = at_;
-    if (!kkt_.factorise(y.cwiseQuotient(s))) return false;
-    const Vector complementary = s.cwiseProduct(y);
-    const Step first = step(complementary);
-    const double reach = std::min(longest(s, first.s), longest(y, first.y));
-    const double before = complementary.sum();
-    const double left = before > 0 ? (s + reach * first.s).dot(y + reach * first.y) / before : 0;
-    const Vector target = Vector::Constant(s.size(), left * left * left * mu());
-    const Step d = step(complementary + first.s.cwiseProduct(first.y) - target);
-    const double room = std::min(longest(s, d.s), longest(y, d.y));
-    const double along = s.size() > 0 ? 0.99 * room : 1;
+    const ConeScaling w(cones_, s, y);
+    if (!kkt_.factorise(w)) return false;
+    const Vector l = w.times(y);
+    const Step first = step(w, l);
+    const double along = reach(first);
+    const double before = s.dot(y);
+    const double left = before > 0 ? (s + along * first.s).dot(y + along * first.y) / before : 0;
+    const Vector second = product(cones_, w.inverse(first.s), w.times(first.y)) -
+                          left * left * left * mu() * unit_of(cones_);
+    const Step d = step(w, l + quotient(cones_, second, l));
     if (!d.x.allFinite()) return false;
-    x += along * d.x;
-    s += along * d.s;
-    y += along * d.y;
-    v += along * d.v;
+    const double length = s.size() > 0 ? 0.99 * reach(d) : 1;
+    x += length * d.x;
+    s += length * d.s;
+    y += length * d.y;
+    v += length * d.v;
     return true;
   }
 
   Kkt kkt_;
+  ConeShape cones_;
   Step at_;
 };
 
@@ -150,11 +171,11 @@ Form scaled(Form f, double factor) {
 
 ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
                      const SolveOptions& options) {
-  ConvexSolution best = Newton(program, start, regular.front()).run(options);
-  for (std::size_t k = 1;
-       options.thorough && k < regular.size() && best.residual > std::max(good, options.precision);
+  ConvexSolution best = Newton(program, start, beginnings.front()).run(options);
+  for (std::size_t k = 1; options.thorough && k < beginnings.size() &&
+                          best.residual > std::max(good, options.precision);
        ++k) {
-    ConvexSolution other = Newton(program, start, regular[k]).run(options);
+    ConvexSolution other = Newton(program, start, beginnings[k]).run(options);
     other.iterations += best.iterations;
     if (other.residual < best.residual) best = std::move(other);
   }

@@ -37,15 +37,33 @@ void each_product(const Rows& rows, Eigen::Index row, const Visit& visit) {
       visit(i.col(), j.col(), i.value() * j.value());
 }
 
+/// All rows of G x + s = h: of a round constraint (0, forms), h = (most, ...).
+std::vector<Form> all_constraints(const ConvexProgram& p) {
+  std::vector<Form> all = p.constraints;
+  for (const RoundConstraint& round : p.round) {
+    all.push_back({-round.most, {}});
+    all.insert(all.end(), round.forms.begin(), round.forms.end());
+  }
+  return all;
+}
+
+ConeShape cones_of(const ConvexProgram& p) {
+  ConeShape shape{static_cast<Eigen::Index>(p.constraints.size()), {}};
+  for (const RoundConstraint& round : p.round)
+    shape.round.push_back(static_cast<Eigen::Index>(round.forms.size()) + 1);
+  return shape;
+}
+
 }  // namespace
 
 Kkt::Kkt(const ConvexProgram& p, double regular)
-    : g_(rows_of(p.constraints, p.slope.size())),
+    : cones_(cones_of(p)),
+      g_(rows_of(all_constraints(p), p.slope.size())),
       a_(rows_of(p.equalities, p.slope.size())),
       f_(rows_of(p.squares, p.slope.size())),
       rows_(g_),
       q_(Eigen::Map<const Vector>(p.slope.data(), static_cast<Eigen::Index>(p.slope.size()))),
-      h_(-constants_of(p.constraints)),
+      h_(-constants_of(all_constraints(p))),
       b_(-constants_of(p.equalities)) {
   q_ += 2 * (f_.transpose() * constants_of(p.squares));
   pivoting_ = a_.rows() > 0 && regular == 0;
@@ -85,31 +103,59 @@ void Kkt::find_pattern(double added) {
     factor_.analyzePattern(k_);
 }
 
-bool Kkt::factorise(const Vector& d) {
+bool Kkt::factorise(const ConeScaling& w) {
+  const Vector d = w.diagonal();
+  u_.clear();
+  for (const Vector& r : w.rank_ones()) {
+    Vector& u = u_.emplace_back(Vector::Zero(k_.rows()));
+    u.head(g_.cols()) = g_.transpose() * r;
+  }
   std::copy(fixed_.begin(), fixed_.end(), k_.valuePtr());
   std::size_t next = 0;
   for (Eigen::Index k = 0; k < rows_.rows(); ++k)
     each_product(rows_, k, [&](Eigen::Index, Eigen::Index, double v) { add(next, v * d[k]); });
-  if (pivoting_) {
+  if (pivoting_)
     pivoted_.factorize(Matrix(k_.selfadjointView<Eigen::Lower>()));
-    return pivoted_.info() == Eigen::Success;
-  }
-  factor_.factorize(k_);
-  return factor_.info() == Eigen::Success;
+  else
+    factor_.factorize(k_);
+  if ((pivoting_ ? pivoted_.info() : factor_.info()) != Eigen::Success) return false;
+  factorise_rank_ones();
+  return true;
+}
+
+void Kkt::factorise_rank_ones() {
+  const auto n = static_cast<Eigen::Index>(u_.size());
+  solved_u_.resize(k_.rows(), n);
+  for (Eigen::Index i = 0; i < n; ++i) solved_u_.col(i) = unmodified(u_[static_cast<std::size_t>(i)]);
+  Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    small.row(i) += u_[static_cast<std::size_t>(i)].transpose() * solved_u_;
+  small_ = small.inverse();
 }
 
 Kkt::Vector Kkt::times(const Vector& v) const {
-  return k_.selfadjointView<Eigen::Lower>() * v - regular_.cwiseProduct(v);
+  Vector all = k_.selfadjointView<Eigen::Lower>() * v - regular_.cwiseProduct(v);
+  for (const Vector& u : u_) all += u.dot(v) * u;
+  return all;
 }
 
-Kkt::Vector Kkt::back(const Vector& r) const {
+Kkt::Vector Kkt::unmodified(const Vector& r) const {
   if (pivoting_) return pivoted_.solve(r);
   return factor_.solve(r);
 }
 
+Kkt::Vector Kkt::back(const Vector& r) const {
+  Vector v = unmodified(r);
+  if (u_.empty()) return v;
+  Vector along(static_cast<Eigen::Index>(u_.size()));
+  for (Eigen::Index i = 0; i < along.size(); ++i)
+    along[i] = u_[static_cast<std::size_t>(i)].dot(v);
+  return v - solved_u_ * (small_ * along);
+}
+
 Kkt::Vector Kkt::solve(const Vector& r) const {
   Vector v = back(r);
-  if (a_.rows() == 0) return v;
+  if (a_.rows() == 0 && u_.empty()) return v;
   Vector left = r - times(v);
   double size = left.lpNorm<Eigen::Infinity>();
   for (int round = 0; round < refinements && size > 0; ++round) {

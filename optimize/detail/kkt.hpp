@@ -2,15 +2,18 @@
 
 #include <vector>
 
+#include <Eigen/Dense>
 #include <Eigen/Sparse>
 
+#include "jounce/optimize/detail/cone_scaling.hpp"
 #include "jounce/optimize/detail/interior_point.hpp"
 
 namespace jounce::optimizer {
 
-/// The matrix of a Newton step,  K = [ Q + G' D G, A'; A, 0 ],  with G the constraints and A the
-/// equalities of a program and Q the second derivative of its squares. The pattern is found and ordered
-/// once; with D it is factorised anew.
+/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ],  with G the constraints, those that are
+/// round after the others, and A the equalities of a program and Q the second derivative of its squares. The
+/// pattern is found and ordered once; with W it is factorised anew. What a cone adds to it that is of rank one
+/// would fill it: that part is left to the formula of Sherman, Morrison and Woodbury.
 class Kkt {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -29,7 +32,9 @@ class Kkt {
   [[nodiscard]] const Vector& h() const { return h_; }
   [[nodiscard]] const Vector& b() const { return b_; }
 
-  bool factorise(const Vector& d);
+  [[nodiscard]] const ConeShape& cones() const { return cones_; }
+
+  bool factorise(const ConeScaling& w);
   /// The solution (x, then multipliers of the equalities) of K v = r.
   [[nodiscard]] Vector solve(const Vector& r) const;
 
@@ -38,13 +43,20 @@ class Kkt {
   void add(std::size_t& next, double value) { k_.valuePtr()[place_[next++]] += value; }
   [[nodiscard]] Vector times(const Vector& v) const;
   [[nodiscard]] Vector back(const Vector& r) const;
+  [[nodiscard]] Vector unmodified(const Vector& r) const;  ///< without u_
 
+  void factorise_rank_ones();
+
+  ConeShape cones_;
   Matrix g_, a_, f_, k_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;  ///< G by rows
   Vector q_, h_, b_;
   std::vector<Eigen::Index> place_;  ///< of each contribution, in k_'s values
   std::vector<double> fixed_;        ///< k_ without G' D G, regularised
   Vector regular_;                   ///< what was added to the diagonal
+  std::vector<Vector> u_;            ///< K = (what is factorised) + sum u u'
+  Eigen::MatrixXd solved_u_;         ///< (what is factorised)^-1 u, side by side
+  Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
   bool pivoting_ = false;
   Eigen::SimplicialLDLT<Matrix> factor_;
   Eigen::SparseLU<Matrix> pivoted_;

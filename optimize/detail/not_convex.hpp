@@ -31,6 +31,10 @@ bool needs_search(const ShapeProblem& problem);
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
                              const ShapeKeepGoing& keep_going);
 
+/// The given shape; where it has sines, products of which fit no segment, the spline with the same
+/// derivatives at the knots.
+std::vector<Segment> given_as_spline(const ShapeProblem& problem);
+
 /// The same as the answer of optimize_shape(): figures, limits and what is active judged on the finished
 /// shape, with a bound where one is known.
 ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going);

@@ -7,17 +7,11 @@
 
 #include <nlopt.hpp>
 
+#include "jounce/optimize/detail/search_shown.hpp"
 #include "jounce/optimize/detail/search_steps.hpp"
 
-// NLopt's part of a search. What it is shown are rows r_i(z) <= 0: the constraints in their usual sizes,
-// tightened by a hair h, and one more for choices that are not possible:
-//
-//   (1)  possible:      f(z), c_i(z) / s_i + h,  r_0 = 0
-//   (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
-//
-// so that beyond the edge of what is possible nothing is gained, and r_0 leads back. NaN never gets
-// in. What NLopt answers is not looked at: Trials keeps the best of all that was asked, by its
-// own reading of the constraints (dependencies as measured: infeasible ends are called a success).
+// NLopt's part of a search. What NLopt answers is not looked at: Trials keeps the best of all that was asked,
+// by its own reading of the constraints (dependencies as measured: infeasible ends are called a success).
 //
 // COBYLA needs no derivatives and no smoothness, but creeps in curved valleys; SLSQP with central
 // differences runs along them. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc
@@ -25,22 +19,6 @@
 
 namespace jounce::optimizer {
 namespace {
-
-/// What a solver is shown at a choice.
-struct Shown {
-  double objective = 0;
-  std::vector<double> rows;
-};
-
-Shown shown(Trials& trials, const Choice& z, double hair) {
-  const Trial& asked = trials.at(z);
-  const Trial& seen = asked.answer.possible ? asked : trials.nearest_possible(z);
-  Shown all{seen.answer.objective, {distance(z, seen.z)}};
-  if (trials.spread() > 0) all.objective /= trials.spread();
-  for (std::size_t i = 0; i < seen.answer.constraints.size(); ++i)
-    all.rows.push_back(seen.answer.constraints[i] / trials.scales()[i] + hair);
-  return all;
-}
 
 /// One run of a solver. What is thrown while it asks stops it and is thrown again afterwards: NLopt
 /// would forget it.
@@ -80,22 +58,9 @@ class Run {
     return now_;
   }
 
-  /// Slopes of objective and rows by central differences, shorter at a bound.
-  const std::vector<Shown>& slopes(const Choice& z) {
+  const std::vector<Shown>& slopes_at(const Choice& z) {
     if (z == slopes_at_) return slopes_;
-    slopes_.clear();
-    for (std::size_t k = 0; k < z.size(); ++k) {
-      Choice up = z, down = z;
-      up[k] = std::min(1.0, z[k] + difference_);
-      down[k] = std::max(0.0, z[k] - difference_);
-      Shown slope = shown(trials_, up, hair_);
-      const Shown low = shown(trials_, down, hair_);
-      const double step = up[k] - down[k];
-      slope.objective = (slope.objective - low.objective) / step;
-      for (std::size_t i = 0; i < slope.rows.size(); ++i)
-        slope.rows[i] = (slope.rows[i] - low.rows[i]) / step;
-      slopes_.push_back(std::move(slope));
-    }
+    slopes_ = slopes(trials_, z, hair_, difference_);
     slopes_at_ = z;
     return slopes_;
   }
@@ -118,7 +83,7 @@ class Run {
       const Choice z(x, x + n);
       value = run.at(z).objective;
       if (gradient == nullptr) return;
-      for (std::size_t k = 0; k < n; ++k) gradient[k] = run.slopes(z)[k].objective;
+      for (std::size_t k = 0; k < n; ++k) gradient[k] = run.slopes_at(z)[k].objective;
     });
     return value;
   }
@@ -132,7 +97,7 @@ class Run {
       std::copy_n(run.at(z).rows.begin(), rows, result);
       if (gradient == nullptr) return;
       for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t i = 0; i < rows; ++i) gradient[i * n + k] = run.slopes(z)[k].rows[i];
+        for (std::size_t i = 0; i < rows; ++i) gradient[i * n + k] = run.slopes_at(z)[k].rows[i];
     });
   }
 
@@ -216,7 +181,8 @@ bool polish(Trials& trials) {
     slide(trials, before.z, step, 60);
     descend(trials, trials.best().z, radius, smallest, 60 * (n + 2));
     settle_at_bounds(trials);
-    if (!is_gain(trials, before, trials.best()) && !probe(trials)) return true;
+    if (!is_gain(trials, before, trials.best()) && !probe(trials) && !step_linearly(trials))
+      return true;
     radius = std::max(0.3 * radius, 1e-3);
     step = std::max(0.1 * step, 1e-7);
   }

@@ -28,6 +28,9 @@ Trial descend(Trials& trials, const Choice& z, double radius, double smallest, i
 /// SLSQP from z with central differences of a step.
 void slide(Trials& trials, const Choice& z, double step, int iterations);
 
+/// The best step of the linearised problem from the best, at several lengths; whether one gained.
+bool step_linearly(Trials& trials);
+
 /// A gain that is worth a further step.
 bool is_gain(const Trials& trials, const Trial& before, const Trial& after);
 

@@ -9,13 +9,6 @@
 namespace jounce::optimizer {
 namespace {
 
-std::vector<double> knots_of(const ShapeProblem& problem, const std::vector<Segment>& shape) {
-  std::vector<double> knots{problem.begin};
-  for (const Segment& f : shape) knots.push_back(knots.back() + f.length);
-  knots.back() = problem.end;
-  return knots;
-}
-
 /// Whether every figure to be minimised is within the tolerance of a proven bound.
 bool at_bound(const ShapeProblem& problem, const ShapeOutcome& out) {
   for (std::size_t k = 0; k < problem.minimize.size(); ++k) {
@@ -45,7 +38,7 @@ void set_status(const ShapeProblem& problem, const NotConvexResult& found, Shape
   if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
   if (!out.limits.ok())
     return answer(Status::stalled,
-                  "the shape found breaks a limit: " + sentence(out.limits.findings.front()));
+                  "the shape found breaks a limit: " + broken_sentence(out.limits.findings.front()));
   if (at_bound(problem, out))
     return answer(Status::optimal,
                   "no function at all is better, to a relative " + brief(problem.tolerance));
@@ -55,18 +48,21 @@ void set_status(const ShapeProblem& problem, const NotConvexResult& found, Shape
 
 }  // namespace
 
-ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
-  std::vector<Segment> given = given_shape(problem);
+std::vector<Segment> given_as_spline(const ShapeProblem& problem) {
+  const std::vector<Segment> given = given_shape(problem);
   const bool has_sines = std::any_of(given.begin(), given.end(),
                                      [](const Segment& f) { return f.sines > 0 || f.degree > 7; });
-  if (has_sines) {  // products of those fit no segment: the spline with the same derivatives stands in
-    ShapeProblem bare = problem;
-    bare.minimize.clear();
-    bare.ceilings.clear();
-    bare.corridors.clear();
-    const ShapeModel model(bare, first_knots(bare), given);
-    given = model.space.segments(model.space.coordinates(given));
-  }
+  if (!has_sines) return given;
+  ShapeProblem bare = problem;
+  bare.minimize.clear();
+  bare.ceilings.clear();
+  bare.corridors.clear();
+  const ShapeModel model(bare, first_knots(bare), given);
+  return model.space.segments(model.space.coordinates(given));
+}
+
+ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+  const std::vector<Segment> given = given_as_spline(problem);
   NotConvexResult found = search_shape(problem, given, keep_going);
   make_exact(problem, found.shape);
   const ShapeModel model(problem, knots_of(problem, found.shape), given);
@@ -76,13 +72,7 @@ ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_go
   out.evaluations = found.evaluations;
   out.value = weighted_sum(model, out.segments);
   out.limits = checked(problem, model, out.segments);
-  const auto add = [&](const ShapeFigure& figure) {
-    const FigureRows rows = figure_rows(figure, model.space);
-    out.figures.push_back(
-        {rows.name, rows.value(given), rows.value(out.segments), known_bound(problem, figure)});
-  };
-  for (const WeightedFigure& m : problem.minimize) add(m.figure);
-  for (const jounce::Ceiling& c : problem.ceilings) add(c.figure);
+  out.figures = figure_results(problem, model.space, given, out.segments);
   out.active = active(problem, model, out.segments);
   set_status(problem, found, out);
   return out;

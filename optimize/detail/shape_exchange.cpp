@@ -16,7 +16,7 @@
 //        subject to  g(z) <= t_p,   w(z) <= 0,   |F_c z| <= most_c,   the equalities.
 //
 // Which program that is: a norm alone, without walls, one linear system; peaks, a linear program; both, a
-// quadratic one (norms: shape_norms.hpp). Planes and walls: shape_rows.hpp.
+// quadratic one (norms: shape_norms.hpp); limited norms are second-order cones. Planes and walls: shape_rows.hpp.
 
 namespace jounce::optimizer {
 namespace {
@@ -143,9 +143,7 @@ class ShapeExchange {
       task.squares = norms_.squares();
       if (!settle_rows(task, true)) return unsettled();
       found_.end = End::solved;
-      const bool unlimited = norms_.limited().empty();
       if (norms_.settle(model_.space.segments(found_.z))) return true;
-      if (unlimited && !round_in_reach()) return false;
     }
     found_.end = End::stalled;
     found_.why = "the weights of the rms figures did not settle";
@@ -154,7 +152,9 @@ class ShapeExchange {
 
   /// Says why; false.
   bool unsettled() {
-    if (found_.end == End::stopped || out_of_reach() || found_.end == End::stopped) return false;
+    if (found_.end == End::stopped || out_of_reach() || round_out_of_reach() ||
+        found_.end == End::stopped)
+      return false;
     found_.end = End::stalled;
     if (found_.why.empty())
       found_.why = "rounding stopped the solver at a residual of " + brief(last_residual_);
@@ -171,6 +171,7 @@ class ShapeExchange {
     ShapeTask task = plain(model_);
     task.terms = false;
     task.elastic = true;
+    task.round = false;
     const double residual = std::exchange(last_residual_, 0);
     bool settled = settle_rows(task, false);
     if (!settled && found_.end != End::stopped) {  // the walls may leave coordinates open
@@ -184,22 +185,26 @@ class ShapeExchange {
     return true;
   }
 
-  /// Whether each limited norm can be kept: its least value is below.
-  bool round_in_reach() {
-    for (const std::size_t k : norms_.limited()) {
+  /// Whether a limited norm cannot be kept: its least value is above.
+  bool round_out_of_reach() {
+    const double residual = last_residual_;
+    for (const RoundCeiling& ceiling : model_.round) {
       ShapeTask task = plain(model_);
       task.terms = false;
-      const FigureRows& rows = model_.round[k].rows;
-      const double scale = std::max(norms_.most(k), rows.value(model_.space.segments(found_.z)));
+      task.round = false;
+      const FigureRows& rows = ceiling.rows;
+      const double scale = std::max(ceiling.held(), rows.value(model_.space.segments(found_.z)));
       for (const Form& f : rows.squares) task.squares.push_back(scaled(f, 1 / scale));
-      if (!settle_rows(task, false)) return found_.end != End::stopped;
+      const bool settled = settle_rows(task, false);
+      if (found_.end == End::stopped) return false;
       const double least = std::sqrt(std::max(alone_bound_, 0.0)) * scale;
-      if (least <= norms_.most(k) * (1 + 10 * margin)) continue;
+      if (!settled || least <= ceiling.held() * (1 + 10 * margin)) continue;
       infeasible("no spline over these knots keeps limit/" + rows.name + ": at least " +
-                 brief(least) + " is needed, " + brief(model_.round[k].at_most) + " allowed");
-      return false;
+                 brief(least) + " is needed, " + brief(ceiling.at_most) + " allowed");
+      return true;
     }
-    return true;
+    last_residual_ = residual;
+    return false;
   }
 
   /// Of all shapes whose figures are within `licence`, the one with the least rms of the derivative

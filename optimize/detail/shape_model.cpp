@@ -185,6 +185,13 @@ std::vector<double> first_knots(const ShapeProblem& p) {
   return knots;
 }
 
+std::vector<double> knots_of(const ShapeProblem& problem, const std::vector<Segment>& shape) {
+  std::vector<double> knots{problem.begin};
+  for (const Segment& f : shape) knots.push_back(knots.back() + f.length);
+  knots.back() = problem.end;
+  return knots;
+}
+
 std::vector<Segment> given_shape(const ShapeProblem& p) {
   if (!p.given.empty()) return p.given;
   int conditions = 1;

@@ -15,10 +15,16 @@ struct Term {
   int order = 0;  ///< of the highest derivative in it
 };
 
-/// A figure whose square is limited: kept by its multiplier, not by planes.
+/// A figure whose square is limited: kept by a second-order cone, not by planes.
 struct RoundCeiling {
   FigureRows rows;
   double at_most = 0;
+
+  static constexpr double off = 1e-10;  ///< relative: what a solver leaves
+  /// What it is held to: a little less.
+  [[nodiscard]] double held() const {
+    return (at_most > 0 ? at_most : 1e-9 * rows.natural) * (1 - off);
+  }
 };
 
 struct ShapeModel {
@@ -54,6 +60,9 @@ double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape);
 
 /// `pieces` equal pieces, with knots where corridors begin and end.
 std::vector<double> first_knots(const ShapeProblem& problem);
+
+/// The ends of the pieces of a shape.
+std::vector<double> knots_of(const ShapeProblem& problem, const std::vector<Segment>& shape);
 
 /// What the problem starts from and compares with: `given`, or the smoothest polynomial through the
 /// ends: with m conditions at the harder end, the one with the least integral of (f^(m))^2.

@@ -18,13 +18,11 @@ ShapeNorms::ShapeNorms(const ShapeModel& model, const std::vector<Segment>& star
   for (const Term& term : model_.terms)
     c_.emplace_back(std::log(
         std::max(term.rows.by_squares() ? term.rows.value(start) / term.unit : 1.0, 1e-3)));
-  for (std::size_t k = 0; k < model_.round.size(); ++k) mu_.emplace_back();
 }
 
 bool ShapeNorms::any() const {
   return std::any_of(model_.terms.begin(), model_.terms.end(),
-                     [](const Term& t) { return t.rows.by_squares(); }) ||
-         std::any_of(mu_.begin(), mu_.end(), [](const auto& m) { return m.has_value(); });
+                     [](const Term& t) { return t.rows.by_squares(); });
 }
 
 std::vector<Form> ShapeNorms::squares() const {
@@ -36,14 +34,7 @@ std::vector<Form> ShapeNorms::squares() const {
     const Term& t = model_.terms[p];
     add(t.rows, std::sqrt(t.weight / (2 * std::exp(c_[p].at()))) / t.unit);
   }
-  for (std::size_t k = 0; k < mu_.size(); ++k)
-    if (mu_[k]) add(model_.round[k].rows, std::exp(mu_[k]->at() / 2) / most(k));
   return squares;
-}
-
-double ShapeNorms::most(std::size_t k) const {
-  const RoundCeiling& c = model_.round[k];
-  return (c.at_most > 0 ? c.at_most : 1e-9 * c.rows.natural) * (1 - 5 * margin);
 }
 
 bool ShapeNorms::settle(const std::vector<Segment>& shape) {
@@ -58,24 +49,7 @@ bool ShapeNorms::settle(const std::vector<Segment>& shape) {
     c_[p].advance(off, -1);
     settled = false;
   }
-  for (std::size_t k = 0; k < mu_.size(); ++k) {
-    const double off = std::log(model_.round[k].rows.value(shape) / most(k));
-    if (!mu_[k] && off <= 0) continue;
-    if (std::abs(off) <= 4 * margin) continue;
-    if (!mu_[k])
-      mu_[k].emplace(std::log(0.1 * std::max(weighted_sum(model_, shape), 1e-3)));
-    else
-      mu_[k]->advance(off, -0.5);
-    settled = false;
-  }
   return settled;
-}
-
-std::vector<std::size_t> ShapeNorms::limited() const {
-  std::vector<std::size_t> all;
-  for (std::size_t k = 0; k < mu_.size(); ++k)
-    if (mu_[k]) all.push_back(k);
-  return all;
 }
 
 double ShapeNorms::to_bound(const std::vector<Segment>& shape, double sum) const {
@@ -88,8 +62,6 @@ double ShapeNorms::to_bound(const std::vector<Segment>& shape, double sum) const
     more +=
         t.weight * c / 2 - t.weight * std::abs(1 - ratio * ratio) / 2 * std::max(c, sum / t.weight);
   }
-  for (const auto& mu : mu_)
-    if (mu) more -= std::exp(mu->at()) * (1 + 20 * margin);
   return more;
 }
 

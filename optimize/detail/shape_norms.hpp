@@ -29,8 +29,7 @@ class Root {
 ///
 ///     (2)  mu = weight / (2 c),   c = |F z|   where z minimises the sum with mu |F z|^2 instead.
 ///
-/// One number a norm, found by secants in log c. A limited norm has a multiplier mu of its own, none to
-/// begin with; it is increased until |F z| is at its limit, again by secants.
+/// One number a norm, found by secants in log c.
 class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
@@ -38,24 +37,19 @@ class ShapeNorms {
   /// Whether there are any squares.
   [[nodiscard]] bool any() const;
   [[nodiscard]] std::vector<Form> squares() const;
-  /// Which limited norms have a multiplier.
-  [[nodiscard]] std::vector<std::size_t> limited() const;
-  /// What a limited norm is held to: a little less than its limit.
-  [[nodiscard]] double most(std::size_t k) const;
 
-  /// Brings c and mu nearer to what they should be for the minimum found; whether they are.
+  /// Brings c nearer to what it should be for the minimum found; whether it is there.
   bool settle(const std::vector<Segment>& shape);
 
   /// What the bound of the quadratic program lacks to be one of the sum. That sum is convex in c with the
   /// slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
   ///
-  ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight),   - mu of the limited
+  ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
   [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;
 
  private:
   const ShapeModel& model_;
-  std::vector<Root> c_;                  ///< log c of each term; of peaks not used
-  std::vector<std::optional<Root>> mu_;  ///< log mu of each round ceiling, in units of its limit
+  std::vector<Root> c_;  ///< log c of each term; of peaks not used
 };
 
 }  // namespace jounce::optimizer

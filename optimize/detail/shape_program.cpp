@@ -37,7 +37,16 @@ double held_off(const ShapeRows& rows, const ConvexSolution& s, const ShapeTask&
   std::size_t k = 0;  // rows as program_of() takes them
   for (const ShapeRow& row : rows.all())
     if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
+  for (const auto& multipliers : s.round_multipliers)  // of ceilings held to `held`, which is 1
+    sum += 2 * RoundCeiling::off * norm(multipliers);
   return sum;
+}
+
+/// A ceiling that is round, in units of what it is held to.
+RoundConstraint constraint(const RoundCeiling& ceiling) {
+  RoundConstraint round{1, {}};
+  for (const Form& f : ceiling.rows.squares) round.forms.push_back(scaled(f, 1 / ceiling.held()));
+  return round;
 }
 
 /// A row with what its term's level, or v, takes off it.
@@ -73,6 +82,8 @@ ShapeProgram program_of(const ShapeModel& model, const ShapeRows& rows, const Sh
   p.convex.equalities.insert(p.convex.equalities.end(), model.own.begin(), model.own.end());
   for (const ShapeRow& row : rows.all())
     if (!row.term || task.terms) p.convex.constraints.push_back(constraint(row, task, p));
+  if (task.round)
+    for (const RoundCeiling& ceiling : model.round) p.convex.round.push_back(constraint(ceiling));
   if (p.slack) {
     p.convex.slope[*p.slack] = 1;
     p.convex.constraints.push_back({-1, {{*p.slack, -1}}});

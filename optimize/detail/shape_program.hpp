@@ -12,6 +12,7 @@ struct ShapeTask {
   std::vector<std::optional<double>> level;  ///< of terms: given, or a t of its own
   bool terms = true;                         ///< with their rows
   bool elastic = false;                      ///< walls may be broken by a common v, to be minimised
+  bool round = true;                         ///< with ceilings that are round
   std::vector<Form> squares = {};
   bool squares_alone = false;  ///< only to be smoother: not worth much trouble
 };

@@ -9,9 +9,10 @@ namespace {
 constexpr double met = 1e-6;        ///< relative: closer than this is there
 constexpr double missed = 1e-7;     ///< of a derivative's size: that is a step
 constexpr double forgiven = 1e-12;  ///< what rounding may break, as in profiles/limits
+constexpr double solved = 1e-9;     ///< of a quantity's size: what a solver leaves is no violation
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
-                double margin, std::size_t piece) {
+                double margin, std::size_t piece, double rounding = forgiven) {
   return {.rule = std::move(rule),
           .axis = "",
           .quantity = quantity,
@@ -19,15 +20,25 @@ Finding finding(std::string rule, const std::string& quantity, const Extremum& e
           .value = e.value,
           .limit = limit,
           .margin = margin,
-          .broken = margin < -forgiven,
+          .broken = margin < -rounding,
           .segment = piece,
           .advice = ""};
 }
 
+/// What the margin of a corridor is a share of: the size of its edges, or of the quantity where they are 0.
+double scale_of(const Corridor& c, double natural) {
+  double scale = 0;
+  for (const auto& edge : {c.lower, c.upper})
+    if (edge) scale = std::max({scale, std::abs(edge->at_from), std::abs(edge->at_to)});
+  return scale > solved * natural ? scale : natural;
+}
+
 /// Every piece of a corridor's window, or the part of it, with its closest approach to one edge.
+/// `natural`: the size of the quantity.
 template <class Visit>
-void each_approach(const Corridor& c, const std::vector<Segment>& shape, double begin, double scale,
-                   const Visit& visit) {
+void each_approach(const Corridor& c, const std::vector<Segment>& shape, double begin,
+                   double natural, const Visit& visit) {
+  const double scale = scale_of(c, natural);
   double x = begin;
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const double end =
@@ -50,10 +61,12 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
         const Range range = segment_range(room, from, std::max(to, from), 0);
         Extremum e = sign > 0 ? range.max : range.min;
         const double limit = edge_at(c, *edge, e.where);
-        const double margin =
-            -sign * e.value / std::max({scale, std::abs(limit), std::abs(e.value)});
+        const double unit = std::max(scale, std::abs(limit));
+        const double margin = -sign * e.value / unit;
         e.value += limit;
-        visit(i, sign, finding("limit/" + c.quantity.name, c.quantity.name, e, limit, margin, i));
+        visit(i, sign,
+              finding("limit/" + c.quantity.name, c.quantity.name, e, limit, margin, i,
+                      forgiven + solved * natural / unit));
       }
     }
     x = end;
@@ -91,13 +104,6 @@ void add_missed(const ShapeProblem& problem, const ShapeModel& model,
   }
 }
 
-double scale_of(const ShapeModel& model, const Corridor& c) {
-  double scale = 0;
-  for (const auto& edge : {c.lower, c.upper})
-    if (edge) scale = std::max({scale, std::abs(edge->at_from), std::abs(edge->at_to)});
-  return std::max(scale, 1e-9 * model.space.natural(c.quantity));
-}
-
 /// The peak of a figure, with its place if it has one.
 Extremum figure_peak(const ShapeFigure& figure, const FigureRows& rows, double begin,
                      const std::vector<Segment>& shape) {
@@ -111,12 +117,26 @@ std::size_t piece_at(const ShapeModel& model, double x) {
 
 }  // namespace
 
+std::vector<FigureResult> figure_results(const ShapeProblem& problem, const SplineSpace& space,
+                                         const std::vector<Segment>& given,
+                                         const std::vector<Segment>& shape) {
+  std::vector<FigureResult> all;
+  const auto add = [&](const ShapeFigure& figure) {
+    const FigureRows rows = figure_rows(figure, space);
+    all.push_back(
+        {rows.name, rows.value(given), rows.value(shape), known_bound(problem, figure)});
+  };
+  for (const WeightedFigure& m : problem.minimize) add(m.figure);
+  for (const jounce::Ceiling& c : problem.ceilings) add(c.figure);
+  return all;
+}
+
 Report checked(const ShapeProblem& problem, const ShapeModel& model,
                const std::vector<Segment>& shape) {
   Report report;
   for (const Corridor& c : problem.corridors) {
     std::optional<Finding> closest;
-    each_approach(c, shape, problem.begin, scale_of(model, c),
+    each_approach(c, shape, problem.begin, model.space.natural(c.quantity),
                   [&](std::size_t, double, const Finding& f) {
                     if (!closest || f.margin < closest->margin) closest = f;
                   });
@@ -128,7 +148,7 @@ Report checked(const ShapeProblem& problem, const ShapeModel& model,
     const double scale = c.at_most > 0 ? c.at_most : rows.natural;
     report.findings.push_back(
         finding("limit/" + rows.name, rows.name, e, std::copysign(c.at_most, e.value),
-                (c.at_most - std::abs(e.value)) / scale, piece_at(model, e.where)));
+                (c.at_most - std::abs(e.value)) / scale, piece_at(model, e.where), solved));
   }
   add_missed(problem, model, shape, report.findings);
   sort(report);
@@ -140,7 +160,7 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
   std::vector<Finding> all;
   for (const Corridor& c : problem.corridors) {
     std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
-    each_approach(c, shape, problem.begin, scale_of(model, c),
+    each_approach(c, shape, problem.begin, model.space.natural(c.quantity),
                   [&](std::size_t i, double sign, const Finding& f) {
                     if (std::abs(f.margin) > met || is_exact(c)) return;
                     const std::size_t k = sign > 0 ? 0 : 1;

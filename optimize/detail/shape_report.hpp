@@ -8,9 +8,15 @@
 /// program.
 namespace jounce::optimizer {
 
-/// Corridors and ceilings, each with its smallest margin, kept or not.
+/// Corridors and ceilings, each with its smallest margin, kept or not. A corridor may be passed by 1e-9 of
+/// its quantity's size, a ceiling by 1e-9 of itself, which is what a solver leaves.
 Report checked(const ShapeProblem& problem, const ShapeModel& model,
                const std::vector<Segment>& shape);
+
+/// What became of the problem's figures, then of its ceilings.
+std::vector<FigureResult> figure_results(const ShapeProblem& problem, const SplineSpace& space,
+                                         const std::vector<Segment>& given,
+                                         const std::vector<Segment>& shape);
 
 /// Limits met to 1e-6 ("limit/..."), and where each figure takes its value ("objective/..."): each run
 /// of pieces once, where it begins.

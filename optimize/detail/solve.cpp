@@ -79,6 +79,7 @@ template <class Function>
 struct Callback {
   const Function& function;
   nlopt::opt& solver;
+  const std::function<bool()>& go_on;
   std::vector<double> slope;
   int evaluations = 0;
   bool finite = true;
@@ -97,7 +98,7 @@ struct Callback {
     }
     ++self.evaluations;
     for (const double value : values) self.finite = self.finite && std::isfinite(value);
-    if (self.trouble || !self.finite) self.solver.force_stop();
+    if (self.trouble || !self.finite || !self.go_on()) self.solver.force_stop();
   }
 };
 
@@ -113,7 +114,7 @@ double objective(unsigned n, const double* x, double* gradient, void* /*data*/) 
 /// than the margin the caller keeps.
 template <class Function>
 Solved run(const Program& program, const Whitening& whitening, const Function& function, double t,
-           double radius, int max_evaluations) {
+           double radius, int max_evaluations, const std::function<bool()>& go_on) {
   const std::size_t n = program.space.variables.size();
   const std::size_t rows = program.rows.size() + 2 * n;
   nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(n + 1));
@@ -125,7 +126,7 @@ Solved run(const Program& program, const Whitening& whitening, const Function& f
   solver.set_upper_bounds(upper);
   solver.set_xtol_rel(1e-13);
   solver.set_maxeval(max_evaluations);
-  Callback<Function> callback{function, solver, {}, 0, true, nullptr};
+  Callback<Function> callback{function, solver, go_on, {}, 0, true, nullptr};
   solver.set_min_objective(objective, nullptr);
   solver.add_inequality_mconstraint(&Callback<Function>::call, &callback,
                                     std::vector<double>(rows, 1e-11));
@@ -140,10 +141,11 @@ Solved run(const Program& program, const Whitening& whitening, const Function& f
 
 }  // namespace
 
-Solved solve(const Program& program, const Point& z, double t, int max_evaluations) {
+Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
+             const std::function<bool()>& go_on) {
   const Whitening whitening(program, z);
   return run(program, whitening, Constraints{program, whitening}, t,
-             std::numeric_limits<double>::infinity(), max_evaluations);
+             std::numeric_limits<double>::infinity(), max_evaluations, go_on);
 }
 
 Solved linear_step(const Program& program, const Point& z, double t, double radius) {
@@ -151,7 +153,7 @@ Solved linear_step(const Program& program, const Point& z, double t, double radi
   std::vector<double> x(z.size(), 0.0);
   x.push_back(t);
   const Tangents tangents(Constraints{program, whitening}, std::move(x));
-  Solved solved = run(program, whitening, tangents, t, radius, 500);
+  Solved solved = run(program, whitening, tangents, t, radius, 500, [] { return true; });
   solved.evaluations = 1;
   return solved;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "jounce/optimize/detail/program.hpp"
@@ -16,8 +17,9 @@ struct Solved {
 
 /// A local solution by SLSQP, or the best point on the way to one: NLopt's own verdict is not
 /// reported because it is not to be trusted (it calls infeasible points a success). Exceptions of
-/// the evaluation pass through.
-Solved solve(const Program& program, const Point& z, double t, int max_evaluations);
+/// the evaluation pass through. `go_on` is asked at each evaluation; false ends the run.
+Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
+             const std::function<bool()>& go_on);
 
 /// The same for the program linearised at (z, t), within a box of the given radius in whitened
 /// coordinates (1: about as far as the rows take to change by their own size). Its t is what may be

@@ -22,6 +22,9 @@ struct Bound {
   double scale;  ///< what a margin of 1 means
 };
 
+/// The room between a bound and the worst value of a range, in the bound's scale.
+double room_of(const Bound& bound, const Range& range);
+
 /// A limit that is met exactly is met: what may be passed is this share, the rounding of the evaluation.
 inline constexpr double forgiven = 1e-12;
 
