@@ -60,6 +60,8 @@ struct Stage {
   const Tick& step(const Command& command = {}) {
     Inputs inputs;
     inputs.feedback = drive.feedback();
+    Sensors& sensors = inputs.feedback.sensors;
+    if (!latches) sensors.home.edge = sensors.negative.edge = sensors.positive.edge = std::nan("");
     before = now;
     now = bench.step(command, inputs);
     drive.command(drive_setpoint(now, command));
@@ -82,6 +84,7 @@ struct Stage {
   DriveOnMachine drive;
   Tick now, before;
   std::function<void()> watch;
+  bool latches = true;  // the drive
 };
 
 /// |velocity|, |acceleration| and jerk of a tick; position, velocity and acceleration belong together.
@@ -215,6 +218,19 @@ TEST(Homing, ASwitchThatTheSearchOverrunsIsFoundOnTheWayBack) {
       ASSERT_TRUE(stage.now.homed) << name(stage.now.fault);
       EXPECT_NEAR(stage.now.position - 2.5, stage.at() - expected, 1e-9);
     }
+}
+
+TEST(Homing, WithoutALatchTheHomeIsAsNearAsTheWayOfACycle) {
+  for (int method = 17; method <= 30; ++method) {
+    SCOPED_TRACE(method);
+    const Case& wanted = cases.at(method);
+    Stage stage(machine(wanted.home), 60);
+    stage.latches = false;
+    stage.home(method);
+    stage.finish();
+    ASSERT_TRUE(stage.now.homed) << name(stage.now.fault);
+    EXPECT_NEAR(stage.now.position - 2.5, stage.at() - wanted.expected, slow * tick + 1e-9);
+  }
 }
 
 TEST(Homing, LateCyclesDoNotMoveTheHome) {
