@@ -112,7 +112,11 @@ Peaks MotionAxis::beneath() const {
     return {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
             peaks_.jerk * r * r * r};
   }
-  if (base_ != Base::move) return {std::abs(bare_.velocity), std::abs(bare_.acceleration), 0};
+  if (base_ != Base::move) {
+    const Peaks ramp = active_->peaks();
+    return {std::abs(bare_.velocity), std::max(std::abs(bare_.acceleration), ramp.acceleration),
+            ramp.jerk};
+  }
   const MoveDynamics& d = goal_.dynamics;
   // What it was in the middle of when it was told may take it beyond its own dynamics.
   const Peaks planned = peaks(plan_);
@@ -243,8 +247,9 @@ bool MotionAxis::stop_at_limit(Cause limit) {
   const double a = stop == Stop::soft ? config_.limit_acceleration : config_.stop_acceleration;
   const double j = j_most ? config_.stop_jerk : Bounds::none;
   const double own = std::abs(from.velocity) + from.acceleration * from.acceleration / (2 * j);
-  if (!adopt({Goal::Kind::position, *end, {std::clamp(own, 1e-9 * *v_most, *v_most), a, a, j}}, 1))
-    return false;
+  // From rest, what it gains in this tick: an axis that has just begun gets there, too.
+  const double velocity = std::min(std::max(own, a * dt()), *v_most);
+  if (!adopt({Goal::Kind::position, *end, {velocity, a, a, j}}, 1)) return false;
   ending_ = Ending::fault;
   return true;
 }

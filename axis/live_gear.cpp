@@ -49,6 +49,11 @@ Cause LiveGear::cause() const noexcept {
   return lost(progress_);
 }
 
+Peaks LiveGear::peaks() const noexcept {
+  if (progress_ != Progress::engaging) return {};
+  return {.acceleration = std::max(spec_.acceleration, spec_.deceleration), .jerk = spec_.jerk};
+}
+
 std::optional<Refusal> LiveGear::admit(const AxisConfig& config,
                                        const MotionState& /*from*/) const noexcept {
   const auto& [low, high, v, a, j] = config.limits;

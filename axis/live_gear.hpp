@@ -26,6 +26,7 @@ class LiveGear final : public Movement {
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
   [[nodiscard]] bool absolute() const noexcept override { return false; }
+  [[nodiscard]] Peaks peaks() const noexcept override;
   /// acceleration_limit, jerk_limit: its ramp would exceed the axis's limits.
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& from) const noexcept override;

@@ -90,7 +90,8 @@ class Movement {
   /// Whether the axis is a slave: synchronized_motion, not discrete_motion.
   [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
 
-  /// Of a path: how much of it is known, s of its own time (infinite: it repeats), and its peaks.
+  /// Of a path: how much of it is known, s of its own time (infinite: it repeats), and its peaks. Of a live one:
+  /// what it adds now to what its master does, while it engages.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
   /// Of a path: more of it is to come. The axis stops on it, with the fault `underrun`, before less

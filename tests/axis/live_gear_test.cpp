@@ -81,6 +81,26 @@ TEST(LiveGear, IsEngagedAndLeftByAnAxis) {
   EXPECT_NEAR(now.velocity, 500, 1e-9);
 }
 
+// The ramp uses the axis's limits up; both together had twice the jerk.
+TEST(LiveGear, LeavesASuperimposedMoveWhatItsRampDoesNotUse) {
+  for (const double share : {1.0, 0.5}) {
+    Bench axis({.limits = limits(1000, 1e4, 1e5)});
+    axis.tell(Kind::enable);
+    LiveGear gear(1, {.numerator = 1,
+                      .denominator = 1,
+                      .acceleration = 5000,
+                      .deceleration = 5000,
+                      .jerk = 1e5 * share});
+    axis.step({.kind = Kind::gear_in, .movement = &gear}, at_master(0, 300));
+    const Command up{.kind = Kind::move_superimposed, .position = 10};
+    const Tick engaging = axis.step(up, at_master(0.3, 300));
+    EXPECT_EQ(refusal(engaging), share == 1 ? Cause::jerk_limit : Cause::none);
+    for (int i = 2; i < 500; ++i) axis.step({}, at_master(0.3 * i, 300));
+    EXPECT_EQ(gear.progress(), Progress::running);
+    EXPECT_EQ(refusal(axis.step(up, at_master(150, 300))), Cause::none);
+  }
+}
+
 TEST(LiveGear, ALostMasterBreaksIt) {
   LiveGear gear(1, {.acceleration = 1e6});
   bool lost = false;

@@ -60,6 +60,22 @@ TEST(Range, AStopThatIsTurnedRoundRestsAtTheEndThatItPasses) {
   }
 }
 
+// It crept on at 1e-9 of its velocity.
+TEST(Range, AJogThatBeginsJustBeforeTheLimitComesToRestThere) {
+  for (const Limits& limits : {trapezoids, curves})
+    for (const double room : {1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1})
+      for (const int late : {0, 30}) {
+        Watched axis(between(-300, 300, limits));
+        axis.step({.kind = Kind::set_position, .position = 300 - room});
+        axis.step({.kind = Kind::move_velocity, .position = 500});
+        axis.tick += late;
+        const Tick tick = axis.run(200);
+        EXPECT_EQ(tick.velocity, 0) << room << ' ' << late;
+        EXPECT_EQ(tick.fault, Cause::positive_soft_limit);
+        EXPECT_NEAR(tick.position, 300, 1e-9);
+      }
+}
+
 // Issue 17, B2: it rested at 307.25.
 TEST(Range, AMoveBlendsIntoAJogOnlyAsFastAsTheAxisCanStopInside) {
   for (const Limits& limits : {trapezoids, curves})

@@ -19,6 +19,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/driver.hpp"
+#include "jounce/stream/group.hpp"
 
 #include "executor/log_judge.hpp"
 #include "executor/site.hpp"
@@ -72,6 +73,10 @@ ExecutorOptions axis_of(Random& random, std::size_t i, Bounds& b) {
                       .velocity = b.velocity,
                       .acceleration = b.acceleration,
                       .jerk = b.jerk};
+  if (random.below(3) == 0) b.limit_acceleration = b.acceleration * random.uniform(0.3, 1.5);
+  if (random.below(3) == 0) b.abort_acceleration = b.acceleration * random.uniform(0.5, 4);
+  axis.axis.limit_acceleration = b.limit_acceleration;
+  axis.axis.abort_acceleration = b.abort_acceleration;
   axis.axis.stop_acceleration = b.stop_acceleration;
   axis.axis.stop_jerk = b.stop_jerk;
   if (i == 0 && random.below(5) == 0) axis.axis.modulo = random.uniform(5, 400);
@@ -121,13 +126,17 @@ double place(Random& random, const Bounds& b) {
   return random.uniform(low - 10, high + 10);
 }
 
-wire::Order order_of(Random& random, const Bounds& b) {
+/// `state`: what the axis does now.
+wire::Order order_of(Random& random, const Bounds& b, State state) {
   wire::Order order{.kind = static_cast<OrderKind>(random.below(wire::order_kinds))};
   // Half of all orders move: otherwise what is in motion would be rare.
   if (random.below(2) == 0)
     order.kind = static_cast<OrderKind>(8 + random.below(5));
   else if (random.below(6) == 0)
     order.kind = OrderKind::enable;
+  // A coupling with something on top of it would be rare, too.
+  if (state == State::synchronized_motion && random.below(3) == 0)
+    order.kind = OrderKind::move_superimposed;
   auto& value = order.value;
   const double j = b.jerk.value_or(b.acceleration * 10);
   const auto rates = [&](std::size_t first) {
@@ -156,6 +165,7 @@ wire::Order order_of(Random& random, const Bounds& b) {
       if (std::isnan(value[0])) value[0] = 0;  // a velocity of 0 is rest, and has to be given
       value[0] *= random.below(2) == 0 ? 1 : -1;
       value[4] = mode;
+      value[5] = random.below(4) == 0 ? 1 : 0;  // hold-to-run
       break;
     case OrderKind::halt:
       value[0] = share(random, b.acceleration);
@@ -295,7 +305,7 @@ class Episode {
 
  private:
   void step() {
-    const auto axis = static_cast<std::size_t>(random_.below(5) == 0);
+    const auto axis = static_cast<std::size_t>(random_.below(3) == 0);
     Client& client = *clients_[axis][random_.below(10) == 0];
     const int what = random_.below(40);
     if (what == 0) {
@@ -325,7 +335,12 @@ class Episode {
     const bool idle = random_.below(2) == 0;
     if (idle && state == State::disabled) return {.kind = OrderKind::enable};
     if (idle && state == State::error_stop) return {.kind = OrderKind::reset};
-    return order_of(random_, drawn_.bounds[axis]);
+    wire::Order order = order_of(random_, drawn_.bounds[axis], state);
+    if (axis == 1 && state == State::standstill && random_.below(3) == 0) {
+      order = {.kind = OrderKind::gear_in};
+      order.value = {double(random_.below(5) - 2), double(1 + random_.below(3)), NAN, NAN, NAN};
+    }
+    return order;
   }
 
   wire::Order timed(wire::Order order, std::size_t axis) {
@@ -372,7 +387,42 @@ class Episode {
     accepted_[axis].back().what = what;
   }
 
+  /// Both axes at once: what one session has started stops together.
+  void stream_both() {
+    const std::int64_t sent[] = {tick(0), tick(1)};
+    std::vector<StreamPlan> plans;
+    for (const ExecutorOptions& axis : drawn_.axes)
+      plans.push_back(
+          {.executor = axis.receiver.executor, .tables = {{*axis.table->table, {"s", "mm"}}}});
+    StreamOptions brief;
+    brief.total = 500ms;
+    const auto outcomes =
+        stream_group(site_.link, std::move(plans), {.watch = false}, brief, site_.clock);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!outcomes[axis].armed) continue;
+      note(axis, {.what = Accepted::What::moves}, sent[axis], "tables are streamed to both axes");
+      also(axis, Accepted::What::places);
+    }
+    if (!outcomes[0].armed || !outcomes[1].armed || random_.below(2) == 0) return;
+    site_.advance(Nanos(random_.below(200) * 1'000'000));
+    const auto first = static_cast<std::size_t>(random_.below(2));
+    stop(first, *clients_[first][0]);
+  }
+
+  /// The other axis of a group, after a stop that ended this one's motion.
+  void stop_other(std::size_t axis, std::int64_t sent) {
+    const Tick& now = site_.last(axis);
+    const bool ended = now.state == State::stopping || now.reason == Cause::stopped ||
+                       now.reason == Cause::aborted;
+    if (!ended) return;
+    site_.turn();
+    note(1 - axis, {.what = Accepted::What::stops}, sent,
+         "the other axis of the group was stopped");
+  }
+
   void stop(std::size_t axis, Client& client) {
+    const std::int64_t group = site_.last(axis).group;
+    const bool tied = group != 0 && site_.last(1 - axis).group == group;
     const bool abort = random_.below(4) == 0;
     const std::int64_t sent = tick(axis);
     const wire::StopMode mode = abort ? wire::StopMode::abort : wire::StopMode::stop;
@@ -381,7 +431,9 @@ class Episode {
     const bool done = operators ? operator_stop(site_.link, name, mode, 100ms, site_.clock)
                                 : client.stop(mode).ok();
     if (done)
-      note(axis, {.what = Accepted::What::stops, .aborts = abort}, sent, name + (abort ? " abort" : " stop"));
+      note(axis, {.what = Accepted::What::stops, .aborts = abort}, sent,
+           name + (abort ? " abort" : " stop"));
+    if (done && tied) stop_other(axis, sent);
   }
 
   void operators(std::size_t axis) {
@@ -396,13 +448,32 @@ class Episode {
   }
 
   void stream(std::size_t axis) {
+    if (random_.below(3) == 0) return stream_both();
     const std::int64_t sent = tick(axis);
-    const StreamOutcome outcome =
-        site_.stream({.executor = drawn_.axes[axis].receiver.executor,
-                      .tables = {{*drawn_.axes[axis].table->table, {"s", "mm"}}}});
+    const bool follows = axis == 1 && random_.below(2) == 0;
+    StreamPlan plan;
+    plan.executor = drawn_.axes[axis].receiver.executor;
+    if (follows)
+      plan = cam(std::move(plan));
+    else
+      plan.tables = {{*drawn_.axes[axis].table->table, {"s", "mm"}}};
+    const StreamOutcome outcome = site_.stream(std::move(plan));
     if (outcome.error == StreamError::refused && !outcome.armed) return;
-    note(axis, {.what = Accepted::What::moves}, sent, "a table is streamed and started");
+    note(axis, {.what = Accepted::What::moves, .ratio = follows ? HUGE_VAL : 0}, sent,
+         follows ? "a cam is streamed and coupled" : "a table is streamed and started");
     also(axis, Accepted::What::places);
+  }
+
+  /// Behind the live master, from where both are.
+  StreamPlan cam(StreamPlan plan) {
+    const double reach = random_.uniform(1, 20);
+    const double period = reach * random_.log_uniform(5, 50);
+    const Table table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+                      Columns{{0, period / 2, period}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
+    plan.tables = {{table, {"mm", "mm"}}};
+    plan.mode = wire::ArmMode::follow_input;
+    plan.coupling.start = StartMode::relative;
+    return plan;
   }
 
   Random random_;

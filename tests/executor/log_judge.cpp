@@ -20,12 +20,9 @@ struct Line {
   [[nodiscard]] bool failed() const { return fault != "none"; }
 };
 
-/// The setpoint stays where it is: nothing brakes it.
-bool freezes(std::string_view fault) {
-  constexpr std::string_view some[] = {"aborted",     "disabled_in_motion", "following_error",
-                                       "drive_fault", "drive_not_ready",    "stalled"};
-  return std::find(std::begin(some), std::end(some), fault) != std::end(some);
-}
+/// Faults that leave the setpoint where it is: nothing brakes it.
+constexpr std::string_view freezing[] = {"disabled_in_motion", "following_error", "drive_fault",
+                                         "drive_not_ready", "stalled"};
 
 double number(std::string_view text) {
   double value = 0;
@@ -77,8 +74,8 @@ class Judge {
   void take(const Line& now) {
     obey(now);
     follow(now);
-    frozen_ =
-        begun_ && now.failed() && (last_.failed() ? may_freeze_ && now.v == 0 : freezes(now.fault));
+    frozen_ = begun_ && now.failed() &&
+              (last_.failed() ? may_freeze_ && now.v == 0 && now.p == last_.p : freezes(now));
     if (begun_) {
       place(now);
       within_limits(now);
@@ -106,6 +103,7 @@ class Judge {
   /// What the orders that have been answered by now allow, and what they demand.
   void obey(const Line& now) {
     placed_ = may_freeze_ = false;
+    if (!coupled(last_)) ratio_ = 0;
     for (; next_ < orders_.size() && orders_[next_].sent <= now.tick; ++next_)
       open_.push_back(&orders_[next_]);
     for (const Accepted*& order : open_) {
@@ -152,11 +150,27 @@ class Judge {
 
   static double given(double value, double limit) { return value > 0 ? value : limit; }
 
+  /// Of the three that the axis is configured with; an order that it did not take while it failed changes nothing.
+  [[nodiscard]] double gentlest_brake() const {
+    const double stop = bounds_.stop_acceleration;
+    return std::min(
+        {stop, given(bounds_.limit_acceleration, stop), given(bounds_.abort_acceleration, stop)});
+  }
+  [[nodiscard]] double hardest_brake() const {
+    return std::max(
+        {bounds_.stop_acceleration, bounds_.limit_acceleration, bounds_.abort_acceleration});
+  }
+
+  [[nodiscard]] bool freezes(const Line& now) const {
+    if (now.fault == "aborted") return bounds_.abort_acceleration == 0;
+    return std::find(std::begin(freezing), std::end(freezing), now.fault) != std::end(freezing);
+  }
+
   void demand_stop(const Line& now, const std::string& by) {
     demanded_by_ = by;
     stops_ = true;
     const double jerk = bounds_.jerk ? bounds_.stop_jerk : HUGE_VAL;
-    demand(now, bounds_.stop_acceleration, jerk);
+    demand(now, now.failed() ? gentlest_brake() : bounds_.stop_acceleration, jerk);
   }
 
   /// No other motion may have begun after it. Of orders that overlap, who came first is not known.
@@ -198,9 +212,11 @@ class Judge {
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
     const auto out = [&](double p) { return std::max({low - p, p - high, 0.0}); };
     // Outside, what turns back may end its acceleration by the jerk of a stop first.
-    const double a = bounds_.stop_acceleration;
-    const double tail =
+    const double a = hardest_brake();
+    double tail =
         out(last_.p) > 0 && bounds_.jerk ? a * a * a / (bounds_.stop_jerk * bounds_.stop_jerk) : 0;
+    // Outside, a fault may come where a coupling has just turned the axis round.
+    if (now.failed()) tail += last_.v * last_.v / (2 * gentlest_brake());
     if (out(now.p) > (placed_ ? HUGE_VAL : out(last_.p)) + tail + rounding)
       find(now, "position out of the range", now.p, now.p > high ? high : low);
   }
@@ -208,22 +224,23 @@ class Judge {
   void within_limits(const Line& now) {
     const double rounding = 1e-6;
     // An acceleration that a fault ends goes down by the jerk of a stop: meanwhile the velocity rises.
-    const double a = bounds_.stop_acceleration;
+    const double a = hardest_brake();
     const bool rises = now.failed() && bounds_.jerk;
     const double fastest = bounds_.velocity + (rises ? a * a / (2 * bounds_.stop_jerk) : 0);
     if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding) find(now, "velocity", now.v, fastest);
     if (frozen_) return;
-    const bool stop_limits =
-        now.state == "stopping" || now.path || last_.path || now.failed() || last_.failed();
-    const double most = stop_limits ? bounds_.stop_acceleration : bounds_.acceleration;
+    const bool stop_limits = now.state == "stopping" || now.path || last_.path;
+    const bool fails = now.failed() || last_.failed();
+    const double most = fails         ? hardest_brake()
+                        : stop_limits ? bounds_.stop_acceleration
+                                      : bounds_.acceleration;
     // What leaves a live master or a path may begin above its own limit; it must come down.
     const double highest = std::max(most, std::abs(last_.a));
     if (std::abs(now.a) > highest * (1 + 1e-9) + rounding) find(now, "acceleration", now.a, most);
     if (!bounds_.jerk) return;
     const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
     const double jerk = (now.a - last_.a) / dt;
-    const bool coupled = now.state == "synchronized_motion" || last_.state == "synchronized_motion";
-    const double masters = coupled && master_step_ > 0 ? ratio_ * master_step_ / dt : 0;
+    const double masters = std::isinf(ratio_) ? HUGE_VAL : ratio_ * master_step_ / dt;
     if (std::abs(jerk) > (bounds_.stop_jerk + masters) * (1 + 2e-6))
       find(now, "jerk", jerk, bounds_.stop_jerk + masters);
   }
@@ -236,14 +253,18 @@ class Judge {
       return;
     }
     const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
-    const double most = std::max(bounds_.stop_acceleration, bounds_.acceleration);
+    const double most = hardest_brake();
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
     const double dv = std::abs(now.v - last_.v);
     if (dv > most * dt * (1 + 1e-9) + rounding) find(now, "step of the velocity", dv, most * dt);
+    // Behind a leader, which may use its own limits within a tick, the mean velocity lies between both all the same.
+    const double leaders = coupled(now) || coupled(last_) ? dv * dt / 2 : 0;
+    const double furthest = std::max(most * dt * dt / 4, leaders);
     const double dp = std::abs(now.p - last_.p - dt * (now.v + last_.v) / 2);
-    if (dp > most * dt * dt / 4 * (1 + 1e-6) + rounding)
-      find(now, "step of the position", dp, most * dt * dt / 4);
+    if (dp > furthest * (1 + 1e-6) + rounding) find(now, "step of the position", dp, furthest);
   }
+
+  static bool coupled(const Line& line) { return line.state == "synchronized_motion"; }
 
   void rest(const Line& now) {
     const double step = std::abs(now.p - last_.p);
@@ -276,7 +297,7 @@ class Judge {
   bool frozen_ = false;  // in this tick
   bool may_freeze_ = false;
   bool stops_ = false;  // what it must rest for is a stop or a fault
-  double ratio_ = 0;               // the greatest of the gears so far
+  double ratio_ = 0;    // the greatest of the gears so far
   Lines leader_;
   Line master_;             // of this tick
   double master_step_ = 0;  // u/s^2
