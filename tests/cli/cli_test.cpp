@@ -489,10 +489,10 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
       "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
       "start = { master = 0, slave = 0 }\n[[segment]]\nlaw = \"quintic\"\n"
       "end = { master = 90, slave = 40, geo_velocity = 0.5, geo_acceleration = 0 }\n"
-      "[master]\nvelocity = 180\n";
+      "[master]\nvelocity = 180\ndistance = 90\n";
   write("once.toml", once);
   const Result cam_once = run("check once.toml");
-  EXPECT_EQ(cam_once.status, 0) << cam_once.out;
+  EXPECT_EQ(cam_once.status, 1) << "held at its end it stops dead";
   EXPECT_THAT(cam_once.out, HasSubstr("at the master's 180 deg/s the slave moves at 90 mm/s there; "
                                       "behind a live master it brakes there"));
   EXPECT_THAT(cam_once.out, HasSubstr("warn   coupling/end"));
@@ -503,7 +503,7 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
   write("open.toml",
         "jounce = 1\nkind = \"follow\"\nunits = { master = \"pulse\", position = "
         "\"pulse\" }\nsegment = [{ master = 20000, slave = 10000 }]\n"
-        "[master]\nvelocity = 50000\n");
+        "[master]\nvelocity = 50000\ndistance = 20000\n");
   const Result open = run("check open.toml");
   EXPECT_EQ(open.status, 1);
   EXPECT_THAT(open.out, HasSubstr("the slave moves at 50000 pulse/s there; the controller stops"));
