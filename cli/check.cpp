@@ -155,8 +155,7 @@ void add_check(CommandLine& line) {
       .shown();
   verb.option("--slave", options->slave,
               "Where the slave rests when its coupling begins, else at the cam's first value");
-  verb.option("--master", options->master,
-              "Where the master is then, else where the cam begins");
+  verb.option("--master", options->master, "Where the master is then, else where the cam begins");
   verb.option("--master-velocity", options->master_velocity,
               "Its velocity per second then, else that of [master]");
   verb.flag("--json", options->json, "Everything for machines, numbers in full");

@@ -57,8 +57,7 @@ void add_optimize(CommandLine& line) {
               "Drive to optimise against, a spec of kind \"drive\": for minimize = [\"drive "
               "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
               "error\", \"drive end following error\"");
-  verb.option("--seconds", options->seconds,
-              "Stop after so long, with the best so far");
+  verb.option("--seconds", options->seconds, "Stop after so long, with the best so far");
   verb.flag("--json", options->json, "Outcome for machines");
   verb.work([options] { return run(*options); });
 }

@@ -16,7 +16,7 @@
 namespace jounce::cli {
 namespace {
 
-/// Whether `jounce check` finds no fault with any axis of a spec; says what it finds.
+/// Whether `jounce check` finds no fault with any axis of a spec. Prints the faults.
 bool passes_check(std::FILE* out, const Spec& spec) {
   bool passes = true;
   for (const Input& input : inputs_of(spec, spec.document.name)) {

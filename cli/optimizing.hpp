@@ -31,7 +31,7 @@ int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 std::FILE* told_on(const OptimizeOptions& options);
 
 /// Writes the optimised spec (its text), its table and the picture of both, all of them or none; none where
-/// `jounce check` would find fault with the spec, which is then told. Answers the exit status.
+/// `jounce check` finds a fault in the spec: then the faults are printed. Returns the exit status.
 int write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text);
 
 }  // namespace jounce::cli

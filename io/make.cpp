@@ -356,10 +356,8 @@ CamProblem make_problem(const Spec& spec) {
   if (spec.polydyne)
     throw spec.document.located(InputError(
         "polydyne", "", "is not optimised: the knots then are the load's, not the cam's"));
-  CamProblem problem{.cam = *cam,
-                     .free = spec.optimize.free,
-                     .limits = {},
-                     .minimize = spec.optimize.minimize};
+  CamProblem problem{
+      .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
   if (spec.optimize.starts) problem.starts = static_cast<int>(*spec.optimize.starts);
   if (spec.optimize.tolerance) problem.tolerance = *spec.optimize.tolerance;

@@ -46,8 +46,8 @@ FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
                        const std::vector<Segment>& shape) {
   run.minimize = {{figure}};
   run.ceilings.clear();
-  const auto given = optimizer::needs_search(run) ? optimizer::given_as_spline(run)
-                                                  : optimizer::given_shape(run);
+  const auto given =
+      optimizer::needs_search(run) ? optimizer::given_as_spline(run) : optimizer::given_shape(run);
   const optimizer::ShapeModel model(run, optimizer::knots_of(run, shape), given);
   return optimizer::figure_results(run, model.space, given, shape).front();
 }
@@ -90,7 +90,8 @@ CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, Sha
   CamRunOutcome outcome{run.segments, minimised(problem, shape, watch), {}};
   if (outcome.shape.segments.empty()) return outcome;
   outcome.figures = figures_of(problem, shape, outcome.shape.segments);
-  for (Finding& finding : detail::kept_jerks(run)) outcome.shape.active.push_back(std::move(finding));
+  for (Finding& finding : detail::kept_jerks(run))
+    outcome.shape.active.push_back(std::move(finding));
   return outcome;
 }
 

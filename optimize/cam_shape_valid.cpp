@@ -59,8 +59,7 @@ void require_ends(const CamShapeProblem& problem) {
       throw InputError(key_of(shape.segment, "ends.jerk"), "",
                        "has no end to hold for: segments beside this one are free too");
     if (shape.end_jerk == EndJerk::zero && shape.continuity < 3)
-      throw InputError(key_of(shape.segment, "ends.jerk"), "0",
-                       "needs a continuity of 3 or more");
+      throw InputError(key_of(shape.segment, "ends.jerk"), "0", "needs a continuity of 3 or more");
   }
 }
 

@@ -49,7 +49,8 @@ class Search {
 
   Outcome run() {
     find_feasible();
-    for (std::size_t k = 0; k < problem_.minimize.size() && feasible() && !cancelled_ && !out_of_time_; ++k)
+    for (std::size_t k = 0;
+         k < problem_.minimize.size() && feasible() && !cancelled_ && !out_of_time_; ++k)
       minimise(k);
     finish();
     return std::move(outcome_);
@@ -102,7 +103,8 @@ class Search {
   void find_feasible() {
     const Stage stage{space_, ceilings_, {}, {}, 0, problem_.tolerance};
     std::vector<Point> starts;
-    for (std::size_t i = 0; i < (space_.convex() ? 1U : static_cast<unsigned>(problem_.starts)); ++i)
+    for (std::size_t i = 0; i < (space_.convex() ? 1U : static_cast<unsigned>(problem_.starts));
+         ++i)
       starts.push_back(optimizer::start_point(space_, problem_.seed, i));
     outcome_.starts = static_cast<int>(starts.size());
     for (const Attempt& attempt : attempted(0, stage, starts, {})) {
@@ -193,8 +195,7 @@ class Search {
   void prove(const Point& z) {
     for (ObjectiveResult& r : outcome_.objectives) {
       const double natural_r = natural(space_, order_of(r.objective));
-      const Stage alone{space_,        ceilings_, {}, r.objective, 1e-9 * natural_r,
-                        problem_.tolerance};
+      const Stage alone{space_, ceilings_, {}, r.objective, 1e-9 * natural_r, problem_.tolerance};
       r.bound = std::max(r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
     }
   }
@@ -215,8 +216,7 @@ class Search {
       answer(Outcome::Status::optimal,
              "every objective is at its proven bound, to a relative " + brief(problem_.tolerance));
     else if (out_of_time_)
-      answer(Outcome::Status::stalled,
-             "the " + brief(*problem_.seconds) + " s allowed ran out");
+      answer(Outcome::Status::stalled, "the " + brief(*problem_.seconds) + " s allowed ran out");
     else if (exhausted_)
       answer(Outcome::Status::stalled,
              "the " + std::to_string(problem_.max_evaluations) + " evaluations allowed ran out");
@@ -267,7 +267,7 @@ class Search {
   std::optional<Finding> broken_where_fixed_;  ///< a limit, where nothing free reaches
   Outcome outcome_;
   Clock::time_point begin_ = Clock::now();
-  int share_ = 0;  ///< of the evaluations, of each start
+  int share_ = 0;  ///< evaluations for each start
   bool cancelled_ = false;
   bool out_of_time_ = false;
   bool exhausted_ = false;

@@ -61,12 +61,12 @@ double value_of(Objective objective, const Cam& cam);
 struct CamProblem {
   CamSpec cam;
   std::vector<FreeKnot> free;
-  Limits limits;                    ///< per master unit; hold over the whole cam
-  std::vector<Objective> minimize;  ///< most important first; no duplicates
-  std::uint64_t seed = 1;           ///< of the starts; the same problem gives the same outcome
-  int starts = 8;                   ///< >= 1; the given cam is the first
-  int max_evaluations = 50000;      ///< >= 1, of the whole problem
-  double tolerance = 1e-6;          ///< relative, in [1e-9, 1]
+  Limits limits;                       ///< per master unit; hold over the whole cam
+  std::vector<Objective> minimize;     ///< most important first; no duplicates
+  std::uint64_t seed = 1;              ///< of the starts; the same problem gives the same outcome
+  int starts = 8;                      ///< >= 1; the given cam is the first
+  int max_evaluations = 50000;         ///< >= 1, of the whole problem
+  double tolerance = 1e-6;             ///< relative, in [1e-9, 1]
   std::optional<double> seconds = {};  ///< > 0; what is found by then depends on the machine
 };
 

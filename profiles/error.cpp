@@ -9,9 +9,9 @@ namespace jounce {
 std::string number(double value) {
   char text[32];
   // A whole number beyond 1e15 in full would be an integer to TOML, too large for one.
-  const auto end = std::abs(value) < 1e15
-                       ? std::to_chars(text, text + sizeof text, value)
-                       : std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
+  const auto end = std::abs(value) < 1e15 ? std::to_chars(text, text + sizeof text, value)
+                                          : std::to_chars(text, text + sizeof text, value,
+                                                          std::chars_format::scientific);
   return {text, end.ptr};
 }
 

@@ -184,8 +184,7 @@ void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) 
 std::string worst_of(const Report& report, const std::string& rule, const Labels& labels) {
   const Finding* worst = nullptr;
   for (const Finding& f : report.findings)
-    if (states_limit(f) && rule_of(f) == rule &&
-        (worst == nullptr || f.margin < worst->margin))
+    if (states_limit(f) && rule_of(f) == rule && (worst == nullptr || f.margin < worst->margin))
       worst = &f;
   return worst == nullptr ? rule : sentence(*worst, labels);
 }

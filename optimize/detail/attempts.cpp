@@ -68,13 +68,13 @@ class Attempts {
 
   void watch(std::size_t threads) {
     std::unique_lock lock(mutex_);
-    std::size_t told = 0;
-    while (ended_ < threads || told < done_) {
-      changed_.wait_for(lock, 20ms, [&] { return ended_ == threads || told < done_; });
-      told = done_;
+    std::size_t reported = 0;
+    while (ended_ < threads || reported < done_) {
+      changed_.wait_for(lock, 20ms, [&] { return ended_ == threads || reported < done_; });
+      reported = done_;
       const std::optional<Standing> best = best_;
       lock.unlock();
-      if (!options_.go_on(told, best)) stopped_ = true;
+      if (!options_.go_on(reported, best)) stopped_ = true;
       lock.lock();
     }
   }

@@ -10,8 +10,8 @@ namespace jounce::optimizer {
 
 /// How several starts share a machine.
 struct AttemptsOptions {
-  int evaluations = 0;  ///< of each start
-  /// Asked in the calling thread after each start, and some 50 times a second, with how many are done and
+  int evaluations = 0;  ///< for each start
+  /// Called in the calling thread after each start, and some 50 times a second, with how many are done and
   /// the best of them; false: all of them end with their best so far.
   std::function<bool(std::size_t done, const std::optional<Standing>& best)> go_on;
   /// Whether a result leaves nothing to those after it: they are left out.

@@ -74,7 +74,8 @@ VectorXd quotient(const ConeShape& shape, const VectorXd& p, const VectorXd& a) 
   each_cone(shape, [&](Index first, Index size, std::size_t) {
     const Index n = size - 1;
     const auto rest = a.segment(first + 1, n);
-    const double det = std::max(determinant(a.segment(first, size)), std::numeric_limits<double>::min());
+    const double det =
+        std::max(determinant(a.segment(first, size)), std::numeric_limits<double>::min());
     q[first] = (a[first] * p[first] - rest.dot(p.segment(first + 1, n))) / det;
     q.segment(first + 1, n) = (p.segment(first + 1, n) - q[first] * rest) / a[first];
   });

@@ -13,7 +13,9 @@ struct ConeShape {
   std::vector<Eigen::Index> round = {};
 
   /// What s . y is divided by for the mean mu: one for each number and each cone.
-  [[nodiscard]] double degree() const { return static_cast<double>(linear) + static_cast<double>(round.size()); }
+  [[nodiscard]] double degree() const {
+    return static_cast<double>(linear) + static_cast<double>(round.size());
+  }
 };
 
 /// Vectors in a product of cones, with Jordan's product: of numbers their product; of (a, b) and (c, d)
@@ -21,7 +23,8 @@ struct ConeShape {
 Eigen::VectorXd unit_of(const ConeShape& shape);
 Eigen::VectorXd product(const ConeShape& shape, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 /// What has the product p with a; a lies inside its cones.
-Eigen::VectorXd quotient(const ConeShape& shape, const Eigen::VectorXd& p, const Eigen::VectorXd& a);
+Eigen::VectorXd quotient(const ConeShape& shape, const Eigen::VectorXd& p,
+                         const Eigen::VectorXd& a);
 /// The inverse of a.
 Eigen::VectorXd inverse(const ConeShape& shape, const Eigen::VectorXd& a);
 /// The longest step, at most 1, that stays within: v + step dv.
@@ -48,8 +51,8 @@ class ConeScaling {
 
  private:
   const ConeShape& shape_;
-  Eigen::VectorXd root_;            ///< of s / y; of cones not used
-  std::vector<double> size_;        ///< e
+  Eigen::VectorXd root_;      ///< root of s / y, for numbers alone
+  std::vector<double> size_;  ///< e
   std::vector<Eigen::VectorXd> w_;
 };
 

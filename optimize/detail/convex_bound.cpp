@@ -29,7 +29,7 @@ class Tangent {
     if (stage.objective == Objective::rms_acceleration) add({Rms{}, 1 / reference_, 0, true});
   }
 
-  /// Of a few rounds, each with the extrema of the one before, the highest.
+  /// The highest of a few rounds, each with the extrema of the one before.
   double bound() {
     std::vector<double> range;
     for (const Variable& v : stage_.space.variables) range.push_back((v.upper - v.lower) / v.scale);

@@ -126,7 +126,8 @@ bool Kkt::factorise(const ConeScaling& w) {
 void Kkt::factorise_rank_ones() {
   const auto n = static_cast<Eigen::Index>(u_.size());
   solved_u_.resize(k_.rows(), n);
-  for (Eigen::Index i = 0; i < n; ++i) solved_u_.col(i) = unmodified(u_[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < n; ++i)
+    solved_u_.col(i) = unmodified(u_[static_cast<std::size_t>(i)]);
   Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     small.row(i) += u_[static_cast<std::size_t>(i)].transpose() * solved_u_;
@@ -148,8 +149,7 @@ Kkt::Vector Kkt::back(const Vector& r) const {
   Vector v = unmodified(r);
   if (u_.empty()) return v;
   Vector along(static_cast<Eigen::Index>(u_.size()));
-  for (Eigen::Index i = 0; i < along.size(); ++i)
-    along[i] = u_[static_cast<std::size_t>(i)].dot(v);
+  for (Eigen::Index i = 0; i < along.size(); ++i) along[i] = u_[static_cast<std::size_t>(i)].dot(v);
   return v - solved_u_ * (small_ * along);
 }
 

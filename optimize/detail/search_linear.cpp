@@ -7,7 +7,7 @@
 #include "jounce/optimize/detail/search_shown.hpp"
 #include "jounce/optimize/detail/search_steps.hpp"
 
-// What says that a search is done, whatever its solvers ended with. With slopes g of the objective and
+// The last test of a search, whatever its solvers ended with. With slopes g of the objective and
 // a_i of the rows at the best z, the step d of
 //
 //   (1)  minimise  g . d   subject to  r_i(z) + a_i . d <= 0,   |d_k| <= radius,   0 <= z + d <= 1
@@ -70,7 +70,7 @@ class Linear {
     return found.x;
   }
 
-  /// Of size one; nothing where no step within the radius reaches it.
+  /// A row of size one; none where no step within the radius reaches it.
   [[nodiscard]] std::optional<Form> row_of(double value, std::size_t i, double radius) const {
     Form form{value, {}};
     double reach = 0;

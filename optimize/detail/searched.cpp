@@ -37,8 +37,8 @@ void set_status(const ShapeProblem& problem, const NotConvexResult& found, Shape
   if (found.end == End::cancelled) return answer(Status::cancelled, "stopped by the caller");
   if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
   if (!out.limits.ok())
-    return answer(Status::stalled,
-                  "the shape found breaks a limit: " + broken_sentence(out.limits.findings.front()));
+    return answer(Status::stalled, "the shape found breaks a limit: " +
+                                       broken_sentence(out.limits.findings.front()));
   if (at_bound(problem, out))
     return answer(Status::optimal,
                   "no function at all is better, to a relative " + brief(problem.tolerance));

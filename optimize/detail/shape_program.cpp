@@ -37,7 +37,7 @@ double held_off(const ShapeRows& rows, const ConvexSolution& s, const ShapeTask&
   std::size_t k = 0;  // rows as program_of() takes them
   for (const ShapeRow& row : rows.all())
     if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
-  for (const auto& multipliers : s.round_multipliers)  // of ceilings held to `held`, which is 1
+  for (const auto& multipliers : s.round_multipliers)  // a ceiling is held to 1 here
     sum += 2 * RoundCeiling::off * norm(multipliers);
   return sum;
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double met = 1e-6;        ///< relative: closer than this is there
 constexpr double missed = 1e-7;     ///< of a derivative's size: that is a step
 constexpr double forgiven = 1e-12;  ///< what rounding may break, as in profiles/limits
-constexpr double solved = 1e-9;     ///< of a quantity's size: what a solver leaves is no violation
+constexpr double solved = 1e-9;     ///< share of a quantity's size: a solver leaves as much
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
                 double margin, std::size_t piece, double rounding = forgiven) {
@@ -123,8 +123,7 @@ std::vector<FigureResult> figure_results(const ShapeProblem& problem, const Spli
   std::vector<FigureResult> all;
   const auto add = [&](const ShapeFigure& figure) {
     const FigureRows rows = figure_rows(figure, space);
-    all.push_back(
-        {rows.name, rows.value(given), rows.value(shape), known_bound(problem, figure)});
+    all.push_back({rows.name, rows.value(given), rows.value(shape), known_bound(problem, figure)});
   };
   for (const WeightedFigure& m : problem.minimize) add(m.figure);
   for (const jounce::Ceiling& c : problem.ceilings) add(c.figure);

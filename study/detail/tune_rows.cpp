@@ -6,9 +6,9 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double most = 1e6;         ///< a margin beyond says no more
-constexpr double least = 1e-9;       ///< by which a broken limit is broken at least
-constexpr std::size_t places = 32;   ///< more segments share constraints with their neighbours
+constexpr double most = 1e6;        ///< a margin beyond says no more
+constexpr double least = 1e-9;      ///< by which a broken limit is broken at least
+constexpr std::size_t places = 32;  ///< more segments share constraints with their neighbours
 
 struct Rule {
   double margin = most;

@@ -24,7 +24,7 @@ class TuneRows {
   /// Neighbouring constraints of one rule: one bound's segments, or the rule as a whole.
   struct Group {
     std::string rule;
-    std::size_t bound = 0;  ///< of the rule's rooms
+    std::size_t bound = 0;  ///< its index in the rule's rooms
     std::size_t places = 1;
     bool by_segment = false;
   };

@@ -54,13 +54,14 @@ TEST(LexicographicPairs, EndAtTheOptimum) {
       ASSERT_EQ(both.runs[0].figures.size(), 2U) << what;
       EXPECT_EQ(both.runs[0].figures[0].name, name(first)) << what;
       EXPECT_EQ(both.runs[0].figures[1].name, name(second)) << what;
-      EXPECT_LE(both.runs[0].figures[0].reached,
-                (least * 1.001 + 1e-6 * given) * (1 + 1e-5)) << what;
+      EXPECT_LE(both.runs[0].figures[0].reached, (least * 1.001 + 1e-6 * given) * (1 + 1e-5))
+          << what;
       for (const FigureResult& f : both.runs[0].figures)
         EXPECT_GE(f.reached, f.bound.value_or(0) * (1 - 1e-9)) << what << f.name;
     }
   }
-  EXPECT_LE(stalled, 9) << "of 88: a residual or the velocity first, which leave next to nothing open";
+  EXPECT_LE(stalled, 9)
+      << "of 88: a residual or the velocity first, which leave next to nothing open";
 }
 
 }  // namespace

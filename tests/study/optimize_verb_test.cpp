@@ -54,8 +54,8 @@ class OptimizeVerb : public ::testing::Test {
 
   /// Of a file beside this test, by its name.
   Ran optimized(const std::string& name, const std::string& options = "") const {
-    return jounce("optimize " JOUNCE_SOURCE_DIR "/tests/study/optimize/" + name + ".toml -o out.toml " +
-                  options);
+    return jounce("optimize " JOUNCE_SOURCE_DIR "/tests/study/optimize/" + name +
+                  ".toml -o out.toml " + options);
   }
 
   /// The outcome for machines; what was written passes `jounce check`.
@@ -116,15 +116,16 @@ TEST_F(OptimizeVerb, ListsTheJerkThatTheLawAtItsPlaceKeeps) {
   const Json free = outcome("placeholder-law-345");
   const Ran kept = optimized("placeholder-law-4567");
   EXPECT_EQ(kept.status, 0);
-  EXPECT_THAT(kept.output, HasSubstr("geo_jerk is kept at 0 at 0 deg (segment 1 x) and at 0 at 360 deg "
-                                     "(segment 1 x): free.ends = { jerk = \"free\" }"));
-  std::string text =
-      read_file(JOUNCE_SOURCE_DIR "/tests/study/optimize/placeholder-law-4567.toml");
+  EXPECT_THAT(kept.output,
+              HasSubstr("geo_jerk is kept at 0 at 0 deg (segment 1 x) and at 0 at 360 deg "
+                        "(segment 1 x): free.ends = { jerk = \"free\" }"));
+  std::string text = read_file(JOUNCE_SOURCE_DIR "/tests/study/optimize/placeholder-law-4567.toml");
   const std::string shape = "free = { shape = 24 }";
   const auto with = [&](const std::string& ends) {
     std::string other = text;
-    write_file(path("ends.toml"), other.replace(other.find(shape), shape.size(),
-                                                "free = { shape = 24, ends = { jerk = " + ends + " } }"));
+    write_file(path("ends.toml"),
+               other.replace(other.find(shape), shape.size(),
+                             "free = { shape = 24, ends = { jerk = " + ends + " } }"));
     const Ran ran = jounce("optimize ends.toml --json");
     EXPECT_EQ(ran.status, 0) << ran.output;
     return reached(Json::parse(ran.output, nullptr, false));
@@ -137,7 +138,8 @@ TEST_F(OptimizeVerb, LabelsEveryFigureWithItsOwnNumber) {
   const Json found = outcome("mislabelled");
   const Json& figures = found["runs"][0]["figures"];
   EXPECT_EQ(figures[1]["figure"], "peak geo_jerk");
-  EXPECT_NEAR(figures[1]["given"].get<double>(), 60 * 50 / 120.0 / 120 / 120, 1e-9) << "of the law 345";
+  EXPECT_NEAR(figures[1]["given"].get<double>(), 60 * 50 / 120.0 / 120 / 120, 1e-9)
+      << "of the law 345";
   EXPECT_EQ(figures[2]["figure"], "peak geo_velocity");
   EXPECT_NEAR(figures[2]["given"].get<double>(), 1.875 * 50 / 120, 1e-9);
   EXPECT_LE(figures[2]["reached"].get<double>(), 0.7);
@@ -201,9 +203,9 @@ class AnySpec {
       const std::string free =
           last ? ""
                : "free = { geo_velocity = [-3, 3], geo_acceleration = [-0.5, 0.5]" +
-                     (random_.below(2) == 0 ? ", slave = [" + number(slave - 20) + ", " +
-                                                  number(slave + 20) + "] }\n"
-                                            : std::string(" }\n"));
+                     (random_.below(2) == 0
+                          ? ", slave = [" + number(slave - 20) + ", " + number(slave + 20) + "] }\n"
+                          : std::string(" }\n"));
       return "[[segment]]\nlaw = \"quintic\"\n" + at + free;
     }
     constexpr const char* laws[] = {"345", "4567", "modified_sine", "modified_trapezoid"};
@@ -217,7 +219,8 @@ class AnySpec {
 
   std::string limits() {
     std::string all;
-    if (random_.below(2) == 0) all += "[limits]\ngeo_velocity = " + number(random_.log_uniform(0.5, 4)) + "\n";
+    if (random_.below(2) == 0)
+      all += "[limits]\ngeo_velocity = " + number(random_.log_uniform(0.5, 4)) + "\n";
     if (random_.below(2) == 0)
       all += "[limits.slave]\nacceleration = " + number(random_.log_uniform(1e3, 1e5)) + "\n";
     return all;
