@@ -74,6 +74,8 @@ class Judge {
   void take(const Line& now) {
     obey(now);
     follow(now);
+    const bool stalled = now.tick - last_.tick > bounds_.longest_gap;
+    if (stalled || now.state == "disabled") may_freeze_ = true;
     frozen_ = begun_ && now.failed() &&
               (last_.failed() ? may_freeze_ && now.v == 0 && now.p == last_.p : freezes(now));
     if (begun_) {
@@ -124,15 +126,16 @@ class Judge {
     if (now.failed() && !last_.failed()) demand_stop(now, "fault");
   }
 
-  /// By how much the leader's acceleration changes up to this tick.
+  /// By how much the leader's acceleration and velocity change up to this tick.
   void follow(const Line& now) {
-    const double before = master_.a;
+    const Line before = master_;
     while (master_.tick < now.tick)
       if (const auto next = leader_.next())
         master_ = *next;
       else
         break;
-    master_step_ = std::abs(master_.a - before);
+    master_step_ = std::abs(master_.a - before.a);
+    master_dv_ = std::abs(master_.v - before.v);
   }
 
   /// What was accepted before it and waits for its tick is void.
@@ -257,9 +260,10 @@ class Judge {
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
     const double dv = std::abs(now.v - last_.v);
     if (dv > most * dt * (1 + 1e-9) + rounding) find(now, "step of the velocity", dv, most * dt);
-    // Behind a leader, which may use its own limits within a tick, the mean velocity lies between both all the same.
-    const double leaders = coupled(now) || coupled(last_) ? dv * dt / 2 : 0;
-    const double furthest = std::max(most * dt * dt / 4, leaders);
+    // A leader may use its own limits within a tick: its mean velocity lies between both all the same.
+    const double leaders =
+        std::isinf(ratio_) ? bounds_.velocity * dt : ratio_ * master_dv_ * dt / 2;
+    const double furthest = most * dt * dt / 4 + leaders;
     const double dp = std::abs(now.p - last_.p - dt * (now.v + last_.v) / 2);
     if (dp > furthest * (1 + 1e-6) + rounding) find(now, "step of the position", dp, furthest);
   }
@@ -301,6 +305,7 @@ class Judge {
   Lines leader_;
   Line master_;             // of this tick
   double master_step_ = 0;  // u/s^2
+  double master_dv_ = 0;    // u/s
   std::optional<std::int64_t> rest_by_;
 };
 

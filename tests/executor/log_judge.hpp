@@ -13,12 +13,13 @@ struct Bounds {
   double acceleration = 0;
   std::optional<double> jerk{};
   double stop_acceleration = 0;
-  double stop_jerk = 0;  ///< of an axis with a jerk limit
+  double stop_jerk = 0;           ///< of an axis with a jerk limit
   double limit_acceleration = 0;  ///< at a soft limit; 0: that of a stop
   double abort_acceleration = 0;  ///< of an abort; 0: the setpoint freezes
   std::optional<double> lowest{}, highest{};
-  double path_stop_time = 0;  ///< s: how long a stop on one of the axis's paths may take
-  double period = 1e-3;       ///< s
+  double path_stop_time = 0;       ///< s: how long a stop on one of the axis's paths may take
+  double period = 1e-3;            ///< s
+  std::int64_t longest_gap = 100;  ///< ticks; a cycle that is later freezes the setpoint
 };
 
 /// An order that the axis has accepted; it took effect in one of the ticks `sent` to `answered` + 1.
