@@ -249,7 +249,11 @@ bool MotionAxis::stop_at_limit(Cause limit) {
   const double own = std::abs(from.velocity) + from.acceleration * from.acceleration / (2 * j);
   // From rest, what it gains in this tick: an axis that has just begun gets there, too.
   const double velocity = std::min(std::max(own, a * dt()), *v_most);
-  if (!adopt({Goal::Kind::position, *end, {velocity, a, a, j}}, 1)) return false;
+  const MoveDynamics dynamics{velocity, a, a, j};
+  const auto rest = plan(from, {Goal::Kind::rest, 0, dynamics}, 1, config_);
+  const double near = 10 * velocity * dt();  // else it does not move towards the limit
+  if (!rest || std::abs(*end - rest->end().position) > near) return false;
+  if (!adopt({Goal::Kind::position, *end, dynamics}, 1)) return false;
   ending_ = Ending::fault;
   return true;
 }

@@ -8,6 +8,7 @@
 #include "jounce/axis/setpoint_check.hpp"
 
 #include "axis/bench.hpp"
+#include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
@@ -74,6 +75,22 @@ TEST(Range, AJogThatBeginsJustBeforeTheLimitComesToRestThere) {
         EXPECT_EQ(tick.fault, Cause::positive_soft_limit);
         EXPECT_NEAR(tick.position, 300, 1e-9);
       }
+}
+
+// A stop is lost below, but the axis still moves up: it went down to the limit, slowly.
+TEST(Range, AFaultThatMovesAwayFromTheLimitRestsWhereItIs) {
+  Watched axis(between(-300, 300, curves));
+  axis.step({.kind = Kind::set_position, .position = -295});
+  Gear gear(1, 1);
+  axis.step({.kind = Kind::gear_in, .movement = &gear}, at_master(0, 5));
+  for (int i = 1; i < 100; ++i) axis.step({}, at_master(5e-3 * i, 5));
+  Inputs turns = at_master(0.5, 5);
+  turns.master[2] = -9900;
+  const Tick fault = axis.step({}, turns);
+  EXPECT_EQ(fault.fault, Cause::negative_soft_limit);
+  const Tick tick = axis.run(30);
+  EXPECT_EQ(tick.velocity, 0);
+  EXPECT_NEAR(tick.position, -294.5, 0.1);
 }
 
 // Issue 17, B2: it rested at 307.25.
