@@ -37,7 +37,8 @@ double least_peak_power(const Stretch& stretch);
 
 /// What no choice of the problem's free quantities can beat, whatever the laws between the fixed
 /// knots: the cam is cut at the knots whose master, slave and geo_velocity are fixed; each stretch
-/// has the bound above, each segment without freedom its exact value. A first or last stretch whose
+/// has the bound above, or that of the places it passes where their slave is fixed; each segment without
+/// freedom has its exact value. A first or last stretch whose
 /// outer end is free counts zero. Infinite if the velocity limit cannot be kept (for
 /// peak_acceleration only). Holds for each objective alone.
 double lower_bound(const CamProblem& problem, Objective objective);

@@ -159,6 +159,29 @@ TEST(LowerBound, TakesTheWorstStretchAndExactFixedSegments) {
   EXPECT_NEAR(lower_bound(problem, Objective::rms_acceleration), std::sqrt(square / 360), 1e-15);
 }
 
+TEST(LowerBound, CountsThePlacesThatArePassed) {
+  // From rest at 0 up to 1 and back to rest at 0 over [0, 1]: whatever is free at the top, one side has no
+  // more than half of it, so that A >= 2 / (1/2)^2, J >= 6 / (1/2)^3 and, each half at best its cubic,
+  // the integral of f''^2 >= 2 * 3 / (1/2)^3.
+  CamProblem problem;
+  problem.cam.segments = {{Law::quintic, {0.5, 1, 0, 0}}, {Law::quintic, {1, 0, 0, 0}}};
+  problem.cam.start = {0, 0, 0, 0};
+  const auto expect = [&](double share) {
+    const auto is_close = [&](Objective objective, double known) {
+      const double bound = lower_bound(problem, objective);
+      EXPECT_LE(bound, known * (1 + 1e-12)) << name(objective);
+      EXPECT_GE(bound, known * share) << name(objective);
+    };
+    is_close(Objective::peak_acceleration, 8);
+    is_close(Objective::peak_jerk, 48);
+    is_close(Objective::rms_acceleration, std::sqrt(48));
+  };
+  problem.free = {{1, {}, {}, Bound{-1, 1}, Bound{-9, 9}}};
+  expect(1 - 1e-12);
+  problem.free = {{1, Bound{0.1, 0.9}, {}, Bound{-1, 1}, Bound{-9, 9}}};
+  expect(0.92);  // cells of 1/80
+}
+
 TEST(LowerBound, IsZeroWhereTheOuterEndIsFree) {
   CamProblem problem = rest_to_rest({0.5}, Objective::peak_acceleration);
   problem.free = {{2, {}, Bound{0, 1}, {}, {}}};
