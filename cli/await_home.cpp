@@ -35,8 +35,8 @@ CallOutcome await_home(const std::string& executor, Client& client, Link& link) 
     const auto message = next_status(link.transport(), executor, 50ms, steady_now, link.key());
     if (message) {
       const auto& status = std::get<wire::Status>(message->body);
-      const bool under_way =
-          status.state == wire::AxisState::homing || status.state == wire::AxisState::stopping;
+      const bool moves = status.slave_velocity != 0;  // it may still brake, also in a fault
+      const bool under_way = status.state == wire::AxisState::homing || moves;
       if (!under_way) return outcome_of(status);
     }
     if (interrupt.asked() && !std::exchange(stopped, true))

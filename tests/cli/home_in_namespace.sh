@@ -43,9 +43,9 @@ refused 1 no_sensor bare home --method 24
 
 # what ends it
 refused 1 'not homed: home_timeout' slide home --timeout 100ms
-order slide reset
+order slide reset || fail "reset: $(cat out)"
 refused 1 'not homed: home_not_found' slide home --distance 5mm
-order slide reset
+order slide reset || fail "reset: $(cat out)"
 "$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
 slow=$!
 sleep 1
@@ -72,10 +72,10 @@ order slide move --to 0mm || fail "move: $(cat out)"
 sleep 1.5
 order slide jog 5mm/s || fail "jog: $(cat out)"
 refused 1 in_motion slide home
-order slide halt
-sleep 0.3
-order slide move --to 0mm
+order slide halt || fail "halt: $(cat out)"
 sleep 0.5
+order slide move --to 0mm || fail "move back: $(cat out)"
+sleep 1
 cat > long.toml <<'END'
 jounce = 1
 kind = "move"
