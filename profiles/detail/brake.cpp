@@ -90,6 +90,10 @@ MotionState begin_inside(const MotionState& from, const Bounds& b, Profile& prof
   const int side = violated(s, b, n);
   if (side == 0) return s;
   const double excess = side > 0 ? n - b.velocity_max : b.velocity_min - n;
+  // A last digit beyond the limit would be left over when the acceleration is back at zero.
+  const double digit = s.acceleration - from.acceleration;
+  if (std::abs(digit) <= forgiven * std::abs(s.acceleration))
+    profile.add(digit / (digit < 0 ? b.jerk_min : b.jerk_max), digit < 0 ? b.jerk_min : b.jerk_max);
   return level_return(s, b, side, excess, profile);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/detail/rest_to_rest.hpp"
 #include "jounce/profiles/detail/second_order.hpp"
 #include "jounce/profiles/detail/velocity_change.hpp"
 
@@ -126,7 +127,17 @@ double Solver::minimum() const noexcept {
   return meets_ ? led_out().duration() + on_the_way_out().minimum() : minimum_inside();
 }
 
+/// Whether this is the question of RestToRest.
+bool Solver::rests() const noexcept {
+  const auto at_rest = [](const MotionState& s) { return s.velocity == 0 && s.acceleration == 0; };
+  return order_ == 3 && at_rest(start_) && at_rest(to_) && start_.position != to_.position;
+}
+
 double Solver::minimum_inside() const noexcept {
+  if (rests()) {
+    RestToRest move(to_.position - start_.position, bounds_);
+    if (move.solve_shortest()) return move.profile(start_, asked_).duration();
+  }
   if (order_ == 3 && before_ == 0) return PointToPoint(inside_, to_, bounds_).minimum();
   if (order_ == 3) {  // summed as the phases of the motion itself are
     Profile motion = begun();
@@ -139,6 +150,7 @@ double Solver::minimum_inside() const noexcept {
 }
 
 Durations Solver::durations() const noexcept {
+  if (rests()) return {.minimum = minimum()};
   const Durations inside = durations_inside();
   if (!meets_) return inside;
   const double before = led_out().duration();
@@ -174,6 +186,13 @@ void Solver::straight(double t, Profile& out) const noexcept {
 }
 
 MoveStatus Solver::shortest(Profile& out) const noexcept {
+  if (rests()) {
+    RestToRest move(to_.position - start_.position, bounds_);
+    if (move.solve_shortest()) {
+      out = move.profile(start_, asked_);
+      return checked(out);
+    }
+  }
   if (meets_) {
     out = led_out();
     if (!(leaving_ == to_)) on_the_way_out().append_shortest(out);
@@ -190,22 +209,32 @@ MoveStatus Solver::shortest(Profile& out) const noexcept {
   return MoveStatus::position_limit;
 }
 
+MoveStatus Solver::checked(Profile& out) const noexcept {
+  return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
+}
+
 MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
+  if (rests()) {
+    RestToRest move(to_.position - start_.position, bounds_);
+    if (move.solve_lasting(t)) {
+      out = move.profile(start_, asked_);
+      return checked(out);
+    }
+  }
   if (extended_) return with_all_braking().lasting(t, out);
   if (meets_) {
     out = led_out();
     const double before = out.duration();
     const PointToPoint way = on_the_way_out();
     if (way.early_durations().allows(t - before) && way.lasting(t - before, out))
-      return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
+      return checked(out);
   }
   out = begun();
   bool possible = true;
   if (order_ == 3) possible = PointToPoint(inside_, to_, bounds_).lasting(t - before_, out);
   if (order_ == 2) possible = SecondOrder(inside_, to_, bounds_).lasting(t - before_, out);
   if (order_ == 1) straight(t, out);
-  if (!possible) return MoveStatus::blocked;
-  return keeps_positions(out, bounds_) ? MoveStatus::ok : MoveStatus::position_limit;
+  return possible ? checked(out) : MoveStatus::blocked;
 }
 
 namespace {

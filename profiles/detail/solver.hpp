@@ -44,6 +44,8 @@ class Solver {
   [[nodiscard]] Profile led_out() const noexcept;
   [[nodiscard]] Durations durations_inside() const noexcept;
   [[nodiscard]] double minimum_inside() const noexcept;
+  [[nodiscard]] bool rests() const noexcept;
+  MoveStatus checked(Profile& out) const noexcept;
 
   int order_;
   Bounds bounds_;

@@ -216,6 +216,14 @@ Case extremes(Random& r) {
   return with_ratio(r, 1e6);
 }
 
+/// From rest to rest, each direction on its own or not.
+Case resting(Random& r) {
+  Case c = r.below(2) == 0 ? bench(r) : directional(r);
+  c.from = {c.from.position, 0, 0};
+  c.to = {c.to.position, 0, 0};
+  return c;
+}
+
 /// The state after a random jerk, held for t: as far as the acceleration stays inside and above zero.
 MotionState driven(const MotionState& s, const Bounds& b, double t, double share) {
   const double jerk = b.jerk_min + share * (b.jerk_max - b.jerk_min);
@@ -300,7 +308,8 @@ constexpr Draw all[] = {
     {"ratios", "jerk in one direction up to a hundred times that in the other", ratios,
      true},
     {"extremes", "jerk in one direction up to a million times that in the other", extremes, true},
-    {"leaving", "starts that run out of the limit, and targets that do", leaving},
+    {"resting", "from rest to rest", resting},
+    {"leaving", "starts that run out of the limit, and targets that do", leaving, true},
     {"unlimited", "no limit of velocity, of acceleration, or of both", unlimited},
     {"second", "no limit of jerk", second},
     {"first", "no limit of acceleration", first},

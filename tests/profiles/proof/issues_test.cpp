@@ -671,5 +671,38 @@ TEST(Issue, Jounce17SecondOrderALittleLongerThanTheDirectChange) {
   EXPECT_EQ(move_to(from, at_mean(0), b, direct * (1 + 1e-9)).status, MoveStatus::blocked);
 }
 
+TEST(Issue, Jounce17NoAccelerationIsLeftInACruise) {
+  // Planned again while the limit of acceleration is held, a last digit beyond it: that digit acted through
+  // 39 887 s of cruise, 4.8e-6 u.
+  const MotionState from{0x1.3672a4fa696c7p+19, 0x1.d83e0c5bdc9f8p+6, -0x1.0a0b9f9450ap-1};
+  const MotionState to{-0x1.5db597125dde5p+0, 0x1.a7351ba4dafd5p-2, -0x1.ce00dde6b0081p-8};
+  const Bounds b{-0x1.044c3888eccc6p+4, 0x1.6f642cf0b0255p+3,  -0x1.0a0b9f94509cbp-1,
+                 0x1.775b5760b78d4p+3,  -0x1.57cfa3718050ep-1, 0x1.e88b933635ad3p+3};
+  const Move move = move_to(from, to, b);
+  ASSERT_TRUE(move);
+  EXPECT_LT(check(move.profile, {from, to, b, {}}).end_error, 1e-13);  // was 3.2e-12
+}
+
+TEST(Issue, Jounce20FromRestToRest) {
+  // In closed form: the durations of the general solver, which replanning on the way asks.
+  Random random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const Case c = draw("resting", random);
+    const Move move = move_to(c.from, c.to, c.bounds);
+    ASSERT_TRUE(move);
+    const double t = move.profile.duration();
+    const double instant = 1e-3 * t;
+    const Motion now = move.profile.at(instant);
+    const Move rest =
+        move_to({now.position, now.velocity, now.acceleration}, c.to, c.bounds);
+    ASSERT_TRUE(rest);
+    EXPECT_NEAR(instant + rest.profile.duration(), t, 1e-12 * t) << reproducer(c);
+    const double longer = t * (1 + random.log_uniform(1e-9, 1e3));
+    const Move slow = move_to(c.from, c.to, c.bounds, longer);
+    ASSERT_TRUE(slow);
+    EXPECT_EQ(check(slow.profile, {c.from, c.to, c.bounds, longer}).fault, "") << reproducer(c);
+  }
+}
+
 }  // namespace
 }  // namespace jounce::proof

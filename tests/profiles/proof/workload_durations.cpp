@@ -10,7 +10,9 @@
 namespace jounce::proof {
 
 void optimality(Random& r, Tally& tally) {
-  const Case c = r.below(8) == 0 ? draw("lowered", r) : any(r);
+  const char* const own[] = {"lowered", "leaving"};
+  const int kind = r.below(16);
+  const Case c = kind < 2 ? draw(own[kind], r) : any(r);
   const Solved s = solve(c, tally);
   if (!s) return;
   compare(
@@ -132,7 +134,7 @@ void expect_monotone(const Case& c, const Profile& f, const Verdict& verdict, Ta
 }  // namespace
 
 void velocity(Random& r, Tally& tally) {
-  Case c = any(r);
+  Case c = r.below(8) == 0 ? draw("leaving", r) : any(r);
   if (!std::isfinite(c.bounds.acceleration_max)) return;
 
   const Move move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
