@@ -98,6 +98,7 @@ nlohmann::ordered_json robustness_json(const ToleranceResult& result) {
           {"all_corners", result.all_corners},
           {"saturated", result.saturated},
           {"failed", result.failed},
+          {"unstable", result.unstable},
           {"figures", figures}};
 }
 

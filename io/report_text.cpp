@@ -245,6 +245,8 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("pt/"))
     return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
                     place(finding, labels));
+  if (finding.rule == "tolerance/stability")
+    return fmt::format("the loop is unstable in {} cases", rounded(finding.value));
   if (finding.rule == "drive/stability")
     return fmt::format(
         "the loop is unstable{}: what is left of an error grows by the factor e in {} ms",

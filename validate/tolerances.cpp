@@ -177,6 +177,7 @@ struct Kept {
   bool saturated = false;
   bool unsettled = false;  // within the standstill that was watched
   bool failed = false;
+  bool unstable = false;
 };
 
 /// A figure of a run; a settling that was not seen to end took the whole standstill at least.
@@ -193,6 +194,8 @@ Kept keep(const DriveResult& run, const DriveOptions& options) {
   kept.unsettled = !run.settling_time;
   kept.saturated = !run.saturation.empty();
   kept.failed = !run.integration.ok();
+  kept.unstable = std::any_of(run.report.findings.begin(), run.report.findings.end(),
+                              [](const Finding& f) { return f.rule == "drive/stability"; });
   return kept;
 }
 
@@ -267,6 +270,18 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
     finding.advice = "cases whose integration did not end well are in no figure";
     report.findings.push_back(std::move(finding));
   }
+  if (result.unstable > 0) {
+    Finding finding;
+    finding.rule = "tolerance/stability";
+    finding.quantity = "unstable cases";
+    finding.unit = "1";
+    finding.value = static_cast<double>(result.unstable);
+    finding.margin = -1e6;  // before the limits that these cases break
+    finding.has_limit = false;
+    finding.broken = true;
+    finding.advice = "widen the gain margin of the drive, or narrow its tolerances";
+    report.findings.push_back(std::move(finding));
+  }
   sort(report);
   return report;
 }
@@ -318,6 +333,7 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
   for (const Kept& c : cases) {
     result.saturated += c.saturated ? 1 : 0;
     result.failed += c.failed ? 1 : 0;
+    result.unstable += c.unstable ? 1 : 0;
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (figures[i].there != nullptr && !figures[i].there(drive, options)) continue;

@@ -70,9 +70,10 @@ struct ToleranceResult {
   bool all_corners = false;   ///< every combination of ends was run
   std::size_t saturated = 0;  ///< cases that met a torque limit
   std::size_t failed = 0;     ///< cases whose integration did not end well
+  std::size_t unstable = 0;   ///< cases whose loop is unstable (loop.hpp)
   std::vector<ToleranceSpread> figures;
   /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error", ...: the worst case against the limits given;
-  /// "tolerance/integration" where a case failed.
+  /// "tolerance/integration" where a case failed, "tolerance/stability" where a case has an unstable loop.
   Report report;
 };
 

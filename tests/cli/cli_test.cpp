@@ -272,6 +272,10 @@ TEST_F(Cli, AnUnstableLoopIsAFinding) {
     EXPECT_EQ(validated["findings"][0]["rule"], "drive/stability");
     EXPECT_EQ(validated["findings"][0]["where_unit"], "Hz");
     EXPECT_EQ(validated["drive"]["loop"]["stable"], false);
+    EXPECT_EQ(run("report unstable.toml -o page.html").status, 1);
+    const std::string page = slurp(folder / "page.html");
+    EXPECT_EQ(page.find("drive/stability"), page.rfind("drive/stability"));  // told once
+    EXPECT_THAT(page, HasSubstr("gain margin"));
     for (const char* picture : {"spectrum", "bode", "nyquist", "response"}) {
       const Result drawn = run(std::string("plot unstable.toml --drive ") + picture);
       EXPECT_EQ(drawn.status, 0) << picture << drawn.err;

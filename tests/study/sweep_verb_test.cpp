@@ -84,8 +84,8 @@ samples = )" + std::to_string(samples) +
   }
   Ran jounce(const std::string& words) const { return run(JOUNCE_EXE " " + words); }
 
-  /// Starts it, kills it without a warning once its journal has more than `lines` lines.
-  void killed(const std::vector<std::string>& words, std::size_t lines) const {
+  /// Starts it, ends it by a signal once its journal has more than `lines` lines; its status as waitpid() has it.
+  int killed(const std::vector<std::string>& words, std::size_t lines, int signal = SIGKILL) const {
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(folder_.c_str()) != 0 || setpgid(0, 0) != 0) _exit(127);
@@ -98,11 +98,13 @@ samples = )" + std::to_string(samples) +
     }
     for (int i = 0; i < 20'000 && journal_lines() <= lines; ++i) {
       int status = 0;
-      if (waitpid(child, &status, WNOHANG) == child) return;  // it was faster
+      if (waitpid(child, &status, WNOHANG) == child) return status;  // it was faster
       std::this_thread::sleep_for(1ms);
     }
-    kill(-child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    int status = 0;
+    kill(-child, signal);
+    waitpid(child, &status, 0);
+    return status;
   }
 
   std::size_t journal_lines() const {
@@ -149,6 +151,23 @@ TEST_F(SweepVerb, GoesOnAfterKillsAndDoesNothingTwice) {
   EXPECT_EQ(summary["evaluated"], 600 - seen);
   EXPECT_EQ(bytes("a.csv"), bytes("whole.csv"));
   EXPECT_FALSE(std::filesystem::exists(path("a.csv.journal")));
+}
+
+TEST_F(SweepVerb, KeepsWhatItHasAtSigtermAndAtSigint) {
+  sweep(300, 3);
+  ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);
+  std::size_t seen = 0;
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const int status =
+        killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv", "--jobs", "1"}, seen + 8, signal);
+    ASSERT_FALSE(std::filesystem::exists(path("a.csv"))) << "done before it could be stopped";
+    EXPECT_TRUE(WIFEXITED(status)) << "ended by the signal";
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_GT(journal_lines(), seen + 8);
+    seen = journal_lines();
+  }
+  EXPECT_EQ(jounce("sweep sweep.toml -o a.csv").status, 0);
+  EXPECT_EQ(bytes("a.csv"), bytes("whole.csv"));
 }
 
 TEST_F(SweepVerb, RefusesTheJournalOfAnotherSweep) {

@@ -14,6 +14,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
+#include "jounce/validate/tolerances.hpp"
 
 #include "validate/references.hpp"
 
@@ -211,6 +212,20 @@ TEST(Loop, SaysWhichVelocityGainWouldBeStable) {
   EXPECT_TRUE(is_stable(loop_poles(drive)));
   drive.controller.velocity_gain = 1.0001 * *gain;
   EXPECT_FALSE(is_stable(loop_poles(drive)));
+}
+
+/// 5 % above Routh's limit, a tenth more inertia makes the loop unstable.
+TEST(Loop, OfADriveWithTolerancesIsLookedAtInEachCase) {
+  const double j = 2e-4, kp = 50, ti = 0.004;
+  const Drive drive = rigid(j, kp, 1.05 * j * kp / (1 + kp * ti), ti);
+  const ToleranceSpec spec{.numbers = {{.key = "motor.inertia", .share = 0.1}}};
+  const ToleranceResult all = over_tolerances(test::s_curve_move(), drive, {}, spec);
+  EXPECT_EQ(all.cases, 2u);
+  EXPECT_EQ(all.unstable, 1u);
+  const Finding* unstable = found(all.report, "tolerance/stability");
+  ASSERT_NE(unstable, nullptr);
+  EXPECT_TRUE(unstable->broken);
+  EXPECT_EQ(unstable->value, 1);
 }
 
 TEST(Loop, IsLookedAtWithoutItsNonlinearParts) {
