@@ -86,6 +86,24 @@ TEST(AxisHold, OfAPathTakesWhatIsSuperimposedWithItAndGoesOnWithIt) {
   EXPECT_EQ(axis.axis.state(), State::standstill);
 }
 
+// An order for this tick plans it anew, and so does the hold: the second leapt by a tick.
+TEST(AxisHold, InTheTickOfAnotherOrderTakesNoStep) {
+  Held axis;
+  Job job(1, trapezoid_table(200, 100, 1000, 1000));
+  axis.arm(job);
+  axis.tell(Kind::start);
+  axis.run(500);
+  const Command up{.kind = Kind::move_superimposed, .position = 50, .dynamics = {.velocity = 100}};
+  axis.step(up);
+  axis.run(100);
+  Command again = up;
+  again.at = axis.tick + 10;
+  axis.step(again);
+  const Tick before = axis.run(8);
+  const Tick now = axis.tell(Kind::hold);
+  EXPECT_NEAR(now.position - before.position, 5e-4 * (now.velocity + before.velocity), 5.1e-3);
+}
+
 TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
   Held axis;
   Job job(1, trapezoid_table(10, 100, 5000, 5000));
