@@ -22,10 +22,6 @@
 namespace jounce::cli {
 namespace {
 
-// Two functions of this name take a table: rows that count from its first knot, and its numbers as they are.
-constexpr auto* source_of = static_cast<RowSource (*)(Table)>(rows_of);
-constexpr auto* segments_of = static_cast<std::vector<SegmentRow> (*)(const Table&)>(rows_of);
-
 /// A table over a master as it is, one over time in seconds.
 TableFile bank_of(const std::string& file, const std::string& axis) {
   const Input input = load(file, axis);
@@ -84,7 +80,7 @@ FollowBanks tables_of(const FollowPart& part, const Input& input) {
   if (const auto* const spec = std::get_if<FollowSpec>(&part.slave))
     return follow_banks(*spec, most);
   const bool periodic = std::get<FollowPlan>(part.slave).periodic;
-  FollowBanks banks{.first = segments_of(input.table.table), .loops = periodic ? 0 : 1};
+  FollowBanks banks{.first = rows_of(input.table.table), .loops = periodic ? 0 : 1};
   for (SegmentRow& row : banks.first) row.last = false;
   return banks;
 }

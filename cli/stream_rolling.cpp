@@ -32,7 +32,7 @@ RowPlan row_plan_of(const RollingOptions& options) {
                 .origin = options.relative ? 0 : tables.slave.table.columns().p[0],
                 .lowest = travel.lowest,
                 .highest = travel.highest},
-      .rows = static_cast<RowSource (*)(Table)>(rows_of)(std::move(tables.slave.table)),
+      .rows = source_of(std::move(tables.slave.table)),
       .resume = options.resume};
 }
 

@@ -27,7 +27,7 @@ struct RowPlan {
 };
 
 /// The rows of a table, from its first knot on: x and p count from there.
-RowSource rows_of(Table table);
+RowSource source_of(Table table);
 
 /// A row as it stands on the wire.
 wire::Row on_wire(const SegmentRow& row);

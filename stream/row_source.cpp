@@ -63,7 +63,7 @@ Travel travel_of(const Table& table) {
   return travel;
 }
 
-RowSource rows_of(Table table) {
+RowSource source_of(Table table) {
   return [table = std::move(table), next = std::size_t{1}](std::size_t most) mutable {
     std::vector<wire::Row> rows;
     for (; next < table.size() && rows.size() < most; ++next) rows.push_back(row_to(table, next));

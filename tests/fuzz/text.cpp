@@ -1,25 +1,11 @@
-#include <nlohmann/json.hpp>
-
 #include "jounce/io/printable.hpp"
 
 #include "fuzz/fuzz.hpp"
+#include "support/utf8.hpp"
 
 namespace jounce::fuzz {
-namespace {
-
-/// Whether another reader of UTF-8 takes it: the strict writer of JSON.
-bool is_utf8(const std::string& text) {
-  try {
-    static_cast<void>(nlohmann::json(text).dump());
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
-
-}  // namespace
-
 void text(Input input) {
+  using testing::is_utf8;
   const std::string given = text_of(input);
   const std::string shown = printable(given);
   require(is_printable(shown) && is_utf8(shown), "what is shown is printable");

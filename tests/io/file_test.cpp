@@ -11,39 +11,16 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
+
 namespace jounce {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
+using testing::why;
 
-class Files : public testing::Test {
- protected:
-  Files() {
-    std::string name = "/tmp/jounce-test-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-  }
-  ~Files() override { std::filesystem::remove_all(folder_); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-
-  [[nodiscard]] std::string in(const char* name) const { return (folder_ / name).string(); }
-  [[nodiscard]] auto count() const {
-    const std::filesystem::directory_iterator all(folder_);
-    return std::distance(begin(all), end(all));
-  }
-
-  std::filesystem::path folder_;
-};
-
-std::string why(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
-}
+class Files : public testing::WithFolder {};
 
 /// Writes in a process of its own whose files may have 1000 bytes; 0: it failed, as it should.
 int write_too_much(const std::string& path) {
@@ -65,7 +42,7 @@ TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(status, 0);
-  EXPECT_EQ(count(), 1) << "a alone";
+  EXPECT_EQ(files(), 1U) << "a alone";
   EXPECT_EQ(read_file(in("a")), "old") << "all files or none";
 }
 

@@ -4,22 +4,14 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "support/random.hpp"
+#include "support/utf8.hpp"
 
 namespace jounce {
 namespace {
 
-/// Whether another reader of UTF-8 takes it: the strict writer of JSON.
-bool is_utf8(const std::string& text) {
-  try {
-    static_cast<void>(nlohmann::json(text).dump());
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
+using testing::is_utf8;
 
 /// RFC 3629, section 3, without a look at the code under test.
 std::string encoded(std::uint32_t code) {

@@ -21,47 +21,21 @@
 
 #include "stream/harness.hpp"
 #include "stream/samples.hpp"
+#include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
+using testing::why;
 
-/// A folder that goes away with the test.
-class UnixTransportTest : public testing::Test {
- protected:
-  UnixTransportTest() {
-    std::string name = "/tmp/jounce-test-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-  }
-  ~UnixTransportTest() override { std::filesystem::remove_all(folder_); }
-  UnixTransportTest(const UnixTransportTest&) = delete;
-  UnixTransportTest& operator=(const UnixTransportTest&) = delete;
-
-  [[nodiscard]] std::string folder() const { return folder_.string(); }
-
-  [[nodiscard]] std::size_t files() const {
-    const std::filesystem::directory_iterator all(folder_);
-    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-  }
-
-  std::filesystem::path folder_;
-};
+class UnixTransportTest : public testing::WithFolder {};
 
 void send_byte(Transport& link, const std::string& channel, int value = 1) {
   const auto byte = static_cast<std::byte>(value);
   link.send(channel, {&byte, 1});
-}
-
-std::string why(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST_F(UnixTransportTest, CarriesEveryMessageToTheOthersAndToItself) {

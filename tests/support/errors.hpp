@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 
 #include "jounce/profiles/error.hpp"
@@ -15,6 +16,17 @@ std::string error_of(Do&& act) {
     return error.what();
   }
   return "nothing is thrown";
+}
+
+/// What any exception of `act` says; "" if it throws none.
+template <class Do>
+std::string why(Do&& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace jounce::testing
