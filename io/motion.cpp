@@ -181,7 +181,8 @@ std::vector<Trajectory> in_shortest_times(const AxesSpec& axes) {
 }
 
 std::vector<Trajectory> through_points(const AxesSpec& axes) {
-  ViaSpec spec{{}, axes.points};
+  ViaSpec spec = axes.via;
+  spec.points = axes.points;
   for (const AxisMove& axis : axes.axes) spec.axes.push_back(axis.bounds);
   try {
     return axes.shortest_times ? in_shortest_times(axes) : via(spec).axes;
@@ -190,6 +191,7 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
     if (key.starts_with("axes")) key.replace(0, 4, "axis");
     if (key.starts_with("points")) key.replace(0, 6, "point");
     if (key.starts_with("limits")) key.replace(0, 6, "axis");
+    if (key.starts_with("start") || key.starts_with("end")) key = "point";
     throw renamed(error, key);
   }
 }

@@ -18,6 +18,7 @@
 #include "jounce/profiles/s_curve.hpp"
 #include "jounce/profiles/shaper.hpp"
 #include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/via.hpp"
 #include "jounce/pvt/compensation.hpp"
 
 /// What a spec says of motions over time: one struct a `profile`, each with what its generator in
@@ -123,6 +124,7 @@ struct AxesSpec {
   double duration = 0;                      ///< the least; 0: as short as it can be
   std::vector<AxisMove> axes;               ///< with points, only the bounds count
   std::vector<std::vector<double>> points;  ///< through these; then without `sync`
+  ViaSpec via = {};                         ///< what a motion through them has beside axes and points
   bool shortest_times = false;              ///< a spline through them with the best times, not via()
 };
 

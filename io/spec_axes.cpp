@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/io/units.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -46,16 +47,96 @@ AxisMove read_axis_move(MotionFields& f, bool through_points) {
   return move;
 }
 
-std::vector<std::vector<double>> read_points(TomlReader& top, const std::vector<AxisPart>& axes) {
+std::vector<std::string> rate_units(const std::vector<AxisPart>& axes, int order) {
   std::vector<std::string> units;
-  for (const AxisPart& axis : axes) units.push_back(axis.units.position);
+  for (const AxisPart& axis : axes)
+    units.push_back(rate_unit(axis.units.position, axis.units.x, order));
+  return units;
+}
+
+std::vector<double> optional_rates(TomlReader& table, const char* key,
+                                   const std::vector<AxisPart>& axes, int order) {
+  return table.has(key) ? table.numbers(key, rate_units(axes, order)) : std::vector<double>{};
+}
+
+/// The axes' bounds with what the limits of a stretch say in their place.
+std::vector<Bounds> read_stretch(TomlReader limits, const std::vector<AxisPart>& parts,
+                                 const std::vector<AxisMove>& axes) {
+  const auto velocity = optional_rates(limits, "velocity", parts, 1);
+  const auto acceleration = optional_rates(limits, "acceleration", parts, 2);
+  const auto jerk = optional_rates(limits, "jerk", parts, 3);
+  for (const auto& [key, values] : {std::pair{"velocity", &velocity},
+                                    {"acceleration", &acceleration},
+                                    {"jerk", &jerk}})
+    for (const double value : *values)
+      if (!(value > 0)) limits.fail(key, number(value), "must be greater than 0");
+  std::vector<Bounds> all;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    Bounds b = axes[i].bounds;
+    if (!velocity.empty()) b.velocity_min = -(b.velocity_max = velocity[i]);
+    if (!acceleration.empty()) b.acceleration_min = -(b.acceleration_max = acceleration[i]);
+    if (!jerk.empty()) b.jerk_min = -(b.jerk_max = jerk[i]);
+    all.push_back(b);
+  }
+  limits.finish();
+  return all;
+}
+
+ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
+  ViaNorm norm;
+  auto table = top.optional_table("norm");
+  if (!table) return norm;
+  for (const AxisPart& part : parts)
+    if (part.units.position != parts.front().units.position)
+      top.fail("norm", "", "is of one vector: all axes must have one unit");
+  const std::vector<std::string> units{rate_units(parts, 1).front(), rate_units(parts, 2).front(),
+                                       rate_units(parts, 3).front()};
+  norm.velocity = table->optional_number("velocity", units[0]).value_or(norm.velocity);
+  norm.acceleration = table->optional_number("acceleration", units[1]).value_or(norm.acceleration);
+  norm.jerk = table->optional_number("jerk", units[2]).value_or(norm.jerk);
+  table->finish();
+  return norm;
+}
+
+/// [[point]] of a spline, whose times are chosen: positions alone.
+std::vector<std::vector<double>> read_positions(TomlReader& top,
+                                                const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
   for (TomlReader& point : top.tables("point")) {
     if (!point.has("position")) point.fail("position", "", "is missing");
-    points.push_back(point.numbers("position", units));
+    points.push_back(point.numbers("position", rate_units(parts, 0)));
     point.finish();
   }
   return points;
+}
+
+/// [[point]]: a position an axis; at the first and the last rates, too; from the second on the limits of
+/// the way to it.
+void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& axes) {
+  std::vector<TomlReader> points = top.tables("point");
+  std::vector<Bounds> own;
+  for (const AxisMove& axis : axes.axes) own.push_back(axis.bounds);
+  bool limited = false;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    TomlReader& point = points[k];
+    if (!point.has("position")) point.fail("position", "", "is missing");
+    axes.points.push_back(point.numbers("position", rate_units(parts, 0)));
+    const bool end = k == 0 || k + 1 == points.size();
+    for (const char* key : {"velocity", "acceleration"})
+      if (!end && point.has(key))
+        point.fail(key, "", "is what the motion chooses between the first point and the last");
+    const ViaRates rates{optional_rates(point, "velocity", parts, 1),
+                         optional_rates(point, "acceleration", parts, 2)};
+    if (end) (k == 0 ? axes.via.start : axes.via.end) = rates;
+    if (k == 0 && point.has("limits"))
+      point.fail("limits", "", "are of the way to a point: none leads to the first");
+    limited = limited || point.has("limits");
+    if (k > 0)
+      axes.via.stretches.push_back(
+          point.has("limits") ? read_stretch(point.table("limits"), parts, axes.axes) : own);
+    point.finish();
+  }
+  if (!limited) axes.via.stretches.clear();
 }
 
 }  // namespace
@@ -77,7 +158,12 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     axis.finish();
   }
   if (axes.axes.empty()) top.fail("axis", "", "is missing: give each axis as [[axis]]");
-  axes.points = read_points(top, spec.axes);
+  if (axes.shortest_times) {
+    axes.points = read_positions(top, spec.axes);
+  } else {
+    read_points(top, spec.axes, axes);
+    axes.via.norm = through_points ? read_norm(top, spec.axes) : ViaNorm{};
+  }
   return axes;
 }
 

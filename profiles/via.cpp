@@ -59,48 +59,127 @@ void require_magnitudes(const Bounds& b, const std::string& axis) {
   }
 }
 
+void require_one_each(const ViaSpec& spec, const std::vector<double>& rates,
+                      const std::string& name) {
+  if (!rates.empty() && rates.size() != spec.axes.size())
+    throw InputError(name, "", "must have a number for each axis, " +
+                                   std::to_string(spec.axes.size()) + " in all");
+  for (const double rate : rates) detail::require_moderate(name, rate);
+}
+
+void require_valid_stretches(const ViaSpec& spec) {
+  if (spec.stretches.empty()) return;
+  if (spec.stretches.size() + 1 != spec.points.size())
+    throw InputError("stretches", std::to_string(spec.stretches.size()),
+                     "must be one less than the points");
+  for (std::size_t k = 0; k < spec.stretches.size(); ++k) {
+    const std::string name = "stretches[" + std::to_string(k + 1) + "]";
+    if (spec.stretches[k].size() != spec.axes.size())
+      throw InputError(name, "", "must have bounds for each axis");
+    for (const Bounds& bounds : spec.stretches[k]) require_magnitudes(bounds, name);
+  }
+}
+
+void require_valid_norm(const ViaNorm& norm) {
+  for (const auto& [name, value] : {std::pair{"norm.velocity", norm.velocity},
+                                    {"norm.acceleration", norm.acceleration},
+                                    {"norm.jerk", norm.jerk}})
+    if (!(value > 0) || (std::isfinite(value) && !detail::is_magnitude(value)))
+      throw InputError(name, value, "must be between 1e-30 and 1e30, or infinite");
+}
+
 void require_valid(const ViaSpec& spec) {
   if (spec.axes.empty()) throw InputError("axes", "none", "a motion needs an axis");
   for (std::size_t i = 0; i < spec.axes.size(); ++i)
     require_magnitudes(spec.axes[i], "axes[" + std::to_string(i + 1) + "]");
   if (spec.points.size() < 2) throw InputError("points", "", "must be at least two");
   for (std::size_t k = 0; k < spec.points.size(); ++k) require_valid_point(spec, k);
+  for (const auto& [rates, name] : {std::pair{&spec.start, "start."}, {&spec.end, "end."}}) {
+    require_one_each(spec, rates->velocity, std::string(name) + "velocity");
+    require_one_each(spec, rates->acceleration, std::string(name) + "acceleration");
+  }
+  require_valid_stretches(spec);
+  require_valid_norm(spec.norm);
 }
 
-Knot at_rest(const std::vector<double>& point) {
+/// The bounds of an axis that goes `share` of the way under limits of the norm. An axis that does not
+/// move takes nothing of them.
+Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
+  if (!(share > 0)) return b;
+  const auto limit = [](double most, double& min, double& max) {
+    min = std::max(min, -most);
+    max = std::min(max, most);
+  };
+  limit(share * norm.velocity, b.velocity_min, b.velocity_max);
+  limit(share * norm.acceleration, b.acceleration_min, b.acceleration_max);
+  limit(share * norm.jerk, b.jerk_min, b.jerk_max);
+  return b;
+}
+
+/// What each axis may do on each stretch.
+detail::StretchBounds stretch_bounds(const ViaSpec& spec) {
+  detail::StretchBounds all;
+  for (std::size_t k = 0; k + 1 < spec.points.size(); ++k) {
+    all.push_back(spec.stretches.empty() ? spec.axes : spec.stretches[k]);
+    double way = 0;
+    for (std::size_t i = 0; i < spec.axes.size(); ++i)
+      way = std::hypot(way, spec.points[k + 1][i] - spec.points[k][i]);
+    for (std::size_t i = 0; i < spec.axes.size(); ++i)
+      all[k][i] = within_norm(all[k][i], spec.norm,
+                              std::abs(spec.points[k + 1][i] - spec.points[k][i]) / way);
+  }
+  return all;
+}
+
+Knot knot_at(const std::vector<double>& point, const ViaRates& rates) {
+  const auto rate = [](const std::vector<double>& all, std::size_t i) {
+    return all.empty() ? 0 : all[i];
+  };
   Knot knot;
-  for (const double x : point) knot.push_back({x, 0, 0});
+  for (std::size_t i = 0; i < point.size(); ++i)
+    knot.push_back({point[i], rate(rates.velocity, i), rate(rates.acceleration, i)});
   return knot;
+}
+
+/// At rest at every point between.
+std::vector<Knot> stopping(const ViaSpec& spec) {
+  std::vector<Knot> knots;
+  for (const auto& point : spec.points) knots.push_back(knot_at(point, {}));
+  knots.front() = knot_at(spec.points.front(), spec.start);
+  knots.back() = knot_at(spec.points.back(), spec.end);
+  return knots;
 }
 
 /// The points between which nothing is left to choose but the shortest way: all of several axes', of
 /// one axis the turning points and both ends.
-std::vector<std::size_t> essential(const ViaSpec& spec) {
+std::vector<std::size_t> essential(const ViaSpec& spec, const detail::StretchBounds& bounds) {
   std::vector<std::size_t> points;
   const auto& p = spec.points;
   for (std::size_t k = 0; k < p.size(); ++k) {
     const bool inner = k > 0 && k + 1 < p.size();
     const bool passed =
-        inner && spec.axes.size() == 1 && (p[k - 1][0] < p[k][0]) == (p[k][0] < p[k + 1][0]);
+        inner && spec.axes.size() == 1 && (p[k - 1][0] < p[k][0]) == (p[k][0] < p[k + 1][0]) &&
+        bounds[k - 1] == bounds[k];
     if (!passed) points.push_back(k);
   }
   return points;
 }
 
-/// Rest to rest from each point to the next.
-double stopping_duration(const ViaSpec& spec) {
+/// With a stop at each point between; infinite where one cannot be made without turning back.
+double stopping_duration(const ViaSpec& spec, const detail::StretchBounds& bounds) {
+  const std::vector<Knot> knots = stopping(spec);
   double total = 0;
-  for (std::size_t k = 0; k + 1 < spec.points.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     std::vector<AxisMove> moves;
     for (std::size_t i = 0; i < spec.axes.size(); ++i)
-      moves.push_back({{spec.points[k][i], 0, 0}, {spec.points[k + 1][i], 0, 0}, spec.axes[i]});
+      moves.push_back({knots[k][i], knots[k + 1][i], bounds[k][i]});
     std::vector<Profile> profiles(moves.size());
     const Synchronised all = synchronise(moves, Sync::time, profiles);
     if (all.status != MoveStatus::ok)
       throw InputError("axes[" + std::to_string(all.axis + 1) + "]", "", explain(all.status));
     if (!(all.duration > 0))
       throw InputError("axes", "", "must bound the motion: it takes no time");
-    total += all.duration;
+    total += detail::stretch(bounds[k], knots[k], knots[k + 1]).duration;
   }
   return total;
 }
@@ -141,13 +220,13 @@ struct Built {
   std::vector<double> times{0};
 };
 
-Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
+Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots) {
   Built built;
   std::vector<detail::Sequence> paths(knots.front().begin(), knots.front().end());
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const detail::Hop stretch = detail::stretch(axes, knots[k], knots[k + 1]);
+    const detail::Hop stretch = detail::stretch(bounds[k], knots[k], knots[k + 1]);
     built.times.push_back(built.times.back() + stretch.duration);
-    for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
       const Profile& profile = stretch.profiles[i];
       paths[i].add(profile, 1);
       if (profile.phases() == 0) paths[i].hold(stretch.duration);
@@ -158,18 +237,50 @@ Built build(const std::vector<Bounds>& axes, const std::vector<Knot>& knots) {
   return built;
 }
 
+/// From the first state to the last: through the points between at rest, or at part of the velocity of
+/// the end beside them where they cannot rest there.
+std::vector<Knot> feasible(const detail::StretchBounds& bounds, std::vector<Knot> knots) {
+  const auto fits = [&] {
+    const std::vector<double> all = detail::durations(bounds, knots);
+    return std::all_of(all.begin(), all.end(), [](double t) { return std::isfinite(t); });
+  };
+  const std::size_t last = knots.size() - 1;
+  const std::vector<Knot> rest = knots;
+  constexpr int shares = 8;
+  for (int first_share = 0; first_share <= shares; ++first_share)
+    for (int last_share = 0; last_share <= shares; ++last_share) {
+      knots = rest;
+      for (std::size_t i = 0; last > 1 && i < knots[0].size(); ++i) {
+        knots[1][i].velocity = rest[0][i].velocity * first_share / shares;
+        if (last_share > 0) knots[last - 1][i].velocity = rest[last][i].velocity * last_share / shares;
+      }
+      if (fits()) return knots;
+      if (last < 2) break;
+    }
+  throw InputError("start", "",
+                   "no motion was found that keeps the bounds and does not turn back: begin and end "
+                   "slower, within the limits of the stretch, or move the points beside apart");
+}
+
 }  // namespace
 
 ViaMotion via(const ViaSpec& spec) {
   require_valid(spec);
   ViaMotion motion;
-  motion.stopping_duration = stopping_duration(spec);
-  const std::vector<std::size_t> points = essential(spec);
+  const detail::StretchBounds all_bounds = stretch_bounds(spec);
+  motion.stopping_duration = stopping_duration(spec, all_bounds);
+  const std::vector<std::size_t> points = essential(spec, all_bounds);
+  const std::vector<Knot> stops = stopping(spec);
   std::vector<Knot> knots;
-  for (const std::size_t p : points) knots.push_back(at_rest(spec.points[p]));
-  detail::shorten(spec.axes, knots);
+  detail::StretchBounds bounds;
+  for (const std::size_t p : points) {
+    knots.push_back(stops[p]);
+    if (p > 0) bounds.push_back(all_bounds[p - 1]);
+  }
+  knots = feasible(bounds, std::move(knots));
+  detail::shorten(bounds, knots);
 
-  Built built = build(spec.axes, knots);
+  Built built = build(bounds, knots);
   motion.axes = std::move(built.axes);
   motion.duration = built.times.back();
   for (std::size_t k = 0; k < knots.size(); ++k) {

@@ -60,17 +60,25 @@ bool turns_back(const Profile& profile, double d) {
   return reach.least < -0x1p-40 * reach.greatest;
 }
 
-/// Whether the axis can go on from there without leaving its bounds.
+/// Whether the axis is within its bounds there, and can go on without leaving them.
 bool is_inside(const MotionState& s, const Bounds& b) {
-  const double v = natural_velocity(s, b);
   constexpr double most = 1 + 0x1p-40;
-  return v <= b.velocity_max * most && v >= b.velocity_min * most;
+  const auto within = [](double x, double min, double max) {
+    return x <= max * most && x >= min * most;
+  };
+  return within(s.velocity, b.velocity_min, b.velocity_max) &&
+         within(natural_velocity(s, b), b.velocity_min, b.velocity_max) &&
+         within(s.acceleration, b.acceleration_min, b.acceleration_max);
 }
 
 class Search {
  public:
-  Search(std::span<const Bounds> axes, std::span<Knot> knots)
-      : axes_(axes), knots_(knots), rest_(detail::durations(axes, knots)), time_(rest_) {}
+  Search(const StretchBounds& bounds, std::span<Knot> knots)
+      : bounds_(bounds),
+        axes_(knots.front().size()),
+        knots_(knots),
+        rest_(detail::durations(bounds, knots)),
+        time_(rest_) {}
 
   void start();
   void refine(bool bends);
@@ -95,9 +103,10 @@ class Search {
   bool advance(std::size_t knot, const Knot& direction, double step);
   bool accept(std::size_t knot, const Knot& candidate);
 
-  std::span<const Bounds> axes_;
+  const StretchBounds& bounds_;
+  std::size_t axes_;
   std::span<Knot> knots_;
-  std::vector<double> rest_;  ///< durations of the motion that stops
+  std::vector<double> rest_;  ///< durations of the motion that it begins from
   std::vector<double> time_;  ///< durations now
 };
 
@@ -123,7 +132,7 @@ void Search::start() {
   for (std::size_t k = 1; k + 1 < knots_.size(); ++k)
     for (double share = 1; share > 0x1p-6; share /= 2) {
       Knot candidate = knots_[k];
-      for (std::size_t i = 0; i < axes_.size(); ++i) candidate[i].velocity = share * harmonic(k, i);
+      for (std::size_t i = 0; i < axes_; ++i) candidate[i].velocity = share * harmonic(k, i);
       if (accept(k, candidate)) break;
     }
 }
@@ -147,11 +156,13 @@ void Search::refine(bool bends) {
 /// What is changed together: all velocities; each velocity, and if asked for each acceleration,
 /// alone; both of an axis, in and against each other.
 std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
-  const Knot nothing(axes_.size());
+  const Knot nothing(axes_);
   std::vector<Knot> all{nothing};
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
+  for (std::size_t i = 0; i < axes_; ++i) {
     const double v = passing(knot, i) * velocity_scale(knot, i);
-    const bool free = bends && std::isfinite(axes_[i].jerk_max) && (v != 0 || turning(knot, i));
+    const bool limited = std::isfinite(bounds_[knot - 1][i].jerk_max) &&
+                         std::isfinite(bounds_[knot][i].jerk_max);
+    const bool free = bends && limited && (v != 0 || turning(knot, i));
     const double a = free ? acceleration_scale(knot, i) : 0;
     all[0][i].velocity = v;
     const auto add = [&](const MotionState& change) {
@@ -170,7 +181,7 @@ std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
 
 bool Search::advance(std::size_t knot, const Knot& direction, double step) {
   Knot candidate = knots_[knot];
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
+  for (std::size_t i = 0; i < axes_; ++i) {
     candidate[i].velocity += step * direction[i].velocity;
     candidate[i].acceleration += step * direction[i].acceleration;
   }
@@ -179,12 +190,12 @@ bool Search::advance(std::size_t knot, const Knot& direction, double step) {
 
 /// Takes the candidate if the two stretches at the knot become shorter by more than rounding.
 bool Search::accept(std::size_t knot, const Knot& candidate) {
-  for (std::size_t i = 0; i < axes_.size(); ++i)
+  for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;
   const double now = time_[knot - 1] + time_[knot];
-  const double before = stretch(axes_, knots_[knot - 1], candidate).duration;
+  const double before = stretch(bounds_[knot - 1], knots_[knot - 1], candidate).duration;
   if (!(before < now)) return false;
-  const double after = stretch(axes_, candidate, knots_[knot + 1]).duration;
+  const double after = stretch(bounds_[knot], candidate, knots_[knot + 1]).duration;
   if (!(before + after < now * (1 - 0x1p-40))) return false;
   knots_[knot] = candidate;
   time_[knot - 1] = before;
@@ -209,16 +220,16 @@ Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to) {
   return result;
 }
 
-std::vector<double> durations(std::span<const Bounds> axes, std::span<const Knot> knots) {
+std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot> knots) {
   std::vector<double> all;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
-    all.push_back(stretch(axes, knots[k], knots[k + 1]).duration);
+    all.push_back(stretch(bounds[k], knots[k], knots[k + 1]).duration);
   return all;
 }
 
-void shorten(std::span<const Bounds> axes, std::span<Knot> knots) {
+void shorten(const StretchBounds& bounds, std::span<Knot> knots) {
   if (knots.size() < 3) return;
-  Search search(axes, knots);
+  Search search(bounds, knots);
   search.start();
   search.refine(false);
   search.refine(true);

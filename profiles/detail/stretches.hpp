@@ -16,16 +16,19 @@ struct Hop {
   std::vector<Profile> profiles;
 };
 
+/// What each axis may do, for each stretch between two knots.
+using StretchBounds = std::vector<std::vector<Bounds>>;
+
 /// All axes from one knot to the next in the least common time, if every axis gets there without
 /// turning back on the way.
 Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
 
 /// The durations between the knots.
-std::vector<double> durations(std::span<const Bounds> axes, std::span<const Knot> knots);
+std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot> knots);
 
-/// Chooses velocities and accelerations at the interior knots, which come at rest, so that the
-/// motion becomes shorter: a local search over one knot at a time (pattern search; the steps are
+/// Chooses velocities and accelerations at the interior knots, between which there must be motions, so
+/// that the motion becomes shorter: a local search over one knot at a time (pattern search; the steps are
 /// halved until none helps).
-void shorten(std::span<const Bounds> axes, std::span<Knot> knots);
+void shorten(const StretchBounds& bounds, std::span<Knot> knots);
 
 }  // namespace jounce::detail

@@ -246,16 +246,17 @@ TEST(Via, SaysWhereNothingBetterThanStoppingIsFound) {
   EXPECT_FALSE(via({.axes = {axis}, .points = {{0}, {1}}}).stops);
 }
 
+void refused(const ViaSpec& spec, const std::string& key) {
+  try {
+    via(spec);
+    ADD_FAILURE() << key;
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key(), key);
+  }
+}
+
 TEST(Via, RefusesWhatIsNoMotion) {
   const Bounds axis = within(1, 2, 3);
-  const auto refused = [](const ViaSpec& spec, const std::string& key) {
-    try {
-      via(spec);
-      ADD_FAILURE() << key;
-    } catch (const InputError& e) {
-      EXPECT_EQ(e.key(), key);
-    }
-  };
   refused({{}, {{}, {}}}, "axes");
   refused({{axis}, {{0}}}, "points");
   refused({{axis}, {{0}, {1, 2}}}, "points[2]");
@@ -268,6 +269,105 @@ TEST(Via, RefusesWhatIsNoMotion) {
   Bounds narrow = axis;
   narrow.position_max = 0.5;
   refused({{narrow}, {{0}, {1}}}, "points[2][1]");
+}
+
+/// max sqrt(sum v^2) over all axes, looked at densely.
+double greatest_norm(const ViaMotion& m, double from, double to, int order) {
+  double most = 0;
+  for (int n = 0; n <= 20000; ++n) {
+    double sum = 0;
+    for (const Trajectory& axis : m.axes) {
+      const Jet jet = axis.jet(from + (to - from) * n / 20000);
+      sum += jet[static_cast<std::size_t>(order)] * jet[static_cast<std::size_t>(order)];
+    }
+    most = std::max(most, std::sqrt(sum));
+  }
+  return most;
+}
+
+TEST(Via, KeepsALimitOfTheNorm) {
+  Random random(21);
+  for (int n = 0; n < 20; ++n) {
+    ViaSpec spec = random_via(random, true);
+    spec.norm = {random.log_uniform(0.05, 1), random.log_uniform(0.05, 1), random.log_uniform(1, 10)};
+    SCOPED_TRACE(text(spec));
+    const ViaMotion m = via(spec);
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 1), spec.norm.velocity * (1 + 1e-9));
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 2), spec.norm.acceleration * (1 + 1e-9));
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 3), spec.norm.jerk * (1 + 1e-9));
+  }
+  // A straight way has all of it: as one axis along the way.
+  const Bounds wide = within(100, 100, 100);
+  const ViaMotion straight =
+      via({.axes = {wide, wide}, .points = {{0, 0}, {3, 4}}, .norm = {2, 3, 5}});
+  EXPECT_NEAR(straight.duration, move_to({}, {5, 0, 0}, within(2, 3, 5)).profile.duration(), 1e-12);
+}
+
+TEST(Via, KeepsTheLimitsOfEachStretch) {
+  const Bounds fast = within(2, 10, 100);
+  const Bounds slow = within(0.5, 2, 20);
+  for (const std::size_t axes : {1U, 2U}) {
+    const std::vector<Bounds> all(axes, fast);
+    const std::vector<Bounds> less(axes, slow);
+    ViaSpec spec{all, {}};
+    for (const double x : {0.0, 1.0, 3.0, 6.0}) spec.points.emplace_back(axes, x);
+    spec.stretches = {all, less, all};
+    const ViaMotion m = via(spec);
+    ASSERT_EQ(m.knots.size(), 4U);
+    for (const Trajectory& axis : m.axes) {
+      double greatest = 0;
+      for (int n = 0; n <= 10000; ++n) {
+        const double t = m.duration * n / 10000;
+        const Motion now = axis.at(t);
+        const bool inside = t > m.knots[1].time && t < m.knots[2].time;
+        EXPECT_LE(now.velocity, (inside ? 0.5 : 2) * (1 + 1e-9)) << t;
+        EXPECT_LE(std::abs(now.acceleration), (inside ? 2 : 10) * (1 + 1e-9)) << t;
+        greatest = std::max(greatest, now.velocity);
+      }
+      EXPECT_GT(greatest, 1) << "fast where it may be";
+    }
+    EXPECT_LT(m.duration, m.stopping_duration);
+  }
+}
+
+TEST(Via, BeginsAndEndsInMotion) {
+  const Bounds axis = within(2, 10, 100);
+  // One axis, all points ahead: the move from the one state to the other.
+  const ViaMotion one = via({.axes = {axis},
+                             .points = {{0}, {1}, {4}},
+                             .start = {{1.5}, {2}},
+                             .end = {{1}, {}}});
+  EXPECT_NEAR(one.duration, move_to({0, 1.5, 2}, {4, 1, 0}, axis).profile.duration(), 1e-12);
+  const ViaMotion two = via({.axes = {axis, axis},
+                             .points = {{0, 0}, {1, 0.5}, {3, 3}},
+                             .start = {{1.8, 0.9}, {}},
+                             .end = {{0.5, 1}, {}}});
+  const auto rates = [](const ViaMotion& m, double t, std::size_t i) { return m.axes[i].at(t).velocity; };
+  EXPECT_NEAR(rates(two, 0, 0), 1.8, 1e-12);
+  EXPECT_NEAR(rates(two, 0, 1), 0.9, 1e-12);
+  EXPECT_NEAR(rates(two, two.duration, 0), 0.5, 1e-9);
+  EXPECT_NEAR(rates(two, two.duration, 1), 1, 1e-9);
+  for (const Trajectory& f : two.axes) {
+    EXPECT_TRUE(check_continuity(with(f, Outside::refuse), 2).ok());
+    EXPECT_GE(extrema(f, 1).min.value, -1e-12);
+  }
+  // Too fast to stop at a point that is too near, but not to pass it.
+  const ViaMotion passed = via({.axes = {axis, axis},
+                                .points = {{0, 0}, {0.1, 0.1}, {3, 3}},
+                                .start = {{2, 2}, {}}});
+  EXPECT_TRUE(std::isfinite(passed.duration));
+  EXPECT_TRUE(std::isinf(passed.stopping_duration));
+}
+
+TEST(Via, RefusesRatesAndLimitsThatGiveNoMotion) {
+  const Bounds axis = within(1, 2, 3);
+  refused({.axes = {axis}, .points = {{0}, {1}}, .start = {{1, 2}, {}}}, "start.velocity");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .end = {{}, {std::nan("")}}}, "end.acceleration");
+  refused({.axes = {axis}, .points = {{0}, {0.01}}, .start = {{1}, {}}}, "start");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .start = {{-0.5}, {}}}, "start");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .stretches = {{axis}, {axis}}}, "stretches");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .stretches = {{}}}, "stretches[1]");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .norm = {0, 1, 1}}, "norm.velocity");
 }
 
 }  // namespace
