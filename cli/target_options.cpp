@@ -61,7 +61,7 @@ std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options)
       verb.option("--velocity-tolerance", options.velocity_tolerance,
                   "The same for the first derivative"),
       verb.option("--most", options.most,
-                  "At most so many new knots; without a tolerance, the best table that has them"),
+                  "At most so many new knots; without a tolerance, the table of the least error, or near it"),
       verb.option("--spacing", options.spacing, "New knots are at least so far apart"),
       verb.option("--resolution", options.resolution,
                   "New knots at whole multiples of this, such as 1ms"),

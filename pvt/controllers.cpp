@@ -18,6 +18,9 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
   double before = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double whole = std::trunc(points[i].x);
+    if (whole > largest_long)
+      throw InputError(key("point", i), points[i].x,
+                       "must be at most 2147483647 ms: GT_PtData takes a long of 32 bits");
     if (whole != points[i].x) {
       std::string rule =
           "must be a whole number of ms: GT_PtData takes a long, which makes it " + number(whole);
@@ -30,6 +33,19 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
     throw InputError("loops", std::to_string(loops),
                      "only a table in one FIFO can be repeated, which holds 1024 segments, not " +
                          std::to_string(points.size()));
+}
+
+std::string googol::broken_follow_rule(double master) {
+  if (std::trunc(master) != master)
+    return "must be a whole number of pulses: GT_FollowData takes a long";
+  if (std::abs(master) > largest_long)
+    return "must be at most 2147483647 pulses: GT_FollowData takes a long of 32 bits";
+  return "";
+}
+
+const char* himc::pvt_limit_error(const std::string& quantity) {
+  if (quantity == "velocity") return "0x83aa08a2";
+  return quantity == "acceleration" ? "0x83aa08ac" : "";
 }
 
 void himc::require_pvt(std::span<const double> x) {

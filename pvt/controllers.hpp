@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "jounce/pvt/pt.hpp"
 
@@ -12,9 +13,17 @@ namespace jounce::googol {
 
 inline constexpr std::size_t pt_fifo = 1024;  ///< segments in a FIFO, memory 1 (32 with memory 0)
 
-/// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers. A table that is played more often
+inline constexpr double largest_long = 2147483647;  ///< of 32 bits on the controller
+
+/// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers up to largest_long. A table that is played more often
 /// than once (loops other than 1) stands in one static FIFO.
 void require_pt(std::span<const PtPoint> points, std::size_t loops = 1);
+
+inline constexpr std::size_t follow_fifo = 512;  ///< segments of a follow table, memory 1 (16 with 0)
+
+/// The rule that a master position of a follow table breaks: GT_FollowData (7.6) takes a `long` of whole
+/// pulses. "" where it breaks none.
+std::string broken_follow_rule(double master);
 
 }  // namespace jounce::googol
 
@@ -23,7 +32,9 @@ namespace jounce::himc {
 inline constexpr std::size_t pvt_points = 50;
 
 /// MovePVT (HMPL manual 5.2.8): at most 50 points, times from 0 and ascending (error 0x83aa08b6).
-/// Limits of velocity (08a2) and acceleration (08ac) are those of the spec, which `check` holds exactly.
 void require_pvt(std::span<const double> times);
+
+/// The error by which MovePVT refuses a table that breaks a limit of the axis; "" for other quantities.
+const char* pvt_limit_error(const std::string& quantity);
 
 }  // namespace jounce::himc

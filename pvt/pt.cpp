@@ -69,6 +69,10 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
   double rate = start_rate;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Link link = detail::pt_link(before, points[i], i == 0, rate);
+    if (!std::isfinite(link.rate.end) || !std::isfinite(2 * link.distance))
+      throw InputError(key<Over>(i, false), points[i].position,
+                       "is too far from the point before, " + number(before.position) +
+                           ", in " + number(link.length) + ": the velocity overflows");
     use(link);
     rate = link.rate.end;
     before = points[i];

@@ -9,6 +9,7 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/detail/best_places.hpp"
 #include "jounce/pvt/detail/halves.hpp"
 #include "jounce/pvt/detail/longest.hpp"
 #include "jounce/pvt/detail/stretches.hpp"
@@ -30,6 +31,12 @@
 // into such problems, one behind the other. What can still be left out at the end is left out. With all
 // tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
 // table of n knots, and bisection finds it.
+//
+// Where (1) does not hold that is near the best, no more. So tables of few knots are also searched
+//
+//   (3)  over places, by a dynamic programme (detail/best_places.cpp),
+//
+// and the better one is taken.
 namespace jounce {
 namespace {
 
@@ -75,11 +82,16 @@ class Reduction {
     const bool any = target_.tolerance || target_.velocity_tolerance;
     const std::size_t most = most_ends();
     Attempt found = attempt(1, most);
-    if (!found.reaches) refuse(found);
+    if (!found.reaches) {
+      auto other = searched(1, {}, most, any);
+      if (!other) refuse(found);
+      found = std::move(*other);
+    }
     if (!any)
       found = least(std::move(found), most, 1.0 / 16);
     else if (const std::size_t n = found.knots.size(); n > 2 && n <= worth_levelling)
       found = least(std::move(found), n, 0.7 * std::pow(1 - 1.0 / static_cast<double>(n), order()));
+    found = better(std::move(found), most, any);
     return made(needed(std::move(found.knots), tolerances(any ? 1 : found.scale)));
   }
 
@@ -120,10 +132,23 @@ class Reduction {
     return {path(nodes, first), scale, false, false};
   }
 
-  [[nodiscard]] Knot first_knot() const {
-    if (!stretches_.empty() && stretches_.front().begin.x == f_.start())
-      return stretches_.front().begin;
-    return detail::held_at(f_, target_, f_.start(), Side::right);
+  /// The best table over places, (3).
+  [[nodiscard]] std::optional<Attempt> searched(double scale, const std::vector<Knot>& known,
+                                                std::size_t most, bool fewest) const {
+    const Tolerances allowed = tolerances(scale);
+    const std::vector<Straight> kept = kept_within(allowed);
+    auto best = detail::best_over_places(f_, target_, allowed, kept, known, most, fewest);
+    if (!best) return std::nullopt;
+    return Attempt{std::move(best->knots), scale * best->share, true, false};
+  }
+
+  /// `found`, or what the search over places has with fewer knots or an error smaller by a hundredth.
+  [[nodiscard]] Attempt better(Attempt found, std::size_t most, bool any) const {
+    const std::size_t n = found.knots.size();
+    auto other = searched(any ? 1 : found.scale, found.knots, any ? n : most, any);
+    if (!other) return found;
+    const bool fewer = any && other->knots.size() < n;
+    return fewer || other->scale < 0.99 * found.scale ? std::move(*other) : found;
   }
 
   /// All dwells, and the straight lines that the rounding of their ends bends by no more than this.

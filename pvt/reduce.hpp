@@ -25,9 +25,12 @@ namespace jounce {
 ///
 /// **Fewest.** Knots lie anywhere, not only at the breaks of the curve. Each interval is as long as
 /// it can be, which is fewest wherever a part of an interval that keeps the tolerance keeps it too;
-/// then all are shortened alike until they share one error: the table is the best of its
-/// number of knots, to a hundredth. No other knot than those of dwells and straight lines can be
-/// left out: two intervals as one break the tolerance.
+/// then all are shortened alike until they share one error: for a smooth curve the table is the best of
+/// its number of knots, to a hundredth. Elsewhere it is near the best; tables of at most 64 knots of
+/// curves of at most 128 segments are also searched over the breaks of the curve and 64 parts of it, so
+/// that no subset of its own knots is better by more than a hundredth (detail/best_places.hpp). No other
+/// knot than those of dwells and straight lines can be left out: two intervals as one break the
+/// tolerance.
 ///
 /// **Dwells and straight lines** of the curve (a slave in sync) are intervals of the table, exactly,
 /// whatever the tolerance: both ends are knots, on a grid the next ones inwards. Between straight lines,

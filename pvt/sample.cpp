@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/detail/longest.hpp"
 
 namespace jounce {
 namespace {
@@ -78,6 +82,72 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Rule rule, doub
   return all;
 }
 
+/// A knot's position is rounded to e P, P the greatest position. An interval of length L makes of it a
+/// third derivative of its own of up to
+///
+///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
+///
+/// which counts as much as a thousandth of the curve's below the length that this returns.
+template <class Over>
+double noisy_length(const Curve<Over>& f, Rule rule) {
+  const Ranges peaks = extrema(f);
+  const double jerk = std::abs(peaks[3].peak().value);
+  if (rule == Rule::linear || !(jerk > 0)) return 0;
+  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(peaks[0].peak().value);
+  return std::cbrt((rule == Rule::quintic_hermite ? 120 : 24) * rounding / (1e-3 * jerk));
+}
+
+/// Knots whose neighbours are not so near that the rounding of their positions shows in the jerk: near ones
+/// are left out or moved apart, where the tolerance allows it.
+template <class Over>
+class Spread {
+ public:
+  Spread(const Curve<Over>& f, Rule rule, double wanted)
+      : f_(f), rule_(rule), allowed_{wanted, detail::inf}, least_(noisy_length(f, rule)) {}
+
+  [[nodiscard]] std::vector<double> run(std::vector<double> knots) const {
+    for (std::size_t i = 0; i + 1 < knots.size();) {
+      if (knots[i + 1] - knots[i] >= least_ || !parted(knots, i)) ++i;
+    }
+    return knots;
+  }
+
+ private:
+  [[nodiscard]] bool fits(double a, double b) const {
+    const detail::Knot from = detail::knot_at(f_, a, Side::right);
+    const detail::Knot to = detail::knot_at(f_, b, b == f_.end() ? Side::left : Side::right);
+    return detail::share(f_, rule_, from, to, allowed_) <= 1;
+  }
+
+  /// Knot k at x, or without it; false where the tolerance does not allow it.
+  bool replaced(std::vector<double>& knots, std::size_t k, std::optional<double> x) const {
+    if (k == 0 || k + 1 >= knots.size()) return false;
+    const double before = knots[k - 1];
+    const double after = knots[k + 1];
+    if (!x) {
+      if (!fits(before, after)) return false;
+      knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(k));
+      return true;
+    }
+    if (*x - before < least_ || after - *x < least_ || !fits(before, *x) || !fits(*x, after))
+      return false;
+    knots[k] = *x;
+    return true;
+  }
+
+  /// Whether the interval from knot i was made longer.
+  bool parted(std::vector<double>& knots, std::size_t i) const {
+    return replaced(knots, i + 1, {}) || replaced(knots, i, {}) ||
+           replaced(knots, i + 1, knots[i] + 2 * least_) ||
+           replaced(knots, i, knots[i + 1] - 2 * least_);
+  }
+
+  const Curve<Over>& f_;
+  Rule rule_;
+  detail::Tolerances allowed_;
+  double least_;
+};
+
 }  // namespace
 
 template <class Over>
@@ -124,13 +194,24 @@ Sampled sample(const Curve<Over>& f, Rule rule, std::size_t intervals) {
 }
 
 template <class Over>
+void require_certifiable(const Curve<Over>& f, const char* key, double tolerance) {
+  double largest = 0;
+  for (const Segment& segment : f.segments()) largest = std::max(largest, magnitude(segment));
+  const double least = std::max(1e-14 * std::abs(extrema(f, 0).peak().value), 1e-15 * largest);
+  if (tolerance < least)
+    throw InputError(key, tolerance,
+                     "must be at least " + number(least) +
+                         ": the rounding of such positions hides smaller errors");
+}
+
+template <class Over>
 Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::size_t most) {
   require_positive("tolerance", tolerance);
   // What is below the rounding of the values cannot be asked for.
   const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    const Curve<Over> piece({f.segments()[i]}, f.breaks()[i]);
+    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short ones have few digits
     const auto fits = [&](std::size_t n) {
       return sample(piece, rule, n).error.position <= wanted;
     };
@@ -152,6 +233,7 @@ Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::si
   }
   knots.push_back(f.end());
   knots = shortened_before_steps(f, rule, wanted, knots);
+  knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   Sampled sampled = sample(f, rule, knots);
   // An interval that fitted by its symmetry may no longer do so once it is shortened.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
@@ -166,6 +248,7 @@ Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::si
   template Sampled sample(const Curve<Over>&, Rule, const std::vector<double>&); \
   template Sampled sample(const Curve<Over>&, Rule, std::size_t);                \
   template Sampled certified(const Curve<Over>&, Rule, Columns);                 \
+  template void require_certifiable(const Curve<Over>&, const char*, double);    \
   template Sampled sample_within(const Curve<Over>&, Rule, double, std::size_t);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

@@ -53,4 +53,9 @@ template <class Over>
 Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance,
                       std::size_t most = 1'000'000);
 
+/// Throws InputError, under `key`, for a tolerance below what doubles can certify of this curve:
+/// 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms where that is more.
+template <class Over>
+void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
+
 }  // namespace jounce

@@ -1,5 +1,6 @@
 #include "jounce/profiles/controllers/himc.hpp"
 
+#include <string>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
@@ -39,6 +40,15 @@ double signed_velocity(int direction, const Dynamics& d) {
   return direction * d.velocity;
 }
 
+/// A number of a filter within [least, most], and the error of the controller where it is not.
+void require_within(const char* key, double value, double least, double most,
+                    const std::string& filter, const char* error) {
+  if (value >= least && value <= most) return;
+  throw InputError(key, value,
+                   "must be from " + number(least) + " to " + number(most) + " for " + filter +
+                       " (HIMC error " + error + ")");
+}
+
 }  // namespace
 
 Dynamics dynamics(const AxisProfile& axis) {
@@ -75,6 +85,22 @@ Trajectory move_vel(const Trajectory& running, double t, int direction, const Ax
 
 Trajectory stop(const Trajectory& running, double t, const AxisProfile& axis) {
   return with_velocity(running, t, 0, dynamics(axis));
+}
+
+void require_in_shape(const ShaperSpec& shaper, FilterOf of) {
+  const bool group = of == FilterOf::group;
+  const std::string filter = group ? "a group's InShape" : "an axis's InShape";
+  if (shaper.kind == ShaperKind::ei)
+    throw InputError("kind", "\"ei\"", "must be zv (NORMAL) or zvd (ROBUST) for " + filter);
+  require_within("frequency", shaper.mode.frequency, group ? 3 : 1.5, 300, filter,
+                 group ? "0x82gg0118" : "0x83aa047e");
+  require_within("damping", shaper.mode.damping, 0, 0.3, filter,
+                 group ? "0x82gg010e" : "0x83aa0474");
+}
+
+void require_vsf(const NotchSpec& notch) {
+  require_within("frequency", notch.frequency, 0.1, 200, "VSF", "0x83aa047e");
+  require_within("damping", notch.damping, 0.7, 1.5, "VSF", "0x83aa0474");
 }
 
 }  // namespace jounce::himc

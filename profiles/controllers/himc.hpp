@@ -1,6 +1,8 @@
 #pragma once
 
 #include "jounce/profiles/dynamics.hpp"
+#include "jounce/profiles/notch.hpp"
+#include "jounce/profiles/shaper.hpp"
 
 namespace jounce::himc {
 
@@ -44,5 +46,15 @@ Trajectory move_vel(const Trajectory& running, double t, int direction, const Ax
 
 /// Stop and Halt (5.2.9, 5.2.10): to rest, with the axis deceleration.
 Trajectory stop(const Trajectory& running, double t, const AxisProfile& axis);
+
+/// Whose filter it is: an axis's or a group's.
+enum class FilterOf { axis, group };
+
+/// What SetAxisInShape and SetGrpInShape take (15.1): NORMAL (zv) or ROBUST (zvd); an axis 1.5 to 300 Hz,
+/// a group 3 to 300 Hz; damping 0 to 0.3. Throws InputError with the controller's error.
+void require_in_shape(const ShaperSpec& shaper, FilterOf of);
+
+/// What SetAxisVsf takes (15.1): 0.1 to 200 Hz, damping 0.7 to 1.5. Throws InputError likewise.
+void require_vsf(const NotchSpec& notch);
 
 }  // namespace jounce::himc

@@ -22,7 +22,9 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
   double x = near(f.start(), g.start()) ? f.start() : std::max(f.start(), g.start());
   const auto first = [&](const Curve<Over>& c) {
     std::size_t n = 0;
-    while (n < c.segments().size() && (c.breaks()[n + 1] <= x || near(c.breaks()[n + 1], x))) ++n;
+    // What ends at x but for rounding is over; where c begins at x, its first segment is just short.
+    const auto over = [&](double end) { return end <= x || (x != c.start() && near(end, x)); };
+    while (n < c.segments().size() && over(c.breaks()[n + 1])) ++n;
     return n;
   };
   std::size_t i = first(f);

@@ -68,5 +68,14 @@ TEST(Himc, TimesBeginAtZeroAndAscend) {
             "knot[1].time = 0.5: must be 0 (HIMC error 0x83aa08b6, PVT time sequence)");
 }
 
+TEST(Googol, TimesAreALong) {
+  const std::vector<PtPoint> last{{16, 1}, {2147483647, 2}};
+  EXPECT_EQ(message([&] { googol::require_pt(last); }), "");
+  const std::vector<PtPoint> beyond{{16, 1}, {2147483648, 2}};
+  EXPECT_EQ(message([&] { googol::require_pt(beyond); }),
+            "point[2].time = 2147483648: must be at most 2147483647 ms: GT_PtData takes a long of 32 "
+            "bits");
+}
+
 }  // namespace
 }  // namespace jounce

@@ -212,6 +212,151 @@ TEST(Reduced, MakesTheBestOfSoManyKnots) {
   }
 }
 
+// ---- an oracle that shares no code with the search: all subsets of few places
+
+/// A cubic by its values and slopes at the ends of [0, h], in powers of u.
+struct Powers {
+  double c[4] = {};
+  [[nodiscard]] double at(double u) const { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); }
+};
+
+Powers hermite(double h, double p, double v, double q, double w) {
+  return {{p, v, (3 * (q - p) / h - 2 * v - w) / h, (v + w - 2 * (q - p) / h) / (h * h)}};
+}
+
+/// Greatest |f(u)| on [from, to]: at the ends or where the derivative is 0.
+double greatest(const Powers& f, double from, double to) {
+  double most = std::max(std::abs(f.at(from)), std::abs(f.at(to)));
+  const double a = 3 * f.c[3];
+  const double b = 2 * f.c[2];
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * f.c[1]));
+  for (const double u : {(-b + root) / (2 * a), (-b - root) / (2 * a), -f.c[1] / b})
+    if (u > from && u < to) most = std::max(most, std::abs(f.at(u)));
+  return most;
+}
+
+/// The same cubic counted from u0 on.
+Powers from(const Powers& f, double u0) {
+  return {{f.at(u0), f.c[1] + u0 * (2 * f.c[2] + u0 * 3 * f.c[3]), f.c[2] + 3 * f.c[3] * u0,
+           f.c[3]}};
+}
+
+/// A PVT table, and what straight lines or cubics between places of it err.
+struct Pvt {
+  std::vector<double> x, p, v;
+
+  [[nodiscard]] Powers piece(std::size_t i) const {
+    return hermite(x[i + 1] - x[i], p[i], v[i], p[i + 1], v[i + 1]);
+  }
+  [[nodiscard]] Jet jet(double t) const {
+    std::size_t i = 0;
+    while (i + 2 < x.size() && t >= x[i + 1]) ++i;
+    const Powers f = from(piece(i), t - x[i]);
+    return {f.c[0], f.c[1], 0, 0};
+  }
+  [[nodiscard]] double error(Rule rule, double a, double b) const {
+    const Jet at_a = jet(a);
+    const Jet at_b = jet(b);
+    const double slope = (at_b[0] - at_a[0]) / (b - a);
+    const Powers chord = rule == Rule::linear
+                             ? Powers{{at_a[0], slope, 0, 0}}
+                             : hermite(b - a, at_a[0], at_a[1], at_b[0], at_b[1]);
+    double most = 0;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+      const double begin = std::max(a, x[i]);
+      const double end = std::min(b, x[i + 1]);
+      if (!(begin < end)) continue;
+      Powers f = from(piece(i), begin - x[i]);
+      const Powers g = from(chord, begin - a);
+      for (int k = 0; k < 4; ++k) f.c[k] -= g.c[k];
+      most = std::max(most, greatest(f, 0, end - begin));
+    }
+    return most;
+  }
+};
+
+/// The least error of each number of knots, over all subsets of the places.
+std::vector<double> best_of_subsets(const Pvt& pvt, Rule rule, const std::vector<double>& places) {
+  const std::size_t n = places.size();
+  std::vector<std::vector<double>> e(n, std::vector<double>(n, 0));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) e[i][j] = pvt.error(rule, places[i], places[j]);
+  std::vector<double> best(n + 1, 1e300);
+  for (std::size_t chosen = 0; chosen < std::size_t{1} << (n - 2); ++chosen) {
+    std::size_t count = 2;
+    std::size_t before = 0;
+    double error = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      if (i + 1 < n && (chosen >> (i - 1) & 1U) == 0) continue;
+      count += i + 1 < n ? 1 : 0;
+      error = std::max(error, e[before][i]);
+      before = i;
+    }
+    best[count] = std::min(best[count], error);
+  }
+  for (std::size_t k = 3; k <= n; ++k) best[k] = std::min(best[k], best[k - 1]);
+  return best;
+}
+
+Pvt random_pvt(Random& random, std::size_t knots) {
+  Pvt pvt;
+  double x = 0;
+  for (std::size_t i = 0; i < knots; ++i, x += random.uniform(0.3, 1.7)) {
+    pvt.x.push_back(x);
+    pvt.p.push_back(random.uniform(-10, 10));
+    pvt.v.push_back(random.uniform(-20, 20));
+  }
+  return pvt;
+}
+
+Trajectory curve_of(const Pvt& pvt) {
+  return Table(Axis::time, Rule::cubic_hermite, Outside::hold, {pvt.x, pvt.p, pvt.v, {}})
+      .curve<OverTime>();
+}
+
+TEST(Reduced, IsAsGoodAsTheBestSubsetOfTheKnotsOfASmallTable) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const Pvt pvt = random_pvt(random, 13);
+    for (const Rule rule : {Rule::linear, Rule::cubic_hermite}) {
+      const std::vector<double> best = best_of_subsets(pvt, rule, pvt.x);
+      for (const std::size_t most : {4u, 7u, 10u, 12u}) {
+        const std::string which =
+            name(rule) + (" seed " + std::to_string(seed)) + " most " + std::to_string(most);
+        const Sampled made = reduced(curve_of(pvt), {.rule = rule, .most = most});
+        EXPECT_LE(made.table.size(), most) << which;
+        EXPECT_LE(made.error.position, best[most] * 1.011) << which;
+        const double tolerance = best[most] * (1 + 1e-9);
+        const Sampled fewest = reduced(curve_of(pvt), {.rule = rule, .tolerance = tolerance});
+        EXPECT_LE(fewest.table.size(), most) << which;
+        EXPECT_LE(fewest.error.position, tolerance * (1 + 1e-9)) << which;
+      }
+    }
+  }
+}
+
+TEST(Reduced, IsTheBestOfAllTablesOnFewWholeSteps) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    Pvt pvt = random_pvt(random, 8);
+    const double scale = 12 / pvt.x.back();
+    for (double& x : pvt.x) x *= scale;
+    pvt.x.back() = 12;
+    std::vector<double> places;
+    for (int i = 0; i <= 12; ++i) places.push_back(i);
+    for (const Rule rule : {Rule::linear, Rule::cubic_hermite}) {
+      const std::vector<double> best = best_of_subsets(pvt, rule, places);
+      for (const std::size_t most : {3u, 5u, 8u, 11u}) {
+        const std::string which =
+            name(rule) + (" seed " + std::to_string(seed)) + " most " + std::to_string(most);
+        const Sampled made = reduced(curve_of(pvt), {.rule = rule, .most = most, .x_step = 1});
+        EXPECT_LE(made.error.position, best[most] * 1.011) << which;
+        EXPECT_GE(made.error.position, best[most] * (1 - 1e-9)) << which;
+      }
+    }
+  }
+}
+
 TEST(Reduced, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
   const Trajectory move =
       s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
