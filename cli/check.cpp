@@ -126,7 +126,8 @@ int run(const Options& options) {
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    const Report report = checked(input, options.continuity, engage_state(input, options));
+    Report report = checked(input, options.continuity, engage_state(input, options));
+    add_not_limited(report, input);
     ok = ok && report.ok();
     if (options.json)
       documents.emplace_back(input.axis, json_of(report, input));

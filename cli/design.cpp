@@ -49,6 +49,12 @@ nlohmann::ordered_json json_of(const Input& input, const Report& report, const s
     }
   }
   summary["broken"] = report.broken();
+  for (const Finding& f : report.findings)
+    if (is_unlimited(f))
+      summary["not_limited"].push_back({{"quantity", f.quantity},
+                                        {"unit", input.labels.unit_of(f)},
+                                        {"peak", f.value},
+                                        {"where", f.where}});
   for (const Residual& r : input.residuals)
     summary["residuals"].push_back({{"frequency", r.mode.frequency},
                                     {"damping", r.mode.damping},
@@ -63,9 +69,9 @@ std::string fewest_text(const Input& input) {
                                                     : std::string(OverTime::names[1]);
   const char* why =
       *input.binding == Binding::none        ? "two knots do"
-      : *input.binding == Binding::most      ? "the error is the least that so many knots have"
-      : *input.binding == Binding::tolerance ? "the position's tolerance allows no fewer"
-                                             : "the velocity's tolerance allows no fewer";
+      : *input.binding == Binding::most      ? "the least error of so many knots, or near it"
+      : *input.binding == Binding::tolerance ? "the fewest knots for the position's tolerance, or nearly"
+                                             : "the fewest knots for the velocity's tolerance, or nearly";
   return fmt::format("{}: {} {} at the most (certified); {}", rate, rounded(input.error->velocity),
                      input.labels.unit_of(rate), why);
 }
@@ -87,6 +93,8 @@ void print_text(std::FILE* out, const Input& input, const Report& report) {
                rounded(r.before), units.position);
   // The table is what was asked for; that it steps, turns back or breaks a limit is not kept quiet.
   if (!report.ok()) fmt::print(out, "jounce check: {}\n", one_line(report, input.labels));
+  if (const std::string rest = not_limited_text(report, input.labels); !rest.empty())
+    fmt::print(out, "{}\n", rest);
   fmt::print(out, "sha256 {}\n", hex(content_hash(table, units)));
 }
 
@@ -109,6 +117,7 @@ int run(const Options& options) {
   for (const Input& input : inputs) {
     add_files(input, options, inputs.size(), files);
     reports.push_back(check_all(input));
+    add_not_limited(reports.back(), input);
   }
   require_other_file(options.spec, options.output);
   write_files(files);

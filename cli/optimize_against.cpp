@@ -8,7 +8,6 @@
 
 #include "optimizing.hpp"
 #include "shape_text.hpp"
-#include "verb.hpp"
 #include "watched.hpp"
 
 namespace jounce::cli {
@@ -78,18 +77,16 @@ int optimize_against(const OptimizeOptions& options, const Spec& spec) {
   const AgainstOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
     return jounce::optimize_against(problem, against, keep_going);
   });
-  std::FILE* out = told_on(options);
-  if (options.json) {
-    Json document = json_of(outcome.shapes, words);
-    document["usable"] = outcome.usable();
-    document["drive"] = json_of(outcome, words);
-    fmt::print(out, "{}\n", document.dump(1));
-  } else {
-    print_text(out, outcome.shapes, words);
-    print_drive(out, outcome, words);
+  Json document = json_of(outcome.shapes, words);
+  document["usable"] = outcome.usable();
+  document["drive"] = json_of(outcome, words);
+  if (!options.json) {
+    print_text(told_on(options), outcome.shapes, words);
+    print_drive(told_on(options), outcome, words);
   }
-  if (!outcome.usable()) return finding;
-  return write_optimized(options, spec, with_shapes(spec, outcome.shapes.best));
+  return finish(
+      options, spec, std::move(document),
+      outcome.usable() ? std::optional(with_shapes(spec, outcome.shapes.best)) : std::nullopt);
 }
 
 }  // namespace jounce::cli

@@ -11,7 +11,6 @@
 #include "interrupt.hpp"
 #include "optimizing.hpp"
 #include "progress.hpp"
-#include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -55,7 +54,7 @@ void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
     fmt::print(out, "least violated:\n{}", full_text(outcome.limits, labels));
 }
 
-void print_json(std::FILE* out, const Outcome& outcome, const Labels& labels) {
+nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
   using Json = nlohmann::ordered_json;
   Json objectives = Json::array();
   for (const auto& r : outcome.objectives)
@@ -72,15 +71,14 @@ void print_json(std::FILE* out, const Outcome& outcome, const Labels& labels) {
                       {"where", finding.where},
                       {"value", finding.value},
                       {"limit", finding.limit}});
-  const Json document{{"status", name(outcome.status)},
-                      {"usable", outcome.usable()},
-                      {"reason", outcome.reason},
-                      {"objectives", objectives},
-                      {"active", active},
-                      {"limits", Json::parse(to_json(outcome.limits, labels))},
-                      {"evaluations", outcome.evaluations},
-                      {"starts", outcome.starts}};
-  fmt::print(out, "{}\n", document.dump(1));
+  return {{"status", name(outcome.status)},
+          {"usable", outcome.usable()},
+          {"reason", outcome.reason},
+          {"objectives", objectives},
+          {"active", active},
+          {"limits", Json::parse(to_json(outcome.limits, labels))},
+          {"evaluations", outcome.evaluations},
+          {"starts", outcome.starts}};
 }
 
 }  // namespace
@@ -101,10 +99,9 @@ int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
       return !interrupt.asked();
     });
   }
-  std::FILE* out = told_on(options);
-  options.json ? print_json(out, outcome, labels) : print_text(out, outcome, labels);
-  if (!outcome.usable()) return finding;
-  return write_optimized(options, spec, with_knots(spec, outcome.best));
+  if (!options.json) print_text(told_on(options), outcome, labels);
+  return finish(options, spec, json_of(outcome, labels),
+                outcome.usable() ? std::optional(with_knots(spec, outcome.best)) : std::nullopt);
 }
 
 }  // namespace jounce::cli

@@ -11,7 +11,6 @@
 #include "interrupt.hpp"
 #include "optimizing.hpp"
 #include "progress.hpp"
-#include "verb.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -63,7 +62,7 @@ Json json_of(const TunedFigure& f) {
   return all;
 }
 
-void print_json(std::FILE* out, const TuneOutcome& outcome, const Spec& spec) {
+Json json_of(const TuneOutcome& outcome, const Spec& spec) {
   Json numbers = Json::array();
   for (const TunedNumber& n : outcome.numbers)
     numbers.push_back({{"key", n.key},
@@ -76,18 +75,16 @@ void print_json(std::FILE* out, const TuneOutcome& outcome, const Spec& spec) {
   for (const TunedFigure& f : outcome.figures) figures.push_back(json_of(f));
   const Labels labels{spec.units, spec.over_master(), {}};
   const SearchOutcome& search = outcome.search;
-  const Json document{
-      {"status", name(search.status)},
-      {"usable", outcome.usable()},
-      {"reason", search.reason},
-      {spec.parameters->maximize ? "maximize" : "minimize", spec.parameters->figure},
-      {"figures", figures},
-      {"parameters", numbers},
-      {"active", outcome.active},
-      {"limits", Json::parse(to_json(outcome.report, labels))},
-      {"evaluations", search.evaluations},
-      {"searches", search.searches}};
-  fmt::print(out, "{}\n", document.dump(1));
+  return {{"status", name(search.status)},
+          {"usable", outcome.usable()},
+          {"reason", search.reason},
+          {spec.parameters->maximize ? "maximize" : "minimize", spec.parameters->figure},
+          {"figures", figures},
+          {"parameters", numbers},
+          {"active", outcome.active},
+          {"limits", Json::parse(to_json(outcome.report, labels))},
+          {"evaluations", search.evaluations},
+          {"searches", search.searches}};
 }
 
 TuneOutcome searched(const Spec& spec) {
@@ -111,10 +108,9 @@ TuneOutcome searched(const Spec& spec) {
 
 int optimize_parameters(const OptimizeOptions& options, const Spec& spec) {
   const TuneOutcome outcome = searched(spec);
-  std::FILE* out = told_on(options);
-  options.json ? print_json(out, outcome, spec) : print_text(out, outcome, spec);
-  if (!outcome.usable()) return finding;
-  return write_optimized(options, spec, outcome.text);
+  if (!options.json) print_text(told_on(options), outcome, spec);
+  return finish(options, spec, json_of(outcome, spec),
+                outcome.usable() ? std::optional(outcome.text) : std::nullopt);
 }
 
 }  // namespace jounce::cli

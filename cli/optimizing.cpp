@@ -10,6 +10,7 @@
 
 #include "before_after.hpp"
 #include "cam_check.hpp"
+#include "peaks.hpp"
 #include "picture.hpp"
 #include "verb.hpp"
 
@@ -29,6 +30,19 @@ bool passes_check(std::FILE* out, const Spec& spec) {
   return passes;
 }
 
+void write(const OptimizeOptions& options, const Spec& given, const Spec& optimised,
+           const std::string& text) {
+  const Made made = make(optimised);
+  const TableFile table{made.sampled.table,
+                        optimised.units,
+                        {optimised.document.name, hex(optimised.document.hash), made_by()}};
+  std::vector<Output> files;
+  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
+  if (!options.output.empty()) files.push_back({options.output, text});
+  if (!options.plot.empty()) write_picture(options.plot, before_after(given, optimised));
+  write_files(files);
+}
+
 }  // namespace
 
 std::FILE* told_on(const OptimizeOptions& options) {
@@ -36,18 +50,18 @@ std::FILE* told_on(const OptimizeOptions& options) {
   return taken ? stderr : stdout;
 }
 
-int write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text) {
-  const std::string path = options.output.empty() ? before.document.name : options.output;
-  const Spec better = parse_spec(text, path);
-  if (!passes_check(options.json ? stderr : told_on(options), better)) return finding;
-  const Made made = make(better);
-  const TableFile table{
-      made.sampled.table, better.units, {path, hex(better.document.hash), made_by()}};
-  std::vector<Output> files;
-  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
-  if (!options.output.empty()) files.push_back({options.output, text});
-  if (!options.plot.empty()) write_picture(options.plot, before_after(before, better));
-  write_files(files);
+int finish(const OptimizeOptions& options, const Spec& given, nlohmann::ordered_json document,
+           const std::optional<std::string>& optimised) {
+  std::FILE* out = told_on(options);
+  std::optional<Spec> spec;
+  if (optimised)
+    spec = parse_spec(*optimised, options.output.empty() ? given.document.name : options.output);
+  if (spec && options.json) document["peaks"] = peaks_json(given, *spec);
+  if (options.json) fmt::print(out, "{}\n", document.dump(1));
+  if (!spec) return finding;
+  if (!options.json) print_peaks(out, given, *spec);
+  if (!passes_check(options.json ? stderr : out, *spec)) return finding;
+  write(options, given, *spec, *optimised);
   return fine;
 }
 

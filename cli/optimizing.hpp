@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "jounce/io/spec.hpp"
 
 /// What `jounce optimize` may be asked, each kind of freedom in a file of its own.
@@ -30,8 +32,11 @@ int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 /// Where the outcome is told: a spec, table or picture on standard output has it for itself.
 std::FILE* told_on(const OptimizeOptions& options);
 
-/// Writes the optimised spec (its text), its table and the picture of both, all of them or none; none where
-/// `jounce check` finds a fault in the spec: then the faults are printed. Returns the exit status.
-int write_optimized(const OptimizeOptions& options, const Spec& before, const std::string& text);
+/// Ends an optimisation. `optimised` is the text of the optimised spec, if it keeps the limits.
+/// With --json it prints `document` and adds "peaks", else the peaks for people (peaks.hpp). Then it writes
+/// the spec, its table and the picture of both, all of them or none; none where `jounce check` finds a
+/// fault in the spec: then the faults are printed. Returns the exit status.
+int finish(const OptimizeOptions& options, const Spec& given, nlohmann::ordered_json document,
+           const std::optional<std::string>& optimised);
 
 }  // namespace jounce::cli

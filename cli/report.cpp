@@ -113,10 +113,11 @@ int run(const Options& options) {
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   Report report = checked(input);
+  std::erase_if(report.findings, [](const Finding& f) { return f.severity == Severity::note; });
+  add_not_limited(report, input);
   const Proof proof = prove(input, options.log, 2000);
-  std::erase_if(report.findings, [](const Finding& f) {  // the first two are in the proof
-    return f.rule == "table/position" || f.rule == "drive/stability" ||
-           f.severity == Severity::note;
+  std::erase_if(report.findings, [](const Finding& f) {  // they are in the proof
+    return f.rule == "table/position" || f.rule == "drive/stability";
   });
   Report all = report;
   all.findings.insert(all.findings.end(), proof.report.findings.begin(),

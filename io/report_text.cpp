@@ -260,6 +260,9 @@ std::string sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("coupling/"))
     return of_coupling(finding, with_unit(finding.value, labels.unit_of(finding)),
                        place(finding, labels));
+  if (is_unlimited(finding))
+    return fmt::format("{} has no limit; its peak is {} at {}", finding.quantity,
+                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
   if (!finding.has_limit)
     return fmt::format("{} is {} at {}", finding.quantity,
                        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
@@ -277,13 +280,29 @@ std::string one_line(const Report& report, const Labels& labels) {
     return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings",
                        sentence(report.findings.front(), labels), more);
   const auto closest = std::find_if(report.findings.begin(), report.findings.end(), is_limit);
-  if (closest != report.findings.end())
-    return "all limits hold; the closest: " + sentence(*closest, labels) + more;
+  if (closest != report.findings.end()) {
+    const std::string rest = not_limited_text(report, labels);
+    return "all limits hold; the closest: " + sentence(*closest, labels) +
+           (rest.empty() ? "" : "; " + rest) + more;
+  }
   const bool continuous =
       std::any_of(report.findings.begin(), report.findings.end(),
                   [](const Finding& f) { return f.rule.starts_with("continuity/"); });
   return (continuous ? "no limits are given; the curve is continuous" : "no limits are given") +
          more;
+}
+
+bool is_unlimited(const Finding& finding) {
+  return finding.rule.starts_with("unlimited/");
+}
+
+std::string not_limited_text(const Report& report, const Labels& labels) {
+  std::string text;
+  for (const Finding& f : report.findings)
+    if (is_unlimited(f))
+      text += fmt::format("{}{} (up to {})", text.empty() ? "not limited: " : ", ", f.quantity,
+                          with_unit(std::abs(f.value), labels.unit_of(f)));
+  return text;
 }
 
 std::string full_text(const Report& report, const Labels& labels, std::size_t most) {

@@ -47,6 +47,13 @@ std::string rounded(double value);
 /// One sentence: how many findings and the worst, or the smallest margin.
 std::string one_line(const Report& report, const Labels& labels);
 
+/// Whether it is the peak of a derivative that has no limit: see add_not_limited().
+bool is_unlimited(const Finding& finding);
+
+/// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" where
+/// no finding is_unlimited().
+std::string not_limited_text(const Report& report, const Labels& labels);
+
 /// One finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
 /// return) exceeds the limit -3 by 13.1 %".
 std::string sentence(const Finding& finding, const Labels& labels);

@@ -9,6 +9,12 @@
 
 namespace jounce {
 
+/// What the motor may do, [load.limits]: judged by check_load().
+struct LoadLimits {
+  std::optional<double> torque = {};      ///< N m, peak
+  std::optional<double> rms_torque = {};  ///< N m, over the cam
+};
+
 /// What the slave's motor has to move, [load]: seen at the motor's shaft, turned by theta = 2 pi f /
 /// position_per_rev while the slave is at f. With r the slave's metres (rotary: radians) a radian of the
 /// motor and w the master's speed,
@@ -36,6 +42,7 @@ struct LoadSpec {
   double lever_angle = 0;       ///< rad, of the arm from hanging down where the slave is at 0
   double recovered = 0;         ///< 0 a braking resistor ... 1 a drive without losses
   std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
+  LoadLimits limits = {};
 };
 
 /// Whether (1) is linear in the shape: no dry friction, no lever.

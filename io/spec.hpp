@@ -176,6 +176,7 @@ struct Spec {
   std::optional<FollowerSpec> follower = {};  ///< of a cam with a master
   AxisSwitches switches;                      ///< of kinds "axis" and "cam"
   std::optional<CompareSpec> compare;         ///< of a motion over time
+  bool himc = false;  ///< of kind "pvt": for HIMC's MovePVT
   Report fill;  ///< of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.

@@ -137,7 +137,9 @@ std::optional<double> read_budget(TomlReader& table) {
 }
 
 void read_optimize(TomlReader& top, Spec& spec) {
-  spec.optimize.shape.load = read_load(top, spec.units);
+  const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
+  if (load && (load->limits.torque || load->limits.rms_torque) && !spec.master)
+    top.fail("load", "", "has limits for the torque, which depends on the speed: add [master]");
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)

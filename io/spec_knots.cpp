@@ -1,3 +1,4 @@
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -103,12 +104,26 @@ Table made_of(FillSpec fill, Spec& spec) {
   }
 }
 
-Table filled_table(TomlReader& top, Spec& spec, Rule rule, bool himc) {
+/// The table, if all its segments are finite: otherwise the knot that ends the first that is not.
+Table with_finite_segments(Table table) {
+  try {
+    (void)table.curve<OverTime>();
+  } catch (const InputError& error) {
+    const std::string begin = "segment[";
+    if (!error.key().starts_with(begin)) throw;
+    const int segment = std::stoi(error.key().substr(begin.size()));
+    throw InputError("knot[" + std::to_string(segment + 1) + "]", "",
+                     "ends a segment whose " + error.rule());
+  }
+  return table;
+}
+
+Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
   const std::optional<Points> points = knots_file(top, rule);
   FillSpec fill = read_fill(top, spec.units, rule, points);
   const auto table = [&] {
-    if (himc) himc::require_pvt(fill.x);
-    return made_of(fill, spec);
+    if (spec.himc) himc::require_pvt(fill.x);
+    return with_finite_segments(made_of(fill, spec));
   };
   return points ? placed_in(*points, table) : table();
 }
@@ -162,10 +177,10 @@ bool wants_shortest_times(TomlReader& top) {
 
 Table read_knots(TomlReader& top, Spec& spec, Rule rule) {
   static const std::vector<std::string> controllers{"himc"};
-  const bool himc = top.optional_choice("controller", controllers).has_value();
-  if (!wants_shortest_times(top)) return filled_table(top, spec, rule, himc);
+  spec.himc = top.optional_choice("controller", controllers).has_value();
+  if (!wants_shortest_times(top)) return filled_table(top, spec, rule);
   Table table = shortest_table(top, spec, rule);
-  if (himc) himc::require_pvt(table.columns().x);
+  if (spec.himc) himc::require_pvt(table.columns().x);
   return table;
 }
 

@@ -13,10 +13,16 @@ namespace jounce {
 namespace {
 
 std::string margin(const Finding& f) {
+  if (!f.has_limit) return "";
   if (f.limit == 0 && f.rule.starts_with("continuity/")) return short_number(f.margin, 3);
   if (f.margin < -10) return "< −1000 %";  // a tolerance, not a limit: its multiples say nothing
   if (!f.broken && std::abs(f.margin) < 1e-9) return "0 %";
   return short_number(100 * f.margin, 3) + " %";
+}
+
+std::string limit(const Finding& f) {
+  if (f.has_limit) return short_number(f.limit);
+  return is_unlimited(f) ? "not limited" : "";
 }
 
 std::vector<std::string> cells(const Finding& f, const Labels& labels) {
@@ -25,7 +31,7 @@ std::vector<std::string> cells(const Finding& f, const Labels& labels) {
           labels.segment_of(f),
           short_number(f.where) + (f.where_unit.empty() ? "" : " " + f.where_unit),
           short_number(f.value),
-          short_number(f.limit),
+          limit(f),
           superscripts(labels.unit_of(f)),
           margin(f),
           f.advice};
@@ -56,9 +62,12 @@ DataTable findings_table(const Report& report, const Labels& labels, std::string
 
 Headline verdict(const Report& report) {
   const std::size_t warnings = report.warnings();
-  const std::size_t total = report.findings.size() - warnings;
+  const auto notes = static_cast<std::size_t>(
+      std::count_if(report.findings.begin(), report.findings.end(),
+                    [](const Finding& f) { return !f.broken && f.severity == Severity::note; }));
+  const std::size_t total = report.findings.size() - warnings - notes;
   const std::size_t broken = report.broken();
-  if (report.findings.empty()) return {true, "Nothing was checked."};
+  if (total + warnings == 0) return {true, "Nothing was checked."};
   if (broken == 0)
     return {true, fmt::format("All checks hold ({}){}", total,
                               warnings == 0   ? "."

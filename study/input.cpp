@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 
 #include "jounce/io/disc.hpp"
+#include "jounce/io/load_check.hpp"
 #include "jounce/io/printable.hpp"
 #include "jounce/io/sync_check.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/pvt/controllers.hpp"
 #include "jounce/validate/loop.hpp"
 
 namespace jounce {
@@ -157,6 +159,15 @@ void add_ends(const Input& input, const EngageState& at, Report& report) {
     if (f.rule == "coupling/end") explain_end(f, *input.spec, at);
 }
 
+/// Where a table is for HIMC, the error by which it refuses one that breaks a limit.
+void name_himc_errors(Report& report) {
+  for (Finding& f : report.findings) {
+    if (!f.broken || !f.rule.starts_with("limit/")) continue;
+    const std::string error = himc::pvt_limit_error(f.quantity);
+    if (!error.empty()) f.advice = "MovePVT refuses the table: HIMC error " + error;
+  }
+}
+
 /// A step of the velocity that the check of continuity has found is told once, with the advice of the
 /// warning, which knows more of tables.
 Report merged(Report warnings, Report& found) {
@@ -174,6 +185,30 @@ Report merged(Report warnings, Report& found) {
 }
 
 }  // namespace
+
+void add_not_limited(Report& report, const Input& input) {
+  const Limits slave = input.spec ? input.spec->slave : Limits{};
+  const Limits& own = input.limits;
+  const std::array limited{true, own.velocity || slave.velocity,
+                           own.acceleration || slave.acceleration, own.jerk || slave.jerk};
+  std::visit(
+      [&]<class Over>(const Curve<Over>& curve) {
+        for (std::size_t k = 1; k < limited.size(); ++k) {
+          if (limited[k]) continue;
+          const Extremum peak = extrema(curve, static_cast<int>(k)).peak();
+          if (peak.value == 0) continue;
+          Finding f;
+          f.rule = std::string("unlimited/") + Over::names[k];
+          f.quantity = Over::names[k];
+          f.where = peak.where;
+          f.value = peak.value;
+          f.severity = Severity::note;
+          f.has_limit = false;
+          report.findings.push_back(std::move(f));
+        }
+      },
+      input.curve);
+}
 
 std::optional<double> table_tolerance(const Input& input) {
   if (!input.error) return std::nullopt;
@@ -209,9 +244,12 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     const auto add = [&](const Report& part) {
       report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
     };
+    if (spec.himc) name_himc_errors(report);
     add(spec.fill);
     add(check_sync(spec));
     add(merged(table_warnings(spec), report));
+    if (std::holds_alternative<CamSpec>(spec.subject))
+      add(check_load(spec, std::get<Cam>(input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve), at));
     add_ends(input, at, report);

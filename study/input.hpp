@@ -43,6 +43,10 @@ struct EngageState {
 /// whose loop is unstable.
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
+/// Adds the peak of each derivative that the input does not limit, neither in [limits] nor, over time,
+/// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
+void add_not_limited(Report& report, const Input& input);
+
 /// How far the table may stray from its curve, in the unit of the position: the tolerance asked for;
 /// a millionth of the stroke where a number of intervals was; the error that it has where the number
 /// of its knots was. None where the table is all there is.

@@ -729,6 +729,66 @@ TEST_F(Cli, OptimizeWritesTheSameTextWithOtherNumbers) {
   EXPECT_THAT(better, HasSubstr("# pulse/s"));
 }
 
+TEST_F(Cli, WhatIsNotLimitedIsNamedBesideTheLimitsThatHold) {
+  const Result better = run("optimize " + cam + " -o better.toml");
+  ASSERT_EQ(better.status, 0) << better.err;
+  const Result checked = run("check better.toml");
+  EXPECT_THAT(checked.out, HasSubstr("all limits hold; the closest: "));
+  EXPECT_THAT(checked.out, HasSubstr("; not limited: geo_jerk (up to "));
+  EXPECT_THAT(run("design better.toml -o better.csv").out, HasSubstr("\nnot limited: geo_jerk (up to "));
+  const json design = json::parse(run("design --json better.toml -o better.csv").out);
+  EXPECT_EQ(design["not_limited"][0]["quantity"], "geo_jerk");
+  const json report = json::parse(run("check --json better.toml").out);
+  std::size_t notes = 0;
+  for (const json& f : report["findings"]) notes += f["rule"] == "unlimited/geo_jerk" ? 1 : 0;
+  EXPECT_EQ(notes, 1U);
+  EXPECT_THAT(run("check better.toml --limit geo_jerk=1").out, Not(HasSubstr("not limited")));
+  ASSERT_EQ(run("report better.toml -o better.html").status, 0);
+  EXPECT_THAT(slurp(folder / "better.html"), HasSubstr("not limited"));
+}
+
+TEST_F(Cli, OptimizeSaysWhatTheOptimumCosts) {
+  const Result told = run("optimize " + cam + " -o better.toml");
+  EXPECT_THAT(told.out, HasSubstr("peaks                           given    optimised"));
+  EXPECT_THAT(told.out, HasSubstr("not limited   pulse/pulse^3"));
+  const json outcome = json::parse(run("optimize --json " + cam).out);
+  ASSERT_EQ(outcome["peaks"].size(), 3U);
+  const json& jerk = outcome["peaks"][2];
+  EXPECT_EQ(jerk["quantity"], "geo_jerk");
+  EXPECT_TRUE(jerk["limit"].is_null());
+  // The same numbers as `check` has of the given and of the optimised cam.
+  const auto peak = [&](const std::string& file) {
+    for (const json& f : json::parse(run("check --json " + file).out)["findings"])
+      if (f["rule"] == "unlimited/geo_jerk") return std::abs(f["value"].get<double>());
+    return 0.0;
+  };
+  EXPECT_EQ(jerk["given"].get<double>(), peak(cam));
+  EXPECT_EQ(jerk["optimised"].get<double>(), peak("better.toml"));
+}
+
+TEST_F(Cli, CheckJudgesTheTorqueOfALoad) {
+  std::string text = slurp(examples + "pusher-torque/cam.toml");
+  const auto load = text.find("[limits]");
+  ASSERT_NE(load, std::string::npos);
+  text.insert(load, "[load.limits]\ntorque = 0.5\n\n");
+  write("pusher.toml", text);
+  const Result result = run("check pusher.toml");
+  EXPECT_EQ(result.status, 1) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("BROKEN limit/load_torque"));
+  EXPECT_THAT(result.out, HasSubstr(" N m at "));
+}
+
+TEST_F(Cli, CheckNamesTheErrorByWhichHimcRefusesATable) {
+  write("pvt.toml",
+        "jounce = 1\nkind = \"pvt\"\ncontroller = \"himc\"\nunits = { position = \"mm\", time = \"s\" }\n"
+        "knot = [{time = 0, position = 0, velocity = 0}, {time = 1, position = 10, velocity = 0}]\n"
+        "[limits]\nvelocity = 12\nacceleration = 50\n");
+  const Result result = run("check pvt.toml");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("MovePVT refuses the table: HIMC error 0x83aa08a2"));
+  EXPECT_THAT(result.out, HasSubstr("MovePVT refuses the table: HIMC error 0x83aa08ac"));
+}
+
 TEST_F(Cli, OptimizeSaysWhatIsInfeasibleAndWritesNothing) {
   std::string text = slurp(cam);
   text.replace(text.find("geo_velocity = 3\n"), 17, "geo_velocity = 1\n");

@@ -86,6 +86,16 @@ Finding joint(const char* rule, const char* quantity, double value) {
   return f;
 }
 
+Finding half_of_a_limit() {
+  Finding f;
+  f.rule = "limit/geo_velocity";
+  f.quantity = "geo_velocity";
+  f.value = 0.5;
+  f.limit = 1;
+  f.margin = 0.5;
+  return f;
+}
+
 TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
   const Labels labels{{"deg", "mm"}, true, {}};
   Finding start = joint("coupling/start", "position", -40.36);
@@ -108,12 +118,7 @@ TEST(ReportText, TheHeadlineIsALimitAndSaysWhereNoneIsGiven) {
   Finding continuity;
   continuity.rule = "continuity/position";
   continuity.quantity = "step of position";
-  Finding limit;
-  limit.rule = "limit/geo_velocity";
-  limit.quantity = "geo_velocity";
-  limit.value = 0.5;
-  limit.limit = 1;
-  limit.margin = 0.5;
+  const Finding limit = half_of_a_limit();
   Report report{{joint("coupling/ramp", "velocity", 150), continuity}};
   EXPECT_EQ(one_line(report, labels), "no limits are given; the curve is continuous");
   report.findings.push_back(limit);
@@ -139,6 +144,18 @@ TEST(ReportText, CountsWhatItDoesNotShow) {
     report.findings.push_back({"limit/velocity", "", "velocity", 0, 2, 1, -1, true, {}, "", {}});
   const std::string text = full_text(report, {{"s", "mm"}, false, {}});
   EXPECT_NE(text.find("... and 15 more findings"), std::string::npos);
+}
+
+TEST(ReportText, WhatHasNoLimitIsNamedBesideTheLimitsThatHold) {
+  const Labels labels{{"deg", "mm"}, true, {}};
+  const Finding limit = half_of_a_limit();
+  Finding jerk = joint("unlimited/geo_jerk", "geo_jerk", -0.25);
+  jerk.severity = Severity::note;
+  const Report report{{limit, jerk}};
+  EXPECT_EQ(one_line(report, labels), "all limits hold; the closest: " + sentence(limit, labels) +
+                                          "; not limited: geo_jerk (up to 0.25 mm/deg^3)");
+  EXPECT_EQ(sentence(jerk, labels), "geo_jerk has no limit; its peak is -0.25 mm/deg^3 at 460 deg");
+  EXPECT_EQ(one_line({{jerk}}, labels), "no limits are given");
 }
 
 }  // namespace
