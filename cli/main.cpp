@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 #include <system_error>
 
@@ -36,6 +37,7 @@ int complain(const char* prefix, const char* what, int status) {
 
 int main(int argc, char** argv) {
   using namespace jounce::cli;
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of the file's size is an error of write(), as a full disk is
   const jounce::KeptInputs inputs;
   try {
     return run(argc, argv);

@@ -33,11 +33,13 @@ namespace {
 
 using detail::cam_of;
 
-/// A quintic needs one acceleration at each knot: where it steps, there are two.
+/// A quintic needs one acceleration at each knot: where it steps, there are two. Steps at the ends of a
+/// curve that does not repeat are outside of the table.
 template <class Over>
 Rule rule_for(const Curve<Over>& curve, const TableOptions& options) {
   if (options.rule) return *options.rule;
-  return !check_continuity(curve, 2).ok() ? Rule::cubic_hermite : Rule::quintic_hermite;
+  const Curve<Over> inside = repeats(curve.outside()) ? curve : with(curve, Outside::refuse);
+  return check_continuity(inside, 2).ok() ? Rule::quintic_hermite : Rule::cubic_hermite;
 }
 
 /// A billionth of the stroke is finer than any encoder of today resolves.
@@ -65,6 +67,7 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
 
 template <class Over>
 Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
+  if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
   if (options.target) return fewest(curve, *options.target, options);
   const Rule rule = rule_for(curve, options);
   if (options.intervals) return sample(curve, rule, *options.intervals);

@@ -26,10 +26,13 @@ std::int64_t count_of(TomlReader& compare) {
 
 /// position; or start, increment and count; or [[compare.point]].
 std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, CompareMode mode) {
-  if (mode == CompareMode::linear)
-    return evenly(compare.number("start", units.position),
-                  compare.number("increment", units.position),
-                  static_cast<std::size_t>(count_of(compare)));
+  if (mode == CompareMode::linear) {
+    const double start = compare.number("start", units.position);
+    const double increment = compare.number("increment", units.position);
+    if (increment == 0)
+      compare.fail("increment", "0", "must not be 0: the points would all be one");
+    return evenly(start, increment, static_cast<std::size_t>(count_of(compare)));
+  }
   if (mode != CompareMode::fifo_time && mode != CompareMode::fifo_level)
     return {{compare.number("position", units.position)}};
   std::vector<ComparePoint> points;

@@ -4,6 +4,7 @@
 #include "jounce/io/detail/point_file.hpp"
 #include "jounce/io/detail/spec_parts.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/pvt/controllers.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -11,12 +12,31 @@ namespace {
 const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
 const std::array<std::string, 2> forms{"smooth", "table"};
 
+/// A file's segments, from the table's origin.
+std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool increments,
+                                 bool googol) {
+  std::vector<PtPoint> points =
+      pt_points(file, {"master", units.x}, {"slave", units.position}, increments, types);
+  try {
+    (void)pt_rates<OverMaster>(points);
+  } catch (const InputError& error) {
+    std::string key = error.key();
+    if (key.ends_with(".position")) key.replace(key.size() - 8, 8, "slave");
+    throw placed(InputError(key, error.value(), error.rule()), file);
+  }
+  for (std::size_t i = 0; googol && i < points.size(); ++i)
+    if (const std::string rule = googol::broken_follow_rule(points[i].x); !rule.empty())
+      throw InputError("master", points[i].x, rule)
+          .at(file.document, static_cast<int>(file.lines[i]));
+  return points;
+}
+
 /// [[segment]] with `repeat`: cumulative, or `increments` that are added up.
-void read_segments(TomlReader& owner, const Units& units, bool increments,
+void read_segments(TomlReader& owner, const Units& units, bool increments, bool googol,
                    std::vector<PtPoint>& points) {
   constexpr std::size_t most = 1'000'000;
   if (const auto file = read_point_file(owner, "segment", {"master", "slave", "type"})) {
-    points = pt_points(*file, {"master", units.x}, {"slave", units.position}, increments, types);
+    points = segments_of(*file, units, increments, googol);
     return;
   }
   PtPoint at;
@@ -35,13 +55,15 @@ void read_segments(TomlReader& owner, const Units& units, bool increments,
       at.x = increments ? at.x + master : master;
       at.position = increments ? at.position + slave : slave;
       points.push_back(at);
+      const std::string rule = googol ? googol::broken_follow_rule(at.x) : "";
+      if (!rule.empty()) segment.fail("master", number(at.x), rule);
     }
     segment.finish();
   }
 }
 
 /// loops, end, increments and the segments.
-FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& units) {
+FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& units, bool googol) {
   FollowTable table;
   table.loops = keys.optional_whole("loops").value_or(1);
   const bool increments = keys.optional_flag("increments").value_or(false);
@@ -49,7 +71,10 @@ FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& unit
     table.end = {end->number("master", units.x), end->number("slave", units.position)};
     end->finish();
   }
-  read_segments(segments, units, increments, table.segments);
+  read_segments(segments, units, increments, googol, table.segments);
+  if (const std::size_t n = table.segments.size(); googol && n > googol::follow_fifo)
+    segments.fail(segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
+                  "must be at most 512 in a table: what a FIFO of memory 1 holds");
   return table;
 }
 
@@ -57,13 +82,19 @@ FollowSpec read_tables(TomlReader& top, TomlReader& follow, const Units& units,
                        const std::string& ratio) {
   FollowSpec spec;
   spec.start_ratio = follow.optional_number("start_ratio", ratio).value_or(0);
+  static const std::array<std::string, 1> controllers{"googol"};
+  const bool googol = follow.optional_choice("controller", controllers).has_value();
+  if (googol) {
+    require_unit("master", units.x, "pulse", "Googol");
+    require_unit("position", units.position, "pulse", "Googol");
+  }
   const bool one = top.has("segment") || top.has("points");
-  if (one) spec.tables.push_back(read_table(follow, top, units));
+  if (one) spec.tables.push_back(read_table(follow, top, units, googol));
   if (one && follow.has("table"))
     top.fail(top.has("segment") ? "segment" : "points", "",
              "is of one table: with [[follow.table]] put its segments into each");
   for (TomlReader& table : follow.tables("table")) {
-    spec.tables.push_back(read_table(table, table, units));
+    spec.tables.push_back(read_table(table, table, units, googol));
     table.finish();
   }
   return spec;

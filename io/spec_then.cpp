@@ -3,9 +3,20 @@
 #include <vector>
 
 #include "jounce/io/detail/spec_parts.hpp"
+#include "jounce/profiles/controllers/himc.hpp"
 
 namespace jounce::detail {
 namespace {
+
+/// Takes the filter only if the controller that the operator names does.
+template <class Require>
+void require_of_himc(TomlReader& then, const Require& require) {
+  try {
+    require();
+  } catch (const InputError& error) {
+    then.fail(error.key().c_str(), error.value(), error.rule());
+  }
+}
 
 Operator read_moving_average(MotionFields& f) {
   return MovingAverageSpec{f.reader().number("window", f.units().x)};
@@ -19,6 +30,10 @@ Operator read_shaper(MotionFields& f) {
   s.mode.frequency = then.number("frequency", "Hz");
   f.may_in("damping", "1", s.mode.damping);
   if (s.kind == ShaperKind::ei) f.may_in("tolerance", "1", s.tolerance);
+  const std::vector<std::string> controllers{"himc", "himc_group"};
+  if (const auto of = then.optional_choice("controller", controllers))
+    require_of_himc(then,
+                    [&] { himc::require_in_shape(s, static_cast<himc::FilterOf>(*of)); });
   return s;
 }
 
@@ -28,6 +43,9 @@ Operator read_notch(MotionFields& f) {
   f.may_in("damping", "1", s.damping);
   f.may_in("mode_damping", "1", s.mode_damping);
   f.may_in("settled", "1", s.settled);
+  const std::vector<std::string> controllers{"himc"};
+  if (f.reader().optional_choice("controller", controllers))
+    require_of_himc(f.reader(), [&] { himc::require_vsf(s); });
   return s;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jounce/io/detail/point_file.hpp"
@@ -21,8 +22,6 @@ const std::vector<std::string> position_rules{"cubic", "linear"};
 /// A point counts from the table's origin, or (increments) from the point before.
 std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool increments,
                                  std::span<const std::string> permitted) {
-  if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
-    return pt_points(*file, {"time", units.x}, {"position", units.position}, increments, permitted);
   std::vector<PtPoint> points;
   PtPoint before;
   for (TomlReader& reader : top.tables("point")) {
@@ -39,6 +38,15 @@ std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool incre
     before = point;
   }
   return points;
+}
+
+/// A file's points are played once here, so that a mistake is placed in the file's own line.
+PtSpec with_points(PtSpec spec, const Points& file, const Units& units, bool increments,
+                   std::span<const std::string> permitted) {
+  spec.points = pt_points(file, {"time", units.x}, {"position", units.position}, increments,
+                          permitted);
+  placed_in(file, [&] { return motion_of(spec); });
+  return spec;
 }
 
 PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool googol) {
@@ -58,6 +66,8 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
   if (spec.loops == 0 && pt.has("outside"))
     pt.fail("outside", "", "goes with an end: loops = 0 has none");
   spec.outside = read_outside(pt, false);
+  if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
+    return with_points(std::move(spec), *file, units, increments, permitted);
   spec.points = read_points(top, units, increments, permitted);
   return spec;
 }
@@ -68,14 +78,36 @@ std::optional<int> optional_int(TomlReader& reader, const char* key) {
   return static_cast<int>(std::min<std::size_t>(*value, 1'000'000));
 }
 
-/// TIME counts whole ms.
-double read_delta_time(TomlReader& point) {
-  const double t = point.number("delta_time", "s");
+/// TIME counts ms; 1e-12 s is not 0 ms.
+bool is_whole_ms(double t) {
   const double ms = 1000 * t;
-  const bool vanishes = t != 0 && std::round(ms) == 0;  // 1e-12 s is not 0 ms
-  if (vanishes || std::abs(ms - std::round(ms)) > 1e-9 * std::max(1.0, std::abs(ms)))
-    point.fail("delta_time", number(t), "must be a whole number of ms, as TIME is");
-  return t;
+  const bool vanishes = t != 0 && std::round(ms) == 0;
+  return !vanishes && std::abs(ms - std::round(ms)) <= 1e-9 * std::max(1.0, std::abs(ms));
+}
+constexpr const char* whole_ms_rule = "must be a whole number of ms, as TIME is";
+
+/// A point as `point` has it, its value under the name of the quantity.
+pmc600::ProfilePoint read_profile_point(TomlReader& point, const char* quantity,
+                                        const std::string& unit) {
+  const double t = point.number("delta_time", "s");
+  if (!is_whole_ms(t)) point.fail("delta_time", number(t), whole_ms_rule);
+  const double value = point.number(quantity, unit);
+  point.finish();
+  return {t, value};
+}
+
+std::vector<pmc600::ProfilePoint> profile_points(const Points& file, const char* quantity,
+                                                 const std::string& unit) {
+  const std::vector<double> times = file.in_unit("delta_time", "s");
+  const std::vector<double> values = file.in_unit(quantity, unit);
+  std::vector<pmc600::ProfilePoint> points;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!is_whole_ms(times[i]))
+      throw InputError("delta_time", times[i], whole_ms_rule)
+          .at(file.document, static_cast<int>(file.lines[i]));
+    points.push_back({times[i], values[i]});
+  }
+  return points;
 }
 
 ProfileTableSpec read_profile_table(TomlReader& top, TomlReader& pt, const Units& units) {
@@ -100,11 +132,14 @@ ProfileTableSpec read_profile_table(TomlReader& top, TomlReader& pt, const Units
     if (const auto rule = pt.optional_choice("rule", position_rules))
       spec.rule = static_cast<pmc600::PositionRule>(*rule);
   spec.outside = read_outside(pt, false);
-  for (TomlReader& point : top.tables("point")) {
-    const double delta_time = read_delta_time(point);
-    table.points.push_back({delta_time, point.number(quantities[order].c_str(), rate(order))});
-    point.finish();
+  const char* const quantity = quantities[order].c_str();
+  if (const auto file = read_point_file(top, "point", {"delta_time", quantity})) {
+    table.points = profile_points(*file, quantity, rate(order));
+    placed_in(*file, [&] { return motion_of(spec); });
+    return spec;
   }
+  for (TomlReader& point : top.tables("point"))
+    table.points.push_back(read_profile_point(point, quantity, rate(order)));
   return spec;
 }
 

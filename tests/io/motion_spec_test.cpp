@@ -1,5 +1,6 @@
 // Every profile, queue, set of axes and operator of a spec is the library's own, key by key.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <regex>
 #include <string>
@@ -618,7 +619,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "[[then]]\noperator = \"shaper\"\nkind = \"zv\"\n"
                             "frequency = 5\ntolerance = 0.1"),
                   "a.toml:15:1: then[1].tolerance = 0.1: is not a key that belongs here; known: "
-                  "damping, frequency, kind, operator"},
+                  "controller, damping, frequency, kind, operator"},
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"notch\"\nfrequency = 5\nmode_damping = 2"),
                   "a.toml:14:16: then[1].mode_damping = 2: must be less than damping"},
@@ -690,6 +691,112 @@ TEST(BadMotionSpecs, AnExampleWithAnyNumberReplacedIsRefusedOrStillASpec) {
 
 TEST(BadMotionSpecs, OneAxisIsNotSeveral) {
   EXPECT_THROW((void)make(parse_spec(axes_spec, "a.toml")), InputError);
+}
+
+TEST(Then, FiltersKeepToWhatHimcTakes) {
+  const auto filter = [](const std::string& lines) {
+    return complaint(move_spec("profile = \"trapezoid\"\nto = 50\nvelocity = 10\nacceleration = 20",
+                               "[[then]]\n" + lines));
+  };
+  const std::string zv = "operator = \"shaper\"\nkind = \"zv\"\n";
+  EXPECT_EQ(filter(zv + "frequency = 2\ncontroller = \"himc\"\n"), "");
+  EXPECT_EQ(filter(zv + "frequency = 2\ncontroller = \"himc_group\"\n"),
+            "a.toml:12:13: then[1].frequency = 2: must be from 3 to 300 for a group's InShape (HIMC "
+            "error 0x82gg0118)");
+  EXPECT_EQ(filter(zv + "frequency = 5\ndamping = 0.31\ncontroller = \"himc\"\n"),
+            "a.toml:13:11: then[1].damping = 0.31: must be from 0 to 0.3 for an axis's InShape (HIMC "
+            "error 0x83aa0474)");
+  const std::string notch = "operator = \"notch\"\nfrequency = 5\n";
+  EXPECT_EQ(filter(notch + "damping = 0.5\n"), "");
+  EXPECT_EQ(filter(notch + "damping = 0.5\ncontroller = \"himc\"\n"),
+            "a.toml:12:11: then[1].damping = 0.5: must be from 0.7 to 1.5 for VSF (HIMC error "
+            "0x83aa0474)");
+}
+
+/// A cam with an acceleration of its own at both ends, which are open.
+std::string open_cam(const std::string& table) {
+  return "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
+         "start = { master = 0, slave = 0, geo_acceleration = 0.002 }\n"
+         "[[segment]]\nlaw = \"quintic\"\nend = { master = 60, slave = 20 }\n"
+         "[[segment]]\nlaw = \"quintic\"\nend = { master = 120, slave = 30, geo_velocity = 0.2 }\n"
+         "[[segment]]\nlaw = \"quintic\"\n"
+         "end = { master = 180, slave = 40, geo_velocity = 0, geo_acceleration = -0.002 }\n" +
+         table;
+}
+
+TEST(TableRule, IsQuinticWhereTheAccelerationStepsAtOpenEndsAlone) {
+  const Made cam = made(open_cam(""));
+  EXPECT_EQ(cam.sampled.table.rule(), Rule::quintic_hermite);
+  EXPECT_EQ(cam.sampled.table.size(), 4U);
+}
+
+TEST(TableTolerance, IsRefusedBelowWhatDoublesCanCertify) {
+  EXPECT_EQ(complaint(open_cam("[table]\ntolerance = 1e-9\n")), "");
+  const std::string refused = complaint(open_cam("[table]\ntolerance = 1e-30\n"));
+  EXPECT_NE(refused.find("table.tolerance = 1e-30: must be at least "), std::string::npos) << refused;
+}
+
+TEST(Table, PiecesAsShortAsTheRoundingOfTheirPlaceAreTakenAlong) {
+  const Made queue = made(
+      "jounce = 1\nkind = \"queue\"\nunits = { position = \"mm\" }\n"
+      "[dynamics]\nvelocity = 926\nacceleration = 6000\njerk = 12000\n"
+      "[[command]]\ntype = \"absolute\"\nposition = 2000\n"
+      "[[command]]\ntype = \"absolute\"\nposition = 2000\nvelocity = 385\nmode = \"aborting\"\n"
+      "issued = 2.15\n");
+  EXPECT_NEAR(std::get<Trajectory>(queue.curve).at(queue.sampled.table.end()).position, 2000, 1e-9);
+  EXPECT_LE(queue.sampled.error.position, 2e-6);
+  const Made far = made(
+      "jounce = 1\nkind = \"pt\"\nunits = { position = \"mm\", time = \"s\" }\n"
+      "point = [{ time = 1e12, position = 1 }, { time = 1000000000001, position = 2 }]\n[pt]\n");
+  EXPECT_EQ(far.sampled.table.end(), 1000000000001);
+}
+
+/// Pick and place of two axes, with these lines between.
+std::string via_spec(const std::string& points, const std::string& more = "") {
+  const auto axis = [](const char* name) {
+    return std::string("[[axis]]\nname = \"") + name +
+           "\"\nvelocity = 1000\nacceleration = 8000\njerk = 100000\n";
+  };
+  return "jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n" + axis("x") + axis("z") + more +
+         points;
+}
+std::string via_point(const std::string& position, const std::string& more = "") {
+  return "[[point]]\nposition = " + position + "\n" + more;
+}
+
+TEST(AxesSpec, TheTableOfPickAndPlaceHasNoNeedlesOfJerk) {
+  const std::string text = via_spec(via_point("[0, 0]") + via_point("[0, 60]") + via_point("[40, 100]") +
+                                    via_point("[260, 100]") + via_point("[300, 60]") + via_point("[300, 0]"));
+  for (const Made& axis : make_axes(parse_spec(text, "a.toml"))) {
+    const auto& curve = std::get<Trajectory>(axis.curve);
+    const double most = std::abs(extrema(curve, 3).peak().value);
+    EXPECT_LE(most, 100000 * (1 + 1e-9));
+    EXPECT_LE(std::abs(extrema(axis.sampled.table.curve<OverTime>())[3].peak().value), 1.2 * most)
+        << "61 and 117 times with knots 0.65 us apart; a quintic across a step of the jerk overshoots a bit";
+    EXPECT_LE(axis.sampled.error.position, 1e-9 * 300);
+  }
+}
+
+TEST(AxesSpec, PointsMayHaveRatesAtTheEndsLimitsOfAStretchAndANorm) {
+  const std::string slow = "limits = { velocity = [100, 100] }\n";
+  const auto text = [&](const std::string& start) {
+    return via_spec(via_point("[0, 0]", start) + via_point("[200, 0]", slow) +
+                        via_point("[400, 300]"),
+                    "[norm]\nvelocity = 400\n");
+  };
+  const auto axes = make_axes(parse_spec(text("velocity = [50, 0]\n"), "a.toml"));
+  ASSERT_EQ(axes.size(), 2U);
+  const auto& x = std::get<Trajectory>(axes[0].curve);
+  const auto& z = std::get<Trajectory>(axes[1].curve);
+  EXPECT_NEAR(x.at(0).velocity, 50, 1e-12);
+  EXPECT_NEAR(x.at(1).velocity, 100, 1e-9) << "on the way to 200";
+  EXPECT_NEAR(extrema(x, 1).max.value, 400 * 200 / std::hypot(200, 300), 1e-9);
+  EXPECT_NEAR(extrema(z, 1).max.value, 400 * 300 / std::hypot(200, 300), 1e-9);
+  EXPECT_EQ(complaint(text("velocity = [150, 0]\n")),
+            "a.toml:16:1: point: no motion was found that keeps the bounds and does not turn back: begin "
+            "and end slower, within the limits of the stretch, or move the points beside apart");
+  EXPECT_NE(complaint(text("limits = { velocity = [1, 1] }\n")).find("none leads to the first"),
+            std::string::npos);
 }
 
 }  // namespace

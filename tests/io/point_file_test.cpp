@@ -105,5 +105,37 @@ TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
   EXPECT_EQ(cam.jet(60000, Side::left)[0], 40000);
 }
 
+TEST_F(PointFile, APtTableThatTheControllerRefusesIsNamedWithItsOwnLine) {
+  const std::string googol = pt + "[pt]\ncontroller = \"googol\"\n";
+  EXPECT_THAT(complaint(googol, "time,position\n16,1\n\n32.5,2\n"),
+              ::testing::StartsWith("points.csv:4: time = 32.5: must be a whole number of ms"));
+  EXPECT_THAT(complaint(googol, "time,position\n16,1\n2147483648,2\n"),
+              ::testing::StartsWith("points.csv:3: time = 2147483648: must be at most 2147483647"));
+  EXPECT_THAT(complaint(pt + "[pt]\n", "time,position\n1,1e308\n2,-1e308\n"),
+              ::testing::StartsWith("points.csv:2: position = 1e+308: is too far"));
+  EXPECT_THAT(complaint(pvt, "time,position,velocity\n0,0,0\n1,1e308,0\n2,-1e308,0\n"),
+              ::testing::StartsWith("points.csv:3: knot[2]: ends a segment whose value"));
+  const std::string follow =
+      "kind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\npoints = \"points.csv\"\n";
+  EXPECT_THAT(complaint(follow, "master,slave\n100,1\n200,-1e308\n"),
+              ::testing::StartsWith("points.csv:3: slave = -1e+308: is too far"));
+}
+
+TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
+  const std::string head =
+      "kind = \"pt\"\nunits = { position = \"mm\", time = \"s\" }\npoints = \"points.csv\"\n"
+      "[pt]\ncontroller = \"pmc600\"\nquantity = \"velocity\"\n";
+  const Made made = make(spec(head, "delta_time [ms],velocity [m/s]\n1000,0.01\n2000,0\n"));
+  const auto& curve = std::get<Trajectory>(made.curve);
+  EXPECT_EQ(curve.end(), 3);
+  EXPECT_EQ(curve.jet(1)[1], 10);
+  EXPECT_EQ(complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
+            "points.csv:3: delta_time = 5e-04: must be a whole number of ms, as TIME is");
+  EXPECT_THAT(complaint(head, "delta_time,velocity\n1,10\n0,0\n"),
+              ::testing::StartsWith("points.csv:3: delta_time = 0: must be greater than 0 (PMC600"));
+  EXPECT_THAT(complaint(head, "delta_time,position\n1,10\n"),
+              ::testing::StartsWith("points.csv:1: position: is no column here"));
+}
+
 }  // namespace
 }  // namespace jounce

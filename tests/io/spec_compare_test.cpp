@@ -46,6 +46,8 @@ TEST(SpecCompare, NamesWhatIsWrong) {
               ::testing::HasSubstr("compare.axis = \"x\": must name one of the spec's axes"));
   EXPECT_THAT(complaint("[compare]\nmode = \"equal\"\nposition = 1\npulse = 1\n"),
               ::testing::HasSubstr("compare.pulse"));
+  EXPECT_EQ(complaint("[compare]\nmode = \"linear\"\nstart = 1\nincrement = 0\ncount = 2\npulse = 1\n"),
+            "c.toml:12:13: compare.increment = 0: must not be 0: the points would all be one");
 }
 
 TEST(SpecCompensation, CorrectsTheMotion) {

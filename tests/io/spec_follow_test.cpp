@@ -111,5 +111,31 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
               HasSubstr("it is an increment"));
 }
 
+TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
+  const auto complaint = [](const std::string& body) {
+    const std::string head =
+        "jounce = 1\nkind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\n";
+    try {
+      (void)make(parse_spec(head + body, "f.toml"));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string googol = "[follow]\ncontroller = \"googol\"\nincrements = true\n[[segment]]\n";
+  EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 512\n"), "");
+  EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 513\n"),
+            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table: what a FIFO of memory "
+            "1 holds");
+  EXPECT_EQ(complaint(googol + "master = 0.5\nslave = 1\n"),
+            "f.toml:8:10: segment[1].master = 0.5: must be a whole number of pulses: GT_FollowData "
+            "takes a long");
+  EXPECT_EQ(complaint(googol + "master = 1500000000\nslave = 1\nrepeat = 2\n"),
+            "f.toml:8:10: segment[1].master = 3e+09: must be at most 2147483647 pulses: GT_FollowData "
+            "takes a long of 32 bits");
+  EXPECT_THAT(error_of("[follow]\ncontroller = \"googol\"\n[[segment]]\nmaster = 1\nslave = 1\n"),
+              HasSubstr("must be pulse for the profiles of Googol"));
+}
+
 }  // namespace
 }  // namespace jounce
