@@ -758,7 +758,8 @@ TEST_F(Cli, OptimizeSaysWhatTheOptimumCosts) {
   EXPECT_TRUE(jerk["limit"].is_null());
   // The same numbers as `check` has of the given and of the optimised cam.
   const auto peak = [&](const std::string& file) {
-    for (const json& f : json::parse(run("check --json " + file).out)["findings"])
+    const json report = json::parse(run("check --json " + file).out);
+    for (const json& f : report["findings"])
       if (f["rule"] == "unlimited/geo_jerk") return std::abs(f["value"].get<double>());
     return 0.0;
   };
