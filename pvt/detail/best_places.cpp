@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "jounce/profiles/detail/numeric.hpp"
-#include "jounce/pvt/detail/halves.hpp"
 #include "jounce/pvt/detail/longest.hpp"
 #include "jounce/pvt/detail/whole_steps.hpp"
 
@@ -152,7 +151,7 @@ class Places {
     if (!(b.x > a.x) || b.x - a.x < spacing) return inf;
     const auto limit = std::upper_bound(fixed_.begin(), fixed_.end(), a.x);
     if (limit != fixed_.end() && b.x > *limit) return inf;
-    const double e = share(f_, target_, a, b, tolerances_);
+    const double e = share(f_, target_.rule, a, b, tolerances_);
     return e <= 1 ? e : inf;
   }
 
@@ -187,7 +186,8 @@ std::optional<BestTable> best_over_places(const Curve<Over>& f, const Target& ta
                                           const std::vector<Straight>& kept,
                                           const std::vector<Knot>& known, std::size_t most,
                                           bool fewest) {
-  if (most > most_searched_knots || f.segments().size() > most_searched_segments)
+  if (target.quadratic || most > most_searched_knots ||
+      f.segments().size() > most_searched_segments)
     return std::nullopt;
   const Places<Over> places(f, target, tolerances, kept);
   const std::vector<Knot> all = places.all(known);

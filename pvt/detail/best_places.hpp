@@ -23,7 +23,7 @@ constexpr std::size_t most_searched_segments = 128;
 /// The best table over places by a dynamic programme, then with its knots moved. The places are the
 /// breaks of the curve, `known` knots and equal parts of it, or all multiples of x_step where they are
 /// few; see best_places.cpp. Nothing where none of at most `most` knots keeps the tolerances, or where
-/// the knots or segments are more than above.
+/// the knots or segments are more than above; nothing for quadratic pieces.
 ///
 /// `fewest`: of the fewest knots; otherwise of the least share.
 template <class Over>
