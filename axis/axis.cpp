@@ -95,6 +95,7 @@ void MotionAxis::see_renamed(double by) {
 }
 
 void MotionAxis::watch() {
+  if (inputs_.feedback.fault) now_.homed = false;  // the drive's count may have been lost
   if (!now_.power) return windows_.reset();
   Cause wrong = check_inputs(inputs_);
   if (state_ == State::disabled) {  // the drive is being switched on

@@ -93,6 +93,7 @@ void MotionAxis::power(bool on) {
   if (!on && moving() && state_ != State::error_stop) return fail(Cause::disabled_in_motion);
   now_.power = on;
   if (on) return;
+  break_group();
   disarm();
   forget_next();
   forget_later();
@@ -126,8 +127,9 @@ void MotionAxis::set_position(double position) {
 // ---- faster, slower, and to an end -------------------------------------------------------------
 
 void MotionAxis::end_motion(Ending ending, const Command& command) {
-  MoveDynamics dynamics = command.dynamics;
-  const bool stops = ending != Ending::halt;
+  // A search has no position range: it always ends with the stop of the axis.
+  MoveDynamics dynamics = homing_ ? MoveDynamics{} : command.dynamics;
+  const bool stops = ending != Ending::halt || homing_;
   now_.refused = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_);
   if (now_.refused) return;
   break_group();
@@ -138,7 +140,7 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   if (!moving() || stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
-  state_ = stops || homing_ ? State::stopping : State::discrete_motion;
+  state_ = stops ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;

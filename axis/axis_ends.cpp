@@ -61,6 +61,7 @@ void MotionAxis::rest() {
   }
   // What was superimposed runs on alone.
   base_ = Base::move;
+  bare_ = from;
   now_.velocity = from.velocity;
   now_.acceleration = from.acceleration;
   state_ = State::discrete_motion;
@@ -93,7 +94,6 @@ void MotionAxis::fail(Cause cause) {
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
   break_group();
-  if (cause == Cause::drive_fault) now_.homed = false;  // its count may have been lost
   disarm();
   forget_next();
   forget_later();

@@ -59,7 +59,10 @@ void MotionAxis::home(const Command& command) {
 Homing::Seen MotionAxis::seen() const {
   const bool at_rest = base_ == Base::move && goal_.kind == Goal::Kind::rest &&
                        seconds(emitted_ - origin_) >= plan_.duration();
-  return {inputs_.feedback.sensors, inputs_.feedback.position, at_rest, dt()};
+  Sensors sensors = inputs_.feedback.sensors;
+  sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
+  sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
+  return {sensors, inputs_.feedback.position, at_rest, dt()};
 }
 
 /// One tick of the search.
@@ -78,6 +81,7 @@ void MotionAxis::seek() {
 /// The axis stands beyond its home position, which gets its name.
 void MotionAxis::find_home() {
   const double home = homing_->home() + now_.offset;
+  if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
   set_position(now_.position + (home_position_ - home));
   now_.homed = true;

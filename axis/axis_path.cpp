@@ -78,6 +78,7 @@ bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
 /// The rate that is asked for now; a path may grant less.
 double MotionAxis::wanted_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
+  if (homing_) return std::min(factor_, 1.0);  // the way behind a switch is made for its speeds
   return on_path() ? std::min(factor_, most_rate()) : factor_;
 }
 

@@ -146,7 +146,9 @@ void Homing::move(const Seen& now) noexcept {
     return turn_round();
   if (phase_ == Phase::seek && side_) velocity_ = 0;
   if (phase_ == Phase::place && side_ == wanted_side()) velocity_ = 0;
-  if (phase_ == Phase::edge && change_) {
+  if (phase_ == Phase::edge && change_ && heading_ != method_.last) {
+    velocity_ = 0;  // the machine still came from the other way: that was another edge
+  } else if (phase_ == Phase::edge && change_) {
     home_ = *change_;
     if (!method_.index) return find(home_);
     begin(Phase::index, velocity_, now);

@@ -184,6 +184,43 @@ TEST(Homing, ADriveThatLagsFindsTheSameHome) {
   }
 }
 
+/// Follows its setpoint with a first-order lag of gain Kv [1/s], as a position loop does.
+class Lagging final : public AxisDrive {
+ public:
+  Lagging(double position, double gain) : position_(position), gain_(gain) {}
+
+  void command(const DriveSetpoint& setpoint) noexcept override {
+    const double step = (setpoint.position - position_) * (1 - std::exp(-gain_ * tick));
+    velocity_ = step / tick;
+    position_ += step;
+  }
+  [[nodiscard]] Feedback feedback() noexcept override {
+    Feedback seen;
+    seen.position = position_;
+    seen.velocity = velocity_;
+    return seen;
+  }
+
+ private:
+  double position_, velocity_ = 0, gain_;
+};
+
+// The setpoint rests while the machine still moves on, on some of these switches over their other edge.
+TEST(Homing, AMachineThatStillMovesDoesNotPassAnotherEdgeForHome) {
+  for (const double gain : {20.0, 30.0, 50.0})
+    for (double width = 1; width <= 12; width += 0.125)
+      for (const int method : {23, 24, 27, 30}) {
+        const MachineSwitch narrow{.position = 10, .width = width};
+        Stage stage(machine(narrow), -50, config_of(), std::make_shared<Lagging>(-50 - offset, gain));
+        stage.home(method);
+        stage.finish();
+        if (!stage.now.homed) continue;  // a switch that the search overruns may end in a fault
+        const double edge = method == 27 ? 10 + width : 10;
+        EXPECT_NEAR(stage.at() - (stage.now.position - 2.5), edge, 1e-9)
+            << method << ", width " << width << ", Kv " << gain;
+      }
+}
+
 TEST(Homing, AContactThatBouncesIsLatchedAtItsFirstEdge) {
   MachineSwitch bouncing = cam;
   bouncing.bounce = 0.008;
@@ -403,6 +440,40 @@ TEST(Homing, StopAndHaltEndItAtRestWithinTheLimits) {
       EXPECT_EQ(stage.now.state, State::standstill);
       EXPECT_FALSE(stage.now.homed);
     }
+}
+
+TEST(Homing, AStopOrHaltWithALowDecelerationEndsItAsTheAxisStops) {
+  for (const auto kind : {Kind::stop, Kind::halt}) {
+    Stage stage(machine(cam), -50);
+    stage.home(18);
+    for (int i = 0; i < 500; ++i) stage.step();
+    const double at = stage.at();
+    stage.step({.kind = kind, .dynamics = {.deceleration = 0.1}});
+    stage.finish();
+    EXPECT_EQ(stage.now.fault, Cause::none);
+    EXPECT_LT(stage.at() - at, fast * fast / (2 * acceleration) + fast * acceleration / jerk);
+  }
+}
+
+TEST(Homing, AnOverrideAboveOneDoesNotSpeedItUp) {
+  Stage stage(machine(cam), -50);
+  stage.step({.kind = Kind::override_, .factor = 2});
+  stage.watch = [&] { expect_within_limits(stage); };
+  stage.home(23);
+  stage.finish();
+  EXPECT_TRUE(stage.now.homed);
+}
+
+TEST(Homing, ADriveFaultEndsTheHomeAlsoWhereThePowerIsOff) {
+  Stage stage(machine(cam), -50);
+  stage.home(23);
+  stage.finish();
+  ASSERT_TRUE(stage.now.homed);
+  stage.step({.kind = Kind::disable});
+  Inputs inputs;
+  inputs.feedback = stage.drive.feedback();
+  inputs.feedback.fault = true;
+  EXPECT_FALSE(stage.bench.step({}, inputs).homed);
 }
 
 TEST(Homing, AStopNearALimitSwitchIsNoFault) {

@@ -120,6 +120,7 @@ index = { period = "1 rev", offset = 4 }
   EXPECT_FALSE(read("[drive]\ntype = \"null\"\n")->machine);
   const auto model = read(
       "[drive]\nposition_per_rev = 360\nmotor = { inertia = 5e-5, torque_limit = 3 }\n"
+      "controller = { position_gain = 40, velocity_gain = 0.05 }\n"
       "[drive.machine]\nindex = { period = 360 }\n");
   EXPECT_TRUE(model->model && model->machine->index);
 }
