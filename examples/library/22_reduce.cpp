@@ -24,7 +24,7 @@ int main() {
         reduced(cam, {.rule = Rule::cubic_hermite, .tolerance = 2, .x_step = 1, .p_step = 1}));
 }
 
-// > cubic: 19 knots, at most 0.948 pulses off, bound by tolerance
+// > cubic: 19 knots, at most 0.895 pulses off, bound by tolerance
 // > lines: 184 knots, at most 0.994 pulses off, bound by tolerance
-// > 17 points: 17 knots, at most 139 pulses off, bound by most
+// > 17 points: 17 knots, at most 136 pulses off, bound by most
 // > counts: 16 knots, at most 1.57 pulses off, bound by tolerance
