@@ -13,7 +13,7 @@ using Kind = Command::Kind;
 
 void MotionAxis::obey(const Command& command) {
   if (command.kind == Kind::none) return;
-  // Whoever let go of a jog may order the next motion before this one has come to rest.
+  // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
   if (const Cause no = permitted(state, command.kind); no != Cause::none) {

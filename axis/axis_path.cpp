@@ -135,7 +135,7 @@ bool MotionAxis::replan() {
 bool MotionAxis::replan_path() {
   const bool rests = wanted_rate() == 0;
   if (!lifting_ || rests == lift_rests_) return change_rate(granted_rate());
-  // From the last setpoint, or from this tick, in which it was told to begin.
+  // Starts from the last setpoint, or in the tick of its command.
   const std::int64_t from = std::max(emitted_, lift_origin_);
   const auto lift = plan_lift(lift_.at(seconds(from - lift_origin_)), lift_goal_, rests ? 0 : 1);
   if (!lift || !change_rate(granted_rate())) return false;

@@ -165,7 +165,7 @@ void add_losses(std::vector<std::string>& all, Format format, const Table& table
     all.emplace_back("that it repeats is not in the file: read it with --periodic");
 }
 
-/// What the file that is written, or the table that was read, does not hold.
+/// Reports the parts of the input that the output does not contain.
 std::vector<std::string> losses(const Options& options, const Input& input, const Table& made) {
   std::vector<std::string> all = input.unread;
   if (!options.every.empty())

@@ -73,7 +73,9 @@ double quantity_of(const Options& options, const std::string& option, const Unit
                 order == 0 ? units.position : rate_unit(units.position, "s", order));
   if (!is_value && order > 0 && !(value > 0))
     throw InputError("--" + option, text,
-                     "must be greater than 0; leave it out to use the limit of the axis");
+                     options.what == "home"
+                         ? "must be greater than 0; leave it out to use [homing] of the axis's spec"
+                         : "must be greater than 0; leave it out to use the limit of the axis");
   return value;
 }
 
