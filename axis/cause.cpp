@@ -133,7 +133,7 @@ constexpr std::array entries{
           "Another axis of the same start was stopped, or failed."},
 };
 
-/// Whether a number broke a bound: what else is refused has neither.
+/// True for the refusals with a measured value and a limit.
 bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
 }
