@@ -32,7 +32,6 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.dropped.reset();
   now_.handed_back = {};
   now_.frozen = false;
-  now_.broken = 0;
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
@@ -60,7 +59,10 @@ void MotionAxis::report() {
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
   now_.armed = pending_ ? pending_->id() : 0;
-  now_.group = active_ || waiting_ ? group_ : 0;
+  now_.group = active_ ? group_ : 0;
+  now_.next = {};
+  if (pending_ && next_group_ != 0)
+    now_.next = {next_group_, waiting_, start_at_ == StartAt::tick ? start_tick_ : -1};
   now_.held = held_;
   now_.waiting = waiting_ || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
@@ -109,7 +111,7 @@ void MotionAxis::watch() {
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
   if (wrong != Cause::none) return fail(wrong);
-  if (inputs_.group_broken) stop_with_group();
+  stop_with_group();
 }
 
 // ---- the next setpoint -------------------------------------------------------------------------
@@ -240,7 +242,6 @@ void MotionAxis::refuse(Cause cause, double value, double limit) {
 /// What waits does not begin. An answer to the command of this tick only if that asked for it.
 void MotionAxis::drop(const Refusal& why) {
   (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
-  break_group();
   disarm();
 }
 

@@ -18,6 +18,13 @@
 
 namespace jounce {
 
+/// What is armed as a member of a group.
+struct GroupStart {
+  std::int64_t group = 0;  ///< 0: of none
+  bool accepted = false;   ///< its start was
+  std::int64_t tick = -1;  ///< of that start; -1: it begins by another event
+};
+
 /// All that an axis says in one tick.
 struct Tick {
   std::int64_t tick = 0;
@@ -42,8 +49,11 @@ struct Tick {
   bool held = false;           ///< the motion waits for the order resume
   bool homed = false;          ///< positions count from the machine's home position
   bool power = false;          ///< the drive shall follow setpoints
-  std::int64_t group = 0;      ///< of what is played, or waits for its start; 0: none
-  std::int64_t broken = 0;     ///< the group that was broken in this tick: by a stop, a halt or a fault
+  std::int64_t group = 0;      ///< of what is played; 0: none
+  GroupStart next{};           ///< of what is armed
+  /// The groups of what this axis played and had armed when a stop, a halt, a fault or a refused start ended that last.
+  /// They stay until the axis arms something of that group.
+  std::array<std::int64_t, 2> broken{};
   bool frozen = false;         ///< in this tick the velocity was cut to 0: its fault says why
   double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
   double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known
@@ -138,6 +148,7 @@ class MotionAxis {
 
   // axis_commands.cpp: what it is told
   void obey(const Command& command);
+  void take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
   void act(const Command& command);
   void power(bool on);
@@ -145,7 +156,9 @@ class MotionAxis {
   void set_position(double position);
   void end_motion(Ending ending, const Command& command);
   void break_group();
+  void join_group(std::int64_t group);
   void stop_with_group();
+  [[nodiscard]] bool unplayed() const;
   void hold(bool on);
   void set_override(double factor);
   void finish();
@@ -262,7 +275,8 @@ class MotionAxis {
   std::int64_t start_tick_ = 0;
   double start_position_ = 0;   // of the master
   std::int64_t accepted_ = -1;  // tick in which that start was
-  std::int64_t group_ = 0;      // of the last start
+  std::int64_t group_ = 0;      // of what is played
+  std::int64_t next_group_ = 0;  // of what is armed
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;

@@ -13,6 +13,12 @@ using Kind = Command::Kind;
 
 void MotionAxis::obey(const Command& command) {
   if (command.kind == Kind::none) return;
+  take_up(command);
+  if (command.kind == Kind::start && now_.refused && command.group != 0)
+    now_.broken[1] = command.group;
+}
+
+void MotionAxis::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
@@ -44,7 +50,9 @@ void MotionAxis::act(const Command& command) {
     case Kind::disable:
       return power(false);
     case Kind::arm:
-      return arm(command.movement);
+      arm(command.movement);
+      if (!now_.refused) join_group(command.group);
+      return;
     case Kind::disarm:
       if (!waiting_) disarm();
       forget_later();
@@ -140,20 +148,33 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   if (!moving() || stopping) return;
   boundary_ = Boundary::none;
   ending_ = ending;
+  if (ending == Ending::group && unplayed()) return rest();
   state_ = stops ? State::stopping : State::discrete_motion;
   if (on_path() && !lifting_ && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;
 }
 
+/// What is played ends otherwise than the others of its group expect. What is armed: disarm().
 void MotionAxis::break_group() {
-  if (active_ || waiting_) now_.broken = group_;
+  if (active_) now_.broken[0] = group_;
 }
 
-/// What began together ends together: by a stop, whatever ended the other one.
+/// What is armed belongs to it now.
+void MotionAxis::join_group(std::int64_t group) {
+  next_group_ = group;
+  std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
+}
+
+/// What begins together ends together: by a stop, whatever ended the other one.
 void MotionAxis::stop_with_group() {
-  if (waiting_) drop({.cause = Cause::group_stopped});
-  if (active_ && ending_ == Ending::none) end_motion(Ending::group, {});
+  if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
+  if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group, {});
+}
+
+/// Only the first point of the path was given out, where the axis stood.
+bool MotionAxis::unplayed() const {
+  return on_path() && !lifting_ && played_to_ == 0 && now_.velocity == 0;
 }
 
 void MotionAxis::hold(bool on) {

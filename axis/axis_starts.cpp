@@ -43,6 +43,7 @@ std::optional<MotionState> MotionAxis::expected_end() const {
 
 void MotionAxis::disarm() {
   if (pending_) hand_back(pending_);
+  if (pending_ && next_group_ != 0) now_.broken[1] = next_group_;
   pending_ = nullptr;
   waiting_ = false;
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
@@ -70,7 +71,6 @@ void MotionAxis::start(const Command& command) {
   }
   waiting_ = true;
   accepted_ = now_.tick;
-  group_ = command.group;
   start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
   start_tick_ = std::max(command.at, now_.tick);
   start_position_ = command.position;
@@ -97,7 +97,7 @@ void MotionAxis::gear_in(const Command& command) {
   pending_ = movement;
   waiting_ = true;
   accepted_ = now_.tick;
-  group_ = 0;
+  next_group_ = 0;
   start_at_ = StartAt::tick;
   start_tick_ = std::max(command.at, now_.tick);
 }
@@ -174,6 +174,7 @@ Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
 }
 
 void MotionAxis::begin_pending(const Moment& at) {
+  if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   const bool live = pending_->course() == Course::live;
   const double ahead = -at.t;
   Cause no = Cause::none;
@@ -191,6 +192,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   drop_movement();
   forget_next();
   active_ = next;
+  group_ = next_group_;
   base_ = Base::movement;
   ending_ = Ending::none;
   held_ = lifting_ = false;

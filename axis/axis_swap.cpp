@@ -77,6 +77,7 @@ bool MotionAxis::ready_to_swap() {
 /// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
 void MotionAxis::swap(double boundary, MotionState end) {
   boundary_ = Boundary::none;
+  if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   // The boundary may have come before the rate was down.
   const double rate = clock_.at(now_.tick).rate;
   const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
@@ -87,6 +88,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
     return drop({.cause = no, .value = end.position});
   hand_back(active_);
   active_ = pending_;
+  group_ = next_group_;
   pending_ = nullptr;
   waiting_ = false;
   ++now_.finished;

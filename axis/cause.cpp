@@ -130,7 +130,7 @@ constexpr std::array entries{
     Entry{Cause::released, "released",
           "The hold-to-run command ended: the session released it, or sent no heartbeat."},
     Entry{Cause::group_stopped, "group_stopped",
-          "Another axis of the same start was stopped, or failed."},
+          "Another axis of the same start did not start, was stopped, or failed."},
 };
 
 /// True for the refusals with a measured value and a limit.

@@ -27,6 +27,13 @@ struct Sensors {
   Sensor index;  ///< of the encoder
 };
 
+/// What the other axes of a group report of the start that this axis waits for (machine.hpp).
+enum class Peers : std::uint8_t {
+  ready,    ///< each of them has a start accepted for the same tick, or there are none
+  missing,  ///< one of them has none, or one for another tick
+  broken,   ///< one was stopped, failed, or refused its start
+};
+
 /// What a drive says in one cycle. NaN: it does not tell.
 struct Feedback {
   double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
@@ -51,6 +58,7 @@ struct Inputs {
   /// Rows of its queues are there up to this number; the greatest: all that were handed over.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   bool group_broken = false;  ///< what began together with its motion was stopped, or failed: stop
+  Peers peers = Peers::ready;  ///< of what is armed: whether it may begin
   bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
 };
 

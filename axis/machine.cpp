@@ -77,6 +77,26 @@ std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t mast
   return axes;
 }
 
+/// Another axis has broken the group: in this tick where it was stepped before, else in an earlier one.
+bool is_broken(std::int64_t group, std::size_t axis, std::span<const AxisImage> images) {
+  for (std::size_t k = 0; k < images.size() && group != 0; ++k) {
+    const auto& broken = images[k].tick.broken;
+    if (k != axis && std::find(broken.begin(), broken.end(), group) != broken.end()) return true;
+  }
+  return false;
+}
+
+/// After the tick before, the axes that are armed in the group have not all accepted a start for the same tick.
+bool is_incomplete(std::size_t axis, std::span<const AxisImage> images) {
+  const GroupStart& own = images[axis].tick.next;
+  for (std::size_t k = 0; k < images.size() && own.group != 0; ++k) {
+    const GroupStart& other = images[k].tick.next;
+    const bool together = own.accepted && other.accepted && own.tick == other.tick;
+    if (k != axis && own.group == other.group && !together) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
@@ -88,11 +108,15 @@ Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
 
 void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters) {
   assert(images.size() == axes_.size() && masters.size() == masters_);
+  // Before the first axis is stepped: where one begins, all do.
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i].inputs.peers = is_incomplete(i, images) ? Peers::missing : Peers::ready;
   for (const std::size_t i : order_) {
     AxisImage& image = images[i];
     image.inputs.master = master_of(i, images, masters);
     image.inputs.master_offset = master_offset_of(i, images);
-    image.inputs.group_broken = is_broken(image.tick.group, images);
+    image.inputs.group_broken = is_broken(image.tick.group, i, images);
+    if (is_broken(image.tick.next.group, i, images)) image.inputs.peers = Peers::broken;
     image.tick = motion_[i].step(tick, image.command, image.inputs);
   }
 }
@@ -107,7 +131,8 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
       return masters[index];
     case Follow::What::setpoint: {
       const Tick& leader = images[index].tick;
-      if (leader.frozen) break;  // it leapt to rest: what is in step with it must not
+      // It leapt to rest, or is where its drive is: what is in step with it must not be.
+      if (leader.frozen || leader.state == State::disabled) break;
       return {leader.position, leader.velocity, leader.acceleration, 0};
     }
     case Follow::What::actual: {
@@ -117,13 +142,6 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
     }
   }
   return lost;
-}
-
-/// In this tick, by an axis that was stepped before; or by one after it in the tick before.
-bool Machine::is_broken(std::int64_t group, std::span<const AxisImage> images) {
-  return group != 0 && std::any_of(images.begin(), images.end(), [&](const AxisImage& image) {
-           return image.tick.broken == group;
-         });
 }
 
 double Machine::master_offset_of(std::size_t axis, std::span<const AxisImage> images) const {

@@ -55,10 +55,14 @@ struct AxisImage {
 /// the declared order. Axes whose setpoints follow each other in a ring are refused.
 ///
 /// A leader that is given another position (set_position, home) takes no follower with it. One that is frozen (an
-/// abort, a drive that let go) is lost to its followers in that tick, so they brake within their own limits.
+/// abort, a drive that let go) is lost to its followers in that tick, and one that is disabled as long as it is: its
+/// position is then that of its drive. So they brake within their own limits.
 ///
-/// **Groups**: what starts of one group have set in motion (Command::group) is stopped together. Where one axis
-/// of it is stopped or halted, fails, or cannot begin, the others stop in that tick or the next one.
+/// **Groups** (Command::group): what is armed in one group begins in one tick or not at all. It begins in the tick for
+/// which the starts of all that are armed in the group were accepted before; otherwise none of it begins. Where
+/// one start is refused, or one axis is stopped or halted, fails, or cannot begin, all starts that wait are dropped,
+/// later ones are refused, and what plays stops, in that tick or the next one. An axis that has given out only its first
+/// point stays there: it has not moved.
 ///
 /// **Masters** come in from outside as one Jet a tick each: m, m/s, m/s^2, m/s^3; NaN: lost. An axis
 /// gives its own in u. A setpoint's jerk counts as 0, an actual position's
@@ -86,7 +90,6 @@ class Machine {
  private:
   [[nodiscard]] Jet master_of(std::size_t axis, std::span<const AxisImage> images,
                               std::span<const Jet> masters) const;
-  [[nodiscard]] static bool is_broken(std::int64_t group, std::span<const AxisImage> images);
   [[nodiscard]] double master_offset_of(std::size_t axis, std::span<const AxisImage> images) const;
 
   std::vector<MachineAxis> axes_;

@@ -15,6 +15,8 @@ namespace {
 
 using Kind = Command::Kind;
 
+constexpr std::int64_t no_group = 0;  // of an axis that starts alone
+
 bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
 }
@@ -126,7 +128,7 @@ void Desk::build(const ArmRequested& arm) {
   if (knots > options_.build_apart)
     building_.emplace(Building{arm, worker_.ask(std::move(now))});
   else
-    this->arm({arm.session, arm.command, Kind::arm}, now(), arm.slave.hash);
+    this->arm({arm.session, arm.command, Kind::arm}, now(), arm.slave.hash, arm.session);
 }
 
 void Desk::take_built() {
@@ -136,17 +138,19 @@ void Desk::take_built() {
   building_.reset();
   MadeMovement made = built.made.get();
   const Request request{built.arm.session, built.arm.command, Kind::arm};
-  if (!built.void_) arm(request, std::move(made), built.arm.slave.hash);
+  if (!built.void_) arm(request, std::move(made), built.arm.slave.hash, built.arm.session);
   if (const auto next = std::exchange(next_arm_, std::nullopt)) build(*next);
 }
 
-void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash) {
+void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group) {
   if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
   const bool resets = last_.state == State::error_stop && request.session != fault_session_;
   const bool stands = last_.state == State::standstill || resets;
   const bool adopts = options_.adopt_start && made.first.has_value() && stands && !moving();
   if (resets || adopts) {
     // Only what will be armed may clear a fault, or give the position another name.
+    if (options_.axis.require_home && !last_.homed && made.movement->absolute())
+      return answer(request, Refusal{.cause = Cause::not_homed});
     const MotionState at{.position = adopts ? *made.first : last_.position};
     if (const auto refusal = made.movement->admit(options_.axis, at))
       return answer(request, refusal);
@@ -158,7 +162,7 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash) {
   }
   if (adopts) outbox_.order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
-  outbox_.order({.kind = Kind::arm, .movement = made.movement.get()}, request);
+  outbox_.order({.kind = Kind::arm, .movement = made.movement.get(), .group = group}, request);
   armed_ = made.movement->id();
   movements_[armed_] = {std::move(made), hash};
 }
@@ -247,7 +251,7 @@ void Desk::start_own(const OrderRequested& requested) {
   outbox_.order(
       {.kind = Kind::disarm});  // what is not armed in its place is not started in its place
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
-      options_.table->hash);
+      options_.table->hash, no_group);
   outbox_.order({.kind = Kind::start, .at = requested.at});
 }
 
@@ -304,7 +308,7 @@ void Desk::handle(const QueueArmRequested& arm) {
   if (movements_.contains(movement->id()))
     return answer(request, Refusal{.cause = Cause::in_motion});
   queues_.begin_with(arm.queue, arm.bank);
-  this->arm(request, {.movement = movement, .first = queues_.origin(arm.queue)}, {});
+  this->arm(request, {.movement = movement, .first = queues_.origin(arm.queue)}, {}, arm.session);
 }
 
 void Desk::handle(const QueueOpened& opened) {

@@ -123,7 +123,7 @@ class Desk {
   void follow_start(const Tick& tick);
   void build(const ArmRequested& arm);
   void take_built();
-  void arm(const Request& request, MadeMovement made, const Sha256& hash);
+  void arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group);
   void record(const MadeFrom& source);
   [[nodiscard]] Queues::Record recorded_rows() const;
   void drop_builds();

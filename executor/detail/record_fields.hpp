@@ -56,6 +56,7 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("positive_switch", c.inputs.positive_switch, w.positive_switch);
   f("negative_switch", c.inputs.negative_switch, w.negative_switch);
   f("group_broken", c.inputs.group_broken, w.group_broken);
+  f("peers", c.inputs.peers, w.peers);
   f("watchdog", c.inputs.watchdog, w.watchdog);
   f("rows", c.inputs.rows, w.rows);
 }
@@ -195,6 +196,8 @@ template <>
 inline constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
 template <>
 inline constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
+template <>
+inline constexpr int count_of<Peers> = static_cast<int>(Peers::broken) + 1;
 template <>
 inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
 template <>

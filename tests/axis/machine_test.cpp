@@ -121,8 +121,9 @@ TEST(Machine, WhatBeganTogetherStopsTogether) {
       for (const std::size_t i : {0U, 1U, 2U}) {
         jobs.push_back(std::make_unique<Job>(i + 1, trapezoid_table(50, 4, 10, 10)));
         rig.tell(i, {.kind = Kind::enable});
-        rig.tell(i, {.kind = Kind::arm, .movement = jobs.back().get()});
-        rig.tell(i, {.kind = Kind::start, .group = i < 2 ? 7 : 8, .at = 300});
+        const std::int64_t group = i < 2 ? 7 : 8;
+        rig.tell(i, {.kind = Kind::arm, .movement = jobs.back().get(), .group = group});
+        rig.tell(i, {.kind = Kind::start, .group = group, .at = 300});
       }
       for (int k = 0; k < 500; ++k) rig.step();
       EXPECT_EQ(rig.images[first].tick.group, 7);
@@ -136,20 +137,107 @@ TEST(Machine, WhatBeganTogetherStopsTogether) {
     }
 }
 
-TEST(Machine, WhatShouldBeginTogetherDoesNotBeginAlone) {
-  Job jobs[] = {Job(1, trapezoid_table(50, 4, 10, 10)), Job(2, trapezoid_table(50, 4, 10, 10))};
-  Rig rig({axis("a"), axis("b")});
-  for (const std::size_t i : {0U, 1U}) {
-    rig.tell(i, {.kind = Kind::enable});
-    rig.tell(i, {.kind = Kind::arm, .movement = &jobs[i]});
-    rig.tell(i, {.kind = Kind::start, .group = 7, .at = 300});
+/// Two axes, armed in one group.
+struct Together : Rig {
+  Together() : Rig({axis("a"), axis("b")}) {
+    for (const std::size_t i : {0U, 1U}) {
+      tell(i, {.kind = Kind::enable});
+      tell(i, {.kind = Kind::arm, .movement = &jobs[i], .group = 7});
+    }
   }
+  void start(std::size_t i, std::int64_t at = 300) {
+    tell(i, {.kind = Kind::start, .group = 7, .at = at});
+  }
+  /// Neither has left its place in the next half second.
+  void none_moves() {
+    for (int k = 0; k < 500; ++k) {
+      step();
+      for (const AxisImage& image : images) ASSERT_EQ(image.tick.position, 0) << "tick " << tick;
+    }
+    for (const AxisImage& image : images) EXPECT_FALSE(in_motion(image.tick));
+  }
+  Job jobs[2] = {Job(1, trapezoid_table(50, 4, 10, 10)), Job(2, trapezoid_table(50, 4, 10, 10))};
+};
+
+TEST(Machine, WhatShouldBeginTogetherDoesNotBeginAlone) {
+  Together rig;
+  for (const std::size_t i : {0U, 1U}) rig.start(i);
   rig.tell(1, {.kind = Kind::stop});
   rig.step();
   ASSERT_TRUE(rig.images[0].tick.dropped);
   EXPECT_EQ(rig.images[0].tick.dropped->cause, Cause::group_stopped);
-  for (int k = 0; k < 500; ++k) rig.step();
-  EXPECT_EQ(rig.images[0].tick.position, 0);
+  rig.none_moves();
+}
+
+TEST(Machine, AGroupWithoutAStartOfEachAxisDoesNotBegin) {
+  for (const std::size_t missing : {0U, 1U}) {
+    Together rig;
+    rig.start(1 - missing);
+    rig.none_moves();
+    rig.start(missing, -1);
+    ASSERT_TRUE(rig.images[missing].tick.refused) << "its group is broken";
+    EXPECT_EQ(rig.images[missing].tick.refused->cause, Cause::group_stopped);
+    rig.none_moves();
+  }
+}
+
+TEST(Machine, AStartAfterTheGroupWasBrokenIsRefused) {
+  for (const std::size_t first : {0U, 1U})
+    for (const Kind how : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
+      Together rig;
+      rig.tell(first, {.kind = how});
+      for (int k = 0; k < 10; ++k) rig.step();
+      rig.start(1 - first, rig.tick + 50);
+      ASSERT_TRUE(rig.images[1 - first].tick.refused);
+      EXPECT_EQ(rig.images[1 - first].tick.refused->cause, Cause::group_stopped);
+      rig.none_moves();
+    }
+}
+
+// Whichever is stepped first has given out the first point of its table when the other one fails.
+TEST(Machine, AFaultInTheTickOfTheStartMovesNoAxis) {
+  for (const std::size_t fails : {0U, 1U}) {
+    Together rig;
+    for (const std::size_t i : {0U, 1U}) rig.start(i);
+    while (rig.tick < 299) rig.step();
+    rig.images[fails].inputs.feedback = {.position = 0, .fault = true};
+    rig.step();
+    EXPECT_EQ(rig.images[fails].tick.fault, Cause::drive_fault);
+    rig.none_moves();
+    EXPECT_EQ(rig.images[1 - fails].tick.state, State::standstill);
+  }
+}
+
+TEST(Machine, ABrokenGroupBeginsWhenItIsArmedAnew) {
+  Together rig;
+  rig.tell(0, {.kind = Kind::stop});
+  Job again(3, trapezoid_table(50, 4, 10, 10));
+  rig.tell(0, {.kind = Kind::arm, .movement = &again, .group = 7});
+  for (const std::size_t i : {0U, 1U}) rig.start(i);
+  while (rig.tick < 400) rig.step();
+  for (const AxisImage& image : rig.images) EXPECT_GT(image.tick.position, 0);
+  EXPECT_EQ(rig.images[0].tick.position, rig.images[1].tick.position);
+}
+
+TEST(Machine, AFollowerOfADisabledLeaderTakesNoStep) {
+  // The leader's drive lags by 0.5 when it is let go, and is then turned by hand.
+  Job job(1, there_and_back(0, 1, 1, Outside::hold));
+  LiveGear gear{2, {.numerator = 2, .denominator = 1, .acceleration = 20, .deceleration = 20}};
+  Rig rig({axis("leader"), axis("slave", setpoint_of(0))});
+  for (const std::size_t i : {0U, 1U}) rig.tell(i, {.kind = Kind::enable});
+  rig.tell(1, {.kind = Kind::gear_in, .movement = &gear});
+  rig.images[0].inputs.feedback.position = -0.5;
+  for (int k = 0; k < 10; ++k) rig.step();
+  ASSERT_EQ(rig.images[1].tick.state, State::synchronized_motion);
+  const double stood = rig.images[1].tick.position;
+  rig.tell(0, {.kind = Kind::disable});
+  for (int k = 0; k < 100; ++k) {
+    EXPECT_EQ(rig.images[1].tick.position, stood);
+    rig.images[0].inputs.feedback.position -= 1e-3;
+    rig.step();
+  }
+  EXPECT_EQ(rig.images[0].tick.position, rig.images[0].inputs.feedback.position);
+  EXPECT_EQ(rig.images[1].tick.fault, Cause::master_lost);
 }
 
 /// A leader and a slave that runs with twice its velocity.

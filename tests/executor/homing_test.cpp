@@ -194,5 +194,20 @@ TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
   EXPECT_TRUE(site.play(table).ok());
 }
 
+TEST(OrderedHoming, ARefusedTableNeitherNamesThePositionNorClearsAFault) {
+  ExecutorOptions options = slide(0);
+  options.axis.require_home = options.adopt_start = true;
+  Slide site(options);
+  ASSERT_TRUE(site.client.release().ok());
+  const Table table = *there_and_back(30, 5, 2, Outside::hold);
+  EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
+  EXPECT_EQ(site.last().position, 0);
+  EXPECT_EQ(site.last().offset, 0);
+  ASSERT_TRUE(operator_stop(site.link, "slide", wire::StopMode::abort, 2s, site.clock));
+  EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
+  EXPECT_EQ(site.last().fault, Cause::aborted);
+  EXPECT_EQ(site.last().offset, 0);
+}
+
 }  // namespace
 }  // namespace jounce
