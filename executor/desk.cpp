@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Command::Kind;
 
-constexpr std::int64_t no_group = 0;  // of an axis that starts alone
+constexpr std::int64_t no_group = 0;  // an axis that starts alone
 
 bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
@@ -199,7 +199,8 @@ void Desk::handle(const SessionEnded& ended) {
   queues_.close();
   // The motion may be that of an owner before, who released it to run on.
   const bool its_motion = ended.session == motion_session_;
-  if (ended.session == held_session_) {  // also what it ordered after the jog
+  // Also after later orders of the session. An operator's stop is on its way to the axis, and owes an answer.
+  if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
     clear_outbox();
     return outbox_.order({.kind = Kind::release});
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/stream/client.hpp"
+#include "jounce/stream/driver.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -60,6 +61,18 @@ TEST(HoldToRun, StopsWhenItsSessionIsReleased) {
   EXPECT_EQ(site.last().velocity, -100);
   ASSERT_TRUE(site.client.release().ok());
   site.expect_released();
+}
+
+// It ends the session, too; the end of the session must not take its place.
+TEST(HoldToRun, AnOperatorsStopIsConfirmedAndStaysAStop) {
+  Jogging site(feeder());
+  ASSERT_TRUE(site.client.jog(100).ok());
+  site.advance(50ms);
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 1s, site.clock));
+  site.advance(100ms);
+  EXPECT_EQ(site.last().state, State::standstill);
+  EXPECT_EQ(site.last().reason, Cause::stopped);
+  EXPECT_EQ(site.last().stopped, 1U);
 }
 
 // What the session orders after the jog does not end its being held, whether the axis obeys or not.
