@@ -18,11 +18,11 @@
 
 namespace jounce {
 
-/// What is armed as a member of a group.
+/// An armed member of a group.
 struct GroupStart {
   std::int64_t group = 0;  ///< 0: of none
   bool accepted = false;   ///< its start was
-  std::int64_t tick = -1;  ///< of that start; -1: it begins by another event
+  std::int64_t tick = -1;  ///< its start's; -1: it begins by another event
 };
 
 /// All that an axis says in one tick.
@@ -49,10 +49,10 @@ struct Tick {
   bool held = false;           ///< the motion waits for the order resume
   bool homed = false;          ///< positions count from the machine's home position
   bool power = false;          ///< the drive shall follow setpoints
-  std::int64_t group = 0;      ///< of what is played; 0: none
-  GroupStart next{};           ///< of what is armed
-  /// The groups of what this axis played and had armed when a stop, a halt, a fault or a refused start ended that last.
-  /// They stay until the axis arms something of that group.
+  std::int64_t group = 0;      ///< the motion's; 0: none
+  GroupStart next{};           ///< the armed movement's
+  /// The groups of its motion and its armed movement when a stop, a halt, a fault or a refused start last ended these.
+  /// They stay until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
   bool frozen = false;         ///< in this tick the velocity was cut to 0: its fault says why
   double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
@@ -275,8 +275,8 @@ class MotionAxis {
   std::int64_t start_tick_ = 0;
   double start_position_ = 0;   // of the master
   std::int64_t accepted_ = -1;  // tick in which that start was
-  std::int64_t group_ = 0;      // of what is played
-  std::int64_t next_group_ = 0;  // of what is armed
+  std::int64_t group_ = 0;      // the motion's
+  std::int64_t next_group_ = 0;  // the armed movement's
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;

@@ -155,18 +155,18 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   now_.reason = Cause::none;
 }
 
-/// What is played ends otherwise than the others of its group expect. What is armed: disarm().
+/// The motion ends before its end. For an armed movement, disarm() does the same.
 void MotionAxis::break_group() {
   if (active_) now_.broken[0] = group_;
 }
 
-/// What is armed belongs to it now.
+/// The armed movement belongs to it now.
 void MotionAxis::join_group(std::int64_t group) {
   next_group_ = group;
   std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
 }
 
-/// What begins together ends together: by a stop, whatever ended the other one.
+/// Motions that begin together end together: by a stop, also where a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
   if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group, {});

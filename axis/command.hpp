@@ -70,7 +70,7 @@ struct Command {
   std::uint64_t id = 0;          ///< the sender's, handed back with the answer
   Movement* movement = nullptr;  ///< must live until it is handed back
   StartAt start_at = StartAt::tick;
-  std::int64_t group = 0;  ///< of an arm and its start: motions of one group start and stop together; 0: none
+  std::int64_t group = 0;  ///< an arm's and its start's: motions of one group start and stop together; 0: none
   std::int64_t at = -1;  ///< tick; -1: in the step that gets the command. Arm knows no other
   /// u; u/s of move_velocity, m for a master; relative moves: a distance; home: the position that home
   /// gets, NaN: as configured.

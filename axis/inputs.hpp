@@ -27,7 +27,7 @@ struct Sensors {
   Sensor index;  ///< of the encoder
 };
 
-/// What the other axes of a group report of the start that this axis waits for (machine.hpp).
+/// The other axes of a group, before the start for which this axis waits (machine.hpp).
 enum class Peers : std::uint8_t {
   ready,    ///< each of them has a start accepted for the same tick, or there are none
   missing,  ///< one of them has none, or one for another tick
@@ -58,7 +58,7 @@ struct Inputs {
   /// Rows of its queues are there up to this number; the greatest: all that were handed over.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   bool group_broken = false;  ///< what began together with its motion was stopped, or failed: stop
-  Peers peers = Peers::ready;  ///< of what is armed: whether it may begin
+  Peers peers = Peers::ready;  ///< the armed movement may begin, or not
   bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
 };
 

@@ -61,8 +61,8 @@ struct AxisImage {
 /// **Groups** (Command::group): what is armed in one group begins in one tick or not at all. It begins in the tick for
 /// which the starts of all that are armed in the group were accepted before; otherwise none of it begins. Where
 /// one start is refused, or one axis is stopped or halted, fails, or cannot begin, all starts that wait are dropped,
-/// later ones are refused, and what plays stops, in that tick or the next one. An axis that has given out only its first
-/// point stays there: it has not moved.
+/// later ones are refused, and all motions stop, in that tick or the next one. An axis that has given out only its
+/// first point stays there: it has not moved.
 ///
 /// **Masters** come in from outside as one Jet a tick each: m, m/s, m/s^2, m/s^3; NaN: lost. An axis
 /// gives its own in u. A setpoint's jerk counts as 0, an actual position's

@@ -2,6 +2,7 @@
 // protocol to an executor on a virtual clock; a judge that reads only its tick logs says what is wrong.
 // ORDERS up to 1000 run on one executor, print what it accepted, and leave its logs. WITHOUT: kinds that are not sent.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -10,18 +11,21 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <unistd.h>
 
+#include "jounce/drive/machine_sensors.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/driver.hpp"
 #include "jounce/stream/group.hpp"
 
 #include "executor/log_judge.hpp"
+#include "executor/log_line.hpp"
 #include "executor/site.hpp"
 #include "support/random.hpp"
 
@@ -35,7 +39,7 @@ using wire::OrderKind;
 constexpr int orders_each = 1000;   // of one executor
 std::vector<std::string> left_out;  // names of kinds, to look for what else there is
 
-/// A machine of two axes: the second one follows the first. Its numbers are drawn.
+/// A machine of two axes: the second one follows the first. Its numbers are drawn; every other axis has switches.
 struct Drawn {
   Bounds bounds[2];
   std::vector<ExecutorOptions> axes;
@@ -54,6 +58,38 @@ std::shared_ptr<const Table> own_table(const Bounds& b, double reach) {
   return std::make_shared<const Table>(
       Axis::time, Rule::quintic_hermite, Outside::hold,
       Columns{{0, time / 2, time}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
+}
+
+/// Limit switches, a home switch and an index, so close together that a search takes a second or so. A switch is
+/// wider than what an axis goes while it stops.
+void add_switches(Random& random, ExecutorOptions& axis, Bounds& b) {
+  const HomingSpec& homing = axis.axis.homing;
+  const double fastest = std::max(homing.search_velocity, homing.index_velocity);
+  const double braking = fastest * time_to_rest(fastest, 0, homing.acceleration, b.jerk.value_or(HUGE_VAL));
+  const double reach = fastest * random.uniform(0.2, 1) + 4 * braking;
+  const double bounce = random.below(2) == 0 ? 0 : random.uniform(0.001, 0.005);
+  MachineBounds m;
+  m.negative = -reach;
+  m.positive = reach * random.uniform(0.5, 2);
+  m.start = random.uniform(m.negative, m.positive);
+  m.home_low = random.uniform(m.negative / 2, m.positive / 2);
+  const bool to_the_end = random.below(3) == 0;
+  m.home_high = to_the_end ? HUGE_VAL : m.home_low + braking * random.uniform(1.5, 4);
+  m.index_period = reach * random.log_uniform(0.02, 0.5);
+  m.index_offset = random.uniform(0, m.index_period);
+  m.tolerance = bounce * homing.index_velocity;
+  axis.drive = std::make_shared<DriveOnMachine>(
+      std::make_shared<NullDrive>(),
+      MachineSensorsSpec{.encoder_offset = m.start,
+                         .home = MachineSwitch{.position = m.home_low,
+                                               .width = m.home_high - m.home_low,
+                                               .bounce = bounce},
+                         .negative = negative_switch(m.negative, bounce),
+                         .positive = positive_switch(m.positive, bounce),
+                         .index = MachineIndex{.period = m.index_period, .offset = m.index_offset}},
+      b.period);
+  b.machine = m;
+  axis.axis.require_home = random.below(6) == 0;
 }
 
 ExecutorOptions axis_of(Random& random, std::size_t i, Bounds& b) {
@@ -85,6 +121,14 @@ ExecutorOptions axis_of(Random& random, std::size_t i, Bounds& b) {
       StoredTable{.hash = content_hash(*table, {"s", "mm"}), .units = {"s", "mm"}, .table = table};
   b.path_stop_time = 2 * table->columns().x.back() + 6 * b.velocity / b.acceleration;
   axis.log = log_path(i);
+  axis.axis.homing = {.method = 24,
+                      .search_velocity = b.velocity * random.uniform(0.1, 1),
+                      .index_velocity = b.velocity * random.uniform(0.02, 0.3),
+                      .acceleration = b.acceleration * random.uniform(0.3, 1),
+                      .offset = random.uniform(-20, 20),
+                      .timeout = random.below(4) == 0 ? random.uniform(0.1, 2) : 20,
+                      .distance = 0};
+  if (random.below(2) == 0) add_switches(random, axis, b);
   axis.adopt_start = random.below(2) == 0;
   axis.receiver.session_timeout = 300ms;
   return axis;
@@ -126,6 +170,17 @@ double place(Random& random, const Bounds& b) {
   return random.uniform(low - 10, high + 10);
 }
 
+/// A homing by any method, and by numbers that are none; mostly by one that searches where there are switches.
+std::array<double, 8> home_values(Random& random, const Bounds& b) {
+  const int method = b.machine && random.below(8) != 0 ? 1 + random.below(34) : random.below(40);
+  const auto seldom = [&](double some) { return random.below(4) == 0 ? some : NAN; };
+  return wire::values(OrderKind::home,
+                      {random.below(3) == 0 ? NAN : place(random, b), static_cast<double>(method),
+                       seldom(share(random, b.velocity)), seldom(share(random, b.velocity) * 0.2),
+                       seldom(share(random, b.acceleration)), seldom(random.uniform(0.05, 3)),
+                       seldom(b.velocity * random.uniform(0.01, 2))});
+}
+
 /// `state`: what the axis does now.
 wire::Order order_of(Random& random, const Bounds& b, State state) {
   wire::Order order{.kind = static_cast<OrderKind>(random.below(wire::order_kinds))};
@@ -134,6 +189,7 @@ wire::Order order_of(Random& random, const Bounds& b, State state) {
     order.kind = static_cast<OrderKind>(8 + random.below(5));
   else if (random.below(6) == 0)
     order.kind = OrderKind::enable;
+  if (b.machine && state == State::standstill && random.below(4) == 0) order.kind = OrderKind::home;
   // A coupling with something on top of it would be rare, too.
   if (state == State::synchronized_motion && random.below(3) == 0)
     order.kind = OrderKind::move_superimposed;
@@ -188,9 +244,8 @@ wire::Order order_of(Random& random, const Bounds& b, State state) {
         value[4] = random.uniform(0, 100);
       }
       break;
-    case OrderKind::home:  // where it stands: this machine has no switches
-      value =
-          wire::values(order.kind, {random.below(3) == 0 ? nasty(random) : place(random, b), 0});
+    case OrderKind::home:
+      value = home_values(random, b);
       break;
     default:
       for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
@@ -216,7 +271,7 @@ double given(double magnitude) {
   return magnitude > 0 ? magnitude : 0;
 }
 
-Accepted accepted(const wire::Order& order) {
+Accepted accepted(const wire::Order& order, const HomingSpec& homing) {
   using What = Accepted::What;
   const auto& v = order.value;
   switch (order.kind) {
@@ -230,8 +285,15 @@ Accepted accepted(const wire::Order& order) {
       return {.what = What::disables};
     case OrderKind::set_position:
       return {.what = What::places};
-    case OrderKind::home:
-      return {.what = What::places};
+    case OrderKind::home: {
+      const auto chosen = [&](std::size_t i, double own) { return std::isnan(v[i]) ? own : v[i]; };
+      return {.what = What::homes,
+              .acceleration = chosen(4, homing.acceleration),
+              .method = std::isnan(v[1]) || v[1] == 0 ? homing.method : static_cast<int>(std::clamp(v[1], 0.0, 99.0)),
+              .fastest = std::max(chosen(2, homing.search_velocity), chosen(3, homing.index_velocity)),
+              .home = chosen(0, homing.offset),
+              .timeout = chosen(5, homing.timeout)};
+    }
     case OrderKind::hold:
       return {.what = What::rests};
     case OrderKind::halt:
@@ -264,6 +326,17 @@ Accepted accepted(const wire::Order& order) {
   }
 }
 
+std::size_t times_homed(const std::string& csv) {
+  std::size_t times = 0;
+  std::optional<Line> before;
+  Lines lines(csv);
+  while (const auto now = lines.next()) {
+    times += before && now->homed && !before->homed && before->state == "homing" ? 1 : 0;
+    before = now;
+  }
+  return times;
+}
+
 /// Sends orders to one executor, and has its logs judged.
 class Episode {
  public:
@@ -285,6 +358,7 @@ class Episode {
       std::ifstream file(log_path(axis));
       std::string csv{std::istreambuf_iterator<char>(file), {}};
       ticks += std::count(csv.begin(), csv.end(), '\n');
+      homed += times_homed(csv);
       for (const std::string& one : judged(csv, drawn_.bounds[axis], accepted_[axis], leader))
         all.push_back((axis == 0 ? "feeder: " : "knife: ") + one);
       leader = std::move(csv);
@@ -301,10 +375,24 @@ class Episode {
 
   std::int64_t ticks = 0;
   std::size_t taken = 0;
+  std::size_t homed = 0;  ///< searches that found their home
   bool keep = false;  ///< its logs
 
  private:
+  /// Most searches may go on: their session sends heartbeats meanwhile.
+  void let_search() {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (site_.last(axis).state != State::homing || random_.below(3) == 0) continue;
+      for (int i = 0; i < 20 && site_.last(axis).state == State::homing; ++i) {
+        for (const auto& client : clients_[axis])
+          if (client->session() != 0) static_cast<void>(client->beat());
+        site_.advance(Nanos(random_.below(100) * 1'000'000));
+      }
+    }
+  }
+
   void step() {
+    let_search();
     const auto axis = static_cast<std::size_t>(random_.below(3) == 0);
     Client& client = *clients_[axis][random_.below(10) == 0];
     const int what = random_.below(40);
@@ -362,7 +450,7 @@ class Episode {
     const std::int64_t sent = tick(axis);
     const CallOutcome outcome = client.tell(order);
     if (outcome.error == StreamError::refused) return;
-    Accepted done = accepted(order);
+    Accepted done = accepted(order, drawn_.axes[axis].axis.homing);
     using What = Accepted::What;
     // Without an answer it takes effect soon, or never.
     const std::int64_t by = tick(axis) + (outcome.ok() ? 0 : 300);
@@ -374,7 +462,7 @@ class Episode {
       return;
     }
     // What may come later may take the place of another stop; that it stops by then is not known.
-    if ((order.at >= 0 || !outcome.ok()) && done.what != What::moves)
+    if ((order.at >= 0 || !outcome.ok()) && done.what != What::moves && done.what != What::homes)
       done.what = done.what == What::rests ? What::moves : What::other;
     note(axis, done, sent, words_of(order, axis));
     accepted_[axis].back().answered = std::max(order.at, by);
@@ -421,8 +509,11 @@ class Episode {
   }
 
   void stop(std::size_t axis, Client& client) {
-    const std::int64_t group = site_.last(axis).group;
-    const bool tied = group != 0 && site_.last(1 - axis).group == group;
+    const auto of = [&](std::size_t i) {
+      const Tick& now = site_.last(i);
+      return now.next.accepted ? now.next.group : now.group;
+    };
+    const bool tied = of(axis) != 0 && of(axis) == of(1 - axis);
     const bool abort = random_.below(4) == 0;
     const std::int64_t sent = tick(axis);
     const wire::StopMode mode = abort ? wire::StopMode::abort : wire::StopMode::stop;
@@ -444,7 +535,7 @@ class Episode {
     const wire::Reply reply = operator_command(site_.link, drawn_.axes[axis].receiver.executor,
                                                order, {}, 100ms, site_.clock);
     if (reply.outcome == wire::Outcome::accepted)
-      note(axis, accepted(order), sent, words_of(order, axis));
+      note(axis, accepted(order, drawn_.axes[axis].axis.homing), sent, words_of(order, axis));
   }
 
   void stream(std::size_t axis) {
@@ -493,6 +584,7 @@ int main(int count, char** arguments) {
   for (int i = 3; i < count; ++i) left_out.emplace_back(arguments[i]);
   std::int64_t ticks = 0;
   std::size_t taken = 0;
+  std::size_t homed = 0;
   std::size_t findings = 0;
   for (long i = 0; i * orders_each < orders; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
@@ -506,8 +598,11 @@ int main(int count, char** arguments) {
     }
     ticks += episode.ticks;
     taken += episode.taken;
+    homed += episode.homed;
   }
-  std::printf("%ld orders, %zu of them accepted, %lld ticks of log; %zu findings\n", orders, taken,
-              static_cast<long long>(ticks), findings);
-  return findings == 0 ? 0 : 1;
+  std::printf("%ld orders, %zu of them accepted, %zu homings that ended at home, %lld ticks of log; %zu findings\n",
+              orders, taken, homed, static_cast<long long>(ticks), findings);
+  const bool tried = homed > 0 || orders < 10 * orders_each;
+  if (!tried) std::printf("no homing ended at home: nothing was tried\n");
+  return findings == 0 && tried ? 0 : 1;
 }

@@ -1,5 +1,5 @@
-// Axes that are to start together: they begin in one tick or not at all, whatever becomes of their streamer. What moved
-// is read from the tick logs.
+// Axes that are to start together: they begin in one tick or not at all, also where their streamer dies. The test reads
+// the motion from the tick logs.
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ std::vector<ExecutorOptions> logged() {
   return axes;
 }
 
-/// What a log says of its motion.
+/// The motion in a log.
 struct Seen {
   std::int64_t began = -1;  ///< first tick with a job
   double furthest = 0;      ///< u

@@ -26,7 +26,7 @@ namespace {
 using namespace test;
 using namespace std::chrono_literals;
 
-constexpr double acceleration = 800, jerk = 2e4;
+constexpr double acceleration = 800, jerk = 2e4, bounce = 0.004;
 
 /// A slide between limit switches at -100 and 100, its home switch on from 10 to 32.
 ExecutorOptions slide(double at) {
@@ -35,7 +35,7 @@ ExecutorOptions slide(double at) {
       .method = 24, .search_velocity = 50, .index_velocity = 5, .acceleration = acceleration};
   options.drive = std::make_shared<DriveOnMachine>(
       std::make_shared<NullDrive>(at),
-      MachineSensorsSpec{.home = MachineSwitch{.position = 10, .width = 22, .bounce = 0.004},
+      MachineSensorsSpec{.home = MachineSwitch{.position = 10, .width = 22, .bounce = bounce},
                          .negative = negative_switch(-100),
                          .positive = positive_switch(100),
                          .index = MachineIndex{.period = 10, .offset = 3}},
@@ -74,25 +74,36 @@ TEST(OrderedHoming, TheLogKeepsTheLimitsAndTheRecordReplays) {
       Slide site(options);
       const std::int64_t sent = site.last().tick;
       ASSERT_TRUE(site.client.search_home(method, 7).ok());
-      std::vector<Accepted> orders{{.what = Accepted::What::moves,
-                                    .sent = sent,
-                                    .answered = site.last().tick,
-                                    .words = "home"}};
+      const std::vector<Accepted> orders{{.what = Accepted::What::homes,
+                                          .sent = sent,
+                                          .answered = site.last().tick,
+                                          .acceleration = acceleration,
+                                          .method = method,
+                                          .fastest = 50,
+                                          .home = 7,
+                                          .timeout = 60,
+                                          .words = "home"}};
       while (site.last().state == State::homing) {
         site.turn();
         if (site.last().tick % 100 != 0) continue;
         ASSERT_TRUE(site.client.beat().ok());
       }
       ASSERT_TRUE(site.last().homed) << name(site.last().fault);
-      const std::int64_t named = site.last().tick;  // its position, in one of the last ticks
-      orders.push_back({.what = Accepted::What::places, .sent = named - 30, .answered = named});
       EXPECT_TRUE(site.replayed().same());
       const auto findings = judged(read(csv),
                                    {.velocity = 50,
                                     .acceleration = acceleration,
                                     .jerk = jerk,
                                     .stop_acceleration = acceleration,
-                                    .stop_jerk = jerk},
+                                    .stop_jerk = jerk,
+                                    .machine = MachineBounds{.start = start,
+                                                             .negative = -100,
+                                                             .positive = 100,
+                                                             .home_low = 10,
+                                                             .home_high = 32,
+                                                             .index_period = 10,
+                                                             .index_offset = 3,
+                                                             .tolerance = bounce * 5}},
                                    orders);
       for (const std::string& finding : findings) ADD_FAILURE() << finding;
       if (::testing::Test::HasFailure()) break;

@@ -1,79 +1,33 @@
 #include "executor/log_judge.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <string_view>
+
+#include "executor/homing_judge.hpp"
+#include "executor/log_line.hpp"
 
 namespace jounce::test {
 namespace {
 
 using What = Accepted::What;
 
-struct Line {
-  std::int64_t tick = 0;
-  std::string_view state{};
-  double p = 0, v = 0, a = 0;
-  bool path = false;         // a table, a stream or a coupling is played
-  std::string_view fault{};  // "none", or why the axis is in error
-  [[nodiscard]] bool failed() const { return fault != "none"; }
-};
-
 /// Faults that leave the setpoint where it is: nothing brakes it.
 constexpr std::string_view freezing[] = {"disabled_in_motion", "following_error", "drive_fault",
                                          "drive_not_ready", "stalled"};
 
-double number(std::string_view text) {
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-Line line_of(std::string_view text) {
-  std::string_view cells[10];
-  for (std::string_view& cell : cells) {
-    const std::size_t comma = text.find(',');
-    cell = text.substr(0, comma);
-    text.remove_prefix(std::min(text.size(), cell.size() + 1));
-  }
-  return {static_cast<std::int64_t>(number(cells[0])),
-          cells[2],
-          number(cells[5]),
-          number(cells[6]),
-          number(cells[7]),
-          cells[8] != "0",
-          cells[9]};
-}
-
-/// The lines of a log, without its head.
-class Lines {
- public:
-  explicit Lines(const std::string& csv) : rest_(csv) { static_cast<void>(text()); }
-
-  std::optional<Line> next() {
-    const std::string_view line = text();
-    return line.empty() ? std::nullopt : std::optional(line_of(line));
-  }
-
- private:
-  std::string_view text() {
-    const std::size_t end = rest_.find('\n');
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    return line;
-  }
-  std::string_view rest_;
-};
-
 class Judge {
  public:
   Judge(const Bounds& bounds, const std::vector<Accepted>& orders, const std::string& leader)
-      : bounds_(bounds), orders_(orders), leader_(leader) {}
+      : bounds_(bounds), orders_(orders), homing_(bounds), leader_(leader) {}
 
   void take(const Line& now) {
     obey(now);
     follow(now);
+    homing_.take(now, begun_ ? std::optional(last_) : std::nullopt, placed_,
+                 [&](const char* what, double value, double limit) { find(now, what, value, limit); });
+    placed_ = placed_ || homing_.named();
     const bool stalled = now.tick - last_.tick > bounds_.longest_gap;
     if (stalled || now.state == "disabled") may_freeze_ = true;
     frozen_ = begun_ && now.failed() &&
@@ -113,7 +67,9 @@ class Judge {
       const bool done = now.tick > order->answered;  // or in a tick that was left out
       words_ = order->words;
       if (order->what == What::places) placed_ = true;
-      if (order->what == What::moves) begin(*order);
+      if (order->what == What::moves || order->what == What::homes) begin(*order);
+      if (order->what == What::homes) homing_.offer(*order);
+      if (order->what == What::homes && (order->method == 35 || order->method == 37)) placed_ = true;
       if (order->what == What::disables || order->aborts) may_freeze_ = true;
       if (!done) continue;
       if (order->what == What::rests) demand_rest(now, *order);
@@ -142,7 +98,8 @@ class Judge {
   void revoke(const Accepted& by) {
     licensed_ = false;
     for (const Accepted*& order : open_)
-      if (order != nullptr && order->what == What::moves && order->sent < by.sent) order = nullptr;
+      if (order != nullptr && (order->what == What::moves || order->what == What::homes) && order->sent < by.sent)
+        order = nullptr;
   }
 
   void begin(const Accepted& order) {
@@ -153,17 +110,6 @@ class Judge {
 
   static double given(double value, double limit) { return value > 0 ? value : limit; }
 
-  /// Of the three that the axis is configured with; an order that it did not take while it failed changes nothing.
-  [[nodiscard]] double gentlest_brake() const {
-    const double stop = bounds_.stop_acceleration;
-    return std::min(
-        {stop, given(bounds_.limit_acceleration, stop), given(bounds_.abort_acceleration, stop)});
-  }
-  [[nodiscard]] double hardest_brake() const {
-    return std::max(
-        {bounds_.stop_acceleration, bounds_.limit_acceleration, bounds_.abort_acceleration});
-  }
-
   [[nodiscard]] bool freezes(const Line& now) const {
     if (now.fault == "aborted") return bounds_.abort_acceleration == 0;
     return std::find(std::begin(freezing), std::end(freezing), now.fault) != std::end(freezing);
@@ -173,14 +119,15 @@ class Judge {
     demanded_by_ = by;
     stops_ = true;
     const double jerk = bounds_.jerk ? bounds_.stop_jerk : HUGE_VAL;
-    demand(now, now.failed() ? gentlest_brake() : bounds_.stop_acceleration, jerk);
+    demand(now, now.failed() ? bounds_.gentlest_brake() : bounds_.stop_acceleration, jerk);
   }
 
   /// No other motion may have begun after it. Of orders that overlap, who came first is not known.
   [[nodiscard]] bool last_of_motions(const Accepted& order) const {
     const auto sent = orders_.begin() + static_cast<std::ptrdiff_t>(next_);
     return std::none_of(orders_.begin(), sent, [&](const Accepted& other) {
-      return &other != &order && (other.what == What::moves || other.what == What::rests) &&
+      return &other != &order &&
+             (other.what == What::moves || other.what == What::homes || other.what == What::rests) &&
              other.answered > order.sent;
     });
   }
@@ -192,18 +139,20 @@ class Judge {
     }
     stops_ = false;
     demanded_by_ = order.words;
-    demand(now, given(order.acceleration, bounds_.acceleration),
-           given(order.jerk, bounds_.jerk.value_or(HUGE_VAL)));
+    double a = given(order.acceleration, bounds_.acceleration);
+    double j = given(order.jerk, bounds_.jerk.value_or(HUGE_VAL));
+    if (homing_.unranged()) {  // a halt of a homing is a stop, also where it asks for less
+      a = std::min(a, bounds_.stop_acceleration);
+      j = bounds_.jerk ? std::min(j, bounds_.stop_jerk) : HUGE_VAL;
+    }
+    demand(now, a, j);
   }
 
-  /// First the acceleration must end, then the velocity, and the braking too.
   void demand(const Line& now, double a, double j) {
-    const double first = std::abs(now.a) / j;
-    const double faster = std::abs(now.v) + std::abs(now.a) * first / 2;
-    double time = first + faster / a + 2 * a / j + std::sqrt(2 * faster / j);
-    if (now.path || last_.path) time = std::max(time, bounds_.path_stop_time);
+    double time = time_to_rest(now.v, now.a, a, j);
+    if (now.path || last_.path) time = std::max(time, 1.01 * bounds_.path_stop_time);
     constexpr double longest = 1e6;  // s: an order may ask for as little as it likes
-    time = std::min(1.01 * time, longest);
+    time = std::min(time, longest);
     // A fault in a late cycle begins where the tick before it was.
     const std::int64_t late = now.tick - last_.tick - 1;
     rest_by_ = now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + 3 + late;
@@ -215,26 +164,26 @@ class Judge {
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
     const auto out = [&](double p) { return std::max({low - p, p - high, 0.0}); };
     // Outside, what turns back may end its acceleration by the jerk of a stop first.
-    const double a = hardest_brake();
+    const double a = bounds_.hardest_brake();
     double tail =
         out(last_.p) > 0 && bounds_.jerk ? a * a * a / (bounds_.stop_jerk * bounds_.stop_jerk) : 0;
     // Outside, a fault may come where a coupling has just turned the axis round.
-    if (now.failed()) tail += last_.v * last_.v / (2 * gentlest_brake());
-    if (out(now.p) > (placed_ ? HUGE_VAL : out(last_.p)) + tail + rounding)
+    if (now.failed()) tail += last_.v * last_.v / (2 * bounds_.gentlest_brake());
+    if (out(now.p) > (placed_ || homing_.unranged() ? HUGE_VAL : out(last_.p)) + tail + rounding)
       find(now, "position out of the range", now.p, now.p > high ? high : low);
   }
 
   void within_limits(const Line& now) {
     const double rounding = 1e-6;
     // An acceleration that a fault ends goes down by the jerk of a stop: meanwhile the velocity rises.
-    const double a = hardest_brake();
+    const double a = bounds_.hardest_brake();
     const bool rises = now.failed() && bounds_.jerk;
     const double fastest = bounds_.velocity + (rises ? a * a / (2 * bounds_.stop_jerk) : 0);
     if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding) find(now, "velocity", now.v, fastest);
     if (frozen_) return;
     const bool stop_limits = now.state == "stopping" || now.path || last_.path;
     const bool fails = now.failed() || last_.failed();
-    const double most = fails         ? hardest_brake()
+    const double most = fails         ? bounds_.hardest_brake()
                         : stop_limits ? bounds_.stop_acceleration
                                       : bounds_.acceleration;
     // What leaves a live master or a path may begin above its own limit; it must come down.
@@ -256,7 +205,7 @@ class Judge {
       return;
     }
     const double dt = static_cast<double>(now.tick - last_.tick) * bounds_.period;
-    const double most = hardest_brake();
+    const double most = bounds_.hardest_brake();
     const double rounding = 1e-9 * std::max(1.0, std::abs(now.p));
     const double dv = std::abs(now.v - last_.v);
     if (dv > most * dt * (1 + 1e-9) + rounding) find(now, "step of the velocity", dv, most * dt);
@@ -284,6 +233,8 @@ class Judge {
     }
     if (moves && !moved_ && !licensed_ && !now.failed())
       find(now, "begins to move without an order", now.v, 0);
+    if (moves && braked_) find(now, "moves again in its fault", now.v, 0);
+    braked_ = now.failed() && last_.failed() && !moves && !moved_ && now.a == 0;
     moved_ = moves;
   }
 
@@ -297,11 +248,13 @@ class Judge {
   bool begun_ = false;
   bool placed_ = false;
   bool moved_ = false;
+  bool braked_ = false;  // in a fault, for two ticks
   bool licensed_ = false;
   bool frozen_ = false;  // in this tick
   bool may_freeze_ = false;
   bool stops_ = false;  // what it must rest for is a stop or a fault
   double ratio_ = 0;    // the greatest of the gears so far
+  HomingJudge homing_;
   Lines leader_;
   Line master_;             // of this tick
   double master_step_ = 0;  // u/s^2
@@ -310,6 +263,15 @@ class Judge {
 };
 
 }  // namespace
+
+double Bounds::gentlest_brake() const {
+  const auto own = [&](double brake) { return brake > 0 ? brake : stop_acceleration; };
+  return std::min({stop_acceleration, own(limit_acceleration), own(abort_acceleration)});
+}
+
+double Bounds::hardest_brake() const {
+  return std::max({stop_acceleration, limit_acceleration, abort_acceleration});
+}
 
 std::vector<std::string> judged(const std::string& csv, const Bounds& bounds,
                                 const std::vector<Accepted>& orders, const std::string& leader) {

@@ -1,11 +1,21 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace jounce::test {
+
+/// The places of the switches of an axis, u of the machine.
+struct MachineBounds {
+  double start = 0;  ///< its place in the first line of the log
+  double negative = -HUGE_VAL, positive = HUGE_VAL;  ///< limit switches: on beyond
+  double home_low = NAN, home_high = NAN;            ///< the home switch is on between; infinite: to the end
+  double index_period = NAN, index_offset = 0;       ///< an index at the offset and each period from there
+  double tolerance = 0;  ///< that of the home position: a contact that bounces may add this
+};
 
 /// What an axis was configured with, as its operator would write it down. u, s.
 struct Bounds {
@@ -20,6 +30,11 @@ struct Bounds {
   double path_stop_time = 0;       ///< s: how long a stop on one of the axis's paths may take
   double period = 1e-3;            ///< s
   std::int64_t longest_gap = 100;  ///< ticks; a cycle that is later freezes the setpoint
+  std::optional<MachineBounds> machine{};
+
+  /// Of the three that the axis is configured with; an order that it did not take while it failed changes nothing.
+  [[nodiscard]] double gentlest_brake() const;
+  [[nodiscard]] double hardest_brake() const;
 };
 
 /// An order that the axis has accepted; it took effect in one of the ticks `sent` to `answered` + 1.
@@ -30,6 +45,7 @@ struct Accepted {
     stops,     ///< likewise by the limits of a stop, and may not move again before another order
     disables,  ///< it may not move again before another order
     places,    ///< where it stands has another name
+    homes,     ///< it may search for its home position
     other
   };
   What what = What::other;
@@ -40,6 +56,10 @@ struct Accepted {
   /// Of a gear, which multiplies its master's jerk; infinite: of a curve over its master.
   double ratio = 0;
   bool aborts = false;  ///< a stop that may freeze the setpoint
+  int method = 0;       ///< a homing's, by CiA 402
+  double fastest = 0;   ///< a homing's greater velocity, u/s; `acceleration` is its own
+  double home = 0;      ///< a homing's: the position that home gets, u
+  double timeout = 0;   ///< a homing's, s
   std::string words{};
 };
 
@@ -52,7 +72,9 @@ struct Accepted {
 ///   Position, velocity and acceleration belong together from tick to tick, also where ticks are left out;
 /// - a fault that freezes the setpoint (an abort, a drive that is switched off, a cycle that is too late) leaves it where
 ///   it was, at velocity 0;
-/// - after a stop, a halt, a hold, a jog of 0 or a fault: at rest in the time that its limits allow;
+/// - after a stop, a halt, a hold, a jog of 0 or a fault: at rest in the time that its limits allow; in a fault it stays
+///   at rest;
+/// - a homing: homing_judge.hpp. The position range does not hold in a search and until it has come to rest;
 /// - disabled: nothing moves; at rest: nothing begins to move that no order asked to.
 std::vector<std::string> judged(const std::string& csv, const Bounds& bounds,
                                 const std::vector<Accepted>& orders,
