@@ -4,6 +4,8 @@
 //     real_stream stream URL      expects whole streams, on a good link and on a lossy one
 //     real_stream once URL LABEL KNOTS [ends]
 //                                 expects a whole stream; with `ends` that, or a named error and nothing wrong stored
+//     real_stream relayed URL EXECUTORS_URL LABEL KNOTS
+//                                 the same between two links that something joins: expects a whole stream
 //     real_stream lcm URL         expects that LCM's own library sends to a link and receives from it
 #include <atomic>
 #include <cstdio>
@@ -85,10 +87,17 @@ bool has_status(Transport& link) {
   return false;
 }
 
-int stream_once(const std::string& url, const std::string& label, std::size_t knots,
-                const LossSpec& spec, bool may_end = false) {
-  ExecutorThread executor(url);
-  const auto link = open_transport(url);
+/// A streamer's link, and the executor's.
+struct Urls {
+  Urls(const std::string& both) : streamer(both), executor(both) {}
+  Urls(std::string its, std::string executors) : streamer(std::move(its)), executor(std::move(executors)) {}
+  std::string streamer, executor;
+};
+
+int stream_once(const Urls& url, const std::string& label, std::size_t knots, const LossSpec& spec,
+                bool may_end = false) {
+  ExecutorThread executor(url.executor);
+  const auto link = open_transport(url.streamer);
   LossyTransport lossy(*link, spec, steady_now);
   const Table table = test::sine_table(knots, Rule::quintic_hermite);
   const Nanos begin = steady_now();
@@ -148,9 +157,12 @@ int beside_lcm(const std::string& url) {
 
 int main(int count, char** arguments) {
   const bool once = count >= 5 && std::string(arguments[1]) == "once";
-  if (count != 3 && !once) return 2;
+  const bool relayed = count == 6 && std::string(arguments[1]) == "relayed";
+  if (count != 3 && !once && !relayed) return 2;
   const std::string url = arguments[2];
   if (std::string(arguments[1]) == "no-route") return jounce::expect_advice(url);
+  if (relayed)
+    return jounce::stream_once({url, arguments[3]}, arguments[4], std::stoul(arguments[5]), {});
   if (once) return jounce::stream_once(url, arguments[3], std::stoul(arguments[4]), {}, count > 5);
   if (std::string(arguments[1]) == "lcm") return jounce::beside_lcm(url);
   return jounce::stream_once(url, "good link", 500'000, {}) +
