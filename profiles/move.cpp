@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "jounce/profiles/detail/brake.hpp"
+#include "jounce/profiles/detail/lanes.hpp"
+#include "jounce/profiles/detail/rest_to_rest.hpp"
+#include "jounce/profiles/detail/second_order.hpp"
 #include "jounce/profiles/detail/solver.hpp"
 
 namespace jounce {
@@ -57,7 +61,88 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
                                                         : MoveStatus::target_unreachable;
 }
 
+// The same questions without branches, for downwards and upwards at once in the two lanes of a vector.
+using detail::Vector2;
+using Both = detail::Mask<Vector2>;
+
+/// True where a mask holds in both lanes.
+JOUNCE_INLINE bool holds(Both m) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(std::bit_cast<__m128d>(m)) == 3;
+#else
+  return (m[0] & m[1]) != 0;
+#endif
+}
+
+/// A number as seen downwards and upwards.
+JOUNCE_INLINE Vector2 directed(double x) {
+  return Vector2{-x, x};
+}
+
+struct Magnitudes {
+  Vector2 velocity, acceleration, jerk, position;
+
+  JOUNCE_INLINE explicit Magnitudes(const Bounds& b)
+      : velocity{-b.velocity_min, b.velocity_max},
+        acceleration{-b.acceleration_min, b.acceleration_max},
+        jerk{-b.jerk_min, b.jerk_max},
+        position{-b.position_min, b.position_max} {}
+
+  JOUNCE_INLINE static Both finite(Vector2 m) { return (m >= least) & (m <= greatest); }
+  JOUNCE_INLINE static Both sound(Vector2 m) {
+    return (m >= least) & ((m <= greatest) | (m == Bounds::none));
+  }
+  /// The velocity and the acceleration lie inside; a factor makes the limits greater.
+  JOUNCE_INLINE Both hold(double v, double a, double more) const {
+    return (directed(v) <= velocity * more) & (directed(a) <= acceleration * more);
+  }
+  /// The velocity stays inside while the acceleration returns to zero (is_inside).
+  JOUNCE_INLINE Both return_inside(double v, double a, double more) const {
+    const Vector2 back{jerk[1], jerk[0]};
+    return (directed(a) <= 0) | (a * a <= 2 * back * (velocity * more - directed(v)));
+  }
+};
+
 }  // namespace
+
+detail::Form detail::form(const MotionState& from, const MotionState& to,
+                          const Bounds& b) noexcept {
+  const Magnitudes m(b);
+  const bool steps = b.jerk_max == Bounds::none;
+  const double moves = std::abs(from.velocity) + std::abs(from.acceleration) +
+                       std::abs(to.velocity) + std::abs(to.acceleration);
+  const Both common = Magnitudes::sound(m.velocity) & (m.position == Bounds::none);
+  bool sound = false;
+  if (steps)
+    sound = holds(common & Magnitudes::finite(m.acceleration) & (m.jerk == Bounds::none));
+  else
+    sound = holds(common & Magnitudes::sound(m.acceleration) & Magnitudes::finite(m.jerk));
+  if (moves != 0) sound = sound & holds(m.hold(to.velocity, to.acceleration, 1 + forgiven));
+  if (moves != 0 && !steps)
+    sound = sound & holds(m.hold(from.velocity, from.acceleration, 1) &
+                          m.return_inside(from.velocity, from.acceleration, 1) &
+                          m.return_inside(to.velocity, -to.acceleration, 1 + forgiven));
+  if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest) || !sound)
+    return Form::any;
+  if (steps) return Form::second_order;
+  if (moves != 0) return from == to ? Form::any : Form::point_to_point;
+  return from.position == to.position ? Form::any : Form::rest_to_rest;
+}
+
+// Each motion is constructed in `out`: a copy takes as long as the solution of a trapezoid.
+bool detail::shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& b,
+                      Profile& out) noexcept {
+  if (form == Form::point_to_point) {
+    ::new (&out) Profile(PointToPoint(from, to, b).shortest(from, to));
+  } else if (form == Form::rest_to_rest) {
+    RestToRest move(to.position - from.position, b);
+    if (!move.solve_shortest()) return false;
+    ::new (&out) Profile(move.profile(from, to));
+  } else if (form == Form::second_order) {
+    ::new (&out) Profile(shortest_second_order(from, to, b));
+  }
+  return form != Form::any;
+}
 
 MoveStatus detail::status_of(const MotionState& from, const MotionState& to,
                              const Bounds& b) noexcept {
@@ -95,6 +180,15 @@ const char* explain(MoveStatus status) noexcept {
 }
 
 Move move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
+  using detail::Form;
+  const Form form = detail::form(from, to, bounds);
+  if (form == Form::point_to_point)
+    return {MoveStatus::ok, detail::PointToPoint(from, to, bounds).shortest(from, to)};
+  if (form == Form::rest_to_rest)
+    if (detail::RestToRest move(to.position - from.position, bounds); move.solve_shortest())
+      return {MoveStatus::ok, move.profile(from, to)};
+  if (form == Form::second_order)
+    return {MoveStatus::ok, detail::shortest_second_order(from, to, bounds)};
   Move move;
   move.status = detail::status_of(from, to, bounds);
   if (move) move.status = detail::Solver(from, to, bounds).shortest(move.profile);

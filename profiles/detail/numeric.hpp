@@ -22,4 +22,10 @@ inline double root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
+/// `which ? a : b` without a branch, for a condition that no processor foresees.
+inline double either(bool which, double a, double b) {
+  const double pair[] = {b, a};
+  return pair[which];
+}
+
 }  // namespace jounce::detail

@@ -1,93 +1,102 @@
 #include "jounce/profiles/detail/rest_to_rest.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::detail {
 namespace {
 
-/// The same in all units that are powers of two of each other, which std::cbrt alone is not.
-double cube_root(double x) {
-  const int thirds = (std::ilogb(x) + 3000) / 3 - 1000;
-  return std::ldexp(std::cbrt(std::ldexp(x, -3 * thirds)), thirds);
+/// 2^n, for |n| < 1000.
+double power_of_two(std::int64_t n) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
+}
+
+/// The cube root of a normal number; the same in all units that are powers of two of each other.
+double root_in_units(double x, double per_x) {
+  const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);
+  const std::int64_t thirds = exponent / 3 - 341;
+  return cube_root(x * power_of_two(-3 * thirds), per_x * power_of_two(3 * thirds)) *
+         power_of_two(thirds);
 }
 
 }  // namespace
 
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
   const bool up = distance > 0;
-  vmax_ = up ? b.velocity_max : -b.velocity_min;
-  jp_ = up ? b.jerk_max : b.jerk_min;
-  jd_ = up ? b.jerk_min : b.jerk_max;
+  vmax_ = either(up, b.velocity_max, -b.velocity_min);
+  jp_ = either(up, b.jerk_max, b.jerk_min);
+  jd_ = either(up, b.jerk_min, b.jerk_max);
   p_ = 1 / std::abs(jp_);
   q_ = 1 / std::abs(jd_);
   k_ = p_ + q_;
-  const auto half = [this](double limit) {
-    return Half{limit, 1 / limit, k_ * limit * limit / 2};
-  };
-  half_ = {half(up ? b.acceleration_max : -b.acceleration_min),
-           half(up ? -b.acceleration_min : b.acceleration_max)};
+  twice_per_k_ = 2 / k_;
+  limit_ = Vector2{either(up, b.acceleration_max, -b.acceleration_min),
+                   either(up, -b.acceleration_min, b.acceleration_max)};
+  per_limit_ = 1 / limit_;
+  sat_ = k_ * limit_ * limit_ / 2;
 }
 
 void RestToRest::rise_to(double vp) noexcept {
   vp_ = vp;
-  for (Half& h : half_) {
-    h.hold = std::max(vp - h.sat, 0.0) * h.per_limit;
-    h.z = h.hold > 0 ? h.limit : std::sqrt(2 * vp / k_);
-    h.lasts = k_ * h.z + h.hold;
-  }
+  z_ = least(limit_, every<Vector2>(std::sqrt(vp * twice_per_k_)));
+  hold_ = greatest(vp - sat_, Vector2{}) * per_limit_;
+  lasts_ = k_ * z_ + hold_;
 }
 
 /// E, from (1) and what the hold adds to it.
-double RestToRest::lost(const Half& h) const noexcept {
-  const double at_first = k_ * (k_ + p_) * cube(h.z) / 6;
-  return at_first + h.hold * (h.z * h.z * (k_ + p_) + h.hold * h.z) / 2;
+Vector2 RestToRest::lost() const noexcept {
+  const Vector2 at_first = k_ * (k_ + p_) * (z_ * z_ * z_) / 6;
+  return at_first + hold_ * (z_ * z_ * (k_ + p_) + hold_ * z_) / 2;
 }
 
 /// Both accelerations reach z, without a hold.
 void RestToRest::pass(double z) noexcept {
   vp_ = k_ * z * z / 2;
-  for (Half& h : half_) {
-    h.z = z;
-    h.hold = 0;
-    h.lasts = k_ * z;
-  }
+  z_ = every<Vector2>(z);
+  hold_ = Vector2{};
+  lasts_ = k_ * z_;
 }
 
 bool RestToRest::solve_shortest() noexcept {
   if (vmax_ < inf) {
     rise_to(vmax_);
-    const double way = vmax_ * (half_[0].lasts + half_[1].lasts) - lost(half_[0]) - lost(half_[1]);
+    const Vector2 less = lost();
+    const double way = vmax_ * (lasts_[0] + lasts_[1]) - less[0] - less[1];
     if (way <= d_) {
       cruise_ = (d_ - way) / vmax_;
       return true;
     }
   }
-  const double z = cube_root(3 * d_ / (k_ * (k_ + q_)));
-  if (z <= std::min(half_[0].limit, half_[1].limit)) {
+  const double kk = k_ * (k_ + q_);
+  const double cubed = 3 * d_ / kk;
+  if (!(cubed > 1e-290)) return false;  // too near to the least double
+  const double z = root_in_units(cubed, kk / (3 * d_));
+  if (z <= std::min(limit_[0], limit_[1])) {
     pass(z);
     return true;
   }
-  return hold_both((half_[0].limit + half_[1].limit) * q_ / 2, 1);
+  return hold_both((limit_[0] + limit_[1]) * q_ / 2, 1);
 }
 
 /// (2) of both halves: vp^2 (1/L + 1/L')/2 + sign b vp = sign d + ..., if that is where both hold.
 bool RestToRest::hold_both(double b, double sign) noexcept {
-  const double a = (half_[0].per_limit + half_[1].per_limit) / 2;
-  const double c = d_ + (cube(half_[0].limit) + cube(half_[1].limit)) * (q_ - p_) * k_ / 24;
+  const double a = (per_limit_[0] + per_limit_[1]) / 2;
+  const double c = d_ + (cube(limit_[0]) + cube(limit_[1])) * (q_ - p_) * k_ / 24;
   const double vp = 2 * c / (b + root(b * b + sign * 4 * a * c));
-  if (!(vp >= std::max(half_[0].sat, half_[1].sat))) return false;
+  if (!(vp >= std::max(sat_[0], sat_[1]))) return false;
   rise_to(vp);
   return true;
 }
 
 bool RestToRest::solve_lasting(double t) noexcept {
   if (!pass_in(t) &&
-      !hold_both(t - (half_[0].limit + half_[1].limit) * p_ / 2, -1))
+      !hold_both(t - (limit_[0] + limit_[1]) * p_ / 2, -1))
     return false;
-  cruise_ = t - half_[0].lasts - half_[1].lasts;
+  cruise_ = t - lasts_[0] - lasts_[1];
   return cruise_ > 0 && vp_ <= vmax_;
 }
 
@@ -103,26 +112,27 @@ bool RestToRest::pass_in(double t) noexcept {
     g -= step;
     if (std::abs(step) <= 1e-9) break;
   }
-  if (z0 * g > std::min(half_[0].limit, half_[1].limit)) return false;
+  if (z0 * g > std::min(limit_[0], limit_[1])) return false;
   pass(z0 * g);
   return true;
 }
 
 double RestToRest::duration() const noexcept {
-  return half_[0].lasts + half_[1].lasts + cruise_;
+  return lasts_[0] + lasts_[1] + cruise_;
 }
 
 Profile RestToRest::profile(const MotionState& from, const MotionState& to) const noexcept {
   const bool cruises = cruise_ > 0;
-  const auto& [first, last] = half_;
+  const double first = z_[0];
+  const double last = z_[1];
   return Profile(from, to, 3, {jp_, jd_},
-                 {{first.z * p_, 1},
-                  {first.hold, 0},
-                  {(cruises ? first.z : first.z + last.z) * q_, 2},
+                 {{first * p_, 1},
+                  {hold_[0], 0},
+                  {(cruises ? first : first + last) * q_, 2},
                   {cruise_, 0},
-                  {cruises ? last.z * q_ : 0, 2},
-                  {last.hold, 0},
-                  {last.z * p_, 1}});
+                  {cruises ? last * q_ : 0, 2},
+                  {hold_[1], 0},
+                  {last * p_, 1}});
 }
 
 }  // namespace jounce::detail

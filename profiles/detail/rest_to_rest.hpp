@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-
+#include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/move.hpp"
 
 namespace jounce::detail {
@@ -33,22 +32,19 @@ class RestToRest {
   [[nodiscard]] Profile profile(const MotionState& from, const MotionState& to) const noexcept;
 
  private:
-  struct Half {
-    double limit, per_limit;
-    double sat;  ///< vp at which z reaches the limit
-    double z = 0, hold = 0, lasts = 0;
-  };
-
   void rise_to(double vp) noexcept;
   void pass(double z) noexcept;
   bool pass_in(double t) noexcept;
   bool hold_both(double b, double sign) noexcept;
-  [[nodiscard]] double lost(const Half& h) const noexcept;
+  [[nodiscard]] Vector2 lost() const noexcept;
 
   double d_, vmax_;
   double jp_, jd_;  ///< signed
-  double p_, q_, k_;
-  std::array<Half, 2> half_;
+  double p_, q_, k_, twice_per_k_;
+  // Both halves:
+  Vector2 limit_, per_limit_;
+  Vector2 sat_;  ///< vp at which z reaches the limit
+  Vector2 z_{}, hold_{}, lasts_{};
   double vp_ = 0, cruise_ = 0;
 };
 

@@ -3,14 +3,96 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/numeric.hpp"
+
 namespace jounce::detail {
 namespace {
 
 constexpr double ulps = 0x1p-49;
 
+/// The rounding of the distance that the direct change covers.
+double rounding_of(const MotionState& from, const MotionState& to, double direct) {
+  return ulps * (std::abs(from.position) + std::abs(to.position) +
+                 direct * (std::abs(from.velocity) + std::abs(to.velocity)));
+}
+
 }  // namespace
 
-SecondOrder::SecondOrder(const MotionState& from, const MotionState& to, const Bounds& b) noexcept {
+ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionState& to,
+                                         const Bounds& b) noexcept {
+  const double amax = b.acceleration_max;
+  const double amin = -b.acceleration_min;
+  const double d = to.position - from.position;
+  const double dv = to.velocity - from.velocity;
+  const double per_amax = 1 / amax;
+  const double per_amin = 1 / amin;
+  const double both = amax * amin / (amax + amin);
+  const double direct = std::abs(dv) * either(dv > 0, per_amax, per_amin);
+  const double excess = d - direct * (from.velocity + to.velocity) / 2;
+  const bool is_direct = std::abs(excess) <= rounding_of(from, to, direct);
+  const bool up = excess >= 0;
+  const double sign = either(up, 1, -1);
+  const double rise = either(up, amax, amin);
+  const double fall = either(up, amin, amax);
+  const double v0 = sign * from.velocity;
+  const double vf = sign * to.velocity;
+  const double natural = std::max(v0, vf);
+  const double vmax = std::max(either(up, b.velocity_max, -b.velocity_min), natural);
+
+  const double per_rise = either(up, per_amax, per_amin);
+  const double per_fall = either(up, per_amin, per_amax);
+  const double twice = 2 * sign * d;
+  const double square = (twice + v0 * v0 * per_rise + vf * vf * per_fall) * both;
+  // (2) without cruise, the greater solution
+  const double peak = std::max(std::sqrt(std::max(square, 0.0)), natural);
+  const bool passes = (peak <= vmax) & !is_direct;
+  const double top = either(is_direct, natural, std::min(peak, vmax));
+  // (2) gives p^2 - v^2 without p: accurate also where they nearly agree.
+  const double squares = (v0 - vf) * (v0 + vf);
+  const auto above = [&](double v, double p2_v2) {
+    const bool by_squares = passes & (v > 0);
+    return either(by_squares, std::max(p2_v2 * both, 0.0), top - v) /
+           either(by_squares, peak + v, 1);
+  };
+  rise_ = sign * rise;
+  fall_ = -sign * fall;
+  rises_ = above(v0, twice - squares * per_fall) * per_rise;
+  falls_ = above(vf, twice + squares * per_rise) * per_fall;
+  const double ramps = (top - v0) * (top + v0) * per_rise + (top - vf) * (top + vf) * per_fall;
+  cruise_ = either(passes | is_direct, 0, (twice - ramps) / (2 * top));
+}
+
+Profile ShortestSecondOrder::profile(const MotionState& from, const MotionState& to) const noexcept {
+  return Profile(from, to, 2, {rise_, fall_}, {{rises_, 1}, {cruise_, 0}, {falls_, 2}});
+}
+
+void ShortestSecondOrder::append(Profile& out) const noexcept {
+  out.add(rises_, rise_);
+  out.add(cruise_, 0);
+  out.add(falls_, fall_);
+}
+
+MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) noexcept {
+  const double v = std::clamp(s.velocity, b.velocity_min, b.velocity_max);
+  const double a = v < s.velocity ? b.acceleration_min : b.acceleration_max;
+  const double t = (v - s.velocity) / a;
+  profile.add(t, a);
+  return {s.position + t * (s.velocity + v) / 2, v, 0};
+}
+
+Profile shortest_second_order(const MotionState& from, const MotionState& to,
+                              const Bounds& b) noexcept {
+  const MotionState start{from.position, from.velocity, 0};
+  if (from.velocity >= b.velocity_min && from.velocity <= b.velocity_max)
+    return ShortestSecondOrder(start, to, b).profile(start, to);
+  Profile p(start, 2);
+  ShortestSecondOrder(slowed(start, b, p), to, b).append(p);
+  p.finish(to);
+  return p;
+}
+
+SecondOrder::SecondOrder(const MotionState& from, const MotionState& to, const Bounds& b) noexcept
+    : shortest_(from, to, b) {
   const double d = to.position - from.position;
   up_ = {1, from.velocity, to.velocity, b.velocity_max, b.acceleration_max, -b.acceleration_min, d};
   down_ = {
@@ -19,8 +101,7 @@ SecondOrder::SecondOrder(const MotionState& from, const MotionState& to, const B
   for (Way* w : {&up_, &down_}) w->vmax = std::max(w->vmax, w->natural());
   direct_ = up_.duration(up_.natural());
   direct_distance_ = up_.distance(up_.natural());
-  rounding_ = ulps * (std::abs(from.position) + std::abs(to.position) +
-                      direct_ * (std::abs(from.velocity) + std::abs(to.velocity)));
+  rounding_ = rounding_of(from, to, direct_);
 }
 
 double SecondOrder::Way::duration(double peak) const noexcept {
@@ -29,23 +110,6 @@ double SecondOrder::Way::duration(double peak) const noexcept {
 
 double SecondOrder::Way::distance(double peak) const noexcept {
   return (peak - v0) * (peak + v0) / (2 * rise) + (peak - vf) * (peak + vf) / (2 * fall);
-}
-
-double SecondOrder::Way::peak() const noexcept {
-  const double square = (2 * d + v0 * v0 / rise + vf * vf / fall) / (1 / rise + 1 / fall);
-  return std::max(std::sqrt(std::max(square, 0.0)), natural());
-}
-
-double SecondOrder::Way::above(double v, double other, double its_rate,
-                               double peak) const noexcept {
-  // (2) gives p^2 - v^2 without p.
-  const double squares = (2 * d - (v - other) * (v + other) / its_rate) / (1 / rise + 1 / fall);
-  return v > 0 ? std::max(squares, 0.0) / (peak + v) : peak - v;
-}
-
-void SecondOrder::Way::append_peak(double peak, Profile& out) const noexcept {
-  out.add(above(v0, vf, fall, peak) / rise, sign * rise);
-  out.add(above(vf, v0, rise, peak) / fall, -sign * fall);
 }
 
 void SecondOrder::Way::append_cruise(double spare, double excess, Profile& out) const noexcept {
@@ -59,36 +123,8 @@ void SecondOrder::Way::append_cruise(double spare, double excess, Profile& out) 
   out.add((y + (m - vf)) / fall, -sign * fall);
 }
 
-void SecondOrder::Way::append(double peak, double cruise, Profile& out) const noexcept {
-  out.add((peak - v0) / rise, sign * rise);
-  out.add(cruise, 0);
-  out.add((peak - vf) / fall, -sign * fall);
-}
-
-const SecondOrder::Way& SecondOrder::way() const noexcept {
-  return up_.d >= direct_distance_ ? up_ : down_;
-}
-
 bool SecondOrder::is_direct() const noexcept {
   return std::abs(up_.d - direct_distance_) <= rounding_;
-}
-
-double SecondOrder::minimum() const noexcept {
-  if (is_direct()) return direct_;
-  const Way& w = way();
-  const double peak = w.peak();
-  if (peak <= w.vmax) return w.duration(peak);
-  return w.duration(w.vmax) + (w.d - w.distance(w.vmax)) / w.vmax;
-}
-
-void SecondOrder::shortest(Profile& out) const noexcept {
-  const Way& w = way();
-  if (is_direct()) return w.append(w.natural(), 0, out);
-  const double peak = w.peak();
-  if (peak <= w.vmax)
-    w.append_peak(peak, out);
-  else
-    w.append(w.vmax, (w.d - w.distance(w.vmax)) / w.vmax, out);
 }
 
 bool SecondOrder::lasting(double t, Profile& out) const noexcept {

@@ -17,15 +17,37 @@ namespace jounce::detail {
 //
 //   (3)  k y^2/2 - spare y + (d - d0 - m spare) = 0,   the smaller solution; cruise = spare - k y
 
+/// The shortest motion alone, start and target inside the bounds. No branch depends on the numbers: a
+/// processor foresees none of them.
+class ShortestSecondOrder {
+ public:
+  ShortestSecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+  [[nodiscard]] double duration() const noexcept { return rises_ + cruise_ + falls_; }
+  [[nodiscard]] Profile profile(const MotionState& from, const MotionState& to) const noexcept;
+  void append(Profile& out) const noexcept;
+
+ private:
+  double rise_, fall_;  ///< accelerations, signed
+  double rises_, cruise_, falls_;  ///< s
+};
+
+/// Down (or up) to the velocity limit, if that is passed; the state after it.
+MotionState slowed(const MotionState& from, const Bounds& bounds, Profile& profile) noexcept;
+
+/// The shortest motion from any velocity.
+Profile shortest_second_order(const MotionState& from, const MotionState& to,
+                              const Bounds& bounds) noexcept;
+
 /// The same as PointToPoint for an acceleration that may step; the start inside the bounds.
 class SecondOrder {
  public:
   SecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-  void shortest(Profile& out) const noexcept;
+  void shortest(Profile& out) const noexcept { shortest_.append(out); }
   /// False if the duration, >= minimum(), is blocked.
   bool lasting(double t, Profile& out) const noexcept;
-  [[nodiscard]] double minimum() const noexcept;
+  [[nodiscard]] double minimum() const noexcept { return shortest_.duration(); }
   [[nodiscard]] Durations durations() const noexcept;
 
  private:
@@ -36,18 +58,13 @@ class SecondOrder {
     [[nodiscard]] double natural() const noexcept { return v0 > vf ? v0 : vf; }
     [[nodiscard]] double duration(double peak) const noexcept;
     [[nodiscard]] double distance(double peak) const noexcept;
-    [[nodiscard]] double peak() const noexcept;  ///< (2) without cruise, the greater solution
-    /// peak() less the velocity at one end, accurate also where they nearly agree.
-    [[nodiscard]] double above(double v, double other, double its_rate, double peak) const noexcept;
-    void append_peak(double peak, Profile& out) const noexcept;
     /// (3): lasts longer than the direct change by `spare`, and goes farther by `excess`.
     void append_cruise(double spare, double excess, Profile& out) const noexcept;
-    void append(double peak, double cruise, Profile& out) const noexcept;
   };
 
-  [[nodiscard]] const Way& way() const noexcept;  ///< the direction of the shortest motion
   [[nodiscard]] bool is_direct() const noexcept;
 
+  ShortestSecondOrder shortest_;
   Way up_, down_;
   double direct_;  ///< duration of the direct change
   double direct_distance_;

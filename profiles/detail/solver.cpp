@@ -15,15 +15,6 @@ MotionState of_order(const MotionState& s, int order) {
   return {s.position, order > 1 ? s.velocity : 0, order > 2 ? s.acceleration : 0};
 }
 
-/// Second order: down (or up) to the velocity limit.
-MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) {
-  const double v = std::clamp(s.velocity, b.velocity_min, b.velocity_max);
-  const double a = v < s.velocity ? b.acceleration_min : b.acceleration_max;
-  const double t = (v - s.velocity) / a;
-  profile.add(t, a);
-  return {s.position + t * (s.velocity + v) / 2, v, 0};
-}
-
 bool limits_position(const Bounds& b) {
   return b.position_min > -Bounds::none || b.position_max < Bounds::none;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "jounce/profiles/detail/brake.hpp"
 #include "jounce/profiles/detail/point_to_point.hpp"
@@ -16,6 +17,17 @@ inline int order_of(const Bounds& b) {
 
 /// Whether states and bounds make a sound question.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+/// The usual questions, without need for a Solver: a sound question without position limits, whose start (of
+/// the third order) lies inside the bounds.
+enum class Form : std::uint8_t { any, rest_to_rest, point_to_point, second_order };
+
+/// `any` also where the question is not sound: status_of() says why.
+Form form(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+/// The shortest motion of such a question; false for `any`, and for a rest to rest without a closed form.
+bool shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& bounds,
+              Profile& out) noexcept;
 
 /// One move whose input is sound: the beginning that all motions from a start outside the bounds share,
 /// then whichever solver the order asks for, then the position limits.

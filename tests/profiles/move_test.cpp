@@ -184,6 +184,16 @@ TEST(Move, FromBeyondTheAccelerationLimitLastsAsLongAsAsked) {
   EXPECT_TRUE(check_continuity(with(move.profile.curve(), Outside::refuse), 2).ok());
 }
 
+TEST(Move, TheLeastDurationIsThatOfTheMotionWhereLittleIsLeft) {
+  // Second order, a tenth of a nanounit short of the target, whose velocity differs in the last digits.
+  const MotionState from{1.7727366580705761, 0.31692612728637021, 0};
+  const MotionState to{1.7727366590305953, 0.31692612728635239, 0};
+  const Bounds axis = within(5.3098754312292504, 4.6561211418742054);
+  const double motion = move_to(from, to, axis).profile.duration();
+  EXPECT_NEAR(durations(from, to, axis).minimum, motion, 1e-12 * motion);
+  EXPECT_TRUE(move_to(from, to, axis, motion));
+}
+
 TEST(Move, AMovingTargetBlocksDurations) {
   // On at the velocity it has takes 0.1 s; a little longer is possible, but there is no room to stop:
   // then the axis is past the target and has to come back.
