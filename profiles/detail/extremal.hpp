@@ -101,10 +101,10 @@ class Extremals {
 
   /// Not extremal, but of the same form: the motion that cruises at the natural velocity, the
   /// greater of those at which the acceleration of an end would come to zero, in duration t; and
-  /// the one that cruises at whatever higher velocity, up to `top`, covers d in t. Only for t and d
-  /// that permit it.
+  /// the one that cruises at the higher velocity that covers d in t. Only for t and d that permit the
+  /// former; false where no velocity covers d, give or take `slack`.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
-  [[nodiscard]] Extremal cruising(double t, double d, double top) const noexcept;
+  bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
 
  private:
   struct Half {
@@ -132,6 +132,7 @@ class Extremals {
     return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
   }
   [[nodiscard]] Extremal at_peak(double vp) const noexcept;
+  [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
   /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
   [[nodiscard]] double rise(const Half& h, double z, double squares) const noexcept {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "jounce/profiles/detail/extremal.hpp"
+#include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/zero.hpp"
 
@@ -229,7 +231,37 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   return lo;
 }
 
-Extremal Extremals::cruising(double t, double d, double top) const noexcept {
+/// The velocity of cruising() to some nine digits; NaN where these steps do not find it. A half that passes
+/// zero acceleration at velocity c loses against a cruise, with p = 1/jp,
+///
+///   (11)  k (k + p) z^3/6 + h (z^2 (k + p) + h z)/2 - (vp - c) s p + s^3 p^2/6
+double Extremals::cruise_velocity(double t, double d) const noexcept {
+  const auto& [a, b] = half_;
+  const Vector2 c{a.c, b.c};
+  const Vector2 s{a.s, b.s};
+  const Vector2 limit{a.limit, b.limit};
+  const Vector2 sat{a.sat, b.sat};
+  const Vector2 per_limit = 1 / limit;
+  const Vector2 begun = s * ijp_;
+  const double sum = k_ + ijp_;
+  double vp = std::max(d / t, natural_);
+  for (int i = 0; i < 8; ++i) {
+    const Vector2 z = greatest(least(limit, square_root(2 * ik_ * (vp - c))), s);
+    const Vector2 h = greatest(vp - sat, Vector2{}) * per_limit;
+    const Vector2 lasts = k_ * z + h - begun;
+    const Vector2 lost = z * z * (k_ * sum / 6 * z + h * (sum / 2)) + h * h * z / 2 -
+                         begun * (vp - c - begun * s / 6);
+    const double cruise = t - (lasts[0] + lasts[1]);
+    if (!(cruise > 0)) break;
+    const double step =
+        (d - vp * t + (lost[0] + lost[1])) / ((z[0] + z[1]) * ijd_ / 2 + cruise);
+    vp += step;
+    if (std::abs(step) <= 1e-5 * vp) return vp;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool Extremals::cruising(double t, double d, double slack, Extremal& out) const noexcept {
   // Of the peak velocity: the distance, whose slope is (z1 + z2)/(2 jd) plus the time at cruise.
   const auto at = [&](double vp) {
     Extremal e = at_peak(vp);
@@ -241,8 +273,20 @@ Extremal Extremals::cruising(double t, double d, double top) const noexcept {
     sign = distance(e) - d;
     return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
+  double sign = 0;
+  if (const double guess = cruise_velocity(t, d); guess > natural_) {
+    const double step = f(guess, sign);
+    const double vp = guess - step;
+    if (std::abs(step) <= 1e-9 * vp && vp >= natural_ && vp <= vmax_) {
+      out = at(vp);
+      if (out.cruise >= 0) return true;
+    }
+  }
+  const Extremal farthest = lasting(Branch::main, t);
+  if (distance(farthest) < d - slack) return false;
   // Without the time that the ramps take, the mean velocity would do.
-  return at(zero(f, natural_, top, true, d / t));
+  out = at(zero(f, natural_, farthest.vp, true, d / t));
+  return true;
 }
 
 }  // namespace jounce::detail

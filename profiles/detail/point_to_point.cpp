@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/velocity_change.hpp"
@@ -154,7 +155,11 @@ std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
 }
 
 Profile PointToPoint::shortest(const MotionState& from, const MotionState& to) const noexcept {
-  const Course c = fastest();
+  return profile(fastest(), from, to);
+}
+
+Profile PointToPoint::profile(const Course& c, const MotionState& from,
+                              const MotionState& to) const noexcept {
   const auto [rise, fall] = jerks(c.upwards);
   const auto& t = c.phases;
   return Profile(from, to, 3, {rise, fall},
@@ -162,6 +167,10 @@ Profile PointToPoint::shortest(const MotionState& from, const MotionState& to) c
 }
 
 void PointToPoint::append(const Course& c, Profile& out) const noexcept {
+  if (out.phases() == 0) {
+    ::new (&out) Profile(profile(c, MotionState(out.start()), MotionState(out.end())));
+    return;
+  }
   const auto [rise, fall] = jerks(c.upwards);
   for (std::size_t i = 0; i < 7; ++i)
     out.add(c.phases[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
@@ -211,41 +220,44 @@ bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
                       .acceleration_max = down_limits_.fall,
                       .jerk_min = fall_,
                       .jerk_max = rise_};
-  Profile stair;
-  const auto covered = [&](double velocity) {
-    stair = Profile({0, from_.velocity, from_.acceleration}, 3);
-    const MotionState level = change_velocity(stair.start(), velocity, 0, bounds, stair);
-    Profile second(level, 3);
-    const MotionState end = change_velocity(level, to_.velocity, to_.acceleration, bounds, second);
-    const double cruise = t - stair.duration() - second.duration();
-    stair.add(cruise, 0);
-    for (std::size_t i = 0; i < second.phases(); ++i)
-      stair.add(second.phase(i).duration, second.phase(i).value);
-    return cruise >= 0 ? end.position + velocity * cruise : std::nan("");
+  const MotionState start{0, from_.velocity, from_.acceleration};
+  VelocityChange first;
+  VelocityChange second;
+  double cruise = 0;
+  // The distance grows with the velocity, by `slope`.
+  const auto covered = [&](double velocity, double& slope) {
+    first = VelocityChange(start, velocity, 0, bounds);
+    second = VelocityChange({0, velocity, 0}, to_.velocity, to_.acceleration, bounds);
+    cruise = t - first.duration() - second.duration();
+    slope = cruise + (first.last() + second.first()) / 2;
+    return first.distance() + second.distance() + velocity * cruise;
   };
-  // The distance grows with the velocity, by about the time at cruise.
   double low = std::min(natural_[0], natural_[1]);
   double high = std::max(natural_[0], natural_[1]);
   double velocity = std::clamp(d_ / t, low, high);
   for (int i = 0; i < 100; ++i) {
-    const double excess = covered(velocity) - d_;
-    if (std::isnan(excess)) return false;
+    double slope = t;
+    const double excess = covered(velocity, slope) - d_;
+    if (!(cruise >= 0)) return false;
     (excess < 0 ? low : high) = velocity;
-    double next = velocity - excess / t;
+    double next = velocity - excess / slope;
     if (!(next > low && next < high) || i > 20) next = low + (high - low) / 2;
     if (excess == 0 || !(next > low && next < high) || next == velocity) break;
     velocity = next;
   }
-  if (out.phases() + stair.phases() > Profile::capacity) return false;
-  for (std::size_t i = 0; i < stair.phases(); ++i)
-    out.add(stair.phase(i).duration, stair.phase(i).value);
+  constexpr std::size_t most = 7;
+  if (out.phases() + most > Profile::capacity) return false;
+  first.append(out);
+  out.add(cruise, 0);
+  second.append(out);
   return true;
 }
 
 bool PointToPoint::lasting(double t, Profile& out) const noexcept {
-  const Families both = families();
   const double main = up_.duration(direct_);
-  const bool is_early = both.early && t < main && t <= up_.duration(up_.last_early()) * (1 + ulps);
+  const bool may_be_early = from_.acceleration * to_.acceleration > 0 && t < main;
+  const bool is_early = may_be_early && families().early &&
+                        t <= up_.duration(up_.last_early()) * (1 + ulps);
   if (!is_early && t < main * (1 - ulps)) return false;
   // At the edge of a blocked interval both sides have rounded, also what the accelerations at the ends add.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
@@ -253,9 +265,10 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
       3 * (rounding(t) + ulps * std::abs(d_)) + ulps * cube(scale_.acceleration) * square(per_jerk);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const bool upwards = i == 0;
-    const Extremals& f = both.of(upwards);
+  // Most often one family alone has the answer: the likely one comes first.
+  const bool rises = d_ - direct_distance_ >= (t - main) * (natural_[0] + natural_[1]) / 2;
+  for (const bool upwards : {rises, !rises}) {
+    const Extremals f = upwards ? up_ : down();
     Extremal e = f.level();
     const double spare = t - f.duration(e);
     if (is_early || spare <= 0) {
@@ -263,12 +276,12 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
     } else {
       e.cruise = spare;
       if (f.distance(e) < towards(upwards)) {
-        const Extremal farthest = f.lasting(Branch::main, t);
-        if (f.distance(farthest) < towards(upwards) - slack) return false;
-        append({upwards, f.phases(f.cruising(t, towards(upwards), farthest.vp))}, out);
+        if (!f.cruising(t, towards(upwards), slack, e)) return false;
+        append({upwards, f.phases(e)}, out);
         return true;
       }
     }
+    const std::size_t i = upwards ? 0 : 1;
     ends[i] = {upwards, f.phases(e)};
     reach[i] = (upwards ? 1 : -1) * f.distance(e);
   }

@@ -68,6 +68,8 @@ class PointToPoint {
   static void find_blocked(Events events, Durations& out, Possible possible) noexcept;
   [[nodiscard]] double rounding(double t) const noexcept;
   [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
+  [[nodiscard]] Profile profile(const Course& c, const MotionState& from,
+                                const MotionState& to) const noexcept;
   void append(const Course& c, Profile& out) const noexcept;
   bool append_stair(double t, Profile& out) const noexcept;
   void append_blend(const std::array<Course, 2>& c, double share, Profile& out) const noexcept;

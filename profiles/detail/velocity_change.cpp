@@ -1,5 +1,6 @@
 #include "jounce/profiles/detail/velocity_change.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 // Up: the acceleration rises to z, is held for h and falls. With jp and jd its rise and fall,
@@ -20,22 +21,19 @@ double difference(double z, double a, double squares) {
 
 }  // namespace
 
-MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
-                            const Bounds& b, Profile& profile) noexcept {
+VelocityChange::VelocityChange(const MotionState& from, double velocity, double acceleration,
+                               const Bounds& b) noexcept {
   const double a0 = from.acceleration;
   const double a1 = acceleration;
   const double dv = velocity - from.velocity;
   const double ramp = (a1 - a0) * (a1 + a0) / (2 * (a1 > a0 ? b.jerk_max : b.jerk_min));
   const double scale = std::abs(velocity) + std::abs(from.velocity) + std::abs(ramp);
-  double t1 = 0;
-  double hold = 0;
-  double t2 = 0;
   const bool up = dv >= ramp;
   const double jp = up ? b.jerk_max : b.jerk_min;
   const double jd = up ? b.jerk_min : b.jerk_max;
   if (std::abs(dv - ramp) <= 0x1p-49 * scale) {  // rounding alone keeps it from being the ramp
-    t1 = (a1 - a0) / jp;
-    t2 = (a1 - a0) / jd;
+    first_ = (a1 - a0) / jp;
+    last_ = (a1 - a0) / jd;
   } else {
     const double limit = up ? b.acceleration_max : b.acceleration_min;
     const double k = 1 / jp - 1 / jd;
@@ -47,24 +45,35 @@ MotionState change_velocity(const MotionState& from, double velocity, double acc
       z = std::abs(limit);
       from_a0 = (z - a0) * (z + a0);
       from_a1 = (z - a1) * (z + a1);
-      hold = (dv - from_a0 / (2 * jp) + from_a1 / (2 * jd)) / limit;
+      hold_ = (dv - from_a0 / (2 * jp) + from_a1 / (2 * jd)) / limit;
     }
     z = up ? z : -z;
-    t1 = difference(z, a0, from_a0) / jp;
-    t2 = -difference(z, a1, from_a1) / jd;
+    first_ = difference(z, a0, from_a0) / jp;
+    last_ = -difference(z, a1, from_a1) / jd;
   }
-  MotionState s = from;
-  const double times[] = {t1, hold, t2};
-  const double jerks[] = {jp, 0, jd};
-  for (int i = 0; i < 3; ++i) {
-    const double t = times[i];
-    if (!(t > 0)) continue;
-    profile.add(t, jerks[i]);
-    s.position += t * (s.velocity + t * (s.acceleration / 2 + t * (jerks[i] / 6)));
-    s.velocity += t * (s.acceleration + t * (jerks[i] / 2));
-    s.acceleration += t * jerks[i];
-  }
-  return {s.position, velocity, acceleration};
+  first_ = std::max(first_, 0.0);
+  hold_ = std::max(hold_, 0.0);
+  last_ = std::max(last_, 0.0);
+  first_jerk_ = jp;
+  last_jerk_ = jd;
+  const double a = a0 + first_ * jp;
+  const double v = from.velocity + first_ * (a0 + first_ * jp / 2);
+  const double held = v + hold_ * a;
+  distance_ = first_ * (from.velocity + first_ * (a0 / 2 + first_ * (jp / 6))) +
+              hold_ * (v + held) / 2 + last_ * (held + last_ * (a / 2 + last_ * (jd / 6)));
+}
+
+void VelocityChange::append(Profile& out) const noexcept {
+  out.add(first_, first_jerk_);
+  out.add(hold_, 0);
+  out.add(last_, last_jerk_);
+}
+
+MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
+                            const Bounds& b, Profile& profile) noexcept {
+  const VelocityChange change(from, velocity, acceleration, b);
+  change.append(profile);
+  return {from.position + change.distance(), velocity, acceleration};
 }
 
 }  // namespace jounce::detail
