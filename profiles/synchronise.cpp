@@ -53,13 +53,19 @@ Profile left_out(const AxisMove& axis) {
 Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
   Synchronised result;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    out[i] = left_out(axes[i]);
-    if (!axes[i].enabled) continue;
+    if (!axes[i].enabled) {
+      out[i] = left_out(axes[i]);
+      continue;
+    }
     const AxisTask task(axes[i]);
     MoveStatus status = task.status();
-    if (status == MoveStatus::ok) status = task.shortest(out[i]);
-    double t = on_grid(std::max(out[i].duration(), timing.minimum), timing.grid);
-    if (status == MoveStatus::ok && t > out[i].duration() * (1 + same_duration))
+    if (status == MoveStatus::ok)
+      status = task.shortest(out[i]);
+    else
+      out[i] = left_out(axes[i]);
+    const double shortest = out[i].duration();
+    double t = on_grid(std::max(shortest, timing.minimum), timing.grid);
+    if (status == MoveStatus::ok && t > shortest * (1 + same_duration))
       status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
     result.duration = std::max(result.duration, out[i].duration());

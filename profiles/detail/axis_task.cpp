@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
+#include "jounce/profiles/detail/rest_to_rest.hpp"
 #include "jounce/profiles/detail/solver.hpp"
 #include "jounce/profiles/detail/travel.hpp"
 
@@ -94,6 +96,7 @@ bool AxisTask::steps() const noexcept {
 }
 
 MoveStatus AxisTask::status() const noexcept {
+  if (form_ != Form::any) return MoveStatus::ok;
   if (!posed_) return status_of(axis_.from, axis_.to, axis_.bounds);
   const MotionState to{axis_.from.position, axis_.to.velocity,
                        axis_.goal == MoveGoal::moving ? 0 : axis_.to.acceleration};
@@ -125,6 +128,7 @@ Durations AxisTask::durations() const noexcept {
 }
 
 MoveStatus AxisTask::shortest(Profile& out) const noexcept {
+  if (detail::shortest(form_, axis_.from, axis_.to, axis_.bounds, out)) return MoveStatus::ok;
   if (steps()) return lasting(0, out);
   const MoveStatus status = solver().shortest(out);
   const Profile* kept = axis_.under_way;
@@ -136,6 +140,19 @@ MoveStatus AxisTask::shortest(Profile& out) const noexcept {
 }
 
 MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
+  if (form_ == Form::rest_to_rest) {
+    RestToRest move(axis_.to.position - axis_.from.position, axis_.bounds);
+    if (move.solve_lasting(t)) {
+      ::new (&out) Profile(move.profile(axis_.from, axis_.to));
+      return MoveStatus::ok;
+    }
+  }
+  if (form_ == Form::point_to_point) {
+    out = Profile(axis_.from, 3);
+    out.finish(axis_.to);
+    return PointToPoint(axis_.from, axis_.to, axis_.bounds).lasting(t, out) ? MoveStatus::ok
+                                                                            : MoveStatus::blocked;
+  }
   if (axis_.under_way && std::abs(axis_.under_way->duration() - t) <= same_duration * t) {
     out = *axis_.under_way;
     return MoveStatus::ok;

@@ -26,7 +26,10 @@ MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) n
 class AxisTask {
  public:
   explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis) {
-    if (axis.goal != MoveGoal::state) posed_ = posed(axis);
+    if (axis.goal != MoveGoal::state)
+      posed_ = posed(axis);
+    else if (!axis.under_way)
+      form_ = form(axis.from, axis.to, axis.bounds);
   }
 
   /// The questions below need `ok`.
@@ -42,6 +45,7 @@ class AxisTask {
   MoveStatus answer(MoveStatus solved, Profile& out) const noexcept;
 
   const AxisMove& axis_;
+  Form form_ = Form::any;
   std::optional<AxisMove> posed_;  ///< of other goals than a state
 };
 
