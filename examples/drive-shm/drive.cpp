@@ -3,7 +3,7 @@
 //     drive-shm NAME [SECONDS]
 //
 // It follows its target position exactly, a cycle of its own (1 ms) later, goes through the states as
-// the controlword says, and ends after SECONDS (10), when the executor is gone, or with 1 where none
+// the controlword demands, and ends after SECONDS (10), when the executor is gone, or with 1 where none
 // comes within that time. Replace follow() by what moves your motor.
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a planner asks before it moves: room to stop, entry velocity, peak, time; one by one and many.
+// Queries of a planner before a move: stopping distance, entry velocity, peak, time; one by one and many.
 #include <cstdio>
 #include <vector>
 

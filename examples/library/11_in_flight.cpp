@@ -17,7 +17,7 @@ int main() {
   std::printf("at %.6g when changed, at %.6g after %.6g s\n", state_at(running, 2).position,
               changed.at(changed.end()).position, changed.end());
 
-  // With a jerk the acceleration goes on continuously too. MC_MoveAdditive: 4000 more.
+  // A jerk limit also keeps the acceleration continuous. MC_MoveAdditive: 4000 more.
   const Dynamics axis{.velocity = 2000, .acceleration = 4000, .jerk = 40000};
   const Trajectory first = point_to_point(0, 6000, axis).curve();
   const Trajectory added = pmc600::move_additive(first, 3, 4000, axis);

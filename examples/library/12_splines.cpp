@@ -20,7 +20,7 @@ int main() {
                 extrema(cam, 2).peak().value, std::abs(largest_jump(cam, 3).step));
   }
 
-  // A pusher: dwell, out over 20 and 55 to 60 mm, back over 25 mm. Nobody cares how fast it passes.
+  // A pusher: dwell, out over 20 and 55 to 60 mm, back over 25 mm. The velocities at these points are free.
   CamSpec spec{.start = {0, 0, {}, {}},
                .segments = {{Law::dwell, {60, 0, {}, {}}, ""},
                             {Law::quintic, {120, 20, {}, {}}, ""},

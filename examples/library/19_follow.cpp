@@ -10,7 +10,7 @@
 using namespace jounce;
 
 int main() {
-  // What the shear is to do: in step at both ends of its cycle, a cut every 10000 pulses.
+  // The task of the shear: in step at both ends of its cycle, a cut every 10000 pulses.
   const FollowPlan shear{.points = {{10000, 8000}},
                          .zones = {{0, 1000, 1}, {9000, 10000, 1}},
                          .periodic = true,
@@ -24,7 +24,7 @@ int main() {
   for (const Finding& f : check(FollowSpec{{bridge, last}}).findings)
     std::printf("%s %.3f at %g\n", f.rule.c_str(), f.value, f.where);
 
-  // As its controller plays it: one table, then the other, switched while it runs.
+  // The controller plays it: one table, then the other, switched while it runs.
   googol::FollowFifos axis;
   axis.prf_follow(0);
   axis.set_follow_master(1);

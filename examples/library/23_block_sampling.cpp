@@ -27,7 +27,7 @@ int main() {
     equal += static_cast<std::size_t>(cursor.jet(static_cast<double>(k) * 0.001)[0] == p[k]);
   std::printf("%zu of %zu equal to the bit\n", equal, p.size());
 
-  // What no sample shows for certain: the exact peaks, and what is broken between the knots.
+  // Beyond the samples: the exact peaks, and the findings between the knots.
   const Report report = check(table, {.position_min = 0, .position_max = 200});
   const Finding& worst = report.findings.front();
   std::printf("%zu broken; worst %.1f mm at %.3f s\n", report.broken(), worst.value, worst.where);
