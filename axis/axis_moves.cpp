@@ -203,7 +203,10 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
                            double factor) {
   Goal aim = goal;
   aim.through = through(from, goal, factor);
-  const auto profile = plan(from, aim, factor, rules());
+  // A homing waits by its own acceleration; any other move, by that of the axis.
+  const bool waits = homing_ && !(factor > 0);
+  const Goal rest{Goal::Kind::rest, 0, goal.dynamics};
+  const auto profile = waits ? plan(from, rest, 1, rules()) : plan(from, aim, factor, rules());
   if (!profile) return false;
   plan_ = *profile;
   goal_ = aim;

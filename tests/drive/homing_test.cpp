@@ -515,6 +515,20 @@ TEST(Homing, OverrideSlowsItDownAndHoldsItAtZero) {
   EXPECT_NEAR(stage.now.position - 2.5, stage.at() - 10, 1e-9);
 }
 
+TEST(Homing, AnOverrideOfZeroKeepsItsAcceleration) {
+  Stage stage(machine(cam), -50);
+  stage.home(23);
+  for (int i = 0; i < 300; ++i) stage.step();
+  ASSERT_NE(stage.now.velocity, 0);
+  stage.watch = [&] { expect_within_limits(stage); };
+  stage.step({.kind = Kind::override_, .factor = 0});
+  for (int i = 0; i < 500; ++i) stage.step();
+  EXPECT_EQ(stage.now.velocity, 0);
+  stage.step({.kind = Kind::override_, .factor = 1});
+  stage.finish();
+  EXPECT_TRUE(stage.now.homed);
+}
+
 TEST(Homing, AfterwardsThePositionRangeHolds) {
   Stage stage(machine(cam), -50);
   stage.home(23);
