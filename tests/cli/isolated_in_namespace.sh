@@ -17,12 +17,37 @@ far='udpm://239.255.76.67:7667?ttl=1'
 begin() {
   "$jounce" run machine.toml --enable --seconds 60 "$@" 2> said &
   executor=$!
-  look="$*"
+  look=$(echo " $* " | sed 's/ --web 0 / /')
   for _ in $(seq 40); do
-    "$jounce" order label jog 1mm/s "$@" > /dev/null 2>&1 && return 0
+    # shellcheck disable=SC2086
+    "$jounce" order label jog 1mm/s $look > /dev/null 2>&1 && return 0
     sleep 0.2
   done
   fail "the axis does not move: $(cat said)"
+}
+# warned: status 0: the page of this executor warns on top that every machine can move its axes; 1: no warning; 2: no page.
+warned() {
+  address=
+  for _ in $(seq 50); do
+    address=$(sed -n 's/.* live page at //p' said)
+    [ -z "$address" ] || break
+    sleep 0.1
+  done
+  python3 - "${address%#*}" <<'PAGE'
+import sys
+import urllib.request
+with urllib.request.urlopen(sys.argv[1], timeout=10) as answer:
+    page = answer.read().decode()
+if "<main>" not in page:
+    sys.exit(2)
+sys.exit(0 if 'id="warning"' in page and "no --key" in page else 1)
+PAGE
+}
+# page 0|1 WHEN: expects that status of warned.
+page() {
+  status=0
+  warned || status=$?
+  [ $status = "$1" ] || fail "$2: $([ $status = 2 ] && echo "there is no page" || echo "its page warns: $((1 - status))")"
 }
 end() { kill -INT $executor; wait $executor || true; }
 sees() {  # the last line of each kind
@@ -34,7 +59,8 @@ sees() {  # the last line of each kind
 moves() { sees; grep -q '"state":"continuous_motion"' axis; }
 led() { sees; grep -q '"lost":false' master; }
 
-begin
+begin --web 0
+page 1 "an executor of this machine alone"
 # On the same machine another program has joined the group on the interface that is attacked.
 "$jounce" monitor --url "$far" --seconds 30 --silence 30 > /dev/null 2>&1 &
 joined=$!
@@ -52,7 +78,8 @@ status=0
 there "$jounce" monitor label --url "$far" --silence 1 --seconds 2 > /dev/null 2>&1 || status=$?
 [ $status = 3 ] || fail "without a ttl the axis is seen on another machine"
 
-begin --url "$far"
+begin --url "$far" --web 0
+page 0 "without a key on a network"
 grep -q 'warning.*no --key' said || fail "no warning without a key on a network: $(cat said)"
 attack MASTER 3 &
 sleep 1
@@ -65,7 +92,8 @@ moves && fail "the page says that a stop without a key is obeyed; it was not"
 end
 
 "$jounce" new key -o line.key > /dev/null
-begin --url "$far" --key line.key
+begin --url "$far" --key line.key --web 0
+page 1 "with a key"
 grep -q warning said && fail "it warns, though there is a key: $(cat said)"
 attack STOP
 moves || fail "with a key, another machine stopped the axis"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # page_process.sh JOUNCE: the process of a live page beside an axis in motion is attacked, killed and stopped. The axis
-# goes on, the page comes back under its address, Stop always has a connection, and the page ends with the executor.
+# goes on, the page comes back under its address until its fifth end within a minute, Stop always has a connection, and
+# the page ends with the executor.
 set -eu
 . "$(dirname "$0")/../cli/namespace.sh"
 . "$(dirname "$0")/with_panel.sh"
@@ -38,6 +39,39 @@ moves "the page was stopped, and the axis does not move"
 kill -INT $executor
 wait $executor || fail "the executor ended badly: $(cat "$scratch/said")"
 kill -0 "$second" 2> /dev/null && fail "the page has outlived its executor"
+
+# The fifth end within a minute is the last one: the executor prints that, and the axis goes on.
+"$jounce" run "$scratch/axis.toml" --enable --web 0 --seconds 60 2> "$scratch/said" &
+executor=$!
+for _ in $(seq 50); do
+  page > /dev/null && break
+  sleep 0.1
+done
+"$jounce" order feeder jog 0.5mm/s > /dev/null || fail "the axis does not move"
+for ended in 1 2 3 4 5; do
+  now=
+  for _ in $(seq 50); do
+    now=$(page) && break
+    sleep 0.1
+  done
+  [ -n "$now" ] || fail "the page was not started again after $((ended - 1)) ends: $(cat "$scratch/said")"
+  kill -9 "$now"
+  for _ in $(seq 50); do
+    [ "$(page)" = "$now" ] || break
+    sleep 0.1
+  done
+done
+for _ in $(seq 50); do
+  grep -q 'has ended 5 times within a minute and is not started again' "$scratch/said" && break
+  sleep 0.1
+done
+[ "$(grep -c 'it is started again' "$scratch/said")" = 4 ] || fail "not 4 starts again: $(cat "$scratch/said")"
+grep -q 'has ended 5 times within a minute and is not started again' "$scratch/said" || fail "the limit is not reported: $(cat "$scratch/said")"
+sleep 2
+page && fail "the page was started again after its fifth end"
+moves "the page is gone, and the axis does not move"
+kill -INT $executor
+wait $executor || fail "the executor ended badly without its page: $(cat "$scratch/said")"
 
 # Killed, an executor does not leave its page behind either.
 "$jounce" run "$scratch/axis.toml" --enable --web 0 --seconds 60 2> "$scratch/said" &
