@@ -18,6 +18,7 @@ struct Word {
   std::string_view what;
   OrderKind kind;
   bool takes_value = false;
+  bool takes_hold = false;
 };
 
 constexpr std::array words{Word{"hold", OrderKind::hold},
@@ -26,7 +27,9 @@ constexpr std::array words{Word{"hold", OrderKind::hold},
                            Word{"enable", OrderKind::enable},
                            Word{"disable", OrderKind::disable},
                            Word{"reset", OrderKind::reset},
-                           Word{"move", OrderKind::move_absolute, true}};
+                           Word{"move", OrderKind::move_absolute, true},
+                           Word{"jog", OrderKind::move_velocity, true, true},
+                           Word{"release", OrderKind::halt, false, true}};
 
 const Word* word_of(std::string_view what) {
   const auto* const at =
@@ -39,6 +42,16 @@ std::string text_of(const json& object, const char* key) {
   if (at == object.end() || !at->is_string())
     throw InputError(key, at == object.end() ? "" : at->dump(), "must be a text");
   return at->get<std::string>();
+}
+
+/// A browser's numbers are whole up to 2^53.
+std::int64_t hold_of(const json& object) {
+  constexpr std::int64_t most = std::int64_t{1} << 53U;
+  const auto at = object.find("hold");
+  const bool whole = at != object.end() && at->is_number_integer() && at->get<double>() <= static_cast<double>(most);
+  if (!whole || at->get<std::int64_t>() <= 0)
+    throw InputError("hold", at == object.end() ? "" : at->dump(), "must be the number of a jog, 1 to 2^53");
+  return at->get<std::int64_t>();
 }
 
 double value_of(const json& object) {
@@ -68,13 +81,17 @@ Instruction read_instruction(std::string_view text) {
   const json object = json::parse(text, nullptr, false);
   if (!object.is_object()) throw InputError("order", "", "must be a JSON object");
   for (const auto& [key, value] : object.items())
-    if (key != "axis" && key != "what" && key != "value")
-      throw InputError(key, value.dump(), "is no key of an order: axis, what, value are");
+    if (key != "axis" && key != "what" && key != "value" && key != "hold")
+      throw InputError(key, value.dump(), "is no key of an order: axis, what, value, hold are");
   Instruction instruction{.axis = text_of(object, "axis"), .what = text_of(object, "what")};
   const Word* const word = word_of(instruction.what);
   if (word == nullptr && instruction.what != "stop")
     throw InputError("what", instruction.what,
-                     "must be stop, hold, resume, override, enable, disable, reset or move");
+                     "must be stop, hold, resume, override, enable, disable, reset, move, jog or release");
+  const bool takes_hold = word != nullptr && word->takes_hold;
+  if (!takes_hold && object.contains("hold"))
+    throw InputError("hold", object["hold"].dump(), instruction.what + " takes none");
+  if (takes_hold) instruction.hold = hold_of(object);
   const bool takes_value = word != nullptr && word->takes_value;
   if (!takes_value && object.contains("value"))
     throw InputError("value", object["value"].dump(), instruction.what + " takes none");

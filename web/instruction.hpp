@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,19 +13,21 @@ namespace jounce::web {
 ///
 /// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which are obeyed whoever
 /// owns the axis; or enable, disable, reset, move (value: position in the axis's unit, at the limits
-/// it is configured with), which are refused while a streamer owns it.
+/// it is configured with), which are refused while a streamer owns it. A hold-to-run jog is asked for again and again
+/// (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of the jog as `hold`.
 struct Instruction {
   std::string axis{};
   std::string what{};
   double value = 0;
+  std::int64_t hold = 0;
 };
 
 /// From JSON. Throws InputError: no such object, an unknown key or word, a value that is missing,
 /// too much, or out of range.
 Instruction read_instruction(std::string_view json);
 
-/// Tells the axis, over a link that nobody else uses, as `jounce order` and `jounce stop` do, and
-/// waits for its answer. Throws TransportError.
+/// Gives all but jog and release to the axis, over a link for this call alone, as `jounce order` and `jounce stop`
+/// do, and waits for its answer. Throws TransportError.
 CallOutcome give(Transport& link, const Instruction& instruction,
                  const std::optional<wire::Key>& key);
 

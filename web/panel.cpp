@@ -31,7 +31,10 @@ Answer answer(int status, const std::string& reason) {
 
 struct Panel::Impl {
   Impl(const PanelOptions& its_options, Listening listening, MakeLink its_make_link)
-      : options(its_options), make_link(std::move(its_make_link)), board(options.axes) {
+      : options(its_options),
+        make_link(std::move(its_make_link)),
+        jogs(make_link, options.key),
+        board(options.axes) {
     open_ears();
     server.emplace(std::move(listening), options.token,
                    Site{page(options.title, options.warning), std::string(script()), style(),
@@ -83,7 +86,8 @@ struct Panel::Impl {
 
   static bool is_stop(const std::string& body) {
     try {
-      return read_instruction(body).what == "stop";
+      const std::string what = read_instruction(body).what;
+      return what == "stop" || what == "release";
     } catch (const InputError&) {
       return false;
     }
@@ -94,8 +98,7 @@ struct Panel::Impl {
       const Instruction instruction = read_instruction(body);
       if (!board.has(instruction.axis))
         throw InputError("axis", instruction.axis, "is none of this page's axes");
-      const auto link = make_link();
-      const CallOutcome outcome = give(*link, instruction, options.key);
+      const CallOutcome outcome = outcome_of(instruction);
       return answer(outcome.ok()                            ? 200
                     : outcome.error == StreamError::refused ? 409
                                                             : 504,
@@ -107,8 +110,19 @@ struct Panel::Impl {
     }
   }
 
+  CallOutcome outcome_of(const Instruction& instruction) {
+    if (instruction.what == "jog") return jogs.jog(instruction.axis, instruction.value, instruction.hold);
+    if (instruction.what == "release") {
+      jogs.release(instruction.axis, instruction.hold);
+      return {};
+    }
+    const auto link = make_link();
+    return give(*link, instruction, options.key);
+  }
+
   const PanelOptions options;
   const MakeLink make_link;
+  Jogs jogs;
   std::unique_ptr<Transport> ears;  // the listener's
   Rejects rejects;                  // likewise
   std::mutex mutex;                 // guards what of the board changes

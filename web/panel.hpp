@@ -9,6 +9,7 @@
 
 #include "jounce/stream/key.hpp"
 #include "jounce/stream/transport.hpp"
+#include "jounce/web/jogs.hpp"
 #include "jounce/web/server.hpp"
 
 namespace jounce::web {
@@ -20,9 +21,6 @@ struct PanelOptions {
   std::string token{};              ///< without which no order is taken; as new_token() makes it
   std::string warning{};            ///< that stands on top of the page; empty: none
 };
-
-/// Makes a link of its own for each thread that needs one; called from several threads.
-using MakeLink = std::function<std::unique_ptr<Transport>()>;
 
 /// A live page of some axes: what they do, streaming, and the orders that an operator gives.
 ///

@@ -2,6 +2,7 @@
 """Orders to an executor over its live page: orders_over_page.py ADDRESS_WITH_TOKEN"""
 import json
 import sys
+import time
 import urllib.error
 import urllib.request
 
@@ -50,6 +51,41 @@ ask("override", value=1)
 ask("move", value=begin)
 wait_for("back", lambda a: a["state"] == "standstill" and abs(a["position"] - begin) < 1e-9)
 ask("move", expected=409, value=1e9)  # beyond the axis's range: its own answer comes back
+
+# A hold-to-run jog runs while it is asked for, stops by its release or by silence, and does not begin again by its number.
+def hold(number, seconds, velocity):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        ask("jog", value=velocity, hold=number)
+        time.sleep(0.1)
+
+
+def rests(what, reason):
+    """At rest within half a second."""
+    end = time.monotonic() + 0.5 + 0.5  # and what the machine under test may be late
+    axis = wait_for(what, lambda a: a["state"] == "standstill" or time.monotonic() > end)
+    assert axis["state"] == "standstill" and axis["velocity"] == 0, (what, axis)
+    assert axis["reason"] and axis["reason"]["name"] == reason, (what, axis)
+    return axis["position"]
+
+
+hold(1001, 1, 2)
+axis = wait_for("jogging", lambda a: True)
+assert axis["state"] == "continuous_motion" and axis["velocity"] == 2, axis
+ask("release", hold=1001)
+there = rests("released", "released")
+assert begin + 0.5 < there < begin + 5, there
+ask("jog", expected=409, value=2, hold=1001)  # a request that comes late
+assert rests("a late jog", "released") == there
+hold(1002, 0.5, -2)
+assert rests("silent", "released") < there
+ask("jog", expected=409, value=-2, hold=1002)
+hold(1003, 0.3, 1)
+ask("stop")
+rests("stopped in a jog", "stopped")
+ask("jog", expected=409, value=1, hold=1003)
+ask("jog", expected=409, value=1e9, hold=1004)  # faster than the axis
+ask("jog", expected=400, value=1)
 ask("disable")
 wait_for("disabled", lambda a: a["state"] == "disabled")
 ask("enable")

@@ -34,16 +34,19 @@ function say(text, ok) {
   line.classList.toggle('no', !ok);
 }
 
-async function order(axis, what, value) {
-  const body = value === undefined ? {axis, what} : {axis, what, value};
+/// Whether the axis has accepted it.
+async function order(axis, what, value, hold) {
+  const body = {axis, what, value, hold};  // JSON leaves out what is undefined
   try {
-    const answer = await fetch('/order', {method: 'POST', headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
+    const answer = await fetch('/order', {method: 'POST', keepalive: true, headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
       body: JSON.stringify(body)});
     const text = await answer.text();
     const reason = answer.headers.get('Content-Type').startsWith('application/json') ? JSON.parse(text).reason : text;
     say(answer.ok ? `${axis}: ${what} accepted` : `${axis}: ${what} is refused: ${reason}`, answer.ok);
+    return answer.ok;
   } catch (error) {
     say(`${axis}: the page's server cannot be reached; what the axis does is not known here`, false);
+    return false;
   }
 }
 
@@ -64,6 +67,7 @@ function wire(name, view) {
     if (what === 'move') continue;
     button.addEventListener('click', async () => { if (await confirmed(asks[what](name))) order(name, what); });
   }
+  for (const button of view.element.querySelectorAll('button[data-jog]')) wireJog(name, view, button);
   view.parts.move.addEventListener('submit', async (event) => {
     event.preventDefault();
     const to = view.parts.move.querySelector('input').valueAsNumber;
@@ -75,6 +79,42 @@ function wire(name, view) {
     await order(name, 'override', slider.value / 100);
     view.sliding = false;
   });
+}
+
+const again_ms = 100;  // the server ends a jog that it is not asked for during 300 ms
+
+/// A hold-to-run jog: asked for again and again while the button is held. The number of a jog that has ended begins none.
+function wireJog(name, view, button) {
+  let hold = 0, timer = 0, waiting = 0;
+  const post = async (body) => {
+    ++waiting;
+    const ok = await order(name, body.what, body.value, body.hold);
+    --waiting;
+    if (!ok && body.hold === hold) end();
+  };
+  const end = () => {
+    if (!hold) return;
+    clearInterval(timer);
+    button.classList.remove('held');
+    const over = hold;
+    hold = 0;
+    order(name, 'release', undefined, over);
+  };
+  button.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0 || hold) return;
+    const speed = view.parts.jog.valueAsNumber;
+    if (!(speed > 0)) return say(`${name}: the velocity of the jog must be greater than 0`, false);
+    button.classList.add('held');
+    hold = Date.now();
+    const body = {what: 'jog', value: speed * Number(button.dataset.jog), hold};
+    post(body);
+    timer = setInterval(() => { if (waiting < 3) post(body); }, again_ms);
+  });
+  for (const gone of ['pointerup', 'pointerleave', 'pointercancel', 'blur', 'contextmenu'])
+    button.addEventListener(gone, end);
+  addEventListener('blur', end);
+  addEventListener('pagehide', end);
+  document.addEventListener('visibilitychange', end);
 }
 
 function viewOf(name) {
@@ -110,9 +150,11 @@ function show(axis) {
   parts.level.value = axis.capacity ? axis.queue / axis.capacity : 0;
   for (const [part, known] of [['error', axis.error !== null], ['master', axis.master !== null || axis.masters.length > 0], ['queue', axis.capacity > 0]])
     parts[part].closest('dl > div').hidden = !known;
+  parts.homed.textContent = axis.homed ? 'yes' : 'no';
   parts.late.textContent = axis.late;
   parts.motions.textContent = `${axis.finished} done, ${axis.stopped} stopped`;
   parts.unit.textContent = unit;
+  parts['jog-unit'].textContent = unit && `${unit}/s`;
   if (!view.sliding) {
     parts.slider.value = Math.round(axis.override * 100);
     parts.override.textContent = `${Math.round(axis.override * 100)} %`;
