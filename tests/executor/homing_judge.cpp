@@ -47,7 +47,7 @@ double edge_of(Edge edge, const MachineBounds& machine) {
 
 double index_from(double edge, int direction, const MachineBounds& machine) {
   const double turns = (edge - machine.index_offset) / machine.index_period;
-  const double n = direction > 0 ? std::ceil(turns - 1e-9) : std::floor(turns + 1e-9);
+  const double n = direction > 0 ? std::ceil(turns - 1e-12) : std::floor(turns + 1e-12);
   return machine.index_offset + n * machine.index_period;
 }
 
@@ -104,28 +104,31 @@ void HomingJudge::search(const Line& now, const Line& before, const Find& find) 
 /// The home position has the number that was ordered, and is where the method finds it.
 void HomingJudge::end(const Line& now, const Find& find) const {
   if (!bounds_.machine) return;
+  const double rounding = rounded_ + 1e-9 * std::max({1.0, std::abs(now.p), std::abs(machine_)});
   double nearest = HUGE_VAL, at = NAN;
   for (const Accepted* order : searches_) {
     if (names(*order)) return;
-    const auto home = home_of(order->method);
-    if (!home) continue;
     at = machine_ - (now.p - order->home);
-    if (std::abs(at - *home) < std::abs(nearest)) nearest = at - *home;
+    for (const double home : homes_of(order->method, rounding))
+      if (std::abs(at - home) < std::abs(nearest)) nearest = at - home;
   }
-  const double rounding = rounded_ + 1e-9 * std::max({1.0, std::abs(now.p), std::abs(machine_)});
   if (!(std::abs(nearest) <= bounds_.machine->tolerance + rounding))
     find("a home position that is not that of its method", at, at - nearest);
 }
 
-std::optional<double> HomingJudge::home_of(int method) const {
+std::vector<double> HomingJudge::homes_of(int method, double rounding) const {
   const MachineBounds& machine = *bounds_.machine;
-  if (method == 33 || method == 34) return index_from(begun_, method == 33 ? -1 : 1, machine);
+  // An axis that begins on an index, to rounding, may pass it or not.
+  if (method == 33 || method == 34) {
+    const int way = method == 33 ? -1 : 1;
+    return {index_from(begun_ - way * rounding, way, machine), index_from(begun_ + way * rounding, way, machine)};
+  }
   const bool with_index = method >= 1 && method <= 14;
-  if (!with_index && (method < 17 || method > 30)) return std::nullopt;
+  if (!with_index && (method < 17 || method > 30)) return {};
   const auto [edge, direction] = found[static_cast<std::size_t>(method - (with_index ? 1 : 17))];
   const double place = edge_of(edge, machine);
-  if (!std::isfinite(place)) return std::nullopt;
-  return with_index ? index_from(place, direction, machine) : place;
+  if (!std::isfinite(place)) return {};
+  return {with_index ? index_from(place, direction, machine) : place};
 }
 
 void HomingJudge::limit(const Line& now, const Line& before, const Find& find) {

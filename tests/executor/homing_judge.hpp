@@ -36,8 +36,7 @@ class HomingJudge {
   void search(const Line& now, const Line& before, const Find& find);
   void end(const Line& now, const Find& find) const;
   void limit(const Line& now, const Line& before, const Find& find);
-  [[nodiscard]] bool stands_named() const;
-  [[nodiscard]] std::optional<double> home_of(int method) const;
+  [[nodiscard]] std::vector<double> homes_of(int method, double rounding) const;
 
   const Bounds& bounds_;
   std::vector<const Accepted*> offered_;   // for this line

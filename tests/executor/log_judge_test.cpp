@@ -266,6 +266,11 @@ TEST(LogJudge, ARightHomingHasNoFinding) {
   down.next.p += 7 - 0.1;
   down.next.homed = true;
   EXPECT_THAT(of(homed(0.05), {home(34)}, with_switches()), IsEmpty()) << "the first index upwards";
+  Bounds on_index = with_switches();
+  on_index.machine->index_offset = 0;
+  for (const double found : {0.0, 0.2})
+    EXPECT_THAT(of(homed(found), {home(34)}, on_index), IsEmpty()) << "it begins on an index";
+  EXPECT_THAT(of(homed(0.4), {home(34)}, on_index), Contains(HasSubstr("a home position that is not")));
   EXPECT_THAT(of(down.be("standstill", 3), {home(19)}, with_switches()), IsEmpty()) << "below the range";
 }
 
