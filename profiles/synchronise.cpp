@@ -1,8 +1,10 @@
 #include "jounce/profiles/synchronise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <new>
 
 #include "jounce/profiles/detail/axis_task.hpp"
 #include "jounce/profiles/detail/brake.hpp"
@@ -50,14 +52,49 @@ Profile left_out(const AxisMove& axis) {
   return {axis.from, 3};
 }
 
-Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
+/// The task of one axis, made when it is asked for. A std::optional would be cleared at first.
+class Slot {
+ public:
+  Slot() noexcept {}
+  const AxisTask& make(const AxisMove& axis) {
+    made_ = true;
+    return *::new (&task_) AxisTask(axis);
+  }
+  const AxisTask& of(const AxisMove& axis) { return made_ ? task_ : make(axis); }
+
+ private:
+  union {
+    AxisTask task_;
+  };
+  bool made_ = false;
+};
+
+/// The tasks of all axes. The first few are kept, where each is asked twice.
+class Tasks {
+ public:
+  Tasks(std::span<const AxisMove> axes, bool keeps) noexcept : axes_(axes), keeps_(keeps) {}
+
+  const AxisTask& of(std::size_t i) {
+    const bool kept = keeps_ && i < kept_.size();
+    return kept ? kept_[i].of(axes_[i]) : other_.make(axes_[i]);
+  }
+
+ private:
+  std::span<const AxisMove> axes_;
+  bool keeps_;
+  std::array<Slot, 7> kept_;
+  Slot other_;
+};
+
+Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+                  Tasks& tasks) {
   Synchronised result;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) {
       out[i] = left_out(axes[i]);
       continue;
     }
-    const AxisTask task(axes[i]);
+    const AxisTask& task = tasks.of(i);
     MoveStatus status = task.status();
     if (status == MoveStatus::ok)
       status = task.shortest(out[i]);
@@ -73,6 +110,11 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
   return result;
 }
 
+Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
+  Tasks tasks(axes, false);
+  return each(axes, out, timing, tasks);
+}
+
 bool rests(const AxisMove& axis) {
   return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
 }
@@ -81,7 +123,8 @@ bool rests(const AxisMove& axis) {
 /// `if_moving`, an axis whose target rests stays as fast as it is.
 Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      bool if_moving) {
-  Synchronised result = each(axes, out, {0, if_moving ? timing.grid : 0});
+  Tasks tasks(axes, true);
+  Synchronised result = each(axes, out, {0, if_moving ? timing.grid : 0}, tasks);
   if (result.status != MoveStatus::ok) return result;
   double& t = result.duration;
   t = on_grid(std::max(t, timing.minimum), timing.grid);
@@ -90,7 +133,7 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
     // What is left of a duration by rounding alone is no time to spend: a velocity made of it is any.
     if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
     const double before = t;
-    const MoveStatus status = lasting(AxisTask(axes[i]), t, timing.grid, out[i]);
+    const MoveStatus status = lasting(tasks.of(i), t, timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
     if (t != before) agreed = 0;
   }

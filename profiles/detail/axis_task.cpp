@@ -128,6 +128,10 @@ Durations AxisTask::durations() const noexcept {
 }
 
 MoveStatus AxisTask::shortest(Profile& out) const noexcept {
+  if (inside_) {
+    ::new (&out) Profile(inside_->shortest(axis_.from, axis_.to));
+    return MoveStatus::ok;
+  }
   if (detail::shortest(form_, axis_.from, axis_.to, axis_.bounds, out)) return MoveStatus::ok;
   if (steps()) return lasting(0, out);
   const MoveStatus status = solver().shortest(out);
@@ -147,11 +151,10 @@ MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
       return MoveStatus::ok;
     }
   }
-  if (form_ == Form::point_to_point) {
+  if (inside_) {
     out = Profile(axis_.from, 3);
     out.finish(axis_.to);
-    return PointToPoint(axis_.from, axis_.to, axis_.bounds).lasting(t, out) ? MoveStatus::ok
-                                                                            : MoveStatus::blocked;
+    return inside_->lasting(t, out) ? MoveStatus::ok : MoveStatus::blocked;
   }
   if (axis_.under_way && std::abs(axis_.under_way->duration() - t) <= same_duration * t) {
     out = *axis_.under_way;

@@ -30,6 +30,7 @@ class AxisTask {
       posed_ = posed(axis);
     else if (!axis.under_way)
       form_ = form(axis.from, axis.to, axis.bounds);
+    if (form_ == Form::point_to_point) inside_.emplace(axis.from, axis.to, axis.bounds);
   }
 
   /// The questions below need `ok`.
@@ -46,6 +47,7 @@ class AxisTask {
 
   const AxisMove& axis_;
   Form form_ = Form::any;
+  std::optional<PointToPoint> inside_;  ///< of Form::point_to_point
   std::optional<AxisMove> posed_;  ///< of other goals than a state
 };
 
