@@ -20,12 +20,12 @@ namespace jounce {
 
 /// An armed member of a group.
 struct GroupStart {
-  std::int64_t group = 0;  ///< 0: of none
-  bool accepted = false;   ///< its start was
-  std::int64_t tick = -1;  ///< its start's; -1: it begins by another event
+  std::int64_t group = 0;  ///< 0: no group
+  bool accepted = false;   ///< its start was accepted
+  std::int64_t tick = -1;  ///< tick of its start; -1: another event starts it
 };
 
-/// All that an axis says in one tick.
+/// The outputs of an axis in one tick.
 struct Tick {
   std::int64_t tick = 0;
   double time = 0;  ///< tick * period, s
@@ -35,40 +35,40 @@ struct Tick {
   double position = 0;                 ///< commanded, u
   double velocity = 0;                 ///< u/s
   double acceleration = 0;             ///< u/s^2
-  std::uint64_t job = 0;               ///< the one that is played, 0: none
-  std::uint64_t armed = 0;             ///< the one that waits for its start, 0: none
+  std::uint64_t job = 0;               ///< id of the played motion, 0: none
+  std::uint64_t armed = 0;             ///< id of the armed motion, 0: none
   bool waiting = false;                ///< a start was accepted for later
-  Progress progress = Progress::done;  ///< of what is played
+  Progress progress = Progress::done;  ///< progress of the motion
   Cause fault = Cause::none;           ///< latched
-  std::int64_t skipped = 0;            ///< ticks left out since the one before
+  std::int64_t skipped = 0;            ///< ticks skipped since the tick before
   std::uint64_t finished = 0;          ///< motions so far that reached their end
   std::uint64_t stopped = 0;           ///< motions so far that a stop brought to rest
-  Cause reason = Cause::none;  ///< why the last motion ended: its fault, stopped, halted, ...
-  double override_ = 1;        ///< factor that the axis was granted
-  double rate = 1;             ///< of path time now
-  bool held = false;           ///< the motion waits for the order resume
-  bool homed = false;          ///< positions count from the machine's home position
+  Cause reason = Cause::none;  ///< reason for the end of the last motion: its fault, stopped, halted, ...
+  double override_ = 1;        ///< effective override factor
+  double rate = 1;             ///< present rate of path time
+  bool held = false;           ///< the motion is held until the command resume
+  bool homed = false;          ///< the position refers to the home position
   bool power = false;          ///< the drive shall follow setpoints
-  std::int64_t group = 0;      ///< the motion's; 0: none
-  GroupStart next{};           ///< the armed movement's
+  std::int64_t group = 0;      ///< group of the motion; 0: none
+  GroupStart next{};           ///< start of the armed movement
   /// The groups of its motion and its armed movement when a stop, a halt, a fault or a refused start last ended these.
   /// They stay until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
-  bool frozen = false;         ///< in this tick the velocity was cut to 0: its fault says why
+  bool frozen = false;         ///< the velocity fell to 0 in this tick; see fault
   double offset = 0;           ///< u; set_position so far: the drive's position = position - offset
-  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: not known
+  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: unknown
   double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
-  double torque = std::numeric_limits<double>::quiet_NaN();           ///< share of the rated one
-  bool in_position = false;  ///< at rest, and the drive within the window for its time
+  double torque = std::numeric_limits<double>::quiet_NaN();           ///< relative to the rated torque
+  bool in_position = false;  ///< at rest, with the drive within the window for its time
   SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
   CompareStep compare{};     ///< the output of the position compare, likewise
 
-  std::optional<Refusal> refused{};              ///< why this tick's command was not obeyed
-  std::optional<Refusal> dropped{};              ///< why what waited for its start did not begin
+  std::optional<Refusal> refused{};              ///< reason why the command of this tick was rejected
+  std::optional<Refusal> dropped{};              ///< reason why the waiting motion did not begin
   std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
 };
 
-/// Whether the axis moves, or will without being told: by a movement, a move of its own, or braking
+/// True if the axis moves, or will without a further command: by a movement, its own move, or braking
 /// in a fault. A held motion does; one that an underrun has brought to rest does not.
 bool in_motion(const Tick& tick);
 
@@ -86,13 +86,13 @@ bool in_motion(const Tick& tick);
 ///
 /// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
 /// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
-/// either a superimposed move. Who ends whom: transitions.hpp and docs/executor/axis.md.
+/// either a superimposed move. Rules: transitions.hpp and docs/executor/axis.md.
 ///
 /// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
 /// in the tick after which the axis no longer looks at it.
 ///
-/// **Outputs** (cam switches, position compare) are stepped with what each tick says. A new position, or a new master when a
-/// job starts, is a new place: outputs may change there, but nothing was passed. They work in every
+/// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new position, or new master
+/// at the start of a job, is a new place: outputs may change there, but no edge is passed. They work in every
 /// state, also disabled and in a fault.
 ///
 /// **Drives.** Feedback is of the drive's own position; a set_position moves the axis's count by
@@ -102,9 +102,9 @@ bool in_motion(const Tick& tick);
 /// **Homing** (homing.hpp) finds the machine's home position by what the drive reports of its switches
 /// and index. Until it has come to rest the position range does not hold, and it may stand on a limit switch.
 ///
-/// **Safety.** Arming admits a movement against the limits, whatever its sender did. In motion,
+/// **Safety.** Arming checks a movement against the limits, independent of its sender. In motion,
 /// every setpoint is compared with the one before and the limits before it is given out. A fault
-/// stays until a reset; what the axis does about it says reaction_to().
+/// stays until a reset; reaction_to() is the reaction of the axis.
 class MotionAxis {
  public:
   /// Throws InputError for a bad configuration, bad switches, or a bad list of a compare.
@@ -146,7 +146,7 @@ class MotionAxis {
   [[nodiscard]] double seconds(std::int64_t ticks) const;
   [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
 
-  // axis_commands.cpp: what it is told
+  // axis_commands.cpp: commands
   void obey(const Command& command);
   void take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
@@ -264,7 +264,7 @@ class MotionAxis {
   std::int64_t last_tick_ = -1;
   std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
   Inputs inputs_;
-  Jet last_master_ = Inputs{}.master;  // of the live one
+  Jet last_master_ = Inputs{}.master;  // last master of the live one
   double renamed_ = 0;  // m: what its count has gained since the movement was coupled to it
   Supervision windows_;
 
@@ -273,24 +273,24 @@ class MotionAxis {
   bool waiting_ = false;  // a start of the pending one was accepted
   StartAt start_at_ = StartAt::tick;
   std::int64_t start_tick_ = 0;
-  double start_position_ = 0;   // of the master
+  double start_position_ = 0;   // start position of the master
   std::int64_t accepted_ = -1;  // tick in which that start was
-  std::int64_t group_ = 0;      // the motion's
-  std::int64_t next_group_ = 0;  // the armed movement's
+  std::int64_t group_ = 0;      // group of the motion
+  std::int64_t next_group_ = 0;  // group of the armed movement
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;
   std::int64_t begun_ = 0;   // tick at which the motion began
   std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
   bool joint_ = false;       // this tick joins one motion to another
-  PathClock clock_;          // of a path
+  PathClock clock_;          // clock of a path
   PathClock shown_;          // the same as the last setpoint was given out
   std::int64_t from_ = 0;    // the first tick in which that may still be changed
   double played_to_ = 0;     // path time of the tick before, s
-  Peaks peaks_;              // of it
+  Peaks peaks_;              // peaks of it
   Boundary boundary_ = Boundary::none;
   double boundary_at_ = 0;  // path time, s
-  Goal goal_;               // of the move
+  Goal goal_;               // goal of the move
   Profile plan_;
   double ahead_ = 0;              // s of it that were over at its origin
   WaitingMoves next_;             // for the end of this motion
@@ -303,7 +303,7 @@ class MotionAxis {
   bool lift_rests_ = false;  // until the path beneath it is resumed
   Profile lift_;
   Goal lift_goal_;   // u from where the first of them began
-  Limits lift_most_;  // what the motion below leaves it
+  Limits lift_most_;  // limits left by the motion below
   std::int64_t lift_origin_ = 0;
   double shift_ = 0;  // u, of those that are over
 

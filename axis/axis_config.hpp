@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// How an axis finds its home position, after CiA 402. What is 0 is a default: resolved() fills it in.
+/// Homing of an axis, after CiA 402. A value of 0 means the default, which resolved() fills in.
 struct HomingSpec {
   int method = 37;             ///< 6098h; 35, 37: where the axis stands
   double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's limit
@@ -17,10 +17,10 @@ struct HomingSpec {
   double distance = 0;         ///< u that each search may go; 0: not limited
 };
 
-/// What an axis is allowed to do, fixed when the executor starts. What is 0 is off, unless it says
+/// Configuration of an axis, fixed when the executor starts. A value of 0 means off, unless noted
 /// otherwise.
 struct AxisConfig {
-  std::int64_t period = 1'000'000;  ///< of the tick, ns, > 0
+  std::int64_t period = 1'000'000;  ///< period of the tick, ns, > 0
   Limits limits = {};               ///< velocity and acceleration are required
   double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
   double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one

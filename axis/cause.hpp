@@ -96,7 +96,7 @@ const char* name(Cause cause);
 /// One sentence: what happened.
 const char* meaning(Cause cause);
 
-/// Whether it is a fault, which stays latched until a reset.
+/// True if it is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
   return (cause >= Cause::aborted && cause <= Cause::master_reversed) ||
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// What an axis plays that is handed over row by row, while it plays: a rolling stream, for paths
+/// A motion that arrives row by row while the axis plays it: a rolling stream, for paths
 /// longer than memory or computed on the fly, or a Googol controller's two FIFOs.
 ///
 ///     FifoPath path(1, {.each = 1000, .limits = row_limits(config)});  // communication thread
@@ -38,15 +38,15 @@ namespace jounce {
 struct FifoSpec {
   std::size_t each = 32;  ///< rows a FIFO holds, > 0: Googol 32 or 1024; the sender's credit is two
   bool stream = true;
-  std::int64_t loops = 1;              ///< of tables; below 1: for ever
-  std::optional<RowStart> from = {};   ///< of a stream: x and position of its first row's beginning
+  std::int64_t loops = 1;              ///< loops of tables; below 1: endless
+  std::optional<RowStart> from = {};   ///< from of a stream: x and position of its first row's beginning
   RowLimits limits = {};               ///< a row beyond them is refused when it is pushed
   std::optional<double> origin = {};   ///< u: where the axis must stand
   SegmentFifos::Reach range{-RowLimits::none, RowLimits::none};  ///< u, from there: <= 0, >= 0
   std::optional<std::size_t> total{};  ///< rows of both together; left out: twice `each`
 };
 
-/// What an axis allows of rows over time: its velocity, acceleration and jerk; of a step of the
+/// Limits of an axis for rows over time: its velocity, acceleration and jerk; of a step of the
 /// velocity what its acceleration makes in a tick; its range where rows are positions (FifoSpec::from).
 RowLimits row_limits(const AxisConfig& config, bool absolute = false);
 
@@ -105,7 +105,7 @@ class FifoPath final : public Movement {
 /// master that is lost breaks it.
 class FifoFollow final : public Movement {
  public:
-  /// As FifoPath; also for an event or a direction out of range (gear/follow_start.hpp).
+  /// Like FifoPath; also for an event or a direction out of range (gear/follow_start.hpp).
   FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& run = {});
 
   [[nodiscard]] SegmentFifos& fifos() { return fifos_; }

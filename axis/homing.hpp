@@ -23,7 +23,7 @@ struct HomingMethod {
 /// without it, 33 and 34: the next index, 35 and 37: where the axis stands.
 std::optional<HomingMethod> homing_method(int number) noexcept;
 
-/// Whether the machine has the switch and the index that the method needs.
+/// True if the machine has the switch and the index that the method needs.
 bool has_sensors(const HomingMethod& method, const Sensors& sensors) noexcept;
 
 /// The search for a machine's home position: which velocity an axis shall have next, from what its
@@ -44,7 +44,7 @@ class Homing {
  public:
   static constexpr double settle = 0.01;  ///< s
 
-  /// What is seen in one cycle.
+  /// Inputs of one cycle.
   struct Seen {
     Sensors sensors = {};
     double position = 0;   ///< actual, u
@@ -90,7 +90,7 @@ class Homing {
   int heading_ = 0;               // the direction of the last way
   bool on_ = false;               // the switch, in the cycle before
   std::optional<double> change_;  // u: where the switch changed in this cycle
-  std::optional<int> side_;       // of the switch: -1 below, 0 on it, 1 above; nothing: not known
+  std::optional<int> side_;       // side of the switch: -1 below, 0 on it, 1 above; nothing: not known
   bool turned_ = false;           // round, at a limit switch
 };
 

@@ -7,24 +7,24 @@
 
 namespace jounce {
 
-/// Numbers beyond this are none of a machine; move_to() has the same bound.
+/// Greatest accepted magnitude of a number; move_to() has the same bound.
 inline constexpr double most_magnitude = 1e50;
 
 /// A switch or an index of the machine, as a drive reports it for one cycle.
 struct Sensor {
-  bool wired = false;  ///< the machine has it
-  bool on = false;     ///< at the end of the cycle; of an index nothing
-  /// u, as the drive counts: where it changed first since the cycle before (an index: where it was
-  /// passed), latched by the drive; NaN: nowhere.
+  bool wired = false;  ///< the machine has this sensor
+  bool on = false;     ///< state at the end of the cycle; unused for an index
+  /// u, as the drive counts: position of the first change since the cycle before (for an index: of its
+  /// passing), latched by the drive; NaN: no change.
   double edge = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The sensors that say where a machine is: CiA 402, objects 60FDh (levels) and 60BAh (latches).
+/// The position sensors of a machine: CiA 402, objects 60FDh (levels) and 60BAh (latches).
 struct Sensors {
   Sensor home;      ///< home switch
   Sensor negative;  ///< limit switches
   Sensor positive;
-  Sensor index;  ///< of the encoder
+  Sensor index;  ///< index mark of the encoder
 };
 
 /// The other axes of a group, before the start for which this axis waits (machine.hpp).
@@ -34,32 +34,32 @@ enum class Peers : std::uint8_t {
   broken,   ///< one was stopped, failed, or refused its start
 };
 
-/// What a drive says in one cycle. NaN: it does not tell.
+/// Feedback of a drive in one cycle. NaN: not available.
 struct Feedback {
   double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
   double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual, u/s
-  double torque = std::numeric_limits<double>::quiet_NaN();    ///< share of the rated one
+  double torque = std::numeric_limits<double>::quiet_NaN();    ///< relative to the rated torque
   bool ready = true;   ///< it follows setpoints (CiA 402: operation enabled)
   bool fault = false;  ///< it has failed (CiA 402: fault)
   Sensors sensors = {};
 };
 
-/// What an axis sees in one cycle besides commands. Whatever it is, the axis stays within its limits:
+/// Inputs of an axis in one cycle, besides commands. For all inputs, the axis stays within its limits:
 /// a master with a number that is not finite or beyond 1e50 is lost, and a drive that reports one, or
 /// a position that the axis could not reach in 2^40 ticks, has failed (`drive_fault`).
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
-  /// m: what set_position of the master has added to its count so far. What is coupled goes on in the
-  /// count in which it was coupled.
+  /// m: sum of the set_position changes of the master so far. An active coupling keeps the coordinate in
+  /// which it was engaged.
   double master_offset = 0;
   Feedback feedback = {};
-  bool positive_switch = false;  ///< limit switches: the axis stands on it; also the drive's
+  bool positive_switch = false;  ///< limit switch active, or that of the drive
   bool negative_switch = false;
-  /// Rows of its queues are there up to this number; the greatest: all that were handed over.
+  /// Number of the last available row of its queues; the greatest value: all rows.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
-  bool group_broken = false;  ///< what began together with its motion was stopped, or failed: stop
+  bool group_broken = false;  ///< another motion of the same start was stopped, or failed: stop
   Peers peers = Peers::ready;  ///< the armed movement may begin, or not
-  bool watchdog = false;  ///< whoever had to give a sign of life has not: stop
+  bool watchdog = false;  ///< a heartbeat is missing: stop
 };
 
 }  // namespace jounce

@@ -14,7 +14,7 @@
 
 namespace jounce {
 
-/// What an axis plays, made and checked away from the cyclic thread: a table over time, or a cam
+/// A motion, constructed and checked outside the cyclic thread: a table over time, or a cam
 /// table over a virtual master whose position is a table over time.
 ///
 ///     Job move(1, std::make_shared<Table>(pvt));
@@ -24,7 +24,7 @@ namespace jounce {
 /// Local time runs from 0 at the start. A time table that wraps repeats until it is stopped; any
 /// other ends after one run. A cam table that wraps is periodic in the master.
 ///
-/// A cam is coupled as `coupling` says (cam/coupling.hpp), at local time 0, to a slave at rest at
+/// `coupling` defines the coupling of a cam (cam/coupling.hpp), at local time 0, to a slave at rest at
 /// `position`: an axis that does not stand where the cam begins can be engaged by a ramp. The job
 /// then lasts until the ramp is over. admit() refuses a ramp onto a master that repeats: the axis would
 /// not come back to where it stood.
@@ -50,7 +50,7 @@ class Job final : public Movement {
                                              const MotionState& from) const noexcept override;
 
   [[nodiscard]] bool repeats() const { return time_->outside() == Outside::wrap; }
-  [[nodiscard]] double start() const { return time_->start(); }  ///< of the time table, s
+  [[nodiscard]] double start() const { return time_->start(); }  ///< start of the time table, s
   [[nodiscard]] double duration() const {
     return std::max(time_->length(), least_);
   }  ///< s, of one run
@@ -72,7 +72,7 @@ class Job final : public Movement {
   [[nodiscard]] const Setpoint& first() const { return first_; }
   [[nodiscard]] const Setpoint& last() const { return last_; }
 
-  /// How far, in master units, and when the master leaves a cam that refuses it; 0 if it does not.
+  /// Distance, in master units, and time at which the master leaves a cam that rejects this; 0 if it does not.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
   /// Why the cam cannot be coupled there; `ok` where it can, and without a cam.
@@ -82,7 +82,7 @@ class Job final : public Movement {
   /// The ramp is over before the job is.
   [[nodiscard]] bool gets_in_sync() const { return in_sync_.has_value(); }
 
-  /// What counts as the same position: 1e-9 of the stroke, and rounding.
+  /// Tolerance for equal positions: 1e-9 of the stroke, and rounding.
   [[nodiscard]] double tolerance() const;
 
  private:
@@ -97,7 +97,7 @@ class Job final : public Movement {
   double least_ = 0;  // s of duration, for a ramp
   Engaged engaged_;
   CouplingStatus coupled_ = CouplingStatus::ok;
-  std::optional<double> in_sync_;  // of the time table; without a cam its start
+  std::optional<double> in_sync_;  // in sync of the time table; without a cam its start
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};
@@ -106,9 +106,9 @@ class Job final : public Movement {
   Progress progress_ = Progress::running;
 };
 
-/// Checks a job against an axis in the state `from`: where it begins, rest at both ends (or, in a
-/// swap, the velocity and acceleration of what is played before), the position range, velocity, acceleration and jerk, and jumps. Nothing if all is well, otherwise
-/// the first rule broken. Never allocates: a Job carries what is needed.
+/// Checks a job against an axis in the state `from`: its start, rest at both ends (in a swap: the velocity and
+/// acceleration of the motion before), the position range, velocity, acceleration and jerk, and jumps. Returns
+/// nothing, or the first broken rule. Never allocates: a Job has all data.
 ///
 /// A jump of the velocity, at an end or between, counts as the acceleration that makes it within
 /// one tick: so a table of straight lines passes exactly if no tick exceeds the limit. A jump of

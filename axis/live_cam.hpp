@@ -10,14 +10,14 @@
 
 namespace jounce {
 
-/// What becomes of the slave where a cam that runs once ends at a velocity.
+/// Behaviour of the slave if a cam that runs once ends at a velocity.
 enum class CamEnd : std::uint8_t {
   brake,          ///< the axis comes to rest within its limits
   keep_velocity,  ///< it keeps that velocity until its next command (PMC600 and PLCopen, MC_CamOut)
   extend,         ///< the cam goes on at the ratio of that end: the slave stays coupled
 };
 
-/// MC_CamIn on the axis's live master: a cam table behind whatever the master does.
+/// MC_CamIn on the axis's live master: a cam table for any motion of the master.
 ///
 ///     LiveCam cam(7, table, {.start = StartMode::ramp_in, .velocity_diff = 100,
 ///                            .acceleration = 2000});
@@ -29,7 +29,7 @@ enum class CamEnd : std::uint8_t {
 /// are bit for bit placed() of the table.
 ///
 /// **Progress**: `engaging` while anything is left of a correction, then `running`; a cam that has
-/// run once is `done`, in the very tick; what becomes of one that ends moving says CamEnd. An extended one
+/// run once is `done`, in the very tick; CamEnd selects the behaviour of one that ends moving. An extended one
 /// is never done: it runs on at the ratio of its end, and back into the cam when its master comes back.
 /// `broken`: the master is lost (NaN), or jumped and no correction could take that up.
 class LiveCam final : public Movement {

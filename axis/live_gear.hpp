@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// MC_GearIn on the axis's live master: from whatever motion the slave is in, it ramps to k times its
+/// MC_GearIn on the axis's live master: from any motion, the slave ramps to k times its
 /// master's velocity and keeps step from then on (gear/gear_in.hpp).
 ///
 ///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
@@ -43,7 +43,7 @@ class LiveGear final : public Movement {
 ///
 /// `waiting` for the start, `engaging`, then `running`, through reversals of the master too: one that
 /// turns back before the sync position takes the slave back with it, and neither stops nor errs
-/// (PMC600 error 775 is told by master_reversed()).
+/// (PMC600 error 775 is reported by master_reversed()).
 class LiveGearInPos final : public Movement {
  public:
   /// Throws InputError as gear_in_pos() does, and "master_start_distance" where it cannot be engaged.

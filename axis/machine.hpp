@@ -12,16 +12,16 @@
 
 namespace jounce {
 
-/// What an axis of a machine follows: its live master.
+/// The live master of an axis of a machine.
 struct Follow {
   enum class What : std::uint8_t {
     nothing,   ///< it has no live master
     master,    ///< one of the machine's masters
-    setpoint,  ///< what another axis is commanded in the same tick
-    actual,    ///< where another axis's drive says that it is; lost where it does not tell how fast
+    setpoint,  ///< setpoint of another axis in the same tick
+    actual,    ///< actual position of the drive of another axis; lost without a velocity
   };
   What what = What::nothing;
-  std::size_t index = 0;  ///< of the master, or of the axis
+  std::size_t index = 0;  ///< index of the master, or of the axis
 };
 
 /// One axis of a machine, fixed when it starts.
@@ -40,7 +40,7 @@ struct AxisImage {
   Tick tick = {};        ///< out
 };
 
-/// Several axes in one cycle, as a pure function of what they were told and what they saw: no
+/// Several axes in one cycle, as a pure function of their commands and inputs: no
 /// clock, no thread, no device.
 ///
 ///     Machine machine({{.name = "feeder", .config = feeder},
@@ -48,7 +48,7 @@ struct AxisImage {
 ///                       .follow = {.what = Follow::What::setpoint, .index = 0}}});
 ///     std::vector<AxisImage> images(machine.size());
 ///     images[0].command = {.kind = Command::Kind::enable};
-///     machine.step(0, images);                       // images[i].tick: what axis i says
+///     machine.step(0, images);                       // images[i].tick: outputs of axis i
 ///
 /// **Order.** An axis that follows another one's setpoint sees the setpoint of the same tick: so the
 /// axes are stepped leaders first, and else as they were declared; images, names and messages keep
@@ -95,7 +95,7 @@ class Machine {
   std::vector<MachineAxis> axes_;
   std::size_t masters_;
   std::vector<MotionAxis> motion_;
-  std::vector<std::size_t> order_;  // of the steps: leaders first
+  std::vector<std::size_t> order_;  // order of the steps: leaders first
 };
 
 }  // namespace jounce

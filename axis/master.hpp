@@ -22,10 +22,10 @@ struct MasterSample {
   std::int32_t clock = 0;     ///< another number: another clock, or another epoch of it
   double received = 0;        ///< s, by the clock of at(): when it came
   double position = 0;        ///< m
-  bool valid = true;          ///< the sender knows it; otherwise it says that it does not
+  bool valid = true;          ///< the sender reports a valid position
 };
 
-/// What axes follow: where a master is in each cycle. Another axis's setpoint is one too; the machine
+/// The position of a master in each cycle, which axes follow. The setpoint of another axis is one too; the machine
 /// hands that over itself.
 ///
 ///     ExternalMaster line({.velocity = 3, .acceleration = 20});     // m/s, m/s^2
@@ -42,24 +42,24 @@ class Master {
   /// [x, x', x'', x'''] at `time`, s, which ascends; m, m/s, ... x is NaN where the master is lost.
   /// Neither allocates nor waits nor throws.
   virtual Jet at(double time) noexcept = 0;
-  /// How long ago it was measured, s; NaN: never; 0: it is computed.
+  /// Age of the measurement, s; NaN: no measurement; 0: computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
-  /// What came in from outside and is in the at() before, and in none before that: with these, in the same
-  /// at(), another one of the same kind says the same to the last bit.
+  /// The external inputs of the last at() that no earlier at() used. With these, in the same
+  /// at(), another object of the same kind returns the same, bit for bit.
   [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
-/// What a cycle saw of a master.
+/// A master as one cycle saw it.
 struct MasterSight {
   std::int64_t tick = -1;
-  Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< as Master::at()
-  double age = std::numeric_limits<double>::quiet_NaN();         ///< as Master::age()
+  Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< like Master::at()
+  double age = std::numeric_limits<double>::quiet_NaN();         ///< like Master::age()
 
   [[nodiscard]] bool lost() const { return std::isnan(at[0]); }
 };
 
 /// A virtual master: a table over time from `start` on; before it stands at its first point, after its
-/// end at the last, or repeats, as the table says.
+/// end at the last, or repeats, as the table defines.
 class TableMaster final : public Master {
  public:
   /// Throws InputError "axis" for a table that is not over time.
@@ -78,7 +78,7 @@ class EncoderMaster final : public Master {
   /// neither allocates nor waits nor throws. Without it somebody calls read().
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
-  /// Of this cycle, m, before at(); NaN, or none for too long: lost.
+  /// Reading of this cycle, m, before at(); NaN, or none for too long: lost.
   void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
@@ -110,19 +110,19 @@ struct ClockOffset {
   double slew = 1e-3;  ///< s/s; quartz drifts by less than 1e-4
   double step = 0.25;  ///< s
   double offset = 0;   ///< s, of stamp - base
-  std::int64_t base = 0;  ///< ns: the first stamp, from which the others are told
+  std::int64_t base = 0;  ///< ns: the first stamp, to which the others are relative
   bool known = false;
 
-  /// The sample's time by our clock, s. False in `same`: begun afresh.
+  /// Time of the sample by the local clock, s. False in `same`: restarted.
   double local(const MasterSample& sample, bool& same) noexcept;
 
   std::int32_t clock = 0;
-  double least_before = 0, least_now = 0;  ///< of both halves
+  double least_before = 0, least_now = 0;  ///< least before of both halves
   double half_since = 0, last = 0;         ///< s
 };
 
 /// An external master, over a bus. Samples come late, jitter, are lost and doubled; the master is
-/// extrapolated within its limits, and lost when nothing was heard for `longest_age`.
+/// extrapolated within its limits, and lost without a sample for `longest_age`.
 class ExternalMaster final : public Master {
  public:
   explicit ExternalMaster(const TrackerSpec& spec) : tracked_(spec) {}

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// What a planned move is to come to, and how: the moves of PLCopen as one noun.
+/// Goal and dynamics of a planned move, for all moves of PLCopen.
 struct Goal {
   enum class Kind : std::uint8_t {
     rest,      ///< MC_Stop, MC_Halt
@@ -20,23 +20,23 @@ struct Goal {
   };
   Kind kind = Kind::rest;
   double value = 0;            ///< u (of a modulo axis not reduced), or u/s, signed
-  MoveDynamics dynamics = {};  ///< as fill() leaves it
+  MoveDynamics dynamics = {};  ///< like fill() leaves it
   double through = 0;          ///< u/s, signed: the velocity at a position, also above that of the
                                ///< dynamics: then it speeds up before it; 0: it ends there
 };
 
 /// Fills in what is not given with the limits of the axis (an infinite jerk where it has none), in place.
-/// What is not greater than 0 or beyond a limit is refused (PMC600 errors 201, 226, 301).
+/// Rejects values that are not greater than 0 or exceed a limit (PMC600 errors 201, 226, 301).
 std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
-/// As `fill`, with the limits of a stop: its deceleration and jerk may be what the axis stops with.
+/// Like `fill`, with the limits of a stop: its deceleration and jerk may be what the axis stops with.
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
 /// The move to the goal from any state, at `factor` times its velocity; the fastest that keeps the dynamics and the
 /// position range. Nothing where there is none, or none that a double has the digits for (a deceleration of 1e-12
 /// after full speed). While it slows down it does so with `deceleration`; an axis that has to turn round brakes
 /// with `acceleration`. To rest it turns round at the end of the range, if it must, and comes back to it.
-/// Factor 0: to rest, with the limits of the axis, whatever the goal's dynamics are.
+/// Factor 0: to rest, with the limits of the axis, independent of the dynamics of the goal.
 ///
 ///     Goal goal{Goal::Kind::position, 6000, dynamics};
 ///     if (const auto profile = plan(now, goal, 1, config)) ...
@@ -53,12 +53,12 @@ std::array<double, 2> positions(const Profile& profile) noexcept;
 Peaks peaks(const Profile& profile) noexcept;
 
 /// The velocity, u/s and signed, at which a move may pass its target on the way to that of the next
-/// one: as the mode says, also above its own, but at most so that neither move turns round and the axis can
+/// one: as the mode defines, also above its own, but at most so that neither move turns round and the axis can
 /// stop inside its range (the greatest such velocity to 1e-6 of it). 0: it comes to rest there.
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
                         BufferMode mode, double factor, const AxisConfig& config) noexcept;
 
-/// Where a move to `position` goes on this axis: there, or on a modulo axis the way asked for from
+/// Target of a move to `position` on this axis: `position`, or on a modulo axis the requested way from
 /// the state it is in. Nothing where there is no such way.
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,
                                 const MoveDynamics& dynamics, const AxisConfig& config) noexcept;

@@ -23,10 +23,10 @@ struct Setpoint {
 struct Moment {
   double t = 0;     ///< s: the movement's own time, see Course
   double dt = 0;    ///< s since the step before: more than a period where ticks were left out
-  Jet master = {};  ///< of the axis's live master: m, m/s, ...; NaN where it has none, or lost it
+  Jet master = {};  ///< master of the axis's live master: m, m/s, ...; NaN where it has none, or lost it
 };
 
-/// What a movement is a function of, and so how the axis holds, slows and stops it.
+/// Independent variable of a movement; it determines how the axis holds, slows and stops it.
 enum class Course : std::uint8_t {
   path,  ///< its own time alone: the axis runs that time slower, to rest in the end, and the setpoint
          ///< never leaves the path. `t` is path time: bit for bit ticks * period at full speed
@@ -34,14 +34,14 @@ enum class Course : std::uint8_t {
          ///< that it is in. `t` is the time since the movement began
 };
 
-/// How far a movement has come.
+/// Progress of a movement.
 enum class Progress : std::uint8_t {
   waiting,   ///< for its master, or an event: the slave stands
   engaging,  ///< on its way to where it belongs: ramp, clutch
   running,   ///< a path is played, a slave is in gear, in sync
-  starving,  ///< what is known of the path is about to end, more was to come: the axis stops it
+  starving,  ///< buffer underrun: the available path ends; the axis stops
   done,      ///< it has ended; its last setpoint is at rest
-  broken,    ///< it cannot go on: cause() says why; its last setpoint is the one before
+  broken,    ///< it cannot continue: see cause(); its last setpoint is the one before
 };
 
 /// The greatest magnitudes of a path, u/s, u/s^2, u/s^3: from which a stop on it is computed.
@@ -52,7 +52,7 @@ struct Peaks {
   double velocity_step = 0;  ///< u/s, the largest sum of its steps within one tick; 0: smooth
 };
 
-/// What an axis plays, made and checked away from the cyclic thread, which steps it:
+/// A motion of an axis, constructed and checked outside the cyclic thread, which steps it:
 ///
 ///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
 ///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
@@ -75,44 +75,44 @@ class Movement {
   [[nodiscard]] virtual Progress progress() const noexcept = 0;
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
-  /// Of what is handed over to it while it is played, under numbers, this much is there from now on:
-  /// said by the axis at the beginning of every tick (Inputs::rows).
+  /// Sets the number of the last available row, for rows that arrive during play. The axis calls it
+  /// at the beginning of every tick (Inputs::rows).
   virtual void see(std::uint64_t /*number*/) noexcept {}
 
-  /// Whether it goes to positions of its own, rather than on from wherever the axis stands.
+  /// True if its positions are absolute, not relative to the position of the axis.
   [[nodiscard]] virtual bool absolute() const noexcept { return true; }
 
-  /// What the axis would refuse it for, if it began in the state `from`; asked when it is armed.
+  /// Refusal of the movement for a start in the state `from`; checked when it is armed.
   [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
                                                      const MotionState& /*from*/) const noexcept {
     return std::nullopt;
   }
-  /// Whether the axis is a slave: synchronized_motion, not discrete_motion.
+  /// True if the axis is a slave: synchronized_motion, not discrete_motion.
   [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
 
-  /// Of a path: how much of it is known, s of its own time (infinite: it repeats), and its peaks. Of a live one:
+  /// For a path: its available length, s of its own time (infinite: it repeats), and its peaks. For a live one:
   /// what it adds now to what its master does, while it engages.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
-  /// Of a path: more of it is to come. The axis stops on it, with the fault `underrun`, before less
+  /// For a path: more of it will arrive. The axis stops on it, with the fault `underrun`, before less
   /// is known than the stop takes: the same as `starving`, but the axis works it out.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
-  /// Of a path: what is known of it stays within the range that it was admitted with. Where it does not,
+  /// For a path: its available part stays within the range of its admission. Where it does not,
   /// the axis looks before every setpoint whether it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
   /// u, where begin() would have had the axis stand when it refused with start_position; NaN: not known.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  /// Of a live one: where it is done at a velocity, the axis keeps that; otherwise it comes to rest.
+  /// For a live one: if it is done at a velocity, the axis keeps that; otherwise it comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
-  /// Of a live one: whether it has passes, and the instant between its last moment and this one at
+  /// For a live one: true if it has passes, and the time between its last moment and this one at
   /// which a pass ends; nothing: none does.
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// Of a path: the length of a pass, s of its own time, and the state at its end; where a swap is
+  /// For a path: the length of a pass, s of its own time, and the state at its end; where a swap is
   /// made. 0 and nothing: it has none.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }

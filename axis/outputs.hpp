@@ -14,7 +14,7 @@ struct AxisCompare {
   std::optional<PositionCompare> list = {};
 };
 
-/// What outputs stand on, in one tick.
+/// Inputs of the outputs in one tick.
 struct OutputPlaces {
   struct Place {
     double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
@@ -22,11 +22,11 @@ struct OutputPlaces {
   };
   Place commanded;  ///< u, u/s
   Place master;     ///< m, m/s
-  Place actual;     ///< u, u/s; of a drive that tells no velocity that is taken from its positions
+  Place actual;     ///< u, u/s; for a drive without velocity, from its positions
 };
 
 /// The outputs of an axis that follow from where it is: its cam switches and its position compare,
-/// stepped with what each tick says.
+/// evaluated at the state of each tick.
 ///
 ///     Outputs outputs(switches, compare);
 ///     outputs.begin();                                   // a motion begins from rest

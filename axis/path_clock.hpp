@@ -25,7 +25,7 @@ struct PathTime {
 ///     while (!clock.steady(tick)) ...                              // it takes 1.5 / slope
 ///     clock.change(tick, 1, slope);                                // and on
 ///
-/// A change is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from whatever a change
+/// A change is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any state that a change
 /// before has come to: r' never leaps, r never leaves the two rates it is between. Nothing
 /// accumulates: a time is a function of the tick and of the last change. A value type; nothing
 /// allocates or throws.
@@ -59,9 +59,9 @@ class PathClock {
   std::int64_t period_;
   std::int64_t origin_ = 0;
   double base_ = 0;    // path time at origin_, s
-  Profile change_;     // of path time from there: position s, velocity r
+  Profile change_;     // change of path time from there: position s, velocity r
   double top_ = 1;     // the highest rate asked for since it was steady
-  double length_ = 0;  // of the change, s
+  double length_ = 0;  // length of the change, s
 };
 
 /// A setpoint of the path at path time `time.s`, as the axis gives it out at that rate.
@@ -70,12 +70,12 @@ Setpoint at_rate(const Setpoint& path, const PathTime& time) noexcept;
 /// The highest rate, at most 2, at which a path keeps the limits of the axis; at least 1.
 double highest_rate(const Peaks& peaks, const AxisConfig& config) noexcept;
 
-/// How steeply the rate may change, 1/s, while it is at most `highest`, so that the stop limits hold
+/// Greatest slope of the rate, 1/s, while it is at most `highest`, so that the stop limits hold
 /// wherever on the path that is; `added` moves on top of it. Not > 0 where nothing is left.
 double rate_slope(const Peaks& peaks, const AxisConfig& config, double highest,
                   const Peaks& added = {}) noexcept;
 
-/// How long a stop from full speed on a path takes, s: from its peaks, so that it holds wherever
+/// Duration of a stop from full speed on a path, s: from its peaks, so that it holds wherever
 /// the stop comes. For an admitted path only.
 double stop_duration(const Peaks& peaks, const AxisConfig& config);
 

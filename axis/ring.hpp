@@ -13,7 +13,7 @@ namespace jounce {
 ///     if (!ticks.push(tick)) ++lost;                   // the producer's thread
 ///     for (Tick tick; ticks.pop(tick);) log(tick);     // the consumer's thread
 ///
-/// Indices count up for ever and are taken modulo the capacity; each stands in a cache line of its
+/// Indices count up without end and are taken modulo the capacity; each stands in a cache line of its
 /// own, next to its thread's last view of the other one, so that the threads meet only when a look
 /// is needed.
 template <class T, std::size_t Capacity>

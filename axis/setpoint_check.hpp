@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What may happen between two setpoints besides what the limits allow.
+/// Permitted changes between two setpoints, besides the limits.
 struct StepAllowance {
   double dt = 0;             ///< s between them
   double velocity_step = 0;  ///< u/s: the kinks that the path was admitted with
@@ -24,7 +24,7 @@ Cause check_setpoint(const MotionState& last, const MotionState& next, const Ste
 enum class Stop : std::uint8_t {
   soft,     ///< to rest with limit_acceleration (PMC600 fSWLimitDeceleration)
   hard,     ///< to rest with stop_acceleration
-  turning,  ///< with stop_acceleration; it turns round at the end of the range, then comes to rest
+  turning,  ///< brakes with stop_acceleration, reverses at the end of the range, then rests
   none,     ///< no stop stays inside the range
 };
 
@@ -34,14 +34,14 @@ Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept;
 
 /// The rule of the position range: `next` may not lose the gentlest stop that the setpoint before it,
 /// `last`, had. So the axis can stop inside the range at every tick: where positive_soft_limit or
-/// negative_soft_limit says that `next` breaks the rule, that stop from `last` is there.
+/// negative_soft_limit means that `next` breaks the rule; that stop from `last` exists.
 Cause check_range(const MotionState& last, const MotionState& next,
                   const AxisConfig& config) noexcept;
 
-/// Whether the velocity exceeds its limit, or will before the acceleration can come down to 0 with stop_jerk.
+/// True if the velocity exceeds its limit, or will before the acceleration can come down to 0 with stop_jerk.
 bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept;
 
-/// Whether a motion stays inside the range, or comes back to it, up to rounding.
+/// True if a motion stays inside the range, or comes back to it, up to rounding.
 bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept;
 
 }  // namespace jounce

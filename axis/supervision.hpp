@@ -8,16 +8,16 @@ namespace jounce {
 
 /// The windows of an axis around its setpoint: the following error's (Googol GT_SetPosErr, Agito
 /// MaxPosErr, HMPL GetPosErr) and that of the position reached (GT_SetAxisBand, InTargetTol). A
-/// step each tick; a drive that does not tell its position breaks nothing and is in no window.
+/// step each tick; a drive without position feedback causes no fault and is in no window.
 ///
 ///     Supervision windows;
 ///     const bool lost = windows.too_far(set - actual, dt, config);
 ///     const bool there = windows.settled(set - actual, at_rest, dt, config);
 class Supervision {
  public:
-  /// Whether |error| has been above `following_error` for more than `following_time`.
+  /// True if |error| has been above `following_error` for more than `following_time`.
   bool too_far(double error, double dt, const AxisConfig& config) noexcept;
-  /// Whether the axis is at rest and |error| has been within `in_position` for `in_position_time`;
+  /// True if the axis is at rest and |error| has been within `in_position` for `in_position_time`;
   /// cleared at once on violation or motion.
   bool settled(double error, bool at_rest, double dt, const AxisConfig& config) noexcept;
   void reset() noexcept { *this = {}; }
@@ -35,15 +35,15 @@ double furthest(const AxisConfig& config) noexcept;
 /// it has failed.
 Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept;
 
-/// What the drive and the watchdog say of an axis that is enabled: a fault, or none.
+/// The fault that drive and watchdog report for an enabled axis, or none.
 Cause check_inputs(const Inputs& inputs) noexcept;
 
-/// What the axis does about a fault.
+/// Reaction of the axis to a fault.
 enum class Reaction : std::uint8_t {
   freeze,        ///< the setpoint stays where it is, at once
   brake,         ///< a stop by a move of its own from the last good setpoint
   stop_on_path,  ///< a stop on the path where there is one, else as brake
-  power_off,     ///< frozen, and the drive is told to let go
+  power_off,     ///< freezes the setpoint and disables the drive
 };
 Reaction reaction_to(Cause fault) noexcept;
 

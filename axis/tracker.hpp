@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// How a measured position becomes a master that can be followed.
+/// Options of the filter that makes a master of measured positions.
 struct TrackerSpec {
   double velocity = 0;      ///< m/s, > 0: the master's; what comes out never exceeds it
   double acceleration = 0;  ///< m/s^2, > 0: likewise
@@ -15,7 +15,7 @@ struct TrackerSpec {
       5e-3;               ///< s, > 0: longer is smoother, and slower. See docs/executor/masters.md
   int order = 2;          ///< 2: no lag at constant velocity; 3: nor at constant acceleration
   double settle = 10e-3;  ///< s, > 0: in which the output comes back to the estimate
-  double latency = 0;     ///< s: measurements are older than they say by this much
+  double latency = 0;     ///< s: additional age of the measurements
   double longest_age = 0.1;  ///< s, > 0: without a measurement for longer, it is lost
   double jump = 0;           ///< m: a measurement further off than this is another place; 0: what
                              ///< the master's velocity makes in longest_age
@@ -41,7 +41,7 @@ Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time,
 
 /// A measured position as a smooth master: the estimate, extrapolated to the cycle, behind which the
 /// output goes with bounded velocity and acceleration: what comes out is once continuously
-/// differentiable, whatever comes in.
+/// differentiable for all inputs.
 ///
 ///     Tracked master({.velocity = 3, .acceleration = 20});
 ///     master.see(time, measured);               // as often as something is measured
@@ -54,9 +54,9 @@ class Tracked {
  public:
   explicit Tracked(const TrackerSpec& spec);
 
-  /// What is not finite, or not later than the one before, is left out.
+  /// Ignores samples that are not finite, or not later than the one before.
   void see(double time, double position) noexcept;
-  /// Forgets: the source says that it does not know, or is another one.
+  /// Resets the filter: the source is invalid, or another one.
   void lose() noexcept;
   Jet at(double time) noexcept;
 
@@ -73,7 +73,7 @@ class Tracked {
   double seen_ = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate_;
   bool following_ = false;  // the output is one
-  double time_ = 0;         // of the output
+  double time_ = 0;         // time of the output
   Jet out_{};
 };
 

@@ -21,8 +21,8 @@ enum class State : std::uint8_t {
 inline constexpr std::size_t states = 8;
 const char* name(State state);
 
-/// Whether a command is looked at in a state: none, or the reason why not. What it needs besides
-/// (a movement, a target within the range) is looked at then. The table is in transitions.cpp and
+/// Refusal of a command in a state, or none if it is accepted. Its further conditions
+/// (a movement, a target within the range) are checked later. The table is in transitions.cpp and
 /// in docs/executor/axis.md.
 Cause permitted(State state, Command::Kind kind) noexcept;
 

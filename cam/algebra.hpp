@@ -25,7 +25,7 @@ namespace jounce {
 /// that are not cut are the same to the last digit, and so are the lengths of the two parts of one
 /// that is.
 ///
-/// **Throws** InputError as each function says.
+/// **Throws** InputError as documented for each function.
 
 /// The cam between two master positions, as a cam of its own that refuses what lies outside. The
 /// interval may leave the cam's: a periodic one begins its next turn, one that holds stands still.
@@ -47,7 +47,7 @@ Cam mirrored_about_slave(const Cam& f, double slave);
 /// f, but g over g's interval, which must lie within f's. Throws InputError if it does not.
 Cam replaced(const Cam& f, const Cam& g);
 
-/// f up to `at`, then g, then the rest of f: longer than f by g's length, whatever g's start.
+/// f up to `at`, then g, then the rest of f: longer than f by g's length, for any start of g.
 /// Throws InputError unless start <= at <= end.
 Cam inserted(const Cam& f, double at, const Cam& g);
 

@@ -45,7 +45,7 @@ Segment bezier(double length, std::span<const double> control);
 
 /// Bezier curves of one degree between the breaks, each sharing its end value with the next one's
 /// start: (breaks - 1) * degree + 1 control values. Continuous in value; what more, the control
-/// values decide (`check_continuity` says). Throws InputError as bezier() does, for a degree out of
+/// values decide (see `check_continuity`). Throws InputError as bezier() does, for a degree out of
 /// 1 ... 11, breaks that do not ascend, and a wrong number of control values.
 std::vector<Segment> bezier_chain(std::span<const double> breaks, std::span<const double> control,
                                   int degree);

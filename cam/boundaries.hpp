@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// How the derivatives are chosen that a cam leaves out.
+/// Rule for derivatives that a cam leaves out.
 ///
 ///     CamSpec spec{.start = {0, 0}, .segments = {{Law::quintic, {90, 30}}, ...}, .periodic = true};
 ///     Cam smooth = design(filled(spec, Fill::minimum_jerk)).cam;
@@ -24,7 +24,7 @@ enum class Fill {
 /// convex program: filled_for_least_peak() in optimize/least_peak.hpp.
 const char* name(Fill fill);
 
-/// Which derivatives of one knot a Fill may choose.
+/// Derivatives of one knot that a Fill may choose.
 struct FreeDerivatives {
   bool geo_velocity = false;
   bool geo_acceleration = false;

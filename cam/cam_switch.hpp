@@ -40,7 +40,7 @@ namespace jounce {
 /// the switch stays off, and never gets stuck.
 ///
 /// **Hysteresis** h (in the unit of the position): after an edge at p, none at p until the axis has
-/// left p - h to p + h; where it leaves on the other side than the edge said, the edge is made good
+/// left p - h to p + h; where it leaves on the other side than that of the edge, the edge follows
 /// there. So a first edge is never late and a trembling axis does not chatter. A reversal counts for
 /// the direction when the axis has gone back by more than h.
 ///
@@ -48,11 +48,11 @@ namespace jounce {
 enum class AxisDirection : std::uint8_t { both, positive, negative };
 enum class CamSwitchMode : std::uint8_t { position, time };
 
-/// Which position of an axis the switches stand on.
+/// Position of an axis that the switches use.
 enum class SwitchesOf : std::uint8_t {
   position,  ///< its own, u
   master,    ///< that of the master it follows, m
-  actual,    ///< where its drive says that it is, u
+  actual,    ///< actual position of its drive, u
 };
 
 /// One range of one track: an entry of PLCopen's MC_CAMSWITCH_REF.

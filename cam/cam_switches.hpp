@@ -12,13 +12,13 @@ namespace detail {
 class SwitchMachine;
 }
 
-/// What the switches did since the step before.
+/// Changes of the switches since the step before.
 struct SwitchStep {
   static constexpr std::size_t most_edges = 32;
 
   std::uint32_t outputs = 0;  ///< now: bit k - 1 is track k
-  std::uint32_t count = 0;    ///< of edges
-  std::uint32_t lost = 0;     ///< edges that found no room (PMC600 error 629); outputs are right
+  std::uint32_t count = 0;    ///< count of edges
+  std::uint32_t lost = 0;     ///< edges beyond the capacity (PMC600 error 629); outputs are right
   std::array<SwitchEdge, most_edges> edge{};  ///< ascending; time: s since the step before, [0, dt)
 
   [[nodiscard]] std::span<const SwitchEdge> edges() const { return {edge.data(), count}; }
@@ -79,7 +79,7 @@ class CamSwitches {
   double period_;  // 0: none
   bool known_ = false;
   bool placed_ = false;
-  double position_ = 0;  // as given
+  double position_ = 0;  // like given
   double local_ = 0;     // reduced into [0, period)
   double velocity_ = 0;
   double elapsed_ = 0;      // since the last position

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// How much better any motion at all could be: the bounds that no law can beat, as notes.
+/// Bounds that no law can beat, as notes: the possible improvement.
 ///
 ///     Report best = certificates(cam);
 ///     for (const Finding& f : best.findings)

@@ -41,7 +41,7 @@ struct Characteristics {
 
 Characteristics characteristics(const Rise& rise);
 
-/// Of a cam as a whole: a law, or any piece that leads from one position to another. Throws
+/// For a cam as a whole: a law, or any piece that leads from one position to another. Throws
 /// InputError("stroke", ...) if it ends where it began.
 Characteristics characteristics(const Cam& law);
 

@@ -5,12 +5,12 @@
 
 namespace jounce {
 
-/// An error by which a controller refuses a cam, and what Jounce says instead.
+/// An error of a controller for a cam, and its equivalent in Jounce.
 ///
 ///     for (const ControllerError& error : controller_errors()) print(text(error));
 ///
 /// `here` is "InputError KEY", "CouplingStatus NAME", "SwitchStep lost" (of CamSwitches), "Cause NAME"
-/// or "Refusal NAME" (of an executor), or "none": then `how` says why it cannot occur.
+/// or "Refusal NAME" (of an executor), or "none": then `how` explains why it cannot occur.
 /// docs/cam/errors.md is this table.
 struct ControllerError {
   const char* controller;  ///< "PMC600" or "HMPL"

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// What is added to a cam so that a slave gets onto it without a jump: from the difference at the
+/// Correction of a cam so that a slave engages without a jump: from the difference at the
 /// start it goes to zero and stays there. Over time it is a Profile within limits; over master, a
 /// polynomial that stands still when the master does. A value; nothing allocates.
 class Correction {
@@ -27,13 +27,13 @@ class Correction {
   /// Nothing is left of it from here on; over master: while the master stays where it is gone.
   [[nodiscard]] bool done(double t, double master) const;
 
-  /// How long it takes, s; 0 unless it runs over time.
+  /// Its duration, s; 0 unless it runs over time.
   [[nodiscard]] double duration() const { return kind_ == Kind::time ? profile_.duration() : 0; }
   [[nodiscard]] bool follows_master() const { return kind_ == Kind::master; }
   [[nodiscard]] const Profile& profile() const { return profile_; }
-  /// Whether it is made of finite numbers, over master: a difference beyond 1e300 is not.
+  /// True if it is made of finite numbers, over master: a difference beyond 1e300 is not.
   [[nodiscard]] bool finite() const;
-  /// Of one over master: the correction as a curve over the master's position, zero outside.
+  /// For one over master: the correction as a curve over the master's position, zero outside.
   [[nodiscard]] Cam curve() const;
 
  private:

@@ -10,10 +10,10 @@
 
 namespace jounce {
 
-/// How a slave gets onto its cam (PMC600 manual 6.2, MC_CamIn StartMode and its codes; the last one
+/// Start mode of a slave on its cam (PMC600 manual 6.2, MC_CamIn StartMode and its codes; the last one
 /// is CODESYS').
 enum class StartMode : std::uint8_t {
-  absolute = 0,          ///< at once: it jumps to where the cam says
+  absolute = 0,          ///< at once: it jumps to the position of the cam
   relative = 1,          ///< at once, with a cam that is moved to where the slave is
   ramp_in = 2,           ///< without a jump, by a correction over time within limits
   ramp_in_pos = 3,       ///< the same, the correction in the positive direction only (1e-9 strokes
@@ -26,8 +26,8 @@ inline constexpr std::size_t start_mode_count = 6;
 /// "absolute", "ramp_in_pos", ...: the words of a spec.
 const char* name(StartMode mode);
 
-/// How a slave is coupled to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the
-/// unit of the slave, m that of the master; times are in s. Whether it is periodic is the cam's own
+/// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the
+/// unit of the slave, m that of the master; times are in s. Its periodicity is a property of the cam
 /// affair: `with(cam, Outside::wrap)` is; one that holds or refuses runs once, and only a holding
 /// one may be engaged while the master is outside: the slave waits at the cam's end value.
 struct CouplingSpec {
@@ -54,7 +54,7 @@ struct CouplingSpec {
 /// needs: velocity_diff and acceleration, or distance.
 void require_valid(const CouplingSpec& spec);
 
-/// What an engagement cannot do; `ok` where it can.
+/// Reason why an engagement is impossible, or `ok`.
 enum class CouplingStatus : std::uint8_t {
   ok,
   not_finite,          ///< a state, the master or the time is not finite
@@ -83,7 +83,7 @@ const char* explain(CouplingStatus status);
 ///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t),   X = master_scaling x + ...
 ///
 /// c runs from the difference between slave and cam at the start (position, velocity, acceleration)
-/// to rest at zero. So nothing jumps, whatever the master does (but enter a cam that begins moving), and the slave deviates from the cam
+/// to rest at zero. So nothing jumps for any motion of the master (except when it enters a cam that begins moving), and the slave deviates from the cam
 /// by no more than velocity_diff, acceleration, deceleration and jerk. Origins, the table of modes
 /// and what happens at a period's end: docs/cam/coupling.md. Throws InputError as require_valid
 /// does.
@@ -125,7 +125,7 @@ struct Engaged {
 struct Engagement {
   CouplingStatus status = CouplingStatus::ok;
   Engaged engaged{};
-  MotionState jump{};  ///< what the set-points step by, u, u/s, u/s^2: zero with a ramp
+  MotionState jump{};  ///< step of the setpoints, u, u/s, u/s^2: zero with a ramp
 
   explicit operator bool() const { return status == CouplingStatus::ok; }
 };
@@ -150,11 +150,11 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
   return point(coupling.cam(), engaged, master, t, side);
 }
 
-/// Says beforehand what engage() would do: jumps of position, velocity and acceleration
+/// Checks the result of engage() beforehand: jumps of position, velocity and acceleration
 /// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
 /// period's end ("coupling/period"), a master outside that comes in where the cam moves, which a slave
 /// that waits at rest cannot without a jump in velocity ("coupling/enter"), and the ends of a cam that
-/// runs once, where it moves (check_ends). Of a correction it tells the largest values, with their derivatives over time or master ("coupling/ramp", not
+/// runs once, where it moves (check_ends). For a correction it reports the greatest values, with their derivatives over time or master ("coupling/ramp", not
 /// broken: over a distance of the master no limit holds). A jump counts beyond 1e-9 of the slave's range and
 /// 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);

@@ -12,7 +12,7 @@ namespace jounce {
 /// A slave that was let go: it keeps its velocity (PMC600 manual 6.2, MC_CamOut).
 struct Released {
   double t = 0;     ///< s, when
-  Profile profile;  ///< of its acceleration's end
+  Profile profile;  ///< profile of its acceleration's end
 };
 
 /// Lets a slave go that moves as `slave` does at t: from then on it runs at the velocity it has. With
@@ -22,7 +22,7 @@ Released cam_out(const Jet& slave, double t, std::optional<double> jerk = {});
 /// The set-point of a slave that was let go.
 Jet point(const Released& released, double t);
 
-/// What one cycle brings.
+/// Result of one cycle.
 struct Stepped {
   CouplingStatus status = CouplingStatus::ok;
   Engaged engaged{};     ///< for the next cycle
@@ -47,13 +47,13 @@ struct Stepped {
 ///
 /// Pure, and does not allocate. The samples' times ascend.
 ///
-/// **Master.** Whatever it does, the slave is on its cam, but for the correction: it accelerates by
+/// **Master.** For any motion of it, the slave is on its cam, but for the correction: it accelerates by
 /// the chain rule, runs backwards along the same cam, and follows the noise of a measured master
 /// times the cam's slope. Give a measured master filtered, with the velocity and acceleration of the
 /// filter. A master that jumps is announced (`jumped`) where master_jump is set; a slave with a ramp
 /// then stays on its way and ramps in again, any other jumps with its master. Where the start mode
-/// cannot (`status` says why: it would have to reverse, the master stands) `ramp_in` does, and without
-/// numbers for that the slave is let go. While the master is no number (`not_finite`) the slave
+/// cannot (`status` has the reason: it would have to reverse, the master stands) `ramp_in` does, and without
+/// dynamics for that the coupling ends. While the master is NaN (`not_finite`) the slave
 /// stands where it was, and what comes after is a jump.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
@@ -62,7 +62,7 @@ struct Trigger {
   enum class When : std::uint8_t {
     now,
     period_end,       ///< at the end of the cam that runs, in either direction
-    master_position,  ///< where the master passes `position`
+    master_position,  ///< when the master passes `position`
   };
   When when = When::now;
   double position = 0;  ///< X, within the cam, in every period of a periodic one
@@ -73,7 +73,7 @@ struct Trigger {
 /// position outside the cam, or a window that is negative or wider than half of it.
 void require_valid(const Trigger& trigger, const Cam& cam, const std::string& prefix);
 
-/// Whether the time has come between two cycles.
+/// True if the time has come between two cycles.
 struct Due {
   CouplingStatus status = CouplingStatus::ok;  ///< window_missed: passed, but by no cycle within
   std::optional<Sample> at{};                  ///< the instant; nothing: not yet

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Where two segments of a cam meet: master position m, slave position u there, and the slave's
+/// Knot between two segments of a cam: master position m, slave position u there, and the slave's
 /// derivatives by master position (u/m, u/m^2). A derivative left out follows from the laws beside
 /// it, or else is zero (or chosen: see boundaries.hpp).
 struct CamKnot {
@@ -19,7 +19,7 @@ struct CamKnot {
   std::optional<double> geo_acceleration = {};
 };
 
-/// What a law through points is to meet inside its segment. Splines take positions alone; hermite
+/// A condition of a law through points inside its segment. Splines take positions alone; hermite
 /// takes slave, geo_velocity and geo_acceleration at each, and geo_jerk at all or none. A point of it at
 /// an end of the segment has the derivatives that the knot leaves out, and its geo_jerk.
 struct CamPoint {
@@ -28,7 +28,7 @@ struct CamPoint {
   std::optional<double> geo_velocity = {};
   std::optional<double> geo_acceleration = {};
   std::optional<double> geo_jerk = {};  ///< also at the segment's ends
-  double tolerance = 0;                 ///< of slave, u, >= 0; quintic_spline alone
+  double tolerance = 0;                 ///< tolerance of slave, u, >= 0; quintic_spline alone
 };
 
 /// One segment: its law, and the knot where it ends. It begins where the one before ended.
@@ -37,7 +37,7 @@ struct CamSegment {
   CamKnot end;
   std::string name = {};  ///< for reports; may be empty
   LawForm form = {};
-  /// Of polynomial, cubic_spline, quintic_spline, hermite; ascending.
+  /// For polynomial, cubic_spline, quintic_spline, hermite; ascending.
   std::vector<CamPoint> points = {};
 };
 
@@ -46,7 +46,7 @@ struct CamSpec {
   CamKnot start;
   std::vector<CamSegment> segments;
   bool periodic = false;  ///< wraps from the last knot to the first; otherwise holds its end value
-  /// Of a periodic cam on a rotary slave: one turn of the slave, u. The cam then ends a whole number
+  /// For a periodic cam on a rotary slave: one turn of the slave, u. The cam then ends a whole number
   /// of turns from where it begins, and goes on from there (Outside::advance).
   std::optional<double> slave_period = {};
 };
@@ -74,7 +74,7 @@ std::vector<CamKnot> resolved_knots(const CamSpec& spec);
 /// The exact cam. Throws as resolved_knots does.
 CamDesign design(const CamSpec& spec);
 
-/// What each segment of the spec is made of: linear in the values at its knots (law.hpp), as long as
+/// Parts of each segment of the spec: linear in the values at its knots (law.hpp), as long as
 /// no law's side or inflection follows from them. Throws as resolved_knots does, and for a law through
 /// points.
 std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec);

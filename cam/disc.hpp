@@ -8,14 +8,14 @@
 
 namespace jounce {
 
-/// What rides on the plate cam: a roller (radius 0: a knife edge) on a follower that slides, or at
+/// The follower of the plate cam: a roller (radius 0: a knife edge) on a follower that slides, or at
 /// the end of an arm that swings.
 enum class Follower {
   translating,  ///< along a line `offset` beside the cam's centre
   oscillating,  ///< on an arm of `arm_length`, whose pivot is `centre_distance` from the cam's centre
 };
 
-/// Which way the cam turns as the master advances.
+/// Direction of the cam as the master advances.
 enum class Rotation { counterclockwise, clockwise };
 
 /// A plate cam's geometry; lengths in the unit u of the slave.
@@ -60,9 +60,9 @@ struct Place {
 
 /// The cam at one position of the master; places and directions seen from the cam.
 struct DiscPoint {
-  Place centre;                ///< of the roller: a point of the pitch curve
+  Place centre;                ///< centre of the roller: a point of the pitch curve
   Place contact;               ///< a point of the profile
-  Place normal;                ///< of both, outwards, of length 1
+  Place normal;                ///< normal of both, outwards, of length 1
   double pressure_angle = 0;   ///< rad; > 0 where the follower would rather yield to the side in
                                ///< which the cam turns, as on the rise; beyond pi/2 it jams
   double pitch_curvature = 0;  ///< 1/u, > 0 where convex
@@ -71,7 +71,7 @@ struct DiscPoint {
 /// A plate cam with its follower: an immutable value.
 ///
 /// The cam must turn into itself: its length is a turn, or a whole part of one (then it has as many
-/// lobes), and it ends where it began. Whatever its policy outside, here it wraps.
+/// lobes), and it ends where it began. Its policy outside is ignored: it wraps.
 ///
 /// **Throws** InputError for lengths that are not finite or have the wrong sign, a cam that does not
 /// close, an offset that is not less than base + roller radius, and an arm that does not reach the
@@ -84,7 +84,7 @@ class Disc {
   [[nodiscard]] const Cam& lift() const { return lift_; }
   [[nodiscard]] const DiscSpec& spec() const { return spec_; }
 
-  /// Where the roller is at lift 0: the height over the cam's centre of a translating one (u), the
+  /// Position of the roller at lift 0: the height over the cam's centre of a translating one (u), the
   /// angle between arm and line of centres of an oscillating one (rad).
   [[nodiscard]] double start() const { return start_; }
 
@@ -116,14 +116,14 @@ struct Interference {
   double depth = 0;
 };
 
-/// Whether a circle rolled around the outside of the profile (radius roller_radius: the roller; a
+/// True if a circle rolled around the outside of the profile (radius roller_radius: the roller; a
 /// larger one: a cutter) somewhere cuts into a distant stretch of it. Proven by enclosures over all
 /// pairs of stretches; within a quarter turn of the tangent the curvature alone decides, so an
 /// undercut or too narrow a hollow is not looked for here. Nothing: it does not; the deepest overlap
 /// otherwise, its depth to 1e-3 of the radius. A clearance below 1e-5 of the radius counts as none.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
-/// What the disc must keep; left out, it is not limited. A profile must always have a radius > 0.
+/// Limits of the disc; an omitted value is not limited. A profile must always have a radius > 0.
 struct DiscLimits {
   std::optional<double> pressure_angle = {};  ///< rad, in (0, pi/2), of rise and return
   std::optional<double> profile_radius = {};  ///< u, least radius of curvature where convex

@@ -16,7 +16,7 @@ inline Jet chained(const Jet& f, const Jet& x) {
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
-/// Which way a master moves on the given side of an instant: the sign of its first derivative that
+/// Direction of a master on the given side of an instant: the sign of its first derivative that
 /// is not zero. So one at rest that is about to go backwards does.
 inline bool backwards(const Jet& x, Side side = Side::right) {
   const double s = side == Side::right ? 1 : -1;

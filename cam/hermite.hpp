@@ -20,7 +20,7 @@ struct HermitePoint {
 
 /// The polynomials between neighbouring points: of degree 5, or 7 where the points have a jerk. Any
 /// spline of degree 5 (7) and continuous geo_acceleration (geo_jerk) is these pieces, so nothing is
-/// approximated: what it is at its breaks says what it is.
+/// approximated: its values at its breaks define it.
 ///
 ///     auto pieces = hermite(std::vector<HermitePoint>{{0, 0}, {60, 25, 0.8}, {120, 50}});
 ///     Cam cam(pieces, 0, Outside::hold);

@@ -68,7 +68,7 @@ class Inverse {
     double s1 = 1;
     double slave0 = 0;  ///< slave position there
     double slave1 = 0;
-    bool rest0 = false;  ///< whether the slave is at rest there
+    bool rest0 = false;  ///< true if the slave is at rest there
     bool rest1 = false;
   };
   void add(const CamRun& run);
@@ -102,7 +102,7 @@ struct Inversion {
 Inversion inverted(const Cam& cam);
 
 /// The inverse between two slave positions as a curve (a Cam over the slave), for tables, checks and
-/// whatever takes one: within `tolerance` (unit of the master), with a certified error, see
+/// any function that takes one: within `tolerance` (unit of the master), with a certified error, see
 /// profiles/fitted.hpp. Throws InputError "slave" unless from < to lie within the branch, and where
 /// the slave is at rest from there to there, ends included; "tolerance" as polynomial_within does.
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);

@@ -44,9 +44,9 @@ enum class Law {
   eighth_degree,               ///< R-U: 8th degree polynomial
 };
 
-/// What a law takes at its ends (VDI 2143 letters: R rest, G velocity, U acceleration, B both).
+/// Permitted ends of a law (VDI 2143 letters: R rest, G velocity, U acceleration, B both).
 enum class Ends {
-  given,             ///< B: velocity and acceleration as the knots say
+  given,             ///< B: velocity and acceleration of the knots
   straight,          ///< G at the slope of its own chord
   standing,          ///< R, and no stroke
   moving,            ///< G or R: any velocity, acceleration 0
@@ -54,7 +54,7 @@ enum class Ends {
   rest_to_reversal,  ///< R at one end; at the other U, whose acceleration follows from the law
 };
 
-/// What can be said about a law: the words of the spec, the guide and the error messages.
+/// Description of a law: the words of the spec, the guide and the error messages.
 struct LawInfo {
   Law law = Law::line;
   const char* name = "";   ///< the word of the spec: "modified_sine"
@@ -72,7 +72,7 @@ const LawInfo& info(Law law);
 const char* name(Law law);
 std::optional<Law> law_named(std::string_view name);
 
-/// The shape of a law where it has a choice. What is left out is the law's own.
+/// The shape of a law where it has a choice. An omitted value is the default of the law.
 struct LawForm {
   /// lambda in (0, 1): the share of the segment before its inflection, where the velocity peaks.
   std::optional<double> inflection = {};
@@ -109,7 +109,7 @@ std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 /// The rise alone, from 0 to 1: segments whose lengths sum to 1.
 std::vector<Segment> normalised(Law law, const LawForm& form = {});
 
-/// Whether pieces() knows the law. The others go through points: polynomial, hermite, the splines.
+/// True if pieces() supports the law. The others go through points: polynomial, hermite, the splines.
 bool has_own_shape(Law law);
 bool is_spline(Law law);
 

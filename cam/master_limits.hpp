@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What the master may do at the same time, in magnitude: m/s^2, m/s^3; both >= 0.
+/// Limits of the master at the same time, in magnitude: m/s^2, m/s^3; both >= 0.
 struct MasterRates {
   double acceleration = 0;
   double jerk = 0;
@@ -17,11 +17,11 @@ struct MasterRates {
 /// The most that the master may do, and what stops it.
 struct MasterLimit {
   double value = std::numeric_limits<double>::infinity();  ///< m/s, or m/s^2; infinite: no limit
-  std::string quantity = {};  ///< of the slave: "velocity", "acceleration", "jerk"; "" if infinite
+  std::string quantity = {};  ///< quantity of the slave: "velocity", "acceleration", "jerk"; "" if infinite
   double where = 0;           ///< master position (m) at which the slave is at that limit
 };
 
-/// How fast the master may run, from what the slave may do over time.
+/// Greatest speed of the master, from the limits of the slave over time.
 ///
 ///     Limits slave{.velocity = 2, .acceleration = 40, .jerk = 4000};   // u/s, u/s^2, u/s^3
 ///     MasterLimit steady = greatest_master_velocity(cam, slave);

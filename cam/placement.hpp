@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// Where a cam lies between a master x and a slave y (CODESYS MC_CamIn; PMC600 manual 6.2):
+/// Placement of a cam between a master x and a slave y (CODESYS MC_CamIn; PMC600 manual 6.2):
 ///
 ///     (1)  X = master_scaling x + master_offset
 ///     (2)  y = slave_scaling CAM(X) + n advance + slave_offset,    n: whole periods before X
@@ -17,7 +17,7 @@ namespace jounce {
 /// end(), length() and jet(x, side): a Cam, or a Table over master.
 struct Placement {
   double master_scaling = 1;
-  double master_offset = 0;  ///< of the cam, after scaling
+  double master_offset = 0;  ///< master offset of the cam, after scaling
   double slave_scaling = 1;
   double slave_offset = 0;  ///< u, after scaling
   double advance = 0;       ///< u a period: what the slave gains in each
@@ -33,7 +33,7 @@ struct Spot {
   bool inside = true;  ///< within the cam, but for rounding
 };
 
-/// Where X lies on a cam from `start` on.
+/// Position X within a cam from `start` on.
 inline Spot spot(double X, double start, double length, bool periodic) {
   if (periodic) {
     const double at = wrapped(X, start, length);
@@ -62,7 +62,7 @@ Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::rig
   const double X = p.at(x[0]);
   const Side cam_side = (side == Side::left) == backwards(x, side) ? Side::right : Side::left;
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  const double rounding = 2 * eps * (std::abs(k * x[0]) + std::abs(p.master_offset));  // of (1)
+  const double rounding = 2 * eps * (std::abs(k * x[0]) + std::abs(p.master_offset));  // rounding of (1)
   const double near = std::max(1e-12 * cam.length(), rounding);
   const Spot s = p.periodic ? spot_on(cam_side, X, cam.start(), cam.end(), near)
                             : spot(X, cam.start(), cam.length(), false);

@@ -24,7 +24,7 @@ struct Polydyne {
 ///     const Polydyne made = polydyne(output, {.frequency = 12 / speed, .damping = 0.02});
 ///
 /// **Units.** mode.frequency in cycles per unit of the master: Hz over the master's speed. At other
-/// speeds the follower swings (residual_vibration() says by how much), and less if y is smoother.
+/// speeds the follower swings (see residual_vibration()), and less if y is smoother.
 ///
 /// **Exact** on every Segment (degree 11, three sines): (1) maps the set onto itself. The cam has the
 /// output's breaks and its policy outside.

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// What a polynomial is to have at one place: the value (order 0) or a derivative by master position.
+/// A condition of a polynomial at one place: the value (order 0) or a derivative by master position.
 struct Condition {
   double at = 0;  ///< distance from the segment's start, in [0, length]
   int order = 0;  ///< 0...3

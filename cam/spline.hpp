@@ -34,9 +34,9 @@ struct SplinePoint {
   double tolerance = 0;  ///< u, >= 0; for smoothing_spline() alone
 };
 
-/// What happens at the first and the last point.
+/// Conditions at the first and the last point.
 enum class SplineEnds {
-  natural,     ///< what is given there is kept, what is left out is free
+  natural,     ///< given values are kept, omitted ones are free
   periodic,    ///< all derivatives wrap from the end to the start; the slave may advance
   not_a_knot,  ///< one polynomial over the first two (quintic: three) intervals, and the last ones
 };

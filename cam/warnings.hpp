@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What is allowed but perhaps not meant, as findings of Severity::warning; none is ever broken.
+/// Permitted but possibly unintended features, as findings of Severity::warning; none is ever broken.
 ///
 ///     CamDesign made = design(spec);
 ///     Report odd = warnings(made.cam, made.origin);

@@ -8,7 +8,7 @@
 
 namespace jounce::cli {
 
-/// Adds what is to be said of a cam beside its limits: warnings, certificates, and whether the
+/// Adds the findings of a cam besides its limits: warnings, certificates, and whether the
 /// master of the spec keeps [limits.slave]. Steps up to the derivative `continuity` are left out: a
 /// check of their own finds them. Adds nothing to a motion over time.
 void add_cam_findings(Report& report, const Input& input, int continuity);

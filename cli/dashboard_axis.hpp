@@ -9,7 +9,7 @@ namespace jounce::cli {
 /// The line of an axis in the list of all.
 Row listed(const Watched& axis, const View& view, bool chosen);
 
-/// All that is said of one axis.
+/// All rows of one axis.
 std::vector<Row> details(const Watched& axis, const View& view);
 
 }  // namespace jounce::cli

@@ -11,7 +11,7 @@ namespace jounce::cli {
 /// Columns that a text takes on a terminal: characters, not bytes.
 std::size_t columns(std::string_view text);
 
-/// What came over the wire, as a terminal may be given it: no control character, not even one of two bytes.
+/// A text from the wire, made safe for a terminal: no control character, not even one of two bytes.
 std::string harmless(std::string_view text, bool ascii);
 
 /// Cut to so many columns; filled up to them.

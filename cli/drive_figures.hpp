@@ -11,7 +11,7 @@ namespace jounce::cli {
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit);
 
 /// The run in the plane of speed and torque, within what the motor has: peak torque, falling from the
-/// rated to the greatest velocity; what it bears for ever; and the point of mean speed and rms torque.
+/// rated to the greatest velocity; the continuous torque; and the point of mean speed and rms torque.
 Figure torque_speed_figure(const DriveResult& run, const Drive& drive);
 
 /// The amplitude in u that the motion leaves of a mode at its end, over the mode's frequency, undamped

@@ -8,8 +8,8 @@
 
 namespace jounce::cli {
 
-/// The samples of a drive's run as a file: CSV, or NPY (one structured array) where `path` ends in .npy. The columns are
-/// named as `jounce identify` reads them: time, command (the reference), feedback (the motor), load, velocity (of the
+/// The samples of a drive's run as a file: CSV, or NPY (one structured array) if `path` ends in .npy. The columns have
+/// the names that `jounce identify` reads: time, command (the reference), feedback (the motor), load, velocity (of the
 /// motor), following error, torque, and current where the motor has a torque constant.
 std::string signals_file(const DriveResult& run, const Input& input, const std::string& path);
 

@@ -8,7 +8,7 @@
 
 namespace jounce::cli {
 
-/// What a drive did, as the lines of `validate` and as its JSON; u: the unit of the position.
+/// Result of a drive, as the lines of `validate` and as its JSON; u: the unit of the position.
 std::string drive_text(const DriveResult& result, const DriveSpec& spec, const std::string& u);
 nlohmann::ordered_json drive_json(const DriveResult& result, const DriveSpec& spec);
 

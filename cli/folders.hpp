@@ -11,8 +11,8 @@ struct AskedOutput {
   const std::string& path;
 };
 
-/// Throws InputError where the folder of an output is missing, or the output is itself a folder: told
-/// before the long work whose result it is to hold, not after.
+/// Throws InputError if the folder of an output is missing, or the output is itself a folder. Call it
+/// before the long work whose result the file will hold.
 void require_folders(std::initializer_list<AskedOutput> outputs);
 
 }  // namespace jounce::cli

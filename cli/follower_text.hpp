@@ -8,7 +8,7 @@
 
 namespace jounce::cli {
 
-/// What a cam follower does, as lines of `validate`; `unit` of the lift.
+/// Result of a cam follower, as lines of `validate`; `unit` of the lift.
 std::string follower_text(const FollowerResult& run, const std::string& unit);
 nlohmann::ordered_json follower_json(const FollowerResult& run);
 

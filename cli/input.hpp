@@ -7,7 +7,7 @@
 
 namespace jounce::cli {
 
-/// Reads a spec, a table file or another maker's (see exchange.hpp), told apart by the content; "-"
+/// Reads a spec, a table file or another maker's (see exchange.hpp), recognized by the content; "-"
 /// is standard input. One input for each axis; only the one named if `axis` is not empty.
 std::vector<Input> load_axes(const std::string& path, const std::string& axis = "",
                              bool decimal_comma = false);
@@ -16,7 +16,7 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis = 
 /// named.
 Input load(const std::string& path, const std::string& axis = "", bool decimal_comma = false);
 
-/// What is compared with an input: the only axis of the file, or that of the same name.
+/// The counterpart of an input: the only axis of the file, or that of the same name.
 Input load_beside(const std::string& path, const Input& input);
 
 }  // namespace jounce::cli

@@ -8,11 +8,11 @@
 
 namespace jounce::cli {
 
-/// What a verb says of each axis, by its name.
+/// Results of a verb for each axis, by its name.
 using AxisDocuments = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
 
 /// One axis: its document as it is. Several: {"ok": ..., "axes": {"x": ..., "y": ...}}, where `ok`,
-/// if they have one, says whether all are.
+/// if they have one, is true if all are.
 nlohmann::ordered_json document_of(AxisDocuments axes);
 
 }  // namespace jounce::cli

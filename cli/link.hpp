@@ -13,7 +13,7 @@
 
 namespace jounce::cli {
 
-/// Where executors and streamers meet.
+/// Bus address of executors and streamers.
 struct LinkOptions {
   std::string url = "udpm://239.255.76.67:7667";
   std::string key;         ///< file; empty: none
@@ -21,17 +21,17 @@ struct LinkOptions {
   std::uint64_t seed = 1;
 };
 
-/// What to look at where nothing is heard of an executor.
+/// Hint for a missing answer of an executor.
 inline constexpr const char* unheard_hint =
     "is it running, on the same --url, with the same --key?";
 
 /// Throws InputError, of this argument, where no executor, axis or master can be called so.
 void require_name_on_bus(const std::string& argument, const std::string& name);
 
-/// What went wrong, in words, and the hint where there was no answer.
+/// The error as text, with the hint if there was no answer.
 std::string said_of(StreamError error, const std::string& reason);
 
-/// Seconds as the stream counts time; more than thirty years is as good as for ever.
+/// Seconds as the stream counts time; more than thirty years counts as unlimited.
 Nanos nanos(double seconds);
 
 /// Adds --url and --key, and the hidden --inject-loss and --seed.

@@ -9,7 +9,7 @@
 
 namespace jounce::cli {
 
-/// What `jounce run` is told besides the specs.
+/// Options of `jounce run` besides the specs.
 struct MachineOptions {
   std::vector<std::string> files;  ///< specs of kind "axis", or one of kind "machine"
   std::string log;                 ///< empty: none
@@ -25,10 +25,10 @@ std::string log_of(const std::string& log, const std::string& axis, std::size_t 
 struct MachineParts {
   std::vector<ExecutorOptions> axes = {};  ///< masters that play a table are the last of them
   std::vector<MachineMaster> masters = {};
-  std::optional<double> watchdog = {};  ///< s, as RunOptions::watchdog, if the spec says
+  std::optional<double> watchdog = {};  ///< s, as RunOptions::watchdog, if the spec has one
 };
 
-/// As their specs say. Throws InputError, with file, line and key where there is one: a file of another
+/// Builds the axes of the specs. Throws InputError, with file, line and key where there is one: a file of another
 /// kind, a bad configuration, whom to follow that is not there, other units.
 MachineParts parts_of(const MachineOptions& options);
 

@@ -4,7 +4,7 @@
 
 namespace jounce::cli {
 
-/// Whether anybody on a network can command what meets there: the address leaves this machine, and there
+/// True if every machine of a network can command the axes of this address: the address leaves this machine, and there
 /// is no key.
 bool is_open(const LinkOptions& options);
 

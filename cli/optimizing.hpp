@@ -8,7 +8,7 @@
 
 #include "jounce/io/spec.hpp"
 
-/// What `jounce optimize` may be asked, each kind of freedom in a file of its own.
+/// Options of `jounce optimize`, each kind of freedom in its own file.
 namespace jounce::cli {
 
 struct OptimizeOptions {
@@ -21,7 +21,7 @@ struct OptimizeOptions {
   std::optional<double> seconds = {};  ///< over the spec's own time budget
 };
 
-/// Free knots, free shapes and [[optimize.parameter]]: solved, told, and written if they keep the
+/// Free knots, free shapes and [[optimize.parameter]]: solved, printed, and written if they keep the
 /// limits. Answer the exit status.
 int optimize_knots(const OptimizeOptions& options, const Spec& spec);
 int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
@@ -29,7 +29,7 @@ int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
 int optimize_against(const OptimizeOptions& options, const Spec& spec);
 int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
 
-/// Where the outcome is told: a spec, table or picture on standard output has it for itself.
+/// Stream for the outcome: a spec, table or picture on standard output has that stream for itself.
 std::FILE* told_on(const OptimizeOptions& options);
 
 /// Ends an optimisation. `optimised` is the text of the optimised spec, if it keeps the limits.

@@ -20,7 +20,7 @@ inline constexpr int page_socket = 3;
 /// The process that runs the axes opens the port, so that one that is taken is reported at the start, and keeps
 /// it and the token, so that a page that is started again has the same address; it never accepts a
 /// connection. A page that ends is started again after a second, but no more than 5 times in a minute.
-/// It is killed with this process, whatever ends it. Nothing here waits for the page.
+/// It is killed with this process, for any cause of its end. Nothing here waits for the page.
 class PageProcess {
  public:
   /// Throws InputError for a port that is taken, std::system_error where no process can be started.

@@ -8,7 +8,7 @@
 
 namespace jounce::cli {
 
-/// What an optimum costs: the peak of each derivative of each axis, given and optimised, with its change
+/// Cost of an optimum: the peak of each derivative of each axis, given and optimised, with its change
 /// and its limit. Without it, a lower peak acceleration hides a jerk that nothing limits.
 void print_peaks(std::FILE* out, const Spec& given, const Spec& optimised);
 

@@ -14,7 +14,7 @@ namespace jounce::cli {
 /// paler one of `before` if there is one. Throws InputError if the two run over different axes.
 Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
 
-/// All axes in one figure, told apart by colour; limits are drawn where all have the same. Throws
+/// All axes in one figure, distinguished by colour; limits are drawn where all have the same. Throws
 /// InputError if they differ in their units.
 Figure figure_of(const std::vector<Input>& axes);
 

@@ -5,7 +5,7 @@
 
 namespace jounce::cli {
 
-/// A line on standard error that says how far long work has come: only on a terminal, only after a
+/// A line on standard error with the progress of long work: only on a terminal, only after a
 /// second, at most ten times a second, gone at the end.
 class Progress {
  public:

@@ -15,13 +15,13 @@ namespace jounce::cli {
 
 /// Everything that `validate` can prove of an input, and `report` can show.
 struct Proof {
-  Witness curve;                                   ///< of the exact curve
-  Witness table;                                   ///< of the table as the executor interpolates it
-  std::optional<DriveResult> drive;                ///< where the spec has a [drive]
-  std::optional<Played> played;                    ///< where a tick log was given
+  Witness curve;                                   ///< curve of the exact curve
+  Witness table;                                   ///< table of the table as the executor interpolates it
+  std::optional<DriveResult> drive;                ///< if the spec has a [drive]
+  std::optional<Played> played;                    ///< if a tick log was given
   Report report;                                   ///< all findings
-  std::optional<ToleranceResult> tolerances = {};  ///< where the spec has [drive.tolerances]
-  std::optional<FollowerResult> follower = {};     ///< where the spec has a [follower]
+  std::optional<ToleranceResult> tolerances = {};  ///< if the spec has [drive.tolerances]
+  std::optional<FollowerResult> follower = {};     ///< if the spec has a [follower]
 };
 
 /// Integrates, drives, and compares with the executor's log if `log` is not empty.

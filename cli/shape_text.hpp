@@ -6,7 +6,7 @@
 
 #include "shape_words.hpp"
 
-/// What became of free shapes, for people and for machines.
+/// Result of free shapes, as text and as JSON.
 namespace jounce::cli {
 
 void print_text(std::FILE* out, const CamShapeOutcome& outcome, const ShapeWords& words);

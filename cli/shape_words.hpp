@@ -13,7 +13,7 @@
 /// The outcome of free shapes in the words and units of its spec.
 namespace jounce::cli {
 
-/// What the numbers of an outcome are called.
+/// Names of the numbers of an outcome.
 class ShapeWords {
  public:
   explicit ShapeWords(const Spec& spec)
@@ -42,7 +42,7 @@ class ShapeWords {
     return list;
   }
 
-  /// A run may go beyond the seam: its places are told as the cam has them.
+  /// A run may go beyond the seam: its places are those of the cam.
   [[nodiscard]] double place(double where) const {
     const double start = cam_.start.master;
     const double end = cam_.segments.back().end.master;
@@ -85,7 +85,7 @@ struct Told {
 /// A figure that is alone has the bound of its splines where no better one is known.
 std::vector<Told> told(const CamRunOutcome& run, const ShapeWords& words);
 
-/// The limit that would stop a run next: the least room of those that are not met already; nullptr: none.
+/// The limit that would stop a run next: the least margin of those not reached already; nullptr: none.
 const Finding* next_limit(const CamRunOutcome& run);
 
 }  // namespace jounce::cli

@@ -12,9 +12,9 @@ namespace jounce::cli {
 /// `loops` times.
 struct BankOptions {
   std::string first, second;  ///< specs or tables
-  std::string axis;           ///< of a spec of several axes; may be empty
+  std::string axis;           ///< axis of a spec of several axes; may be empty
   std::string to;             ///< name of the executor
-  std::int32_t loops = 1;     ///< of the second
+  std::int32_t loops = 1;     ///< loops of the second
   bool relative = false;      ///< from where the axis stands
   LinkOptions link;
   bool json = false;

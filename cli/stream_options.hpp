@@ -11,7 +11,7 @@
 
 namespace jounce::cli {
 
-/// What is said to `jounce stream`.
+/// Options of `jounce stream`.
 struct StreamVerb {
   std::string file;
   std::string axis;
@@ -36,16 +36,16 @@ struct StreamVerb {
   bool json = false;
 };
 
-/// What this input becomes at this executor. Throws InputError for options that do not fit it.
+/// The stream plan of this input for this executor. Throws InputError for options that do not fit it.
 StreamPlan plan_of(const StreamVerb& options, const std::string& executor, Input input);
 
-/// --at: a tick, or so long from now as the executor's status says; -1: the next one.
+/// --at: a tick, or so long from now by the status of the executor; -1: the next one.
 std::int64_t tick_of(const StreamVerb& options, Link& link, const std::string& executor);
 
 /// Patience, the key, and a Ctrl-C that stops what was armed.
 StreamOptions stream_options(const StreamVerb& options, const Link& link);
 
-/// Whether it is a follow spec for a live master. One that waits for a place of its master is for
+/// True if it is a follow spec for a live master. One that waits for a place of its master is for
 /// nothing else: InputError.
 bool is_live_follow(const Input& input, const StreamVerb& options);
 

@@ -10,7 +10,7 @@ namespace jounce::cli {
 /// `jounce stream FILE --rolling`: a table that is sent while it plays.
 struct RollingOptions {
   std::string file;
-  std::string axis;         ///< of a file of several; empty: its only one
+  std::string axis;         ///< axis of a file of several; empty: its only one
   std::string to;           ///< executor
   std::uint32_t ahead = 0;  ///< rows to begin with
   bool resume = false;      ///< after the axis had to stop for want of rows

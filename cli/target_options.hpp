@@ -31,7 +31,7 @@ std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options)
 /// The rule that a controller's table has; nothing where none is named.
 std::optional<Rule> rule_of(const TargetOptions& options);
 
-/// What the options ask for, in these units. Throws InputError that names the option.
+/// Target of the options, in these units. Throws InputError that names the option.
 Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units& units);
 
 /// The table of fewest knots. Throws InputError that names the option.

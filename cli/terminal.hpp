@@ -10,13 +10,13 @@
 
 namespace jounce::cli {
 
-/// Whether there is a terminal to draw on and keys to read.
+/// True if there is a terminal to draw on and keys to read.
 bool is_screen();
 
-/// Whether the locale draws more than ASCII.
+/// True if the locale draws more than ASCII.
 bool is_utf8();
 
-/// Rows as a terminal is told them: from its upper left corner on, everything else cleared.
+/// Rows as bytes for a terminal: from its upper left corner on, everything else cleared.
 std::string drawn(const std::vector<Row>& rows);
 
 /// The whole screen while it lives, keys one by one; then all is as before. Signals that would end the

@@ -28,10 +28,10 @@ enum Exit : int {
   fine = 0,
   finding = 1,    ///< a limit is broken, a validation failed, the problem is infeasible
   bad_input = 2,  ///< or bad usage
-  fault = 3,      ///< of the machine or of Jounce itself
+  fault = 3,      ///< fault of the machine or of Jounce itself
 };
 
-/// What a verb does once the command line is understood; answers the exit status.
+/// Action of a verb after parsing the command line; returns the exit status.
 using Work = std::function<int()>;
 
 /// The rule that a value breaks; empty where it breaks none.
@@ -48,7 +48,7 @@ Check seconds();
 /// The whole text as a number, as options take theirs; nothing where it is none.
 std::optional<double> number_in(const std::string& text);
 
-/// An option of a verb, and what else is to be said of it. Each call answers the same option.
+/// An option of a verb, for further settings. Each call returns the same option.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -57,8 +57,8 @@ class Option {
   const Option& check(Check check) const;
   const Option& shown() const;      ///< --help names the value that it has where it is not given
   const Option& hidden() const;     ///< not in --help
-  const Option& one_each() const;   ///< of a list: one value each time it is given
-  const Option& separated() const;  ///< of a list: values between commas
+  const Option& one_each() const;   ///< option of a list: one value each time it is given
+  const Option& separated() const;  ///< option of a list: values between commas
   const Option& needs(const Option& other) const;
   const Option& excludes(const std::vector<Option>& others) const;
 
@@ -66,7 +66,7 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A verb, while its options and what it does are told.
+/// A verb, while its options and its action are defined.
 class Verb {
  public:
   explicit Verb(CLI::App& verb, Work& chosen) : verb_(&verb), chosen_(&chosen) {}
@@ -86,7 +86,7 @@ class Verb {
   Work* chosen_;
 };
 
-/// All that can be said to the program.
+/// The command line of the program.
 class CommandLine {
  public:
   CommandLine();
@@ -95,7 +95,7 @@ class CommandLine {
   /// A new verb, with the examples that close its --help, a line each.
   Verb verb(const std::string& name, const std::string& description, const std::string& examples);
 
-  /// Does what is said, and answers the exit status. Help and complaints are printed.
+  /// Executes the command and returns the exit status. Prints help and errors.
   int run(int argc, char** argv);
 
  private:

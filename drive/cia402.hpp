@@ -6,7 +6,7 @@
 namespace jounce {
 
 /// CiA 402 (IEC 61800-7-201 and -301), cyclic synchronous position, as functions of process data: what
-/// an adapter to a bus needs between an axis and its drive. Nothing here knows a bus.
+/// an adapter to a bus needs between an axis and its drive. It is independent of the bus.
 ///
 ///     const Cia402Status s = status_of(inputs.statusword);
 ///     outputs.controlword = controlword(s.state, {.operate = true});     // one step nearer
@@ -28,7 +28,7 @@ inline constexpr int cia402_states = 8;
 /// "operation enabled", ...
 const char* name(Cia402State state);
 
-/// What the statusword, 0x6041, says.
+/// The state in the statusword, 0x6041.
 struct Cia402Status {
   Cia402State state = Cia402State::not_ready_to_switch_on;
   bool internal_limit = false;   ///< bit 11: a limit inside the drive acts
@@ -38,14 +38,14 @@ struct Cia402Status {
 
 /// Nothing for bits that belong to no state.
 std::optional<Cia402Status> status_of(std::uint16_t statusword);
-/// The word that says it, as a drive with voltage and a remote control sets it.
+/// The statusword of this state, as a drive with voltage and a remote control sets it.
 std::uint16_t statusword(const Cia402Status& status);
 
-/// What the other side of the drive wants.
+/// The request of the other side of the drive.
 struct Cia402Wish {
   bool operate = false;    ///< operation enabled; otherwise: stopped, without voltage
   bool hold_back = false;  ///< not beyond switched on as yet
-  bool reset = false;      ///< of a fault: its bit rises where it did not stand before
+  bool reset = false;      ///< fault reset: its bit rises
   bool standing = false;   ///< it has stopped: quick stop may end
 };
 
@@ -53,7 +53,7 @@ struct Cia402Wish {
 /// an operating drive is stopped by its quick stop (transition 11) and loses its voltage when it stands.
 std::uint16_t controlword(Cia402State state, const Cia402Wish& wish);
 
-/// What happens inside a drive.
+/// Events inside a drive.
 struct Cia402Events {
   bool initialised = false;    ///< self-test passed (transition 1)
   bool fault = false;          ///< (13)
@@ -81,7 +81,7 @@ class Increments {
     return increments * position_per_rev_ / per_rev_;
   }
 
-  /// What goes into 0x607A: the low 32 bits.
+  /// The value of 0x607A: the low 32 bits.
   static std::int32_t wrapped(std::int64_t increments) noexcept {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(increments));
   }

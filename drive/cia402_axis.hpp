@@ -41,8 +41,8 @@ struct Cia402Config {
 ///
 /// The drive is led up and down through its states one transition a cycle (controlword()). Until it is
 /// in operation its target is where it is, so that nothing jumps when it gets there, and it is held
-/// back at switched on while the setpoint is beyond the window. A setpoint that is no number, or beyond
-/// what increments can say, leaves the target where it was.
+/// back at switched on while the setpoint is beyond the window. A setpoint that is NaN, or beyond
+/// the range of increments, leaves the target unchanged.
 ///
 /// ready: operation enabled, in mode 8, target obeyed (bit 12). fault: fault, or its reaction. A reset
 /// holds bit 7 until the drive has left its fault, for `reset_cycles` at most.

@@ -7,10 +7,10 @@
 
 namespace jounce {
 
-/// What an axis asks of its drive in one cycle.
+/// The request of an axis to its drive in one cycle.
 struct DriveSetpoint {
   std::int64_t tick = 0;
-  double time = 0;          ///< of the tick, s
+  double time = 0;          ///< time of the tick, s
   double position = 0;      ///< commanded, u, as the drive counts
   double velocity = 0;      ///< u/s: for a feed-forward
   double acceleration = 0;  ///< u/s^2: for a feed-forward
@@ -18,23 +18,23 @@ struct DriveSetpoint {
   bool reset = false;       ///< its fault is to be cleared; one tick long
 };
 
-/// What a tick asks of the drive, `command` being the one that it obeyed. A new name of the axis's
+/// The request of a tick to the drive; `command` is the accepted command. A new name of the axis's
 /// position (set position, home) is none of the drive's business: Tick::offset is taken off.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
-/// What stands behind an axis: a servo drive on a bus, a simulated one, or none. In each cycle the
-/// machine asks it first, then steps the axis, then tells it:
+/// The drive of an axis: a servo drive on a bus, a simulated one, or none. In each cycle the
+/// machine reads it first, then steps the axis, then writes it:
 ///
 ///     inputs.feedback = drive.feedback();
 ///     const Tick tick = axis.step(k, command, inputs);
 ///     drive.command(drive_setpoint(tick, command));
 ///
-/// So what feedback() says in cycle k + 1 is the answer to the setpoint of cycle k: a drive without
+/// So feedback() in cycle k + 1 is the answer to the setpoint of cycle k: a drive without
 /// any error has its actual position there. Units are those of the axis, positions those of the drive:
 /// Tick::offset less than the axis's.
 ///
 /// Both are called by the cyclic thread: they neither allocate nor free, lock, log, throw nor wait.
-/// What talks to a bus does so in memory here and on the wire elsewhere. docs/executor/drives.md.
+/// A bus driver uses memory here and the wire elsewhere. docs/executor/drives.md.
 class AxisDrive {
  public:
   AxisDrive() = default;
@@ -47,7 +47,7 @@ class AxisDrive {
 };
 
 /// No drive: the setpoint is reached exactly, by the next cycle. Always ready, never in a fault; it
-/// does not tell a torque.
+/// reports no torque.
 class NullDrive final : public AxisDrive {
  public:
   /// It stands at `position`, u.

@@ -8,14 +8,14 @@
 
 namespace jounce {
 
-/// What a simulated encoder does to a position.
+/// Errors of a simulated encoder.
 struct EncoderErrors {
   double resolution = 0;   ///< u of a count, to which it rounds down; 0: none
   double noise = 0;        ///< u rms, white and normal, before it counts; 0: none
-  std::uint64_t seed = 1;  ///< of the noise
+  std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// A position as an encoder says it: noise, then counts. The same everywhere for a seed.
+/// A position as an encoder reports it: noise, then counts. The same everywhere for a seed.
 ///
 ///     EncoderReading line({.resolution = 0.05, .noise = 0.01});
 ///     const double measured = line(actual);                     // each cycle
@@ -44,7 +44,7 @@ class ObservedDrive final : public AxisDrive {
   void command(const DriveSetpoint& setpoint) noexcept override { drive_->command(setpoint); }
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// u, as the drive counts; NaN: it does not tell, or has failed.
+  /// u, as the drive counts; NaN: not available, or failed.
   [[nodiscard]] double position() const noexcept { return position_; }
 
  private:
@@ -52,7 +52,7 @@ class ObservedDrive final : public AxisDrive {
   double position_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Where a drive says that it is; NaN: it does not tell, or has failed, and what it says is old.
+/// Actual position of a drive; NaN: not available, or failed with an old value.
 double told_position(const Feedback& feedback);
 
 }  // namespace jounce

@@ -24,7 +24,7 @@ class RecordingDrive final : public AxisDrive {
   [[nodiscard]] Feedback feedback() noexcept override { return behind_.feedback(); }
 
   [[nodiscard]] std::size_t size() const { return count_ < kept_.size() ? count_ : kept_.size(); }
-  [[nodiscard]] std::size_t count() const { return count_; }  ///< of all that it was given
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< count of all that it was given
   /// 0 <= i < size(), the oldest first.
   [[nodiscard]] const DriveSetpoint& operator[](std::size_t i) const {
     return kept_[(count_ - size() + i) % kept_.size()];

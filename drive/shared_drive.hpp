@@ -9,14 +9,14 @@
 
 namespace jounce {
 
-/// What lies in the shared memory `/dev/shm/NAME` between an executor and a process that plays, or
+/// Content of the shared memory `/dev/shm/NAME` between an executor and a process that plays, or
 /// talks to, a drive. Each side writes its own half whole, with a count of its cycles.
 struct SharedProcessData {
   static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
 
   template <class T>
   struct Counted {
-    std::uint64_t cycle = 0;  ///< of the side that writes; 0: it has not written yet
+    std::uint64_t cycle = 0;  ///< cycle of the side that writes; 0: it has not written yet
     T data{};
   };
 

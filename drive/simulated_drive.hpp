@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// A servo axis of the validate room behind an axis of the executor: actual position, velocity and torque
+/// A servo axis of the validate module as the drive of an axis: actual position, velocity and torque
 /// as the model has them, its following error and its torque limit included.
 ///
 ///     SimulatedDrive drive(servo_400w(), 0.001, config.position);
@@ -13,7 +13,7 @@ namespace jounce {
 ///     drive.feedback().torque;                         // share of the rated one
 ///
 /// It follows from the cycle on in which it is enabled. Where it is not, a brake holds it at once where it
-/// is: then it is not ready, and has no torque. The torque is told as a share of the motor's rated one, or
+/// is: then it is not ready, and has no torque. The torque is relative to the rated torque of the motor, or
 /// of its limit where the model has no rated torque. It never has a fault of its own: what is too far
 /// behind is the axis's to judge.
 ///
@@ -26,7 +26,7 @@ class SimulatedDrive final : public AxisDrive {
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// All that the model says, for a picture; it counts the time since it was enabled.
+  /// All signals of the model, for a picture; its time counts from the enable.
   [[nodiscard]] const DriveSample& now() const noexcept { return stepper_.now(); }
 
  private:

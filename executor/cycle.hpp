@@ -17,7 +17,7 @@
 
 namespace jounce {
 
-/// What the cycle is paced by; a test brings its own. Nanoseconds since any fixed instant.
+/// The clock of the cycle; a test provides its own. Nanoseconds since any fixed instant.
 class Pacer {
  public:
   virtual ~Pacer() = default;
@@ -38,15 +38,15 @@ class MonotonicPacer final : public Pacer {
   void sleep_until(std::int64_t instant) override;
 };
 
-/// What the axis answered to a command, or handed back, in one tick.
+/// The answer of the axis to a command, and returned movements, in one tick.
 struct Answer {
-  std::uint64_t id = 0;  ///< of the command; 0: there was none
+  std::uint64_t id = 0;  ///< id of the command; 0: there was none
   std::optional<Refusal> refused{};
   decltype(Tick::handed_back) handed_back{};
 };
 
 /// All that passes between one axis in the cyclic thread and the one that communicates. Ticks may be
-/// lost where nobody takes them for two thousand cycles. Answers may not: at most `most_commands`
+/// lost if no thread reads them for two thousand cycles. Answers may not: at most `most_commands`
 /// with a number may be unanswered.
 struct Mail {
   static constexpr std::size_t most_commands = 8;
@@ -55,17 +55,17 @@ struct Mail {
   Ring<Answer, 4 * most_commands> answers;
   Ring<Tick, most_ticks> ticks;
   std::atomic<std::int64_t> lost{0};   ///< ticks that found the ring full
-  std::atomic<std::uint64_t> rows{0};  ///< what was handed over to its queues, by its number
+  std::atomic<std::uint64_t> rows{0};  ///< number of the last row for its queues
 };
 
-/// What the two threads let each other know of themselves.
+/// Status exchange of the two threads.
 struct Vitals {
   static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
   std::atomic<std::int64_t> start{
       not_started};                     ///< ns, by the pacer's clock: the instant of tick 0
   std::atomic<std::uint64_t> alive{0};  ///< counted up by who communicates, as a sign of life
   std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
-  Histogram lateness;                   ///< of waking up: from the instant of the tick
+  Histogram lateness;                   ///< lateness of waking up: from the instant of the tick
   Histogram computing;                  ///< from waking up until the setpoints are given out
 };
 
@@ -83,7 +83,7 @@ struct Post {
   Vitals vitals;
 };
 
-/// How well the cycle kept time.
+/// Timing statistics of the cycle.
 struct CycleCounts {
   std::int64_t ticks = 0;        ///< steps made
   std::int64_t late = 0;         ///< that began a period or more after their instant
@@ -95,16 +95,16 @@ struct CycleCounts {
 
 class Tape;
 
-/// What a cycle runs with besides the machine; all of it must outlive the cycle.
+/// Parts of a cycle besides the machine; all of them must outlive the cycle.
 struct CycleOptions {
   std::vector<AxisDrive*> drives = {};  ///< one an axis, or null; empty: no axis has one
-  std::vector<Master*> masters = {};    ///< as many as the machine has
+  std::vector<Master*> masters = {};    ///< all masters of the machine
   std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
-  Tape* tape = nullptr;                 ///< of what is recorded; null: nothing is
+  Tape* tape = nullptr;                 ///< tape of what is recorded; null: nothing is
 };
 
-/// The real-time loop: waits for the next instant, reads what the axes are told and what their
-/// drives say, asks the masters where they are at that instant (in s since tick 0), steps the machine once, gives the setpoints to the drives, and posts what was said.
+/// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters at
+/// that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and posts the outputs.
 ///
 ///     Post post(machine.size());
 ///     Cycle cycle(machine, pacer, post);
@@ -115,7 +115,7 @@ struct CycleOptions {
 /// Each axis obeys one command a tick.
 ///
 /// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, each axis is
-/// told so (Inputs::watchdog): nobody could stop it any more. Cycles are counted, not time: a machine
+/// notified (Inputs::watchdog), because no client could stop it any more. Cycles are counted, not time: a machine
 /// that stood still as a whole has not fallen silent.
 ///
 /// once() neither allocates, locks, logs nor waits for another thread.
@@ -140,7 +140,7 @@ class Cycle {
   CycleOptions options_;
   std::vector<AxisImage> images_;
   std::vector<MasterSight> sights_;
-  std::vector<Jet> masters_;      // of the sights
+  std::vector<Jet> masters_;      // masters of the sights
   std::uint64_t alive_ = 0;       // the last sign of life that was seen
   std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;

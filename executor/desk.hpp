@@ -23,32 +23,32 @@ namespace jounce {
 
 class Recorder;
 
-/// What one axis of an executor is started with.
+/// Options of one axis of an executor.
 struct ExecutorOptions {
   AxisConfig axis;
   AxisSwitches switches = {};
   AxisCompare compare = {};
   Follow follow = {};                     ///< its live master
   std::shared_ptr<AxisDrive> drive = {};  ///< behind its setpoints; none: they are the end of it
-  Units units{};               ///< of the axis: a table in another one is refused; empty: any
-  ReceiverOptions receiver{};  ///< with the axis's name
+  Units units{};               ///< units of the axis: a table in another one is refused; empty: any
+  ReceiverOptions receiver{};  ///< includes the name of the axis
   bool enable = true;          ///< at the start; otherwise it waits for an order
   std::optional<StoredTable> table = {};  ///< over time, what the order `start` plays
-  bool adopt_start = false;      ///< a table that is armed at standstill says where the axis stands
+  bool adopt_start = false;      ///< at standstill, the start of an armed table defines the position of the axis
   bool stop_when_silent = true;  ///< a motion whose owner falls silent is stopped
   /// Tables of more knots become jobs in a thread of their own: a stop does not wait for them.
   std::size_t build_apart = std::size_t{1} << 62U;
   Nanos status_period = std::chrono::milliseconds(50);
   std::optional<std::filesystem::path> log{};               ///< CSV of all ticks
-  std::function<void(const std::string& notice)> notify{};  ///< what happens, in words
-  Recorder* recorder = nullptr;  ///< of the whole machine; null: nothing is recorded
+  std::function<void(const std::string& notice)> notify{};  ///< events as text
+  Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: nothing is recorded
 };
 
-/// Where the requests to one axis come in from the stream and its answers go back: it keeps the jobs
-/// that the axis plays, writes its log, and says what it does now. A log that cannot go on ends, and the motion does not.
+/// Connects one axis with the stream: takes its requests, returns its answers, keeps its jobs,
+/// writes its log and reports its status. If the log fails, it ends, and the motion continues.
 ///
-/// A latched fault is reset by the arm of another session than the one in which it came: whoever
-/// owned the axis then cannot go on as if nothing had happened.
+/// The arm of a later session resets a latched fault: the
+/// owner at the time of the fault cannot simply continue.
 class Desk {
  public:
   /// All but the options must outlive it. Throws InputError, std::system_error for the log.
@@ -74,7 +74,7 @@ class Desk {
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   [[nodiscard]] wire::Status status() const;
-  /// What the outputs did since it was asked last.
+  /// Changes of the outputs since the last call.
   [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
  private:
@@ -86,7 +86,7 @@ class Desk {
   struct Building {
     ArmRequested arm;
     std::future<MadeMovement> made;
-    bool void_ = false;  // a stop came, or the session's end: nobody wants it any more
+    bool void_ = false;  // cancelled by a stop, or by the end of the session
   };
 
   /// The last start of a stream, and what became of it.
@@ -151,7 +151,7 @@ class Desk {
   std::int64_t event_count_ = 0;
   std::optional<Building> building_;      // one at a time
   std::optional<ArmRequested> next_arm_;  // came while another was built; the newest
-  std::uint64_t numbers_ = 0;             // of movements
+  std::uint64_t numbers_ = 0;             // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;

@@ -14,7 +14,7 @@
 
 namespace jounce {
 
-/// What the communication thread does: it takes requests from one link to all axes of a machine and
+/// The work of the communication thread: it takes requests from one link to all axes of a machine and
 /// answers back, each axis under its own name and in its own sessions, at a Desk each.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, post);
@@ -62,7 +62,7 @@ class Dispatcher {
   std::deque<Desk> desks_;
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // when each axis's status was
-  std::vector<std::pair<std::size_t, wire::Event>> again_;  // to be said once more, by axis
+  std::vector<std::pair<std::size_t, wire::Event>> again_;  // to be sent again, by axis
   Worker worker_;  // last: what it builds is waited for before the rest goes
 };
 

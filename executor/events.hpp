@@ -9,13 +9,13 @@
 
 namespace jounce {
 
-/// What the outputs of an axis stand on.
+/// State of the outputs of an axis.
 struct OutputsOf {
   SwitchesOf switches = SwitchesOf::position;
   SwitchesOf compare = SwitchesOf::position;
 };
 
-/// What the outputs of an axis did between two of its ticks, cam switches and position compare, as
+/// Output changes of an axis between two of its ticks, cam switches and position compare, as
 /// messages: each with the instant at which it happened, s before the later tick, and where the axis
 /// (or its master, or its drive) was then. Ascending in time; `count`ed on from `last_count`.
 ///

@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// What a movement was made from, for the record.
+/// Parts of a movement, for the record.
 struct MadeFrom {
   RecordedJob job;
   StoredTable time;

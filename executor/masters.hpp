@@ -17,13 +17,13 @@ namespace jounce {
 
 /// A master of a machine, as its executor is given it. Follow::index counts these.
 struct MachineMaster {
-  std::string name;  ///< an ExternalMaster hears what is said on the channel of this name
+  std::string name;  ///< an ExternalMaster receives the channel of this name
   std::string unit;  ///< in which it counts
   std::shared_ptr<Master> source;
 };
 
-/// What the communication thread does for the masters: takes in what the link says of external ones, and
-/// says what the cycle sees of each.
+/// The work of the communication thread for the masters: receives samples of external ones, and
+/// reports the state of each in the cycle.
 ///
 ///     MasterDesk masters({{"line", "mm", line}}, {0}, pump, post, clock);
 ///     pump.run(2ms);                   // hands over to the cycle what came
@@ -33,34 +33,34 @@ class MasterDesk {
  public:
   struct Options {
     std::vector<MachineMaster> masters = {};
-    std::vector<Follow> follows = {};  ///< of the axes: whose statuses say what of each master
+    std::vector<Follow> follows = {};  ///< masters of the axes, whose statuses report them
     bool keyed = false;                ///< see MasterIntake
     std::function<void(const std::string& notice)> notify{};
   };
   /// Subscribes. `pump` and `post` must outlive it, and `clock` be the one of the cycle's pacer.
   MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock);
-  MasterDesk(const MasterDesk&) = delete;  // the pump knows where it is
+  MasterDesk(const MasterDesk&) = delete;  // the pump keeps its address
   MasterDesk& operator=(const MasterDesk&) = delete;
 
   void turn();
-  /// The masters that this axis follows; by the first axis also those that nobody follows.
+  /// The masters that this axis follows; for the first axis also those without a follower.
   void publish(std::size_t axis);
 
   [[nodiscard]] std::size_t size() const { return desks_.size(); }
-  /// As the cycle saw it last.
+  /// State in the last cycle.
   [[nodiscard]] const MasterSight& last(std::size_t master) const { return desks_[master].last; }
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 
  private:
   struct One {
     MachineMaster master;
-    std::optional<MasterIntake> intake = {};  // of an external one
+    std::optional<MasterIntake> intake = {};  // intake of an external one
     MasterSight last = {};
     bool was_there = false;
     bool told_unit = false;
-    std::optional<std::int32_t> epoch = {};  // the newest that was heard
+    std::optional<std::int32_t> epoch = {};  // the newest received
     std::optional<std::int32_t> told_epoch =
-        {};                          // the one when somebody was told that theirs is over
+        {};                          // the epoch of the last notice about an older one
     std::vector<bool> said_by = {};  // axes
   };
 

@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// What an order of the wire is to the axis: the same with its values named. Nothing where it needs a
+/// Command of the axis for an order of the wire: the same with named values. Nothing if it needs a
 /// movement (gears) or is about a queue.
 std::optional<Command> command_of(const OrderRequested& order);
 

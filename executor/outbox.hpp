@@ -14,13 +14,13 @@ namespace jounce {
 /// The commands on their way to one axis, which takes one a tick, and who waits for its answers.
 class Outbox {
  public:
-  /// Who asked for a command.
+  /// Sender of a command.
   struct Request {
     std::int64_t session = 0;
     std::int32_t command = 0;
     Command::Kind kind = Command::Kind::none;
   };
-  /// What the axis says, with the one that waited for it, if anybody did.
+  /// Answer of the axis, with the request that waits for it, if any.
   struct Reply : Answer {
     std::optional<Request> request = {};
   };
@@ -30,10 +30,10 @@ class Outbox {
   void order(Command command);
   /// One that somebody waits for.
   void order(const Command& command, const Request& request);
-  /// A stop goes ahead of whatever has not reached the axis yet, and makes it void; but not what ends
+  /// A stop overtakes and cancels all commands that have not reached the axis; but not what ends
   /// more than it does. The movements that will not begin.
   [[nodiscard]] std::vector<std::uint64_t> clear();
-  /// Hands over as many as the axis has room for.
+  /// Hands over as many as the axis can take.
   void flush();
   /// The next answer of the axis.
   [[nodiscard]] std::optional<Reply> take_answer();

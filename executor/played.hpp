@@ -24,26 +24,26 @@ struct PlayedTick {
 /// with `name`, line and key for a text that is no tick log, or one without a motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
-/// What a motion should have been. Times are s since its start.
+/// Reference of a motion. Times are s since its start.
 struct Designed {
-  std::function<Motion(double)> table;    ///< what the executor interpolates
+  std::function<Motion(double)> table;    ///< the interpolated table
   std::function<double(double)> curve{};  ///< u, the exact curve; empty: the table is all there is
   double tolerance = 0;                   ///< u: how far the table may stray from the curve
   double duration = 0;                    ///< s
 };
 
-/// How far what was commanded lies from something.
+/// Greatest deviation of the setpoints from a reference.
 struct Deviation {
   double error = 0;  ///< the greatest, u
   double where = 0;  ///< s since the start
   double limit = 0;  ///< u
 };
 
-/// How far what was commanded lies from what was designed.
+/// Deviation of the setpoints from the design.
 struct Played {
   std::size_t ticks = 0;
   Deviation table{};
-  std::optional<Deviation> curve{};  ///< where there is one beside the table
+  std::optional<Deviation> curve{};  ///< if there is one besides the table
   /// "played/table": against the rounding of the arithmetic. "played/curve": against the tolerance of
   /// the table, and that rounding. "played/gap": the most ticks left out in one place, against
   /// a tenth of a second (a late cycle leaves some out, a log with a hole more); "played/complete":

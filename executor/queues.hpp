@@ -18,16 +18,16 @@
 
 namespace jounce {
 
-/// What was handed over to the FIFOs of a queue's movement, under a number of its axis: the axis sees
+/// A change of the FIFOs of a queue, with a number of its axis: the axis sees
 /// it in the ticks whose Inputs::rows is not less.
 struct HandedOver {
   static constexpr std::size_t most_rows = 32;
   enum class Kind : std::uint8_t {
     rows,
     queue_switch,  ///< the other bank goes on
-    clear,         ///< of the bank
+    clear,         ///< empties the bank
     begin,         ///< it is armed, and this bank begins
-    end,           ///< what was handed over is all
+    end,           ///< no more rows follow
   };
   std::uint64_t movement = 0;
   std::uint64_t number = 0;
@@ -55,7 +55,7 @@ class QueueMovement {
 };
 
 /// The queues of rows that an axis's owner has opened (protocol page, "Queues"): what arrives goes
-/// into the FIFOs of a movement, which the axis plays meanwhile, and what it has played makes room.
+/// into the FIFOs of a movement, which the axis plays at the same time; played rows free their space.
 ///
 /// All that is handed over has a number, and the axis sees it from the next tick on, whole: what it
 /// plays depends on the numbers in its ticks alone, and a record of both is replayed to the last bit.
@@ -63,7 +63,7 @@ class Queues {
  public:
   using Record = std::function<void(const HandedOver&)>;
 
-  /// `last`: of the numbers, as the cycle reads it; must outlive this. `record` is told before that.
+  /// `last`: of the numbers, as the cycle reads it; must outlive this. `record` is called before that.
   explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
       : last_(last), record_(std::move(record)) {}
 
@@ -72,7 +72,7 @@ class Queues {
             Receiver& receiver);
   /// Hands rows over; one that breaks a rule is refused with it, and never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// What is armed; nothing where the queue is not open.
+  /// The armed movement; nothing if the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
   /// u, where the axis must stand for it; nothing where its rows count from where the axis stands.
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
@@ -80,14 +80,14 @@ class Queues {
   void begin_with(std::uint32_t queue, int bank);
   /// The axis no longer looks at it: what was not played to its end is cut off there.
   void handed_back(std::uint64_t movement) const;
-  /// Says how far each has come.
+  /// Reports the progress of each.
   void report(const Tick& last, Receiver& receiver) const;
 
   bool queue_switch(std::uint32_t queue);
   bool clear(std::uint32_t queue, int bank);
   /// The stream is complete: false where it has no rows, or does not end at rest.
   bool end(std::uint32_t queue);
-  /// The owner is gone. What plays goes on with the rows that it has.
+  /// The owner is gone. The playing queue continues with its rows.
   void close() { open_.clear(); }
 
   /// Rows that wait in the one with this movement, and that it holds; 0, 0: there is none.
@@ -112,7 +112,7 @@ class Queues {
   Record record_;
 };
 
-/// As it stands on the wire.
+/// The definition on the wire.
 wire::Progress on_wire(Progress progress);
 
 }  // namespace jounce

@@ -18,12 +18,12 @@
 
 namespace jounce {
 
-/// What a record of a run consists of: one event each, in the order in which it happened. A record is an
+/// Parts of the record of a run: one event each, in chronological order. A record is an
 /// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
-/// docs/executor/replay.md says it all again for people. Ticks are its only time: the events' time stamps are
-/// tick * period in us, whatever the clock did.
+/// docs/executor/replay.md describes it for users. Ticks are its only time: the events' time stamps are
+/// tick * period in us, independent of the clock.
 
-/// What an axis was started with; comes before all else of that axis.
+/// Configuration of an axis; precedes all other events of that axis.
 struct RecordedAxis {
   std::size_t axis = 0;  ///< counted from 0
   std::string name = {};
@@ -44,10 +44,10 @@ struct RecordedTable {
   Outside outside = Outside::hold;
   std::size_t knots = 0;
   std::size_t first = 0;
-  Columns columns = {};  ///< of this part
+  Columns columns = {};  ///< columns of this part
 };
 
-/// What a Job is made from, or a LiveCam; its tables by their hashes.
+/// Parts of a Job or a LiveCam; its tables by their hashes.
 struct RecordedJob {
   std::size_t axis = 0;
   std::uint64_t id = 0;
@@ -60,7 +60,7 @@ struct RecordedJob {
   CamEnd end = CamEnd::brake;  ///< live
 };
 
-/// What a gear's movement is made from: the order (gear_of()), and where the slave stood.
+/// Parts of the movement of a gear: the order (gear_of()) and the position of the slave.
 struct RecordedGear {
   std::size_t axis = 0;
   std::uint64_t id = 0;
@@ -76,13 +76,13 @@ struct RecordedQueue {
   wire::Queue queue = {};
 };
 
-/// What was handed over to a queue; many rows are several of these.
+/// Rows handed over to a queue; many rows make several of these.
 struct RecordedRows {
   std::size_t axis = 0;
   HandedOver what = {};
 };
 
-/// One axis in one tick: what it was told, what it saw, what it said. The command's movement goes by its
+/// One axis in one tick: its command, inputs and outputs. The command's movement goes by its
 /// number; `tick` has neither the edges of its switches nor what was handed back.
 struct RecordedCycle {
   std::size_t axis = 0;
@@ -99,7 +99,7 @@ struct RecordedMaster {
   std::string unit = {};
   std::uint64_t followers = 0;  ///< bit i: axis i follows it
   enum class Made : std::uint8_t {
-    elsewhere,  ///< of what is not in the record: what was seen of it is input
+    elsewhere,  ///< not in the record: its sight is an input
     samples,    ///< an ExternalMaster
     readings,   ///< an EncoderMaster
   };
@@ -107,13 +107,13 @@ struct RecordedMaster {
   TrackerSpec tracker = {};  ///< unless it was made elsewhere
 };
 
-/// What the next sight of a master is made from: one of its samples, or its reading.
+/// Input of the next sight of a master: one of its samples, or its reading.
 struct RecordedSample {
   std::size_t master = 0;
   MasterSample sample = {};
 };
 
-/// What a cycle saw of a master, before the axes of the same tick.
+/// State of a master in a cycle, before the axes of the same tick.
 struct RecordedSight {
   std::size_t master = 0;
   MasterSight sight = {};

@@ -22,16 +22,16 @@ struct RecordedOutput {
   std::size_t axis = 0;
   Part part = Part::cam_switch;
   SwitchesOf of = SwitchesOf::position;
-  std::optional<double> period = {};  ///< of the switches
+  std::optional<double> period = {};  ///< period of the switches
   CamSwitch cam_switch = {};
   SwitchTrack track = {};
   CompareMode mode = CompareMode::fifo_time;
   double pulse = 0;         ///< s
-  std::int64_t points = 0;  ///< of the whole list
+  std::int64_t points = 0;  ///< points of the whole list
   std::vector<ComparePoint> some = {};
 };
 
-/// Whether all of it is recorded: a compare of more than `longest` points is not.
+/// True if all of it is recorded: a compare of more than `longest` points is not.
 bool recordable(const AxisCompare& compare);
 
 std::vector<RecordedOutput> parts_of(std::size_t axis, const AxisSwitches& switches,

@@ -19,17 +19,17 @@
 
 namespace jounce {
 
-/// What passes from the cyclic thread to the record: cycles, and how many found it full.
+/// The ring from the cyclic thread to the record: cycles, and the number of lost ones.
 ///
 ///     tape.add(i, command, inputs, tick);          // the cyclic thread, after every step of an axis
 class Tape {
  public:
   static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
 
-  /// Neither allocates nor waits; a cycle that finds no room is lost and counted.
+  /// Neither allocates nor waits; a cycle is lost and counted if the ring is full.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// What the step took in of a master, then what it saw of it; before its axes.
+  /// Inputs of a master in the step, then its state; before its axes.
   void add(std::size_t master, const MasterSample& sample) noexcept;
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
@@ -46,15 +46,15 @@ class Tape {
   void push(Item& item) noexcept;
 
   Ring<Item, capacity> items_;
-  std::int64_t lost_ = 0;  // since the last item that found room; of the cyclic thread
+  std::int64_t lost_ = 0;  // since the last stored item; of the cyclic thread
 };
 
 struct RecorderOptions {
-  std::optional<std::filesystem::path> log = {};  ///< of the whole run; none: not kept
+  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; none: not kept
   std::optional<std::filesystem::path> black_box =
       {};                               ///< written when a fault comes; none: not kept
-  std::size_t black_box_cycles = 2000;  ///< of each axis, that it holds
-  std::function<void(const std::string&)> notify = {};  ///< what happens, in words
+  std::size_t black_box_cycles = 2000;  ///< black box cycles of each axis, that it holds
+  std::function<void(const std::string&)> notify = {};  ///< events as text
 };
 
 /// Writes what the cyclic thread did, on the side that communicates:
@@ -66,7 +66,7 @@ struct RecorderOptions {
 ///
 /// **The log** grows as LOG.part and has its name when it is closed: of an executor that was killed, LOG.part is a
 /// record all the same, cut off somewhere. A path that exists and is no regular file is written to directly. A
-/// disk that refuses ends the log, said once by `notify`, and nothing else: the motion goes on.
+/// full disk ends the log, with one `notify`, and nothing else: the motion continues.
 ///
 /// **The black box** has the last cycles of every axis. It is written when an axis comes into a fault (each new fault
 /// replaces it; its last cycle is the fault's), under a temporary name first: a disk that refuses leaves the one
@@ -83,10 +83,10 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// What a Job is made from, with the arguments of its constructor; its tables' hashes are taken from
+  /// Parts of a Job, with the arguments of its constructor; its tables' hashes are taken from
   /// where they are kept. Each table is written once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
-  /// What another movement is made from, and what is handed over to it.
+  /// Parts of another movement, and its rows.
   void note(const RecordEvent& event) { write(event, now_); }
   void turn();
   /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
@@ -94,7 +94,7 @@ class Recorder {
 
   /// Why the first file could not be written; empty: all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
-  /// Which files could not: bits of wire::Unwritten.
+  /// Failed files: bits of wire::Unwritten.
   [[nodiscard]] std::uint8_t unwritten() const { return unwritten_; }
   [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< cycles
 
@@ -128,7 +128,7 @@ class Recorder {
   std::int64_t number_ = 0;
   std::int64_t now_ = 0;  // us
   std::set<Sha256> tables_;
-  std::vector<Box> boxes_;  // of the masters, then of the axes
+  std::vector<Box> boxes_;  // boxes of the masters, then of the axes
   std::string trouble_;
   std::uint8_t unwritten_ = 0;
   std::int64_t lost_ = 0;

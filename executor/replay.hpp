@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// What came of replaying a record.
+/// Result of the replay of a record.
 struct Replay {
   /// The first tick that came out otherwise.
   struct Difference {
@@ -23,14 +23,14 @@ struct Replay {
   };
 
   std::vector<RecordedAxis> axes = {};
-  /// What was seen of a master.
+  /// State of a master.
   struct Master : RecordedMaster {
     std::int64_t cycles = 0;
-    std::int64_t lost = 0;  ///< of these, without it
+    std::int64_t lost = 0;  ///< lost of these, without it
   };
   std::vector<Master> masters = {};
   std::int64_t cycles = 0;    ///< in the record, of all axes together
-  std::int64_t compared = 0;  ///< of them executed again
+  std::int64_t compared = 0;  ///< compared of them executed again
   std::optional<Difference> difference = {};
   /// Why not all of it was executed again, a sentence; empty: all was, or it differs.
   std::string shorter = {};
@@ -41,8 +41,8 @@ struct Replay {
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
 };
 
-/// Executes a record again: every axis, a pure function of what it was told and saw, in every tick, and
-/// compares what it says to the last bit.
+/// Executes a record again: every axis, a pure function of its commands and inputs, in every tick, and
+/// compares its outputs bit for bit.
 ///
 ///     std::ifstream file("run.lcmlog", std::ios::binary);
 ///     const Replay r = replay(file, "run.lcmlog");

@@ -12,37 +12,37 @@
 
 namespace jounce {
 
-/// How run_executor() runs.
+/// Options of run_executor().
 struct RunOptions {
   std::optional<double> seconds{};  ///< > 0; without it until a signal
   std::vector<MachineMaster> masters =
       {};                  ///< that axes follow; their notices go to the first axis's
-  bool once = false;       ///< until a motion has ended, in whatever way, and all axes rest
-  Realtime realtime = {};  ///< of the cyclic thread
+  bool once = false;       ///< until a motion has ended for any reason, and all axes rest
+  Realtime realtime = {};  ///< realtime of the cyclic thread
   /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.
   double watchdog = 0.5;
-  RecorderOptions record = {};  ///< where it is recorded; notices go where the first axis's go
+  RecorderOptions record = {};  ///< files of the record; its notices go to those of the first axis
   /// Called once the names of the axes are its own and its files are open: it takes orders.
   std::function<void()> up = {};
 };
 
-/// What came of one axis.
+/// Result of one axis.
 struct AxisSummary {
   std::string name;
   std::uint64_t finished = 0;  ///< motions that reached their end
   std::uint64_t stopped = 0;   ///< motions that a stop brought to rest
   Cause fault = Cause::none;   ///< latched at the end
-  double position = 0;         ///< where the axis stands
+  double position = 0;         ///< position of the axis
   bool log_truncated = false;  ///< the log ended before the run did
 };
 
-/// What came of a run.
+/// Result of a run.
 struct ExecutorSummary {
   std::vector<AxisSummary> axes;
   CycleCounts cycle;
-  Histogram::Counts lateness{};   ///< of waking up
-  Histogram::Counts computing{};  ///< of a cycle
-  std::string realtime;           ///< what make_realtime() was granted; empty if it was not asked
+  Histogram::Counts lateness{};   ///< lateness of waking up
+  Histogram::Counts computing{};  ///< computing of a cycle
+  std::string realtime;           ///< result of make_realtime(); empty without a request
   std::string record_trouble;     ///< why it was not recorded to its end; empty: it was
   std::int64_t record_lost = 0;   ///< cycles that are missing from the record
   std::string lost_name;          ///< that another executor has, because of which this one left

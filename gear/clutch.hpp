@@ -43,7 +43,7 @@ class Clutch {
 
   struct State {
     std::int64_t way = 0;        ///< u, master counts; no longer used once engaged
-    std::int64_t remainder = 0;  ///< of a slave count, in parts of this clutch's own
+    std::int64_t remainder = 0;  ///< remainder of a slave count, in parts of this clutch's own
     bool engaged = false;        ///< the new ratio holds
   };
 
@@ -70,7 +70,7 @@ class Clutch {
 /// In which direction of its master a slave follows (Googol GT_PrfGear dir, manual 7.5).
 enum class FollowDirection : std::int8_t { both = 0, positive = 1, negative = -1 };
 
-/// What a slave that follows one way makes of a master that goes the other way.
+/// Behaviour of a one-way slave when its master reverses.
 enum class Reversal : std::uint8_t {
   hold,     ///< it stands, and goes on as soon as the master does: a freewheel
   recover,  ///< it stands until the master has made its way good

@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// How fast the line may run for each cut length, and what stops it: of a rotary knife, a flying
+/// Fastest line for each cut length, and its binding limit: of a rotary knife, a flying
 /// shear, or any cam that can be made for a length.
 ///
 ///     const CamOfLength cams = [](double length) -> std::optional<Cam> { ... };

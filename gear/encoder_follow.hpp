@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// How a virtual axis follows an encoder, a handwheel say (PMC600 LS_Encoder_SetAxisMove, manual 5.2.4).
+/// A virtual axis that follows an encoder, such as a handwheel (PMC600 LS_Encoder_SetAxisMove, manual 5.2.4).
 struct EncoderFollowSpec {
   std::int64_t numerator = 1;    ///< Ratio_Num, 1 to 10000
   std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; error 5000 where it is 0
@@ -38,13 +38,13 @@ class EncoderFollow {
   struct State {
     std::array<std::int64_t, max_filter> window{};  ///< the last `filter` increments
     int next = 0;
-    std::int64_t sum = 0;  ///< of the window
+    std::int64_t sum = 0;  ///< sum of the window
     Gear::State gear{};
     std::int64_t additive = 0;  ///< pulses still to be added ...
     std::int64_t cycles = 0;    ///< ... in so many cycles
     std::int64_t pulses = 0;    ///< what was to be added when add() was called last ...
     std::int64_t over = 1;      ///< ... in so many cycles
-    std::int64_t part = 0;      ///< of a pulse, in 1/over
+    std::int64_t part = 0;      ///< part of a pulse, in 1/over
   };
 
   /// Slave pulses in this cycle.
@@ -55,7 +55,7 @@ class EncoderFollow {
   static void add(State& state, std::int64_t pulses, std::int64_t cycles);
 
  private:
-  Gear gear_;  // of the window's sum: ratio / filter
+  Gear gear_;  // gear of the window's sum: ratio / filter
   int filter_;
 };
 

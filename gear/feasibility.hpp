@@ -6,14 +6,14 @@
 
 namespace jounce {
 
-/// How the master of a gear runs: at up to `velocity` (m/s, > 0, either way), while its acceleration
+/// Motion of the master of a gear: at up to `velocity` (m/s, > 0, either way), while its acceleration
 /// and jerk stay within `rates`.
 struct MasterRange {
   double velocity = 0;
   MasterRates rates = {};
 };
 
-/// Whether a slave in step with its master keeps its limits over time, at every speed of the master
+/// True if a slave in step with its master keeps its limits over time, at every speed of the master
 /// up to the greatest one.
 ///
 ///     const SyncCam slave = gear_course(course);

@@ -25,16 +25,16 @@ namespace jounce {
 /// `return_length` leaves any). It begins at home at rest, u = 0, and ends there exactly.
 ///
 /// **What is left out is computed.** The run-up and the braking are as short as the limits allow,
-/// times `safety`; the return takes all that is left. Where no sync is said it is the longest that
+/// times `safety`; the return takes the rest. The default sync is the longest that
 /// the stroke and the return allow.
 ///
 /// **Throws** InputError for numbers that make no sense, and where no such motion is within the limits:
-/// it names what binds and says the least cut length, or the fastest line, that works.
+/// it names the binding limit and the least cut length, or the fastest line, that works.
 struct FlyingShear {
   double cut_length = 0;  ///< m > 0: one cycle of the master
   double line_speed = 0;  ///< m/s > 0: at which the limits are to hold
 
-  /// How long carriage and material are in step: one of the two, or the stroke decides.
+  /// Time or distance in step of carriage and material: one of the two, or the stroke decides.
   std::optional<double> sync_time = {};    ///< s > 0
   std::optional<double> sync_length = {};  ///< m > 0
   std::optional<double> stroke = {};       ///< u > 0: at most so far from home
@@ -44,7 +44,7 @@ struct FlyingShear {
   std::optional<double> deceleration_length = {};  ///< left out: as acceleration_length
   std::optional<double> return_length = {};
 
-  Limits limits = {};  ///< of the carriage over time: u/s, u/s^2, u/s^3. No positions: `stroke`
+  Limits limits = {};  ///< limits of the carriage over time: u/s, u/s^2, u/s^3. No positions: `stroke`
   double safety = 1;   ///< >= 1: factor of a run-up that is computed from the limits
 
   /// The speed of the ramps follows this law from 0 to 1: line (constant acceleration),
@@ -68,7 +68,7 @@ struct ShearPlan {
   double stroke = 0;  ///< u
 };
 
-/// How far a quantity can go, and what binds there: "sync velocity", "ramp acceleration", "ramp
+/// Greatest value of a quantity, and the binding limit: "sync velocity", "ramp acceleration", "ramp
 /// jerk", "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
 /// length"; "" if nothing.
 struct ShearBound {
@@ -89,7 +89,7 @@ std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 /// nothing is left of it. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
-/// The fastest line for which `cut_length` can be made, whatever `line_speed` says. Infinite where
+/// The fastest line for which `cut_length` can be made, independent of `line_speed`. Infinite where
 /// nothing limits it; 0 where no speed helps. Bisected to the last digit: every demand grows with the
 /// speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);

@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// Where a follow table says it ends, as a check sum of increments typed by hand.
+/// Nominal end of a follow table, as a check sum of increments typed by hand.
 struct FollowEnd {
   double master = 0;
   double slave = 0;
@@ -21,7 +21,7 @@ struct FollowEnd {
 struct FollowTable {
   /// Cumulative from the table's origin: x is the master's travel.
   std::vector<PtPoint> segments = {};
-  std::int64_t loops = 1;  ///< passes; below 1: for ever
+  std::int64_t loops = 1;  ///< passes; below 1: endless
   std::optional<FollowEnd> end = {};
 };
 
@@ -29,7 +29,7 @@ struct FollowTable {
 ///
 ///     const FollowTable shear{{{1000, 1000, PtType::continued}, {4000, 3400}, {6000, 4600},
 ///                              {9000, 7000}, {10000, 8000}}, 0};        // manual, example 7-6
-///     const FollowSpec spec{{{{{5000, 2500}}}, shear}};                 // catch up, then for ever
+///     const FollowSpec spec{{{{{5000, 2500}}}, shear}};                 // catch up, then endless
 ///     const SyncCam slave = follow(spec);
 ///     const Report report = check(spec);
 ///
@@ -42,18 +42,18 @@ struct FollowTable {
 /// every pass, so that its ratio steps where the pass before ended at another. What the very first
 /// continued segment takes over is `start_ratio`.
 ///
-/// **Over the end.** A table played for ever repeats, and goes on from where it ends (the cam
+/// **Over the end.** An endless table repeats, and continues from its end (the cam
 /// advances; it wraps where the slave comes back). Where its first pass differs from the later ones,
 /// or tables go before it, the cam is all that differs and one pass more, and refuses queries beyond.
 /// A table that ends holds the slave where it ends: at a ratio other than 0 that is a dead stop, and
 /// a finding. Backwards the slave retraces its path, for it is a function of its master's position.
 ///
 /// Throws InputError as pt() does, with the table's number before the key where there are several;
-/// for no table, a table played for ever before another one, more than 1e6 segments in all passes.
+/// for no table, an endless table before another one, more than 1e6 segments in all passes.
 /// Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
   std::vector<FollowTable> tables = {};
-  double start_ratio = 0;  ///< of the slave to its master before: u/m
+  double start_ratio = 0;  ///< start ratio of the slave to its master before: u/m
 };
 
 /// The cam from the first table's origin (0, 0); zones are stretches of constant ratio.
@@ -62,7 +62,7 @@ SyncCam follow(const FollowSpec& spec);
 /// Start and end ratio of each segment of the cam that follow() makes.
 std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
-/// What a controller would play without a word. Of each rule the worst place is told, with the
+/// Errors that a controller plays without a message. Each rule reports its worst place, with the
 /// number of places; steps count above 1e-9 of the greatest ratio:
 ///
 ///     follow/ratio_step   the ratio steps within a table: an even or stop segment, or at the start
@@ -70,11 +70,11 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 ///     follow/switch_step  from one table to the next: its first segment is not continued
 ///     follow/open_end     the last table ends at a ratio: the slave is stopped dead
 ///     follow/reversal     the slave runs against its own segment; travel that no neighbour has is
-///                         named, for it may be a misprint. The first place of a chain is told: what
+///                         named, for it may be a misprint. The first place of a chain is reported: what
 ///                         follows in it is its consequence
-///     follow/wrap_ratio   played for ever, the ratio differs from pass to pass: broken where it
+///     follow/wrap_ratio   in an endless table, the ratio differs from pass to pass: broken where it
 ///                         grows, a warning where it alternates
-///     follow/end          the table does not end where it says
+///     follow/end          the table does not end at its nominal end
 ///
 /// `segment` is that of the cam. Throws as follow() does.
 Report check(const FollowSpec& spec);

@@ -20,7 +20,7 @@ namespace jounce {
 struct FollowBanks {
   std::vector<SegmentRow> first = {};
   std::vector<SegmentRow> second = {};
-  std::int64_t loops = 1;  ///< below 1: for ever
+  std::int64_t loops = 1;  ///< below 1: endless
 };
 
 /// Throws InputError as follow() does, and "loops" where a bank would have more than `most` rows.

@@ -33,7 +33,7 @@ struct FollowZone {
 /// acceleration there; or the quadratic pieces of a follow table.
 enum class FollowForm { smooth, table };
 
-/// What a follow table is to do, as a user says it; master and slave begin at (0, 0).
+/// Task of a follow table, in terms of a user; master and slave begin at (0, 0).
 ///
 ///     FollowPlan shear{.points = {{10000, 8000}}, .zones = {{0, 1000, 1}, {9000, 10000, 1}},
 ///                      .periodic = true};                    // manual, example 7-6, region 2
@@ -57,14 +57,14 @@ struct FollowPlan {
   bool periodic = false;
   std::optional<double> start_ratio = {};  ///< left out: that of a zone at 0, or else 0
   FollowForm form = FollowForm::smooth;
-  Law law = Law::quintic;     ///< of the smooth form
-  bool whole_master = false;  ///< of the table: points between are at whole master units (pulses)
+  Law law = Law::quintic;     ///< law of the smooth form
+  bool whole_master = false;  ///< whole master of the table: points between are at whole master units (pulses)
 };
 
 /// The smooth form.
 CamSpec cam_spec(const FollowPlan& plan);
 
-/// The table form: for ever where periodic.
+/// The table form: endless if periodic.
 FollowTable follow_table(const FollowPlan& plan);
 
 /// The cam of the form chosen, its zones by name.

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// What plays follow tables behind a live master: when it begins, which way, and how far it has come.
+/// Player of follow tables with a live master: its start, direction and progress.
 /// A value; the rows are in SegmentFifos, over the master's travel from where following began.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What a follow table waits for, with Googol's codes (manual 7.6, GT_SetFollowEvent).
+/// Start event of a follow table, with Googol's codes (manual 7.6, GT_SetFollowEvent).
 enum class FollowEvent : std::uint8_t {
   start = 1,  ///< nothing: it begins where it is started
   pass = 2,   ///< the master passes a position

@@ -23,7 +23,7 @@ struct PhaseShift {
   Law law = Law::poly345;  ///< any law from rest to rest
 };
 
-/// What a gear does along its master: a ratio, changes of it, and shifts of the phase.
+/// Course of a gear along its master: a ratio, changes of it, and shifts of the phase.
 ///
 ///     GearCourse course{.master_end = 200000, .changes = {{0, 0.5, 100000}}};   // Googol 7-5
 ///     SyncCam slave = gear_course(course);          // 25000 u in the clutch, 0.5 u/m from there on

@@ -24,7 +24,7 @@ namespace jounce {
 /// c is what the ramp differs by: its velocity begins with y0' - k x0' and ends with 0. With a steady
 /// master, which is what the manual recommends, `acceleration`, `deceleration` and `jerk` are those
 /// of the slave itself. A master that accelerates while the slave is ramping adds k x'': so the ramp
-/// takes the same time whatever the master does, and there is no cycle in which the slave hunts for a
+/// takes the same time for any motion of the master, and there is no cycle in which the slave hunts for a
 /// velocity that runs away from it.
 ///
 /// u is the slave's unit, m the master's; times in s. Pure: a GearedIn is a value, nothing allocates

@@ -32,7 +32,7 @@ namespace jounce {
 /// for good, also where the master comes back past S. With h = ys - y0 the curve depends on rho =
 /// k D / h alone: the quintic (the default) does not turn back if and only if 0 <= rho <= 5/2, and does not
 /// go faster than the gear if and only if rho >= 5/3 (example 6.2: rho = 1, peak slope 0.756
-/// instead of 0.5). engage_window() says which start distances do both.
+/// instead of 0.5). engage_window() returns the start distances that do both.
 ///
 /// u is the slave's unit, m the master's. Nothing here is over time: the curve stands still when the
 /// master does.
@@ -54,11 +54,11 @@ struct GearInPosSpec {
   Law law = Law::quintic;  ///< any that takes a velocity at its end: docs/laws.md, "G or R"
 };
 
-/// With the numbers of the PMC600's errors (manual, appendix A-1).
+/// Numbers of the errors of the PMC600 (manual, appendix A-1).
 enum class GearInPosStatus : std::uint16_t {
   ok = 0,
   master_reversed = 775,          ///< it changed direction while connecting
-  reversal_unavoidable = 776,     ///< of a modulo slave, in up to five more turns
+  reversal_unavoidable = 776,     ///< for a modulo slave, within five more turns
   reversal_on_linear_axis = 777,  ///< AvoidReversal asked for, and a linear slave would turn back
   start_passed = 1000,            ///< ours: a linear master has passed the start; the slave waits
 };
@@ -71,7 +71,7 @@ struct GearInPos {
   double master_sync = 0;         ///< S, m, likewise
   double slave_start = 0;         ///< y0, u
   double slave_sync = 0;          ///< ys, u, with the turns that the slave goes further
-  int turns = 0;                  ///< of the slave, added to avoid a reversal; of either sign
+  int turns = 0;                  ///< turns of the slave, added to avoid a reversal; of either sign
   std::optional<Cam> curve = {};  ///< the engagement alone, holding outside; none unless ok
   explicit operator bool() const { return status == GearInPosStatus::ok; }
 };
@@ -109,7 +109,7 @@ struct GearInPosStep {
   Jet slave{};                                   ///< the set-point: u, u/s, u/s^2, u/s^3
   bool start_sync = false;                       ///< StartSync: the engagement has begun
   bool in_sync = false;                          ///< InSync
-  GearInPosStatus status = GearInPosStatus::ok;  ///< of this cycle: master_reversed, start_passed
+  GearInPosStatus status = GearInPosStatus::ok;  ///< status of this cycle: master_reversed, start_passed
 };
 
 /// One cycle of an engagement that is ok, for a master that moves as [x, x', x'', x''']. Pure, does not allocate.
@@ -117,7 +117,7 @@ struct GearInPosStep {
 /// The slave waits where it stands until the master passes the start in the engaging direction. A
 /// master that turns back while connecting is reported in each cycle in which it goes back (775); the slave stays on its
 /// curve, back to where it stood, and engages when the master comes again: no step, and nobody need
-/// act in that very cycle. Once in sync, (1) holds whatever the master does.
+/// act in that very cycle. Once in sync, (1) holds for any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
 /// The slave's motion where the master's is known: a Signal, exact.

@@ -40,7 +40,7 @@ class GearSum {
   std::int64_t denominator_ = 1;
 };
 
-/// How far a counter that wraps at `period` > 0 (a modulo axis, a 32-bit encoder) has gone between
+/// Distance of a counter that wraps at `period` > 0 (a modulo axis, a 32-bit encoder) between
 /// two readings in [0, period): the shorter way, exactly half a period counts forwards. What gears
 /// are to be fed with, so that nothing is lost at the wrap:
 ///

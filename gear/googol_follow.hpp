@@ -29,7 +29,7 @@ class FollowFifos {
   Refusal prf_follow(int dir);
   /// GT_SetFollowMaster. wrong_mode, moving; bad_argument below 1
   Refusal set_follow_master(int master);
-  /// GT_SetFollowLoop: below 1 for ever. wrong_mode
+  /// GT_SetFollowLoop: below 1: endless. wrong_mode
   Refusal set_follow_loop(std::int64_t loops);
   /// GT_GetFollowLoop: passes completed since the start or the last switch.
   [[nodiscard]] std::int64_t follow_loop() const { return fifos_.passes(); }
@@ -38,7 +38,7 @@ class FollowFifos {
   /// GT_SetFollowMaxSegment: of both FIFOs together, for memory 2. wrong_mode, moving; bad_argument
   /// below 1 or above what was allocated
   Refusal set_follow_max_segment(std::size_t segments);
-  /// GT_SetFollowMemory: 0: 16 a FIFO (default), 1: 512, 2: what GT_SetFollowMaxSegment said; empties
+  /// GT_SetFollowMemory: 0: 16 a FIFO (default), 1: 512, 2: the value of GT_SetFollowMaxSegment; empties
   /// both. wrong_mode, moving; bad_argument
   Refusal set_follow_memory(int memory);
 

@@ -9,7 +9,7 @@ namespace jounce {
 /// between.
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
-///     SyncCam cam = indexer(table);                                   // 45 deg a cycle, for ever
+///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless
 ///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};   // eight in a cycle
 ///
 /// **Vocabulary.** Each of the `count` equal parts of the cycle is: stand for `before`, move by

@@ -19,7 +19,7 @@ namespace pmc600 {
 ///     const LineFollowed both = line_follow({.end_master = 4000, .end_slave = 2000,
 ///         .velocity = 2000, .acceleration = 4000, .deceleration = 4000});      // example 6.7
 struct LineFollow {
-  double start_master = 0, start_slave = 0;  ///< where the axes stand
+  double start_master = 0, start_slave = 0;  ///< positions of the axes
   double end_master = 0, end_slave = 0;      ///< EndPos[0], EndPos[1]: positions, or with
   bool relative = false;                     ///< LS_LineFollowRel: distances
   double velocity = 0;                       ///< > 0

@@ -36,7 +36,7 @@ struct Registration {
   LawForm form = {};
 };
 
-/// What a registration remembers from product to product.
+/// State of a registration from product to product.
 struct RegistrationState {
   double applied = 0;      ///< the correction that holds now
   double outstanding = 0;  ///< measured, not yet applied
@@ -77,7 +77,7 @@ Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registra
 /// For corrections that are added to the slave, as registered() does: the largest `most` (<=
 /// registration.most) with which no single step, either way, breaks the slave's limits over time at a
 /// constant line speed. 0 where the cam alone breaks them. Exact extrema, bisected to 1e-9 of `most`.
-/// It says nothing of a correction of the phase: check() what registered_phase() makes.
+/// It does not apply to a correction of the phase: check() what registered_phase() makes.
 double greatest_correction(const Cam& cam, const Registration& registration, const Limits& slave,
                            double line_speed);
 

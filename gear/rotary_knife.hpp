@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// What the blade keeps in step with the web while it cuts.
+/// Velocity of the blade that matches the web during the cut.
 enum class KnifeMatching {
   surface,     ///< its speed on the cutting circle: the knife turns evenly (the usual cam)
   horizontal,  ///< its speed along the web: angle = asin(x / R), the tip does not slip at all
@@ -52,13 +52,13 @@ struct RotaryKnifeSpec {
   KnifeMatching matching = KnifeMatching::surface;
   double speed_ratio = 1;    ///< blade by web in the sync zone: 1.005 pulls the cut open
   double thickness = 0;      ///< m, of the web; >= 0, < diameter / 2
-  Law law = Law::poly345;    ///< of the recovery: a symmetric rise from rest to rest
+  Law law = Law::poly345;    ///< law of the recovery: a symmetric rise from rest to rest
   LawForm form = {};         ///< straight and shares, where the law takes them
   bool dwell = false;        ///< stop between cuts that would turn the knife back
-  double tolerance = 1e-12;  ///< of horizontal matching: of the sync angle, as a share
+  double tolerance = 1e-12;  ///< tolerance of horizontal matching: of the sync angle, as a share
 };
 
-/// What follows from such a spec. Angles in u, lengths in m.
+/// Figures of such a spec. Angles in u, lengths in m.
 struct RotaryKnifeFigures {
   double synchronous = 0;    ///< C / speed_ratio: with surface matching that cut is a plain gear
   double contact_angle = 0;  ///< 0 for a web without thickness
@@ -89,7 +89,7 @@ SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 /// Throws as rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
-/// What is to be said of a knife beside its limits. Broken where they are: "knife/reversal", and
+/// Findings of a knife besides its limits. Possibly broken: "knife/reversal", and
 /// "knife/contact", a sync zone of less than two contact angles. Warning: "knife/slip", a blade that
 /// is more than 1 % slower than asked while it is in step. Throws as rotary_knife().
 Report check(const RotaryKnifeSpec& spec);

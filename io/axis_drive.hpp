@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// What stands behind an axis's setpoints: [drive] of a spec of kind "axis".
+/// The drive of an axis: [drive] of a spec of kind "axis".
 ///
 ///     [drive]
 ///     type = "simulated"        # or "null", "shared_memory"

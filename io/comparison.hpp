@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// One of two versions of a curve, with what is said about it: a spec, a table, or anything made in
+/// One of two versions of a curve, with its properties: a spec, a table, or anything made in
 /// a program.
 struct Version {
   std::string name;
@@ -23,7 +23,7 @@ struct Version {
   std::optional<Limits> limits = {};         ///< none: it is of a kind without limits, as a table
 };
 
-/// How far two versions may differ and still be called equal.
+/// Tolerances for equal versions.
 ///
 /// Left as it is: by rounding alone. A share is of the range of each quantity. A quantity with a
 /// number of its own, in its unit, may differ by that; once there is one, quantities without a
@@ -33,31 +33,31 @@ struct Tolerance {
   std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
 };
 
-/// Something said about a version that the other says differently: "periodic", "unit of position",
-/// "limit geo_velocity". An empty text: it is not said.
+/// A property in which two versions differ: "periodic", "unit of position",
+/// "limit geo_velocity". An empty text: not given.
 struct Remark {
   std::string what;
   std::string before;
   std::string after;
 };
 
-/// What changed from one version to another. Numbers are in the units of `after`.
+/// Changes from one version to another. Numbers are in the units of `after`.
 struct Comparison {
   std::string before;  ///< names
   std::string after;
-  Labels labels;  ///< of `after`
+  Labels labels;  ///< labels of `after`
   Changes changes;
-  std::array<bool, 4> beyond{};   ///< which of them exceed the tolerance
-  std::vector<KnotChange> knots;  ///< told, but not judged: the curve is
+  std::array<bool, 4> beyond{};   ///< true for those that exceed the tolerance
+  std::vector<KnotChange> knots;  ///< listed, but not judged: the curve is
   std::vector<std::string> knot_names_before;
   std::vector<std::string> knot_names_after;
   std::vector<Remark> remarks;  ///< interval, units, policy outside, limits: each a difference
 
-  /// Whether nothing exceeds the tolerance and nothing else was changed.
+  /// True if nothing exceeds the tolerance and nothing else was changed.
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares the curves exactly (see difference.hpp), and what is said about them: the interval, the
+/// Compares the curves exactly (see difference.hpp), and their properties: the interval, the
 /// policy outside, units, and limits where both have some. `before` is converted into the units of
 /// `after`, unless one has none. Throws InputError where one runs over time and the other over a
 /// master, where units do not measure the same thing, or where there is no stretch in common.

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// What a spec of cuts does over its cut length, all else as it says: how fast the line may run for
+/// A spec of cuts over its cut length, with all other values fixed: the fastest line for
 /// each; and the lengths that mean something, master unit.
 ///
 /// A knife's cam has no speed of its own. A shear's run-up and return follow from the line's speed:

@@ -15,7 +15,7 @@ Disc make_disc(const Spec& spec, const Cam& cam);
 /// check() of it, with the units of its findings.
 Report check_disc(const Spec& spec, const Cam& cam);
 
-/// What is drawn of a disc, in mm whatever the units of its spec, as it stands at master 0.
+/// Drawing of a disc, in mm for all units of its spec, as it stands at master 0.
 struct DiscDrawing {
   std::string name;
   Contour profile;
@@ -26,7 +26,7 @@ struct DiscDrawing {
   std::optional<double> hub_radius;
   double roller_radius = 0;
   Place roller;                ///< its centre at the cam's start
-  std::optional<Place> pivot;  ///< of the arm
+  std::optional<Place> pivot;  ///< pivot of the arm
 };
 DiscDrawing drawing_of(const Spec& spec, const Disc& disc);
 

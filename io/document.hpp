@@ -9,18 +9,18 @@
 namespace jounce {
 
 /// A document that was read, with the place of every key: what turns an InputError of a generator,
-/// which knows only the key, into one that names file, line and column.
+/// which has only the key, into one that names file, line and column.
 struct Document {
   struct Place {
     int line = 0;
     int column = 0;
   };
 
-  std::string name;  ///< as the user gave it
+  std::string name;  ///< name given by the user
   std::string text;
-  Sha256 hash{};  ///< of the text
+  Sha256 hash{};  ///< hash of the text
   std::map<std::string, Place> places;
-  std::map<std::string, std::string> units = {};  ///< of every number read: what a plain one counts
+  std::map<std::string, std::string> units = {};  ///< units of every number read: what a plain one counts
 
   /// The error with the place of its key, or of the nearest enclosing key that is known.
   [[nodiscard]] InputError located(const InputError& error) const;

@@ -13,7 +13,7 @@ namespace jounce {
 ///     TableFile cam = parse_exchange(read_file("cam.xyva"), "cam.xyva");
 ///     write_file("cam.st", exchange_text(Format::codesys, cam));
 ///     const auto format = format_of_path("cam.st");      // Format::codesys
-///     cam.units = {"deg", "mm"};                         // where the file said nothing
+///     cam.units = {"deg", "mm"};                         // if the file has none
 ///
 /// | format | file | a knot is | rule | read |
 /// |---|---|---|---|---|
@@ -30,7 +30,7 @@ namespace jounce {
 /// in comments, and is read again: a file of ours comes back as it was, and one
 /// that was cut short or changed is refused. Formats without comments (`pairs`, `sew`, `kollmorgen`) lose it.
 /// A foreign file without such comments has empty units and holds outside: whether a cam is periodic
-/// is said there where it is selected (MC_CamTableSelect), not in its table.
+/// is defined at its selection (MC_CamTableSelect), not in its table.
 enum class Format { xyva, codesys, pairs, sew, kollmorgen };
 
 /// "xyva", "codesys", ...: the words of the command line; and back, or nothing.
@@ -41,7 +41,7 @@ std::vector<std::string> format_names();
 /// By the end of the path: .xyva, .st, .txt; nothing for any other.
 std::optional<Format> format_of_path(const std::string& path);
 
-/// What the format's knots hold: the rule that a table needs to be written in it.
+/// Content of the knots of the format: the rule that a table needs to be written in it.
 Rule rule_of(Format format);
 
 /// By the content, or nothing for text that is none of these, such as a spec. Files of ours that are
@@ -58,9 +58,9 @@ std::string exchange_text(Format format, const TableFile& file);
 /// `decimal_comma` reads 0,5 as 0.5 in columns that are not separated by commas. A declaration may
 /// hold several cams: all of them, in the order of their references.
 struct ExchangeCam {
-  std::string name;  ///< of its MC_CAM_REF, or of its array; empty in the other formats
+  std::string name;  ///< name of its MC_CAM_REF, or of its array; empty in the other formats
   TableFile file;
-  std::vector<std::string> unread = {};  ///< what the file holds beside the table: a phrase each
+  std::vector<std::string> unread = {};  ///< other content of the file: a phrase each
 };
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma = false);

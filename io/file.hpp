@@ -36,7 +36,7 @@ struct Output {
 };
 
 /// Writes whole files or nothing: all of them to temporary names in their folders, then renamed.
-/// What exists and is no regular file (a device, a pipe) is written to directly. Throws
+/// An existing file that is not regular (a device, a pipe) is written to directly. Throws
 /// std::system_error where the machine refuses (no folder, no space), and what require_not_read() throws.
 void write_files(const std::vector<Output>& files);
 void write_file(const std::string& path, const std::string& bytes);

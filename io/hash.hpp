@@ -12,10 +12,10 @@
 
 namespace jounce {
 
-/// What the two axes of a table are counted in: "deg", "pulse", "s", "mm", ... as in the spec.
+/// Units of the two axes of a table: "deg", "pulse", "s", "mm", ... as in the spec.
 struct Units {
-  std::string x;         ///< of the first column: time or master position
-  std::string position;  ///< of the slave position; derivatives are position/x, position/x^2
+  std::string x;         ///< unit of the first column: time or master position
+  std::string position;  ///< position of the slave position; derivatives are position/x, position/x^2
 };
 
 using Sha256 = std::array<std::uint8_t, 32>;

@@ -6,7 +6,7 @@
 #include "jounce/cam/characteristics.hpp"
 #include "jounce/cam/law.hpp"
 
-/// The guide to choosing a law: made of what design() uses, so that it cannot say anything else.
+/// The guide to choosing a law: made of the data of design(), so that both always agree.
 namespace jounce {
 
 /// The law's shape that the guide shows: its own, and of `scca` one in the middle of its family.
@@ -16,7 +16,7 @@ LawForm shown_form(Law law);
 std::vector<Law> rising_laws();
 Characteristics characteristics(Law law);
 
-/// What the law may have at its ends, in words.
+/// Permitted ends of the law, as text.
 const char* ends_in_words(Ends ends);
 
 /// One line a law: its word, its ends, its characteristic values.

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// How a measured master is made smooth, in its unit u and s; docs/executor/masters.md.
+/// Smoothing of a measured master, in its unit u and s; docs/executor/masters.md.
 struct TrackingSpec {
   double velocity = 0;      ///< u/s: required
   double acceleration = 0;  ///< u/s^2: required
@@ -29,18 +29,18 @@ struct TrackingSpec {
 ///     velocity = 1500          # mm/s
 ///     acceleration = 20000     # mm/s^2
 struct MachineMasterSpec {
-  /// Said on the bus under the master's name: `jounce master`, or a line that speaks the protocol.
+  /// Samples from the bus under the name of the master: `jounce master`, or a line with the protocol.
   struct External {
     TrackingSpec tracking = {};
   };
   /// Read in every cycle: where an axis's drive says that it is, or a drive in shared memory that nobody moves.
   struct Encoder {
     TrackingSpec tracking = {};
-    std::string axis = {};                            ///< of the machine; empty: `drive`
+    std::string axis = {};                            ///< axis of the machine; empty: `drive`
     std::optional<AxisDriveSpec::Shared> drive = {};  ///< behind shared memory
     double resolution = 0;                            ///< u of a count; 0: none
     double noise = 0;                                 ///< u rms; 0: none
-    std::uint64_t seed = 1;                           ///< of the noise
+    std::uint64_t seed = 1;                           ///< seed of the noise
   };
   /// A virtual axis of this name, which plays a file when it is ordered to start.
   struct FromTable {

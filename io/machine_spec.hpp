@@ -12,7 +12,7 @@ namespace jounce {
 /// Whom an axis follows: [follow] of a spec of kind "axis".
 struct FollowWhom {
   std::string axis = {};    ///< another axis of the same machine
-  bool actual = false;      ///< where its drive says that it is, not what it is commanded
+  bool actual = false;      ///< actual position of its drive instead of its setpoint
   std::string master = {};  ///< or a master of the machine
 };
 
@@ -29,7 +29,7 @@ struct FollowWhom {
 struct MachineSpec {
   struct Axis {
     std::string spec = {};                  ///< its file; relative to the machine's own
-    std::optional<FollowWhom> follow = {};  ///< in place of what its file says
+    std::optional<FollowWhom> follow = {};  ///< replaces the entry of its file
     std::string key = {};                   ///< "axis[1]", for messages
   };
   Document document;

@@ -10,15 +10,15 @@
 
 namespace jounce {
 
-/// How much of a mode the motion leaves swinging at its end: predicted for each mode that an operator
+/// Residual vibration of a mode at the end of the motion: predicted for each mode that an operator
 /// of the spec was made for, in the unit of the position.
 struct Residual {
   Mode mode;          ///< Hz
-  double before = 0;  ///< of the motion as it was before all operators
-  double after = 0;   ///< of the finished one
+  double before = 0;  ///< before of the motion as it was before all operators
+  double after = 0;   ///< after of the finished one
 };
 
-/// What a spec makes for one axis: the exact curve, the table a controller gets, and how far they
+/// Result of a spec for one axis: the exact curve, the table for a controller, and their greatest
 /// differ.
 struct Made {
   AxisPart part;  ///< whose it is
@@ -26,7 +26,7 @@ struct Made {
   std::vector<std::string> segments;  ///< a name for each segment of the curve, for reports
   Sampled sampled;
   std::vector<Residual> residuals = {};
-  std::vector<SyncZone> zones = {};  ///< in which a slave is in step, where its generator says so
+  std::vector<SyncZone> zones = {};  ///< in which a slave is in step, if its generator reports it
 };
 
 /// Spec -> generator -> operators -> curve -> table; one an axis, all over the same time. Throws
@@ -36,7 +36,7 @@ std::vector<Made> make_axes(const Spec& spec);
 /// The same where there is one axis; several are an InputError.
 Made make(const Spec& spec);
 
-/// What a time table (kinds "pt" and "pvt", before any operator) plays without a word: warnings of
+/// What a time table (kinds "pt" and "pvt", before any operator) plays without an error: warnings of
 /// steps, swings and overshoot; and of a polydyne cam where its acceleration steps. Nothing of others.
 Report table_warnings(const Spec& spec);
 
@@ -44,7 +44,7 @@ Report table_warnings(const Spec& spec);
 /// that says what to add.
 Trajectory make_master(const Spec& spec);
 
-/// How many seconds one time unit of the spec is.
+/// Length of the time unit of the spec, s.
 double seconds_per_unit(const Spec& spec);
 
 /// [limits.slave] by the master, which runs at its full speed. Throws InputError (`limits.slave.velocity`,

@@ -21,7 +21,7 @@
 #include "jounce/profiles/via.hpp"
 #include "jounce/pvt/compensation.hpp"
 
-/// What a spec says of motions over time: one struct a `profile`, each with what its generator in
+/// Specs of motions over time: one struct a `profile`, each with what its generator in
 /// `profiles/` takes. Numbers are in the spec's units, unless a controller's own are named.
 namespace jounce {
 
@@ -31,7 +31,7 @@ struct PointToPointSpec {
   Bounds bounds;
   std::optional<double> duration;
   std::optional<double> period;
-  Direction direction = Direction::shortest;  ///< with a period only
+  Direction direction = Direction::shortest;  ///< needs a period
 };
 
 /// profile = "velocity": move_velocity.
@@ -122,9 +122,9 @@ using MoveSpec =
 struct AxesSpec {
   Sync sync = Sync::time;
   double duration = 0;                      ///< the least; 0: as short as it can be
-  std::vector<AxisMove> axes;               ///< with points, only the bounds count
+  std::vector<AxisMove> axes;               ///< for points, only the bounds count
   std::vector<std::vector<double>> points;  ///< through these; then without `sync`
-  ViaSpec via = {};                         ///< what a motion through them has beside axes and points
+  ViaSpec via = {};                         ///< further options of a motion through points
   bool shortest_times = false;              ///< a spline through them with the best times, not via()
 };
 
@@ -144,7 +144,7 @@ struct ChangeSpec {
   double time = 0;
   double value = 0;  ///< target, velocity or distance
   Dynamics dynamics = {};
-  std::optional<double> abort = {};  ///< of superimposed
+  std::optional<double> abort = {};  ///< abort of superimposed
 };
 
 /// A correction of one axis by where axes are; those of several are named.
@@ -152,10 +152,10 @@ struct CompensateSpec {
   CompensationSpec table;
   std::string axis = {};                    ///< that is corrected; "": the only one
   std::vector<std::string> references = {};  ///< one a grid axis; "": the corrected one itself
-  std::optional<double> tolerance = {};     ///< where no segment holds it exactly
+  std::optional<double> tolerance = {};     ///< if no segment can be exact
 };
 
-/// ShaperSpec and NotchSpec count in Hz, whatever the spec's unit of time.
+/// ShaperSpec and NotchSpec use Hz, independent of the unit of time of the spec.
 using Operator =
     std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec, ChangeSpec,
                  CompensateSpec>;

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// One column of points: its name and unit as the header says them.
+/// One column of points: its name and unit from the header.
 struct PointColumn {
   std::string name;  ///< lower case: "time", "position", "geo_velocity", "type"
   std::string unit;  ///< "" where the header gives none
@@ -33,7 +33,7 @@ struct PointColumn {
 struct Points {
   std::string document;
   std::vector<PointColumn> columns;
-  std::vector<std::uint32_t> lines;  ///< of the document, for each point
+  std::vector<std::uint32_t> lines;  ///< lines of the document, for each point
 
   [[nodiscard]] std::size_t size() const { return lines.size(); }
   /// The column of that name, or nullptr.
@@ -46,7 +46,7 @@ struct Points {
 Points read_points(const std::string& path);
 Points parse_points(std::string_view text, const std::string& document);
 
-/// Whether the text begins as points do: two or more columns, each named by letters.
+/// True if the text begins as points do: two or more columns, each named by letters.
 bool begins_as_points(std::string_view text);
 
 }  // namespace jounce

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// Whether a text may be shown anywhere: UTF-8 (RFC 3629: no overlong form, no surrogate) without control
+/// True if a text may be shown anywhere: UTF-8 (RFC 3629: no overlong form, no surrogate) without control
 /// characters. Those are U+0000 to U+001F, U+007F to U+009F (a terminal obeys both), the separators of
 /// lines and paragraphs, and the marks that turn the direction of what is written (U+061C, U+200E, U+200F,
 /// U+202A to U+202E, U+2066 to U+2069), with which a text can look like another one.

@@ -16,7 +16,7 @@ namespace jounce {
 /// same unit as the command), `velocity`, `torque`, `current` (times the drive's torque constant) and
 /// `load` (an encoder at the last mass). Other columns are not looked at. A header without a unit
 /// counts in that of the drive's file, seconds, N m, A. Throws InputError with file, line, column and
-/// rule for whatever points.hpp refuses, for a missing column, times that do not ascend, and a current
+/// rule for everything that points.hpp rejects, for a missing column, times that do not ascend, and a current
 /// without a torque constant.
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position);
 

@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// What a report's numbers are called and counted in.
+/// Names and units of the numbers of a report.
 struct Labels {
   Units units;
   bool over_master = false;
@@ -38,7 +38,7 @@ struct SegmentGroup {
 };
 std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
-/// As many rows as people look at.
+/// Greatest number of rows in text output.
 constexpr std::size_t rows_for_people = 60;
 
 /// A number for people: six significant digits.
@@ -47,7 +47,7 @@ std::string rounded(double value);
 /// One sentence: how many findings and the worst, or the smallest margin.
 std::string one_line(const Report& report, const Labels& labels);
 
-/// Whether it is the peak of a derivative that has no limit: see add_not_limited().
+/// True if it is the peak of a derivative that has no limit: see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
 /// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" where

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// What a controller's cycle makes of a table: a line of names with units, `master [deg],position
+/// Samples of a table in the cycle of a controller: a line of names with units, `master [deg],position
 /// [mm],geo_velocity [mm/deg],geo_acceleration [mm/deg^2]`, and a row every `step` > 0 of the table's
 /// axis, from its start on and not beyond its end. For other programs to plot and compare: it is not
 /// a table (no head, no hash). Doubles in their shortest form that reads back the same. Throws

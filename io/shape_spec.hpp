@@ -9,13 +9,13 @@
 
 namespace jounce {
 
-/// What the motor may do, [load.limits]: judged by check_load().
+/// Limits of the motor, [load.limits]: checked by check_load().
 struct LoadLimits {
   std::optional<double> torque = {};      ///< N m, peak
   std::optional<double> rms_torque = {};  ///< N m, over the cam
 };
 
-/// What the slave's motor has to move, [load]: seen at the motor's shaft, turned by theta = 2 pi f /
+/// Load of the motor of the slave, [load]: seen at the motor's shaft, turned by theta = 2 pi f /
 /// position_per_rev while the slave is at f. With r the slave's metres (rotary: radians) a radian of the
 /// motor and w the master's speed,
 ///
@@ -34,7 +34,7 @@ struct LoadSpec {
   double torque = 0;            ///< N m, at the motor: constant
   double mass = 0;              ///< kg, of a slave that moves straight
   double gravity = 0;           ///< m/s^2 along the slave, against its positive direction
-  double stiffness = 0;         ///< of a return spring: N/m, of a rotary slave N m/rad
+  double stiffness = 0;         ///< stiffness of a return spring: N/m, of a rotary slave N m/rad
   double preload = 0;           ///< its force where the slave is at 0: N, or N m
   double force = 0;             ///< constant, against the positive direction: N, or N m
   double coulomb = 0;           ///< N m, at the motor: dry friction, >= 0
@@ -45,7 +45,7 @@ struct LoadSpec {
   LoadLimits limits = {};
 };
 
-/// Whether (1) is linear in the shape: no dry friction, no lever.
+/// True if (1) is linear in the shape: no dry friction, no lever.
 bool is_linear(const LoadSpec& load);
 
 /// What is linear in the torque of (1), and the motor's speed, as quantities of a shape over the master,
@@ -62,9 +62,9 @@ EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// A figure of [optimize] with what is needed to print it.
 struct ShapeFigureSpec {
-  std::string name;    ///< as the spec writes it: "motor heating"
-  std::string unit;    ///< of the number that is printed
-  ShapeFigure figure;  ///< what is computed
+  std::string name;    ///< name in the spec: "motor heating"
+  std::string unit;    ///< unit of the number that is printed
+  ShapeFigure figure;  ///< the computed figure
   double factor = 1;   ///< printed is factor value, or factor value^2
   bool squared = false;
   bool times_length = false;  ///< times the length of the run

@@ -28,7 +28,7 @@
 
 namespace jounce {
 
-/// How a curve becomes a table: the rule, and either a tolerance or a number of equal intervals.
+/// Conversion of a curve to a table: the rule, and either a tolerance or a number of equal intervals.
 struct TableOptions {
   /// Left out: quintic_hermite, but cubic_hermite for a motion whose acceleration steps, and for a
   /// spec of knots.
@@ -39,21 +39,21 @@ struct TableOptions {
   std::optional<Target> target = {};
 };
 
-/// How the master runs when a cam is played: a trapezoidal move from 0.
+/// Motion of the master of a cam: a trapezoidal move from 0.
 struct MasterSpec {
   double velocity = 0;                 ///< master unit / time unit
   double distance = 0;                 ///< master unit
   std::optional<double> acceleration;  ///< left out: the (virtual) master starts at full speed
 };
 
-/// How the derivatives are chosen that a cam's knots leave out.
+/// Rule for derivatives that the knots of a cam leave out.
 enum class Boundaries {
   rest,                       ///< zero, where nothing beside them demands otherwise
   minimum_jerk,               ///< least rms geo_jerk: cam/boundaries.hpp
   minimum_peak_acceleration,  ///< least peak geo_acceleration: optimize/least_peak.hpp
 };
 
-/// What `jounce optimize` may change, and to what end: the `free` of the knots and [optimize].
+/// Quantities that `jounce optimize` may change, and its objective: the `free` of the knots and [optimize].
 struct OptimizeSpec {
   std::vector<FreeKnot> free;
   std::vector<Objective> minimize{Objective::peak_acceleration};
@@ -61,7 +61,7 @@ struct OptimizeSpec {
   std::optional<std::size_t> starts;
   std::optional<double> tolerance;
   std::optional<double> seconds = {};  ///< time budget
-  ShapeSpec shape = {};  ///< where segments are free in shape; then `minimize` above is not used
+  ShapeSpec shape = {};  ///< if segments are free in shape; then `minimize` above is not used
 };
 
 /// The servo axis that the table is proven against: [drive] and [drive.limits].
@@ -69,7 +69,7 @@ struct DriveSpec {
   Drive drive;
   DriveLimits limits;
   double settle = 0.2;                           ///< s of standstill after the motion's end
-  bool periodic = false;                         ///< the motion repeats for ever: its steady state
+  bool periodic = false;                         ///< the motion repeats endlessly: its steady state
   std::vector<Interval> sync = {};               ///< [[drive.sync]], s of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
@@ -90,7 +90,7 @@ struct FollowerSpec {
 struct DiscPart {
   DiscSpec geometry;
   DiscLimits limits;
-  double tolerance = 0;              ///< of the contour
+  double tolerance = 0;              ///< tolerance of the contour
   std::optional<double> hub_radius;  ///< a circle of the drawing
   std::string length;  ///< the unit of all lengths: the slave's, or mm beside an angle
 };
@@ -109,7 +109,7 @@ struct AxisSpec {
   };
 
   double cycle = 1e-3;  ///< s
-  double position = 0;  ///< where the axis stands at first
+  double position = 0;  ///< position at the start
   // How it stops, and what it watches, as axis/axis_config.hpp; 0: left out. u and the spec's time.
   double modulo = 0;
   double stop_acceleration = 0;
@@ -135,14 +135,14 @@ struct AxisPart {
   std::string name;
   Units units;
   TableOptions table;
-  Limits limits;  ///< of a cam: per master unit
+  Limits limits;  ///< limits of a cam: per master unit
   std::optional<DriveSpec> drive;
 };
 
 /// An output that is fired along the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};                 ///< of several
-  SwitchesOf of = SwitchesOf::position;  ///< of kind "axis": position, or actual
+  std::string axis = {};                 ///< axis of several
+  SwitchesOf of = SwitchesOf::position;  ///< for kind "axis": position, or actual
   PositionCompare compare;
   CompareDevice device;  ///< in the spec's unit of time
 };
@@ -154,39 +154,39 @@ struct Spec {
   Document document;
   std::string name;
   Units units;              ///< x is the master's unit for a cam, the time's for the others
-  std::string time_unit;    ///< "s" unless the spec says otherwise
-  std::string master_unit;  ///< of an axis that follows a master; otherwise ""
+  std::string time_unit;    ///< "s" by default
+  std::string master_unit;  ///< master unit of an axis that follows a master; otherwise ""
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, TimeTableSpec, AxisSpec,
                DriveAlone>
       subject;
   std::vector<Operator> then;                ///< done to the motion, one after another
-  std::vector<AxisPart> axes;                ///< of kind "axes"; empty for the others
-  Boundaries boundaries = Boundaries::rest;  ///< of a cam
+  std::vector<AxisPart> axes;                ///< axes of kind "axes"; empty for the others
+  Boundaries boundaries = Boundaries::rest;  ///< boundaries of a cam
   TableOptions table;
-  Limits limits;  ///< of a cam: per master unit
-  Limits slave;   ///< of a cam: over time, [limits.slave]; without positions
+  Limits limits;  ///< limits of a cam: per master unit
+  Limits slave;   ///< slave of a cam: over time, [limits.slave]; without positions
   std::optional<MasterSpec> master;
-  std::optional<CouplingSpec> coupling;  ///< of a cam: how `jounce stream` engages it; in s
+  std::optional<CouplingSpec> coupling;  ///< coupling of a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;
   std::optional<ParametersSpec> parameters;  ///< that `jounce optimize` chooses
   std::optional<DriveSpec> drive;
-  std::optional<DiscPart> disc;  ///< of a cam
+  std::optional<DiscPart> disc;  ///< disc of a cam
   std::optional<Mode>
-      polydyne;  ///< of a cam: its knots say what the load behind this mode (Hz) does
-  std::optional<FollowerSpec> follower = {};  ///< of a cam with a master
-  AxisSwitches switches;                      ///< of kinds "axis" and "cam"
-  std::optional<CompareSpec> compare;         ///< of a motion over time
-  bool himc = false;  ///< of kind "pvt": for HIMC's MovePVT
-  Report fill;  ///< of kind "pvt": what filling in its velocities could not do
+      polydyne;  ///< polydyne of a cam: its knots define the motion of the load behind this mode (Hz)
+  std::optional<FollowerSpec> follower = {};  ///< follower of a cam with a master
+  AxisSwitches switches;                      ///< switches of kinds "axis" and "cam"
+  std::optional<CompareSpec> compare;         ///< compare of a motion over time
+  bool himc = false;  ///< himc of kind "pvt": for HIMC's MovePVT
+  Report fill;  ///< fill of kind "pvt": what filling in its velocities could not do
 
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  /// Whether it makes a cam, designed by its knots or for a slave in step, rather than a motion.
+  /// True if it makes a cam, designed by its knots or for a slave in step, rather than a motion.
   [[nodiscard]] bool over_master() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
   }
-  /// Of a periodic cam, master unit.
+  /// For a periodic cam, master unit.
   [[nodiscard]] std::optional<double> master_period() const;
 };
 

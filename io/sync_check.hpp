@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What is to be said of a slave in step beside its limits: findings of its generator's own, with
+/// Findings of a slave in step besides its limits: those of its generator, with
 /// their units. Empty for kinds that have none, and for what is no such spec.
 Report check_sync(const Spec& spec);
 
@@ -21,14 +21,14 @@ struct SyncFigure {
 };
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
-/// Whether the slave's cam follows from one speed of the master (a shear's does): for another speed
+/// True if the slave's cam follows from one speed of the master (a shear's does): for another speed
 /// another cam would do.
 bool is_made_for_a_speed(const Spec& spec);
 
-/// Whether the slave of this spec stays in gear beyond its table, behind a live master.
+/// True if the slave of this spec stays in gear beyond its table, behind a live master.
 bool stays_in_gear(const Spec& spec);
 
-/// What a finding of check_sync says, for the reports: the rules "knife/...", "shear/..." and
+/// Text of a finding of check_sync, for the reports: the rules "knife/...", "shear/..." and
 /// "gear/...".
 bool is_sync_rule(const std::string& rule);
 std::string sync_sentence(const Finding& finding, const std::string& where);

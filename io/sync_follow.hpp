@@ -4,7 +4,7 @@
 
 namespace jounce {
 
-/// What is to be said of a spec of kind "follow" beside its limits: the findings of its tables or of
+/// Findings of a spec of kind "follow" besides its limits: those of its tables or of
 /// its plan ("follow/..."), and when it begins where it waits for its [master] to pass a place. That
 /// master starts from rest at 0. Empty for other kinds.
 Report check_follow(const Spec& spec);

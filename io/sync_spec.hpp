@@ -13,11 +13,11 @@
 #include "jounce/gear/rotary_knife.hpp"
 #include "jounce/gear/sync_cam.hpp"
 
-/// What a spec says of slaves that work with their master: one struct a kind, each with what its
+/// Specs of slaves that work with their master: one struct a kind, each with what its
 /// generator in `gear/` takes. Numbers are in the spec's units.
 namespace jounce {
 
-/// kind = "gear": slave = master * numerator / denominator, for ever.
+/// kind = "gear": slave = master * numerator / denominator, without drift.
 struct GearSpec {
   std::int64_t numerator = 1;
   std::int64_t denominator = 1;

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// Where a table comes from. Not part of its identity.
+/// Origin of a table. Not part of its identity.
 struct Provenance {
   std::string spec;         ///< name of the spec file; may be empty
   std::string spec_sha256;  ///< hash of its text; may be empty
@@ -30,14 +30,14 @@ std::string made_by();
 std::string to_csv(const TableFile& file);
 std::string to_json(const TableFile& file);
 
-/// Reads either format, told apart by the first character. Throws InputError with file, line, key,
+/// Reads either format, recognized by the first character. Throws InputError with file, line, key,
 /// value and rule: wrong schema or version, a missing or unknown head line, a wrong number of rows
 /// or columns, text that is not a finite number, knots that do not ascend, a unit that is none, a
 /// hash that does not match what follows.
 TableFile parse_table(const std::string& text, const std::string& name);
 TableFile read_table(const std::string& path);
 
-/// Whether the text is a table file rather than a spec.
+/// True if the text is a table file rather than a spec.
 bool is_table(const std::string& text);
 
 /// CSV, or JSON where the path ends in ".json". Throws InputError where a unit is missing, as in a

@@ -8,14 +8,14 @@
 #include "jounce/io/hash.hpp"
 #include "jounce/pvt/reduce.hpp"
 
-/// What a table is for, in the words of specs and of the command line.
+/// Target of a table, in the terms of specs and of the command line.
 ///
 ///     Target target = target_of(*controller_table("googol_follow"), {"pulse", "pulse"});
 ///     target.tolerance = 0.5;
 ///     Sampled table = reduced(cam, target);
 namespace jounce {
 
-/// What a controller's memory holds: numbers that its manual states.
+/// Capacity of a controller, from its manual.
 struct ControllerTable {
   const char* name;
   Axis axis;
@@ -38,7 +38,7 @@ const ControllerTable* controller_table(const std::string& name);
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step = {}, const std::string& key = "x_step");
 
-/// How a spec calls a member of Target, by its name in reduce.hpp: over the master, velocities are
+/// Name of a member of Target in a spec, by its name in reduce.hpp: over the master, velocities are
 /// "geo_velocity..."; x_step is "time_resolution" or "master_resolution".
 std::string spec_key(Axis axis, const std::string& member);
 

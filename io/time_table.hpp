@@ -10,7 +10,7 @@
 #include "jounce/pvt/profile_table.hpp"
 #include "jounce/pvt/pt.hpp"
 
-/// What a spec of kind "pt" says: a time table that is played as it stands. Numbers are in the spec's
+/// A spec of kind "pt": a time table that is played unchanged. Numbers are in the spec's
 /// units.
 namespace jounce {
 
@@ -18,7 +18,7 @@ namespace jounce {
 struct PtSpec {
   std::vector<PtPoint> points;
   std::size_t loops = 1;      ///< 0: without end
-  double start_velocity = 0;  ///< what a `continue` first point begins with
+  double start_velocity = 0;  ///< initial velocity of a `continue` first point
   Outside outside = Outside::hold;
   bool googol = false;  ///< its limits hold
 };
@@ -39,7 +39,7 @@ Trajectory motion_of(const TimeTableSpec& spec);
 /// A name for each of its segments: "2 even", "pass 3: 2 even"; none for PMC600's.
 std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
-/// What it plays without a word: check_pt or velocity_steps, and overshoot. A table in several passes is
+/// Its findings: check_pt or velocity_steps, and overshoot. A table in several passes is
 /// looked at once.
 Report warnings_of(const TimeTableSpec& spec);
 

@@ -11,15 +11,15 @@ namespace jounce {
 /// ms, us, ns, min, h; kg with g; N, J, W; Hz with kHz, MHz; A, V, ohm; and their products, quotients and powers. Metres,
 /// radians and pulses are different things here: none converts into another.
 
-/// Whether the text is a unit. The empty text is not.
+/// True if the text is a unit. The empty text is not.
 bool is_unit(std::string_view text);
 
-/// How many `to` one `from` is. Throws InputError (key "unit") if either is not a unit or they do
+/// Factor from the unit `from` to `to`. Throws InputError (key "unit") if either is not a unit or they do
 /// not measure the same thing.
 double conversion(std::string_view from, std::string_view to);
 
 /// A number with or without a unit ("12.5", "12.5 mm/s", "-3e2 deg") as a number of `unit`; without
-/// one it already is in `unit`. Throws InputError (no key; the rule says what is wrong and which
+/// one it already is in `unit`. Throws InputError (no key; the rule names the error and which
 /// unit is expected): not a number, not finite, not a unit, a unit that measures something else.
 double quantity(std::string_view text, std::string_view unit);
 

@@ -35,7 +35,7 @@ double least_square_acceleration(const Stretch& stretch);
 /// then taken out again (9/4 h^2 / L^3 from rest to rest). End accelerations do not matter.
 double least_peak_power(const Stretch& stretch);
 
-/// What no choice of the problem's free quantities can beat, whatever the laws between the fixed
+/// Bound for every choice of the free quantities, and for all laws between the fixed
 /// knots: the cam is cut at the knots whose master, slave and geo_velocity are fixed; each stretch
 /// has the bound above, or that of the places it passes where their slave is fixed; each segment without
 /// freedom has its exact value. A first or last stretch whose

@@ -24,7 +24,7 @@ struct FreeShape {
   std::size_t pieces = 100;  ///< polynomials
   int continuity = 4;        ///< continuous derivatives inside, 2 to 6; the degree is one more
   bool monotone = false;     ///< the slave never turns back within the segment
-  EndJerk end_jerk = EndJerk::as_given;  ///< where a run begins or ends with this segment
+  EndJerk end_jerk = EndJerk::as_given;  ///< if a run begins or ends with this segment
 };
 
 /// A cam of which some segments may take any shape.
@@ -40,7 +40,7 @@ struct FreeShape {
 ///
 /// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
 /// has them, and so does geo_jerk where the given cam has none of its steps there, unless the shape's
-/// end_jerk says otherwise; `active` of the run then lists it as "kept/geo_jerk". What `knots` lists
+/// end_jerk differs; `active` of the run then lists it as "kept/geo_jerk". What `knots` lists
 /// is free within its bounds, which may be infinite: at knots inside a run, and where a cam that is not
 /// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
 ///
@@ -55,13 +55,13 @@ struct CamShapeProblem {
   Limits limits = {};                  ///< per master unit
   std::vector<Corridor> corridors =
       {};                              ///< from, to in the cam's master; cut to the runs they meet
-  std::vector<Ceiling> ceilings = {};  ///< of each run
+  std::vector<Ceiling> ceilings = {};  ///< ceilings of each run
   std::vector<std::vector<WeightedFigure>> minimize = {};  ///< most important first
   bool refine = false;
   std::uint64_t seed = 1;
   int max_evaluations = 2000;
   std::optional<double> seconds = {};  ///< for everything
-  double tolerance = 1e-6;             ///< of one solution, relative
+  double tolerance = 1e-6;             ///< tolerance of one solution, relative
   double concession = 1e-3;
 };
 
@@ -69,11 +69,11 @@ struct CamShapeProblem {
 /// an objective, shapes that exist, one continuity in a run, knots that a shape reaches.
 void require_valid(const CamShapeProblem& problem);
 
-/// What became of one run.
+/// Outcome of one run.
 struct CamRunOutcome {
-  std::vector<std::size_t> segments;  ///< of the spec, in the order of the master
-  ShapeOutcome shape;                 ///< of the last entry of `minimize`
-  /// Of every entry of `minimize`, then of the ceilings: `reached` is that of the finished shape.
+  std::vector<std::size_t> segments;  ///< segments of the spec, in the order of the master
+  ShapeOutcome shape;                 ///< shape of the last entry of `minimize`
+  /// For every entry of `minimize`, then for the ceilings: `reached` is that of the finished shape.
   std::vector<FigureResult> figures;
 };
 
@@ -91,13 +91,13 @@ struct CamShapeOutcome {
 struct CamShapeProgress {
   std::size_t run = 0;
   std::size_t runs = 0;
-  std::size_t stage = 0;  ///< of `minimize`
+  std::size_t stage = 0;  ///< stage of `minimize`
   std::size_t stages = 0;
   int round = 0;
   double value = 0;
 };
 
-/// Return false to stop; the best so far is still answered, and is usable if it says so.
+/// Return false to stop; the best so far is still returned, and usable if marked so.
 using CamShapeKeepGoing = std::function<bool(const CamShapeProgress&)>;
 
 /// Throws InputError as require_valid() does.

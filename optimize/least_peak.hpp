@@ -13,7 +13,7 @@ struct LeastPeak {
 };
 
 /// The fill "minimum_peak_acceleration": what the spec leaves out (free_derivatives() in
-/// cam/boundaries.hpp says what counts) is chosen for the least max |geo_acceleration| over the whole
+/// see cam/boundaries.hpp) is chosen for the least max |geo_acceleration| over the whole
 /// cam, to 1e-6 of it. That leaves a choice wherever the cam is not at its hardest: of all cams within
 /// 1e-6 of the least peak it is the one with the least integral of geo_jerk^2.
 ///

@@ -10,24 +10,24 @@
 
 namespace jounce {
 
-/// How far one objective was brought.
+/// Result for one objective.
 struct ObjectiveResult {
   Objective objective = Objective::peak_acceleration;
-  double given = 0;    ///< of the cam that was given
-  double reached = 0;  ///< of Outcome::best, exact
+  double given = 0;    ///< given of the cam that was given
+  double reached = 0;  ///< reached of Outcome::best, exact
   double bound = 0;    ///< proven: no cam within the limits is below, this objective alone
 
   /// The share of `reached` that at most could still be saved: 0 at the bound, below 1.
   [[nodiscard]] double gap() const;
 };
 
-/// What optimize() answers.
+/// Result of optimize().
 struct Outcome {
   enum class Status {
     optimal,     ///< every objective is within tolerance of its proven bound
-    converged,   ///< no start improves any more; the gaps say what is left at the most
+    converged,   ///< no start improves any more; the gaps bound the remaining gain
     stalled,     ///< evaluations ran out, or the solver gave up: the best may still be improved
-    cancelled,   ///< the caller said stop
+    cancelled,   ///< stopped by the caller
     infeasible,  ///< no start met the limits; `best` violates them least where it can change
   };
 
@@ -36,13 +36,13 @@ struct Outcome {
   CamSpec best;                             ///< the best feasible cam, or the least violated one
   std::vector<ObjectiveResult> objectives;  ///< in the order of CamProblem::minimize
   Report limits;  ///< check(best, limits); segments count from 0 in the spec
-  /// What stops further improvement: limits met to 1e-6 ("limit/..."), free quantities at a bound
+  /// Active constraints: limits reached to 1e-6 ("limit/..."), free quantities at a bound
   /// ("bound/..."), and where each peak is attained ("objective/..."). Segments as above.
   std::vector<Finding> active;
-  int evaluations = 0;  ///< of the constraints, with gradients
+  int evaluations = 0;  ///< evaluations of the constraints, with gradients
   int starts = 0;       ///< tried
 
-  /// Whether `best` keeps every limit.
+  /// True if `best` keeps every limit.
   [[nodiscard]] bool usable() const { return limits.ok(); }
 };
 
@@ -51,7 +51,7 @@ const char* name(Outcome::Status status);
 /// Between two starts.
 struct OptimizeProgress {
   std::size_t objective = 0;  ///< index into CamProblem::minimize
-  std::size_t start = 0;      ///< of `starts`, counted from 0
+  std::size_t start = 0;      ///< start of `starts`, counted from 0
   std::size_t starts = 0;
   int evaluations = 0;            ///< so far
   std::optional<double> reached;  ///< best value of this objective so far

@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// What a free quantity may be: lower <= value <= upper, both finite.
+/// Bounds of a free quantity: lower <= value <= upper, both finite.
 struct Bound {
   double lower = 0;
   double upper = 0;
@@ -25,7 +25,7 @@ struct FreeKnot {
   std::optional<Bound> geo_acceleration;
 };
 
-/// What can be minimised, over the whole cam and per master unit (u/m^2, u/m^3).
+/// Figures to minimise, over the whole cam and per master unit (u/m^2, u/m^3).
 enum class Objective {
   peak_acceleration,  ///< max |geo_acceleration|
   peak_jerk,          ///< max |geo_jerk|, both sides of every knot
@@ -63,7 +63,7 @@ struct CamProblem {
   std::vector<FreeKnot> free;
   Limits limits;                       ///< per master unit; hold over the whole cam
   std::vector<Objective> minimize;     ///< most important first; no duplicates
-  std::uint64_t seed = 1;              ///< of the starts; the same problem gives the same outcome
+  std::uint64_t seed = 1;              ///< seed of the starts; the same problem gives the same outcome
   int starts = 8;                      ///< >= 1; the given cam is the first
   int max_evaluations = 50000;         ///< >= 1, of the whole problem
   double tolerance = 1e-6;             ///< relative, in [1e-9, 1]

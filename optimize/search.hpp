@@ -19,7 +19,7 @@ struct SearchVariable {
   double start = 0;
 };
 
-/// What one choice of the numbers gives. A choice that cannot be made at all (a spec refused) is said
+/// Result of one choice of the numbers. An impossible choice (a rejected spec) is reported
 /// so, not hidden in a number; an answer with a NaN or an infinity counts as one.
 struct SearchAnswer {
   double objective = 0;                  ///< to minimise
@@ -35,7 +35,7 @@ struct SearchOptions {
   bool global = true;                  ///< several basins: look everywhere first
   int max_evaluations = 5000;          ///< in [1, 1000000]
   std::optional<double> seconds = {};  ///< > 0; what is found by then depends on the machine
-  double tolerance = 1e-6;             ///< of the objective and of each range, in [1e-9, 0.01]
+  double tolerance = 1e-6;             ///< tolerance of the objective and of each range, in [1e-9, 0.01]
 };
 
 struct SearchProgress {
@@ -56,9 +56,9 @@ struct SearchOutcome {
   std::string beyond = {};  ///< why choices within 1e-3 of the ranges from `best` are not possible
   int evaluations = 0;
   int searches = 0;  ///< local ones, of the global phase
-  int agreeing = 0;  ///< of these, that led to where `best` was found
+  int agreeing = 0;  ///< agreeing of these, that led to where `best` was found
 
-  /// Whether `best` can be used.
+  /// True if `best` can be used.
   [[nodiscard]] bool usable() const { return feasible; }
 };
 
@@ -82,7 +82,7 @@ struct SearchOutcome {
 /// island narrower than a 256th of the range can be missed.
 ///
 /// **Several variables** with a bound that is feasible only within a hair's breadth, or a best in a
-/// narrow curved valley, may end early: the status says `stalled` where that was noticed.
+/// narrow curved valley, may end early: the status is `stalled` if that was detected.
 ///
 /// Deterministic for a seed and a number of evaluations, unless `seconds` or keep_going end it. f is
 /// called from this thread only, with numbers within their bounds. An exception thrown by f comes out

@@ -66,7 +66,7 @@ struct LoadTorque {
   LinearQuantity linear = {};         ///< J f'' + B f' + K f + F
   std::vector<Segment> inertia = {};  ///< J(x) over the shape's interval, beside `linear`; no sines
   double coulomb = 0;                 ///< dry friction, >= 0
-  double gravity = 0;                 ///< of a lever: weight times its length
+  double gravity = 0;                 ///< gravity of a lever: weight times its length
   double turn = 0;                    ///< rad/u
   double angle = 0;                   ///< rad, at f = 0; 0: hanging down
 };
@@ -110,7 +110,7 @@ std::string name(const ShapeFigure& figure);
 
 // ---- the problem ------------------------------------------------------------------------------
 
-/// What is fixed at one end; what is left out is free.
+/// Fixed values at one end; an omitted value is free.
 struct ShapeEnd {
   std::optional<double> value = {};         ///< u
   std::optional<double> velocity = {};      ///< u/x
@@ -144,7 +144,7 @@ struct Ceiling {
 
 struct WeightedFigure {
   ShapeFigure figure;
-  double weight = 1;  ///< of figure / (its value for the given shape), > 0
+  double weight = 1;  ///< weight of figure / (its value for the given shape), > 0
 };
 
 /// A function left open between two ends: its shape is wanted.
@@ -172,7 +172,7 @@ struct ShapeProblem {
   std::vector<Corridor> corridors = {};
   std::vector<Ceiling> ceilings = {};
   std::uint64_t seed = 1;
-  int max_evaluations = 2000;          ///< of the not convex part
+  int max_evaluations = 2000;          ///< max evaluations of the not convex part
   std::optional<double> seconds = {};  ///< time budget
   double tolerance = 1e-6;             ///< relative
 };
@@ -196,12 +196,12 @@ struct ShapeOutcome {
   /// one in every derivative, has a weighted sum below. (One beyond, k times as far, could be better by k
   /// times what `value` is above the bound, and no more.)
   std::optional<double> spline_bound = {};
-  std::vector<FigureResult> figures;  ///< of `minimize`, then of `ceilings`
+  std::vector<FigureResult> figures;  ///< figures of `minimize`, then of `ceilings`
   /// Corridors and ceilings checked on the result, independently and exactly; also "fixed/..." and
   /// "joint/..." where it misses what is fixed at an end, or a joint.
   Report limits;
-  std::vector<Finding> active;  ///< what stops further improvement, as in Outcome
-  int rounds = 0;               ///< of the exchange
+  std::vector<Finding> active;  ///< active constraints, as in Outcome
+  int rounds = 0;               ///< rounds of the exchange
   int evaluations = 0;
 
   [[nodiscard]] bool usable() const { return limits.ok() && !segments.empty(); }

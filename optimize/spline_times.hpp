@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// What the times of a spline are chosen for.
+/// Problem of the best times of a spline.
 enum class TimeObjective {
   shortest,           ///< least duration within the limits
   least_peak_jerk,    ///< least max |jerk| over all joints, at a given duration
@@ -41,11 +41,11 @@ struct SplineTimesSpec {
   std::vector<Limits> limits = {};          ///< one a joint; for `shortest`, and checked for all
   TimeObjective objective = TimeObjective::shortest;
   double duration = 0;     ///< s: of the other two objectives
-  std::uint64_t seed = 1;  ///< of the starts: the same spec gives the same times
+  std::uint64_t seed = 1;  ///< seed of the starts: the same spec gives the same times
   int starts = 24;         ///< >= 1
 };
 
-/// What spline_times() answers.
+/// Result of spline_times().
 struct SplineTimes {
   enum class Status {
     converged,  ///< several starts agree on the best to 1e-6: the search is local, no proof
@@ -54,7 +54,7 @@ struct SplineTimes {
   Status status = Status::stalled;
   std::string reason;              ///< one sentence
   double duration = 0;             ///< s
-  double value = 0;                ///< of the objective: s, u/s^3 or u^2/s^5
+  double value = 0;                ///< value of the objective: s, u/s^3 or u^2/s^5
   std::vector<double> intervals;   ///< s, between knots
   std::vector<Trajectory> joints;  ///< exact; each holds outside
   Report limits;                   ///< all joints against their limits, by exact extrema
@@ -62,7 +62,7 @@ struct SplineTimes {
   std::vector<std::string> active;
   int agreeing = 0;     ///< starts that reached the value to a relative 1e-6
   double spread = 0;    ///< relative difference of the best two starts
-  int evaluations = 0;  ///< of the splines with all derivatives
+  int evaluations = 0;  ///< evaluations of the splines with all derivatives
 };
 
 const char* name(SplineTimes::Status status);

@@ -10,13 +10,13 @@
 
 namespace jounce {
 
-/// How a curve is to be shown. Everything may be left out.
+/// Options of the picture of a curve. All are optional.
 struct CurveLook {
   std::string title{};
   std::string axis{};           ///< name of the x axis; by default "time" or "master"
   std::string axis_unit{};      ///< "s", "deg", ...; "deg" and "°" get angular ticks
-  std::string unit{};           ///< of the position: "mm"; the rates' units follow from both
-  std::string label = "curve";  ///< of the curve and of the one before it, for the legend
+  std::string unit{};           ///< unit of the position: "mm"; the rates' units follow from both
+  std::string label = "curve";  ///< label of the curve and of the one before it, for the legend
   std::string before = "before";
   Limits limits{};
   std::vector<Shade> shades{};

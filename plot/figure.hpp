@@ -25,14 +25,14 @@ struct Series {
 struct Marker {
   double x = 0;
   double y = 0;
-  std::string text{};   ///< stands beside it, unless markers before it leave no room
+  std::string text{};   ///< shown beside it if there is enough space
   std::string hint{};   ///< shown where a pointer rests on it; may be empty
   bool broken = false;  ///< beyond a limit
 };
 
 /// One plot of the stack.
 struct Panel {
-  std::string y_label{};  ///< with the unit: "velocity [mm/s]"
+  std::string y_label{};  ///< includes the unit: "velocity [mm/s]"
   std::vector<Series> series{};
   std::optional<double> lower{};  ///< the allowed band: beyond it the plot is tinted
   std::optional<double> upper{};
@@ -54,7 +54,7 @@ struct Shade {
 ///     std::string file = svg(figure);
 ///
 /// Labels may hold any text; "^2" in them is shown as "²". A shade is named, and a knot numbered,
-/// where there is room; a pointer shows every name. A limit that is held by far is not drawn
+/// if there is space; a pointer shows every name. A limit that is held by far is not drawn
 /// but noted above its panel.
 struct Figure {
   std::string title{};

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// What a check found, for a page: one row a finding, in the report's order, the broken ones
+/// Findings of a check, for a page: one row for each, in the report's order, the broken ones
 /// marked. Columns that are empty throughout (of, segment, unit, what to change) are left out.
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 

@@ -46,7 +46,7 @@ struct Section {
   std::vector<Block> blocks{};
 };
 
-/// What the page says first: a sign, and a sentence.
+/// Verdict at the top of the page: a sign, and a sentence.
 struct Headline {
   bool ok = true;
   std::string text{};
@@ -57,7 +57,7 @@ struct Page {
   std::string subtitle{};
   std::optional<Headline> verdict{};
   std::vector<Section> sections{};
-  std::string footer{};  ///< where it comes from: version, hash of the table
+  std::string footer{};  ///< origin: version, hash of the table
 };
 
 /// The page as one self-contained HTML file. It has no script and loads nothing, and its

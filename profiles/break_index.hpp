@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Which interval of ascending breaks a position lies in, in constant time: what Curve and Table
+/// Finds the interval of ascending breaks that contains a position, in constant time: what Curve and Table
 /// look up before every evaluation.
 ///
 ///     const std::vector<double> breaks{0, 90, 90.5, 360};

@@ -13,7 +13,7 @@ namespace jounce {
 ///     Trajectory slow = composed(move, clock);
 ///     Trajectory slave = composed(cam, master);               // cam: a Cam, master: a Trajectory
 ///
-/// **Vocabulary.** The *inner* curve says where on the outer's axis we are: a clock (path time over
+/// **Vocabulary.** The *inner* curve gives the position on the axis of the outer: a clock (path time over
 /// time) or a master; the *outer* is played along it: a motion over path time, or a cam.
 ///
 /// **Breaks** are those of the inner and every place where the inner passes a break of the outer

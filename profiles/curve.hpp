@@ -42,7 +42,7 @@ class Curve {
   [[nodiscard]] double end() const { return breaks_.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] Outside outside() const { return outside_; }
-  /// How far the value goes in one period: Outside::advance; otherwise 0.
+  /// Advance of the value in one period: Outside::advance; otherwise 0.
   [[nodiscard]] double advance() const;
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }

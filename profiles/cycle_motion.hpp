@@ -4,7 +4,7 @@
 
 namespace jounce {
 
-/// How an axis moves within a cycle of dt s, of which both ends are known, as a segment of that length:
+/// Motion of an axis within a cycle of dt s between its two known ends, as a segment of that length:
 /// on the cubic through both positions and velocities (exact for a constant jerk), or on a straight line
 /// where such a cubic could not get there in order (noise, a jump).
 ///

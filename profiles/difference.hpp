@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// What changed from one curve to another, exactly: last week's cam and this week's, a cam and its
+/// Exact changes from one curve to another: last week's cam and this week's, a cam and its
 /// table, a motion before and after an operator.
 ///
 ///     const Changes changes = compare(before, after);
@@ -35,7 +35,7 @@ namespace jounce {
 template <class Over>
 struct Difference {
   Curve<Over> curve;          ///< refuses outside
-  std::vector<Jet> rounding;  ///< of each of its segments: of the value and of three derivatives
+  std::vector<Jet> rounding;  ///< rounding of each of its segments: of the value and of three derivatives
 };
 template <class Over>
 Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after);
@@ -49,11 +49,11 @@ struct Change {
   Range before;         ///< over the whole of each curve
   Range after;
 
-  /// Whether there is no difference but for rounding.
+  /// True if there is no difference but for rounding.
   [[nodiscard]] bool none() const;
-  /// What a share is a share of: the wider of the two ranges.
+  /// Reference of a share: the wider of the two ranges.
   [[nodiscard]] double span() const;
-  /// Whether the difference is at most `share` of the span, or none.
+  /// True if the difference is at most `share` of the span, or none.
   [[nodiscard]] bool within(double share) const;
 };
 
@@ -74,7 +74,7 @@ struct KnotChange {
   std::optional<Knot> before = {};  ///< none: added
   std::optional<Knot> after = {};   ///< none: removed
 
-  /// Whether its place, and whether value, velocity and acceleration changed by more than rounding;
+  /// True if its place, and whether value, velocity and acceleration changed by more than rounding;
   /// false where the knot is in one curve alone.
   bool moved = false;
   std::array<bool, 3> changed{};

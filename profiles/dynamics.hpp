@@ -5,7 +5,7 @@
 namespace jounce {
 
 /// The dynamics of a command as PLCopen blocks and most controllers take them: magnitudes, with
-/// `deceleration` for whatever slows down. In any one unit of length and time: u, s here.
+/// `deceleration` for slowing down. In any one unit of length and time: u, s here.
 ///
 ///     const Dynamics axis{.velocity = 10, .acceleration = 20, .deceleration = 10, .jerk = 200};
 ///     const Trajectory running = point_to_point(0, 50, axis).curve();
@@ -30,7 +30,7 @@ struct Dynamics {
 /// Rest to rest: trapezoid or s_curve. Throws InputError where `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// What a velocity ramp may do, in one sense (speeding up, or slowing down).
+/// Limits of a velocity ramp, in one sense (speeding up, or slowing down).
 struct RampLimits {
   double acceleration = 0;  ///< u/s^2, > 0, magnitude
   double jerk_begin = 0;    ///< u/s^3, from zero to the greatest acceleration; 0: not limited

@@ -8,11 +8,11 @@ namespace jounce {
 /// Shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
 std::string number(double value);
 
-/// Bad input, in one sentence: where it stands, what it says, and the rule it breaks.
+/// Bad input, in one sentence: its place, its value, and the rule that it breaks.
 ///
-/// This is the only exception that Jounce throws for input. A generator knows the key, the value
-/// and the rule; whoever read the document adds the place with at(). An expected outcome (a limit
-/// broken, an optimum not reached) is a returned value instead, and a programmer's mistake asserts.
+/// This is the only exception that Jounce throws for input. A generator gives the key, the value
+/// and the rule; the reader of the document adds the place with at(). An expected outcome (a limit
+/// broken, an optimum not reached) is a returned value instead, and a programming error asserts.
 ///
 ///     cams/feeder.toml:9:17: segment[2].end.master = 60: must be greater than 75, the knot before
 class InputError : public std::exception {

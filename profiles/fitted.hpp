@@ -4,7 +4,7 @@
 
 namespace jounce {
 
-/// A curve that stands for a function which fits no Segment, and how far it strays at the most.
+/// A curve that stands for a function which fits no Segment, and its greatest error.
 ///
 ///     Fitted<OverMaster> slave = composed_within(cam, camshaft, 1e-9);   // degree 25: not exact
 ///     double strays = slave.error[0];                   // <= 1e-9, certified

@@ -6,22 +6,22 @@
 
 namespace jounce {
 
-/// A value with its first three derivatives by whatever the curve runs over: [f, f', f'', f'''].
+/// A value with its first three derivatives by the variable of the curve: [f, f', f'', f'''].
 using Jet = std::array<double, 4>;
 
-/// Which limit is meant where a derivative jumps. Curves are right-continuous, so right is the
+/// Side of a jump of a derivative. Curves are right-continuous, so right is the
 /// rule.
 enum class Side { right, left };
 
-/// What happens outside [start, end]; named when a signal is made.
+/// Policy outside [start, end]; chosen when a signal is made.
 enum class Outside {
   refuse,   ///< a query outside is the caller's mistake: asserts, and holds in a release build
   hold,     ///< the end value, at rest
   wrap,     ///< periodic: the query is reduced into [start, end)
-  advance,  ///< as wrap, and every period goes on from where the one before ended: a rotary slave
+  advance,  ///< like wrap, and every period goes on from where the one before ended: a rotary slave
 };
 
-/// Whether the derivatives are periodic: wrap or advance.
+/// True if the derivatives are periodic: wrap or advance.
 constexpr bool repeats(Outside outside) {
   return outside == Outside::wrap || outside == Outside::advance;
 }

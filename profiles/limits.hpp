@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// What an axis may do, in its own unit u; what is left out is not limited. For a Cam the three
+/// Limits of an axis, in its own unit u; an omitted value is not limited. For a Cam the three
 /// rates are per master unit: u/m, u/m^2, u/m^3. All rates are magnitudes > 0.
 struct Limits {
   std::optional<double> position_min = {};
@@ -22,9 +22,9 @@ struct Limits {
 /// Throws InputError for a limit that is not finite, a rate that is not positive, or min > max.
 void require_valid(const Limits& limits);
 
-/// What a finding that is not broken means.
+/// Meaning of a finding that is not broken.
 enum class Severity {
-  required,  ///< it must hold, and does: the margin is the room left
+  required,  ///< it must hold, and does: the margin is the remainder
   warning,   ///< allowed, but perhaps not meant: an overshoot, a step of the acceleration
   note,      ///< a fact: how far above a known bound a quantity is
 };
@@ -35,24 +35,24 @@ struct Finding {
   std::string axis;      ///< whose, where several are checked; may be empty
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
   double where = 0;      ///< on the curve's axis
-  double value = 0;      ///< what the curve does there
-  double limit = 0;      ///< what it may do, with the value's sign
-  /// Room left, as a share of the limit (a position: of the permitted travel, or of the stroke
+  double value = 0;      ///< value of the curve there
+  double limit = 0;      ///< permitted value, with the sign of the value
+  /// Margin, as a share of the limit (a position: of the permitted travel, or of the stroke
   /// where only one end is limited); below 0: broken.
   double margin = 0;
   bool broken = false;
-  std::optional<std::size_t> segment;  ///< which segment of the curve, counted from 0
-  std::string advice;                  ///< what to change, in a few words; may be empty
-  std::string unit = {};               ///< of value and limit, where the quantity does not tell it
-  std::string where_unit = {};         ///< of where, if it is not the curve's axis
+  std::optional<std::size_t> segment;  ///< segment of the curve, zero-based
+  std::string advice;                  ///< suggested change; may be empty
+  std::string unit = {};               ///< unit of value and limit, if the quantity does not define it
+  std::string where_unit = {};         ///< unit of `where`, if it is not the axis of the curve
   Severity severity = Severity::required;
   /// false: a step or a figure that has no limit; `limit` and `margin` then only order the findings.
   bool has_limit = true;
 };
 
-/// What a check returns: it never prints and never throws for what it finds.
+/// Result of a check: it never prints, and never throws for a finding.
 struct Report {
-  std::vector<Finding> findings;  ///< as sort() leaves them
+  std::vector<Finding> findings;  ///< like sort() leaves them
 
   [[nodiscard]] bool ok() const;
   [[nodiscard]] std::size_t broken() const;
@@ -64,7 +64,7 @@ struct Report {
 void sort(Report& report);
 
 /// Exact extrema against limits. One finding for each segment and quantity that breaks a limit (a peak
-/// on a break is told of the segment before); for
+/// on a break counts for the segment before); for
 /// a limit that holds, one with the smallest margin of the whole curve.
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);

@@ -24,7 +24,7 @@ Turned rolled(double x, double period);
 /// turns * period + position, rounded once.
 double unrolled(const Turned& spot, double period);
 
-/// Which way to a target on a modulo axis; PMC600 MC_DIRECTION and its codes (section 4.1).
+/// Direction to a target on a modulo axis; PMC600 MC_DIRECTION and its codes (section 4.1).
 enum class Direction {
   negative = -1,
   shortest = 0,
@@ -33,7 +33,7 @@ enum class Direction {
   fastest = 3,  ///< the way that takes less time, from the state it is in
 };
 
-/// Where a modulo axis shall go.
+/// Target of a modulo axis.
 struct ModuloTarget {
   MoveStatus status = MoveStatus::ok;  ///< why there is none (current, fastest and one-way only)
   double distance = 0;                 ///< u, signed, from the present position
@@ -56,7 +56,7 @@ struct ModuloTarget {
 /// to the shorter way, then to the positive one.
 ///
 /// Exact for any number of turns: the distance is formed from the remainders. Keep the position of
-/// an endless axis reduced, and plan by distance; a sum of 1e12 turns has no room for the digits.
+/// an endless axis reduced, and plan by distance; a sum of 1e12 turns loses digits.
 /// Throws InputError for a period that is not positive or values that are not finite.
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// What a move may do, each direction on its own: u, u/s, u/s^2, u/s^3, signed. Every max > 0 and
-/// every min < 0 (positions: min < max). What is infinite is not limited: without jerk limits the
+/// Bounds of a move, separate for each direction: u, u/s, u/s^2, u/s^3, signed. Every max > 0 and
+/// every min < 0 (positions: min < max). An infinite value means no limit: without jerk limits the
 /// motion is of second order (acceleration steps), without those of acceleration of first order.
 struct Bounds {
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ enum class MoveStatus : std::uint8_t {
 /// One sentence for a status, for people.
 const char* explain(MoveStatus status) noexcept;
 
-/// A move, if there is one; otherwise the profile says nothing.
+/// A move, if there is one; otherwise the profile is empty.
 struct Move {
   MoveStatus status = MoveStatus::ok;
   Profile profile;
@@ -92,7 +92,7 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
 Move move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
              double duration) noexcept;
 
-/// How long a move between two states may last: every T >= minimum except the blocked intervals
+/// Possible durations of a move between two states: every T >= minimum except the blocked intervals
 /// (open, ascending, at most two), which exist only where an end moves.
 struct Durations {
   struct Interval {

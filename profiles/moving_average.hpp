@@ -23,7 +23,7 @@ namespace jounce {
 /// through its seam, over its own interval, and wraps.
 ///
 /// The value is accurate to rounding (about 1e-14 of the stroke): each piece is integrated on its
-/// own. What rounding leaves in the acceleration grows with 1 / T^2, to about 1e-6 of its peak at
+/// own. The rounding error of the acceleration grows with 1 / T^2, to about 1e-6 of its peak at
 /// the shortest window. Throws InputError unless the window is 1e-5 to 10000 times the curve's
 /// length, for a curve that begins or ends moving (append the stop first), and where a degree would
 /// pass 11 or a piece need more than three sines.

@@ -22,18 +22,18 @@ namespace jounce {
 /// rest. Beyond a target that moves it goes on at the target's velocity. Nothing allocates, locks or
 /// throws. An axis index must be less than N. Bounds, states and targets that make no sense are
 /// refused where they are set; the order before them stays.
-/// Which motion is kept, and what holds when a limit is lowered: docs/generators/online.md.
+/// Rules for lowered limits: docs/generators/online.md.
 template <std::size_t N>
 class OnlineGenerator {
  public:
   explicit OnlineGenerator(Sync sync = Sync::none) noexcept : sync_(sync) {}
 
-  /// Where an axis is; for the beginning, and for an axis that something else has moved. The next
+  /// State of an axis; for the beginning, and for an axis that something else has moved. The next
   /// setpoint steps there.
   MoveStatus set_state(std::size_t axis, const MotionState& state) noexcept {
     return axes_[axis].set_state(state);
   }
-  /// What the axis is to reach; MoveGoal::moving: where the target is at the beginning of the next step.
+  /// Goal of the axis; MoveGoal::moving: where the target is at the beginning of the next step.
   MoveStatus set_target(std::size_t axis, const MotionState& target,
                         MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
@@ -70,7 +70,7 @@ class OnlineGenerator {
 
   /// The setpoint of an axis.
   const Motion& operator[](std::size_t axis) const noexcept { return axes_[axis].now(); }
-  /// How long until the last axis is at its goal, s.
+  /// Time until the last axis is at its goal, s.
   [[nodiscard]] double remaining() const noexcept {
     double t = 0;
     for (const auto& axis : axes_) t = std::max(t, axis.remaining());
@@ -78,7 +78,7 @@ class OnlineGenerator {
   }
   /// Why an axis does not go to its goal, or ok.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// What the motion under way keeps. Its acceleration and jerk are wider than those that were set while
+  /// Bounds of the present motion. Its acceleration and jerk are wider than those that were set while
   /// the axis would pass its target without them.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();

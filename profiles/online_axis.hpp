@@ -34,7 +34,7 @@ class OnlineAxis {
   [[nodiscard]] bool is_held() const noexcept {
     return bounded_ && enabled_ && must_stop() && !arrived();
   }
-  /// Whether the axis has still a way to go to its goal, or must be planned for.
+  /// True if the axis has still a way to go to its goal, or must be planned for.
   [[nodiscard]] bool takes_part() const noexcept {
     return bounded_ && status_ == MoveStatus::ok && !must_stop() && (stale_ || !ended());
   }
@@ -43,10 +43,10 @@ class OnlineAxis {
   [[nodiscard]] AxisMove move(bool widened) const noexcept;
   [[nodiscard]] bool can_widen() const noexcept;
   [[nodiscard]] Profile rest_of_plan() const noexcept { return plan_.after(elapsed_); }
-  /// Whether the axis may follow a plan: one direction may be forbidden to it.
+  /// True if the axis may follow a plan: one direction may be forbidden to it.
   [[nodiscard]] bool permits(const Profile& plan) const noexcept;
   void go(const AxisMove& move, const Profile& plan) noexcept;
-  /// Whether the motion under way still leads to the goal: only what it has to keep has changed.
+  /// True if the motion under way still leads to the goal: only what it has to keep has changed.
   [[nodiscard]] bool is_on_its_way() const noexcept {
     return purpose_ == Purpose::goal && is_aimed();
   }
@@ -62,7 +62,7 @@ class OnlineAxis {
   [[nodiscard]] AxisMove stopping(bool widened) const noexcept;
   void stop(const AxisMove& move, const Profile& plan) noexcept;
 
-  /// Whether the next step of dt would lead where the axis can no longer stop inside its position limits.
+  /// True if the next step of dt would lead where the axis can no longer stop inside its position limits.
   [[nodiscard]] bool runs_out(double dt) const noexcept;
   void advance(double dt) noexcept;
 
@@ -117,7 +117,7 @@ class OnlineAxis {
 
 /// How strictly a motion is judged: one that is to be chosen, and one for want of which another is.
 enum class Judged : std::uint8_t { strictly, mildly };
-/// Whether a motion towards a goal passes it or turns round on its way (for a goal that is a velocity:
+/// True if a motion towards a goal passes it or turns round on its way (for a goal that is a velocity:
 /// the velocity does), by more than rounding.
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept;
 

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// What a step found.
+/// Result of a step.
 struct OnlineStep {
   /// Why an axis cannot go to its goal; `not_straight` also while the axes are off the line, because
   /// none on it keeps the bounds.
@@ -18,7 +18,7 @@ struct OnlineStep {
 
 namespace detail {
 
-/// The axes of an OnlineGenerator and the room that planning needs, all of one size.
+/// The axes of an OnlineGenerator and the memory for planning, all of one size.
 struct OnlineGroup {
   std::span<OnlineAxis> axes;
   std::span<AxisMove> moves;

@@ -14,14 +14,14 @@ struct FactorRequest {
   double factor = 1;  ///< 0 <= factor <= OverrideSpec::maximum
 };
 
-/// How a planned motion is played.
+/// Speed of a planned motion.
 struct OverrideSpec {
   std::vector<FactorRequest> requests = {};  ///< times ascend
-  double factor = 1;   ///< with which the motion begins; its plan begins at rest unless this is 1
+  double factor = 1;   ///< initial factor; the plan begins at rest unless this is 1
   double maximum = 1;  ///< the largest factor that may be asked for: 1.2 is 120 %
 };
 
-/// What came of one request.
+/// Outcome of one request.
 struct FactorRamp {
   double begin = 0;     ///< s, when the factor begins to change: not before the request
   double end = 0;       ///< s, when it is reached
@@ -57,16 +57,16 @@ struct Overridden {
 /// millisecond a request: it belongs into planning, not into the control cycle.
 ///
 /// **Guaranteed.** Velocity, acceleration and jerk limits hold at every instant if they hold for
-/// the plan, whatever the requests: a change that would break them comes later, or not at all
+/// the plan, for all requests: a change that would break them comes later, or not at all
 /// (`granted`); a hold that would end after the motion itself gives way to it. A factor above 1 is
-/// reduced to what the rest of the plan leaves room for. Steps of the plan's acceleration (a
+/// reduced to the margin of the rest of the plan. Steps of the plan's acceleration (a
 /// trapezoid's) stay steps and count as no jerk.
 ///
 /// A request replaces a ramp that has begun, from where that stands. The curves end where the path
 /// ends, or, if it is not reached, where the last ramp does; they hold there.
 ///
 /// Throws InputError if there are not as many limits as axes, an axis lacks a velocity, acceleration
-/// or jerk limit, if the plan breaks one (it says which, where and by how much) or breaks it at the
+/// or jerk limit, if the plan breaks one (with limit, place and amount) or breaks it at the
 /// first factor, for a factor out of range, times that do not ascend or lie before the
 /// start, axes with different intervals or that all stand still, a first factor of 0 that nothing
 /// ends, and where `composed` does (a plan of degree 4 or more does not fit the ramp of a clock,

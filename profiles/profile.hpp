@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// Where an axis is, how fast, and how it accelerates: u, u/s, u/s^2.
+/// Position, velocity and acceleration of an axis: u, u/s, u/s^2.
 struct MotionState {
   double position = 0;
   double velocity = 0;
@@ -38,7 +38,7 @@ class Profile {
 
   struct Phase {
     double duration = 0;  ///< > 0, s
-    double value = 0;     ///< of the highest derivative, signed: u/s^order
+    double value = 0;     ///< value of the highest derivative, signed: u/s^order
   };
 
   Profile() = default;
@@ -80,7 +80,7 @@ class Profile {
                                const MotionState& end) const noexcept;
   /// The rest of the motion from t on: begins with the state at t, ends where this one ends.
   [[nodiscard]] Profile after(double t) const noexcept;
-  /// Where the last phase is meant to end: what at() and curve() answer there, so that rounding in
+  /// Nominal end of the last phase: at() and curve() return it there, so that rounding in
   /// the phases does not show.
   void finish(const MotionState& end) noexcept { end_ = end; }
 
@@ -107,7 +107,7 @@ class Profile {
   std::uint8_t term_of(double value) noexcept;
 
   std::array<double, capacity> duration_{};
-  Values level_{};  ///< of which phases have one, or the sum of two
+  Values level_{};  ///< level of which phases have one, or the sum of two
   MotionState start_, end_;
   std::array<std::uint8_t, capacity> code_{};  ///< which two terms a phase's value is the sum of
   std::uint8_t count_ = 0;

@@ -20,7 +20,7 @@ namespace jounce {
 ///
 /// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities run in the direction of travel.
 /// **Impossible questions** (no such motion, a value that is not finite, a limit that is not > 0)
-/// are answered with nothing; so is a limit or a distance (not 0) less than 1e-30, and whatever is
+/// are answered with nothing; so is a limit or a distance (not 0) less than 1e-30, and any input that is
 /// finite and greater than 1e30. Nothing throws, nothing allocates. A jerk that is infinite gives
 /// the answers of second order (trapezoids).
 ///
@@ -33,7 +33,7 @@ struct Ramp {
   double jerk = none;       ///< u/s^3, > 0
 };
 
-/// How long and how far.
+/// Duration and distance.
 struct Extent {
   double duration = 0;  ///< s
   double distance = 0;  ///< u, signed
@@ -43,7 +43,7 @@ struct Extent {
 /// 2 sqrt(|dv|/j); distance (v0 + v1)/2 T.
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept;
 
-/// Where an axis is in a motion, as far as stopping needs to know: u/s, u/s^2, of either sign.
+/// State of an axis for a stop: u/s, u/s^2, of either sign.
 struct Moving {
   double velocity = 0;
   double acceleration = 0;
@@ -70,7 +70,7 @@ struct SpanEnds {
 std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
                                     const Ramp& ramp) noexcept;
 
-/// How long the fastest such way takes: the ramps to the peak velocity and back, and the cruise
+/// Duration of the fastest such motion: the ramps to the peak velocity and back, and the cruise
 /// between them. Equal to move_to(...) between the same states.
 std::optional<double> minimum_duration(double distance, const SpanEnds& ends,
                                        const Ramp& ramp) noexcept;

@@ -32,14 +32,14 @@ namespace jounce {
 /// greater than 1e30 and limits less than 1e-30, for a queue that does not last, and for a command
 /// that would begin where move_to() takes no state any more; every other queue has a motion.
 
-/// How a command takes over from the one before; the numbers are the controllers'.
+/// Start mode after the command before; the numbers are those of the controllers.
 enum class BufferMode : std::uint8_t {
   aborting = 0,           ///< at once, when it is issued: the running and all waiting ones end
   buffered = 1,           ///< when the one before is done: at rest, or in velocity
   blending_low = 2,       ///< at its end position with the lower of the two command velocities
-  blending_previous = 3,  ///< with that of the one before
-  blending_next = 4,      ///< with its own
-  blending_high = 5,      ///< with the higher of the two
+  blending_previous = 3,  ///< velocity of the command before
+  blending_next = 4,      ///< its own velocity
+  blending_high = 5,      ///< the higher of the two
 };
 
 /// MC_MoveAbsolute: to a position, u.
@@ -75,7 +75,7 @@ struct QueuedCommand {
   /// that has to turn round (after an abort) stops first, then moves back, as with_target() does.
   /// There is one jerk: deceleration_jerk must be 0 or equal to it.
   Dynamics dynamics = {};
-  BufferMode mode = BufferMode::buffered;  ///< of the first command: not used
+  BufferMode mode = BufferMode::buffered;  ///< mode of the first command: not used
   /// s, >= 0, ascending; an aborting command's only, which must have it unless it is the first.
   std::optional<double> issued = {};
 };
@@ -90,7 +90,7 @@ enum class CommandState : std::uint8_t {
   aborted,  ///< CommandAborted, while running or (then end == begin) before it began
 };
 
-/// What became of a command. All with the axis' sign.
+/// Outcome of a command. All with the sign of the axis.
 struct CommandRecord {
   double begin = 0;    ///< s
   double end = 0;      ///< s; both are breaks of the trajectory
@@ -114,7 +114,7 @@ struct QueuedMotion {
 ///    if the moves after it are too short, the highest from which they all can keep theirs and the
 ///    last can stop. All moves of a batch are looked at.
 /// 2. It is 0 where the next move turns round, covers no distance, or dwells; after MoveVelocity and
-///    Halt the next command begins when they are done, whatever its mode.
+///    Halt the next command begins when they are done, in every mode.
 /// 3. No move overshoots its end, except a batch's first that is too fast for it when it begins. It
 ///    passes the end faster than planned if the moves after it can cope, otherwise it overshoots,
 ///    returns, and hands over at rest.

@@ -15,7 +15,7 @@ namespace jounce {
 ///
 /// The least k > 0 such that the motion stretched to k times its duration keeps the rates: velocity
 /// falls by k, acceleration by k^2, jerk by k^3. Closed form from the exact extrema, so that
-/// nothing faster with the same shape exists; below 1 where the motion has room. Steps of the
+/// nothing faster with the same shape exists; below 1 if the motion has a margin. Steps of the
 /// acceleration (infinite jerk) stay steps and are not counted. Position limits do not enter:
 /// stretching cannot change a path.
 ///

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// Which input shaper. Each leaves nothing (ei: its tolerance) of the mode it is made for; they
+/// Kind of input shaper. Each leaves nothing (ei: its tolerance) of the mode it is made for; they
 /// differ in how far off the mode may lie, and how much longer the motion takes (in damped
 /// periods).
 enum class ShaperKind {
@@ -17,7 +17,7 @@ enum class ShaperKind {
   ei,   ///< extra insensitive: three impulses, one period; leaves `tolerance`, forgives about 20 %
 };
 
-/// HIMC's names (HMPL manual 15.1): NORMAL is type 1, ROBUST type 0. The manual does not say which
+/// HIMC's names (HMPL manual 15.1): NORMAL is type 1, ROBUST type 0. The manual does not define which
 /// shapers they are; these are what the names and their prices suggest.
 inline constexpr ShaperKind himc_normal = ShaperKind::zv;
 inline constexpr ShaperKind himc_robust = ShaperKind::zvd;

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// What curves, tables and a followed cam have in common: a domain, the breaks where a derivative
+/// Common interface of curves, tables and a followed cam: a domain, the breaks where a derivative
 /// may jump (both ends included, ascending), and the value with three derivatives at a point.
 /// Sampling, validating and streaming take any signal.
 template <class S>

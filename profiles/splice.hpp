@@ -27,13 +27,13 @@ MotionState state_at(const Trajectory& f, double t);
 /// one that steps in and steps out again, as a trapezoid's, can step at t too, and is none.
 MotionState state_for(const Trajectory& f, double t, double jerk);
 
-/// f from its start up to t > f.start(): shortened, or prolonged as said above. A t that differs
+/// f from its start up to t > f.start(): shortened, or prolonged as described above. A t that differs
 /// from a break by rounding alone is that break.
 Trajectory until(const Trajectory& f, double t);
 
-/// `running` up to t >= its start, then `next`, whatever the time it says of itself; it should begin
+/// `running` up to t >= its start, then `next`, independent of its own start time; it should begin
 /// in state_at(running, t). With t at the start, `next` alone, from there. The result holds outside
-/// where it ends at rest, otherwise it refuses, whatever `running` did.
+/// where it ends at rest, otherwise it refuses, for every `running`.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
 /// The same with profiles one after another; those of no duration are left out.
@@ -43,7 +43,7 @@ inline Trajectory spliced(const Trajectory& running, double t, const Profile& ne
 }
 
 /// Sum of two motions over the time of either: where one has not begun it stands, where it has
-/// ended it goes on as said above. Exact; throws as `sum` does where three sines do not do.
+/// ended it continues as described above. Exact; throws as `sum` does where three sines do not do.
 Trajectory superimposed(const Trajectory& f, const Trajectory& g);
 
 }  // namespace jounce

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// What an axis is to reach.
+/// Goal of an axis.
 enum class MoveGoal : std::uint8_t {
   state,     ///< `to`: position, velocity and acceleration at one instant
   velocity,  ///< the velocity and acceleration of `to`, wherever that is
@@ -26,19 +26,19 @@ struct AxisMove {
   const Profile* under_way = nullptr;
 };
 
-/// How several axes go together.
+/// Synchronization of several axes.
 enum class Sync : std::uint8_t {
   none,            ///< each as fast as it can
   time,            ///< all arrive at the same instant, the earliest at which every axis can
   phase,           ///< all on one straight line at every instant
-  time_if_moving,  ///< as time, but an axis whose target rests goes as fast as it can and waits there
+  time_if_moving,  ///< like time, but an axis whose target rests goes as fast as it can and waits there
   phase_or_time,  ///< phase where the states lie on one line, otherwise time
 };
 
 struct Synchronised {
   MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< which axis is the reason, where the status is not ok
-  double duration = 0;   ///< of the longest axis
+  std::size_t axis = 0;  ///< the axis that causes a status other than ok
+  double duration = 0;   ///< duration of the longest axis
 };
 
 /// Solves all axes into `out` (one profile an axis; spans of equal size). `minimum_duration`

@@ -36,11 +36,11 @@ struct ViaNorm {
 };
 
 struct ViaSpec {
-  std::vector<Bounds> axes;                 ///< what each axis may do
+  std::vector<Bounds> axes;                 ///< limits of each axis
   std::vector<std::vector<double>> points;  ///< u; at least two, one position an axis each
   ViaRates start = {};                      ///< at the first point
   ViaRates end = {};                        ///< at the last one
-  std::vector<std::vector<Bounds>> stretches = {};  ///< of each, an axis each; empty: `axes`
+  std::vector<std::vector<Bounds>> stretches = {};  ///< stretches of each, an axis each; empty: `axes`
   ViaNorm norm = {};
 };
 

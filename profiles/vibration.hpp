@@ -23,7 +23,7 @@ struct Impulse {
   double amplitude = 1;
 };
 
-/// How much of a mode a sequence of impulses leaves: the amplitude after its last impulse as a
+/// Residual vibration of a mode after a sequence of impulses: the amplitude after its last impulse as a
 /// share of what one impulse at that instant leaves. 0: nothing; 1: as if unshaped. Closed form
 /// (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError for a mode out
 /// of range, and where `require_valid` does.
@@ -41,7 +41,7 @@ struct WorstResidual {
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 
-/// How far a load that obeys (1), at rest before the motion, swings about its place at the motion's
+/// Residual amplitude of a load that obeys (1), at rest before the motion, about its place at the motion's
 /// end, in the curve's unit u: the envelope of the free vibration at that instant. f is taken to
 /// rest before and after; steps of the position are allowed.
 ///

@@ -30,7 +30,7 @@ struct WorstMode {
 ///
 /// Not sampled: no mode of the band leaves more than the answer and `tolerance` of the motion's
 /// travel (the sum of all its ways) on top. The search runs round the edge of the band, since
-/// nowhere inside can be worse (vibration_band.cpp says why). Throws InputError for a band or
+/// nowhere inside can be worse (see vibration_band.cpp). Throws InputError for a band or
 /// tolerance out of range.
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance = 1e-6);
 

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// How a correction is read between the points of its grid.
+/// Interpolation of a correction between the points of its grid.
 enum class GridRule : std::uint8_t {
   linear,  ///< straight between neighbours (bilinear, trilinear): its slope steps at the grid lines
   cubic,   ///< natural spline (bicubic): slope and curvature continuous; one or two references
@@ -87,7 +87,7 @@ class Compensation {
   std::array<std::vector<double>, 3> slopes_;  ///< cubic: by s1, by s2, by both
 };
 
-/// The motion as the axis is told it: motion + c(references), all over the same interval; a reference
+/// The motion as commanded: motion + c(references), all over the same interval; a reference
 /// may be the motion itself. None may advance from period to period (Outside::advance): the correction of
 /// the next one is another. Exact where the product of degrees fits a segment (a linear table of one
 /// reference, up to degree 11; of two or three, the sum of their degrees), else within `tolerance` > 0

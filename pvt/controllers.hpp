@@ -6,14 +6,14 @@
 
 #include "jounce/pvt/pt.hpp"
 
-/// What the controllers take of the time tables. Each throws InputError that names the point and the
+/// Limits of the controllers for time tables. Each throws InputError that names the point and the
 /// controller's error where it has one.
 
 namespace jounce::googol {
 
 inline constexpr std::size_t pt_fifo = 1024;  ///< segments in a FIFO, memory 1 (32 with memory 0)
 
-inline constexpr double largest_long = 2147483647;  ///< of 32 bits on the controller
+inline constexpr double largest_long = 2147483647;  ///< largest long of 32 bits on the controller
 
 /// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers up to largest_long. A table that is played more often
 /// than once (loops other than 1) stands in one static FIFO.

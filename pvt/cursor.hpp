@@ -15,14 +15,14 @@ namespace jounce {
 ///       const Jet now = cursor.jet(t);          // table.jet(t) to the bit, about three times as fast
 ///     }
 ///
-/// It keeps the polynomials of one interval, nothing of the query before: in whatever order they come,
+/// It keeps the polynomials of one interval, nothing of the query before: in any order,
 /// the answers are table.jet(x), to the bit. A copy is a cursor of its own. The table must outlive it
 /// and is not changed by it: one cursor a thread. Throws and allocates nothing.
 class Cursor {
  public:
   explicit Cursor(const Table& table);
 
-  /// The value with three derivatives, right-continuous, outside as the table says.
+  /// The value with three derivatives, right-continuous, outside by the policy of the table.
   [[nodiscard]] Jet jet(double x);
 
  private:
@@ -30,7 +30,7 @@ class Cursor {
 
   const Table* table_;
   std::size_t interval_ = 0;
-  double from_ = 0, to_ = 0;  ///< of the interval that is kept, none at first
+  double from_ = 0, to_ = 0;  ///< from of the interval that is kept, none at first
   double per_length_ = 1;
   int degree_ = 1;
   std::array<double, 6> p_{};

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// How velocities are chosen that a table leaves out. What is given is kept, to the bit, by each.
+/// Rule for velocities that a table leaves out. Each rule keeps given values, bit for bit.
 enum class Filling {
   natural,           ///< C2 cubic spline; an end left open has acceleration 0
   clamped,           ///< C2 cubic spline; an end left open is at rest
@@ -52,8 +52,8 @@ std::optional<Filling> filling_named(std::string_view name);
 struct FillSpec {
   Axis axis = Axis::time;
   std::vector<double> x;                      ///< strictly ascending
-  std::vector<double> p;                      ///< as many
-  std::vector<std::optional<double>> v = {};  ///< as many, or none at all: nothing is given
+  std::vector<double> p;                      ///< like many
+  std::vector<std::optional<double>> v = {};  ///< like many, or none at all: nothing is given
   std::vector<std::optional<double>> a = {};  ///< the same; for Rule::quintic_hermite alone
   Rule rule = Rule::cubic_hermite;            ///< not linear, which has nothing to fill in
   Filling filling = Filling::natural;
@@ -63,10 +63,10 @@ struct FillSpec {
 
 struct Filled {
   Table table;
-  /// What the method could not do, each finding with its segment and advice:
+  /// Unmet requirements of the method, each finding with its segment and advice:
   /// "fill/limits" (broken): a piece that no velocities bring within the limits, with the time it
   /// needs; "fill/monotone", "fill/convex" (warnings): a piece where given velocities, or the pieces
-  /// beside it, leave no room for the shape of the data.
+  /// beside it, leave no margin for the shape of the data.
   Report report;
 };
 
@@ -83,8 +83,8 @@ struct Filled {
 /// intervals of 1 : 65000 side by side cost half of the digits. within_limits: ends left open are at
 /// rest; a piece not named keeps the limits, to a relative 1e-13.
 ///
-/// With Rule::quintic_hermite, whatever chose the velocities, accelerations left out make the integral
-/// of jerk^2 least under these velocities. (within_limits then holds of the cubic; `check` tells.)
+/// With Rule::quintic_hermite, for every choice of the velocities, omitted accelerations make the integral
+/// of jerk^2 least under these velocities. (within_limits then holds for the cubic; see `check`.)
 Filled filled(const FillSpec& spec);
 
 /// Velocities of the C2 cubic spline through the knots, nothing given: the kernel of `filled`, for

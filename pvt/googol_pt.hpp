@@ -8,7 +8,7 @@
 ///     axis.prf_pt(PtMode::dynamic);
 ///     while (i < n && axis.pt_space(0) > 0) axis.pt_data(points[i++], 0);   // until both are full
 ///     axis.pt_start(0, now);
-///     every cycle: position = axis.at(t)[0];  and push what has room
+///     every cycle: position = axis.at(t)[0];  and push more points
 ///
 /// Manual 7.4, I-113 to I-120, I-148, I-149; decided where it is silent in
 /// docs/decisions/0030-follow-tables.md.
@@ -34,7 +34,7 @@ const char* explain(Refusal refusal);
 
 enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };  ///< PT_MODE_STATIC, PT_MODE_DYNAMIC
 
-/// Pushes a point as its type says: a NORMAL one is first, and begins at rest, in an empty table or
+/// Pushes a point by its type: a NORMAL one is first, and begins at rest, in an empty table or
 /// stream. The second: why it was not taken, in the manual's words.
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
 Refusal refusal_of(RowRule rule);
@@ -47,7 +47,7 @@ class PtFifos {
   Refusal prf_pt(PtMode mode);
   /// GT_SetPtMemory: 0: 32 segments a FIFO (default), 1: 1024; empties both. wrong_mode, moving
   Refusal set_pt_memory(int memory);
-  /// GT_SetPtLoop: 0: for ever. No effect in dynamic mode. wrong_mode; bad_argument below 0
+  /// GT_SetPtLoop: 0: endless. No effect in dynamic mode. wrong_mode; bad_argument below 0
   Refusal set_pt_loop(std::int64_t loops);
   /// GT_GetPtLoop: passes done since the start.
   [[nodiscard]] std::int64_t pt_loop() const { return fifos_.passes(); }

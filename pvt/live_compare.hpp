@@ -12,13 +12,13 @@
 
 namespace jounce {
 
-/// What a compare did since the step before.
+/// Changes of a compare since the step before.
 struct CompareStep {
   static constexpr std::size_t most_edges = 16;
 
   bool output = false;                        ///< now
-  std::uint32_t count = 0;                    ///< of edges
-  std::uint32_t lost = 0;                     ///< edges that found no room; the output is right
+  std::uint32_t count = 0;                    ///< count of edges
+  std::uint32_t lost = 0;                     ///< edges beyond the capacity; the output is right
   std::array<OutputEdge, most_edges> edge{};  ///< ascending; time: s since the step before, [0, dt)
 
   [[nodiscard]] std::span<const OutputEdge> edges() const { return {edge.data(), count}; }
@@ -31,7 +31,7 @@ struct CompareStep {
 ///     camera.arm();                                        // a motion begins: from the first point
 ///     for (const OutputEdge& edge : camera.step(position, velocity, 1e-3).edges()) ...
 ///
-/// **Within a cycle** the axis moves as cycle_motion() says; crossings are its roots, not samples: as
+/// **Within a cycle** the axis moves by cycle_motion(); crossings are its roots, not samples: as
 /// exact as that motion is, 1e-12 s at a constant jerk. Times in s, positions in u.
 ///
 /// **Armed** its list begins anew, with the output off, where the axis was in the step before: what a
@@ -71,7 +71,7 @@ class LiveCompare {
   std::size_t next_ = 0;
   Segment piece_;                 // the way since the last position that was known
   double s_ = 0;                  // how far of it is looked at, 0 to 1
-  std::optional<double> side_;    // of the next point, where the axis was last
+  std::optional<double> side_;    // side of the next point, where the axis was last
   std::optional<double> off_in_;  // s after the last step: the end of a pulse
   double position_ = 0, velocity_ = 0;
   double elapsed_ = 0;  // s since then

@@ -74,16 +74,16 @@ struct Compared {
 /// the position. Throws InputError for a motion that repeats without end, and as require_valid() does.
 Compared compared(const PositionCompare& compare, const Trajectory& motion);
 
-/// What the hardware that compares can do.
+/// Limits of the comparing hardware.
 struct CompareDevice {
   double sampling_frequency = 0;  ///< Hz, of the position that is compared; 0: continuous
   double latency = 0;             ///< s, >= 0: from the crossing to the output
 };
 
-/// Says where it would not work. Broken: "compare/speed": between two points the axis may cover no
+/// Reports places where it would not work. Broken: "compare/speed": between two points the axis may cover no
 /// more than their distance in a sample, speed < distance * sampling_frequency (HMPL manual 12.1), or
 /// the device misses one; "compare/missed": points that never fire. Warned of: "compare/merged":
-/// pulses that overlap. Told: "compare/latency": how far the axis goes within sample and latency.
+/// pulses that overlap. Reported: "compare/latency": distance of the axis within sample and latency.
 Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device);
 
 /// Compare in a plane: a point fires when both axes are within a band of it (PMC600 manual 9.4).

@@ -16,7 +16,7 @@
 ///     const Trajectory g = position_profile(stages, PositionRule::linear); // steps of velocity
 ///     const Report report = velocity_steps(g);                             // ... as they are named
 ///
-/// The manual says only that the stages are continuous. Here:
+/// The manual states only that the stages are continuous. Here:
 ///
 ///     block                  between the points       continuous      begins with
 ///     MC_PositionProfile     cubic, or linear         velocity        the axis' position and velocity
@@ -35,7 +35,7 @@
 /// 351, 376 for a stage of no time.
 namespace jounce::pmc600 {
 
-inline constexpr int most_points = 100;  ///< of the array in MC_TP_REF, MC_TV_REF, MC_TA_REF
+inline constexpr int most_points = 100;  ///< most points of the array in MC_TP_REF, MC_TV_REF, MC_TA_REF
 
 /// SMC_TP, SMC_TV, SMC_TA.
 struct ProfilePoint {
@@ -49,14 +49,14 @@ struct ProfileTable {
   bool is_absolute = true;  ///< IsAbsolute; else each value counts from the one before
   double scale = 1;         ///< PositionScale, ...; may be negative
   double offset = 0;        ///< Offset, in the unit of the scaled value
-  std::optional<int> number_of_pairs = {};  ///< how many points are played; left out: all
+  std::optional<int> number_of_pairs = {};  ///< number of played points; default: all
   std::optional<int> array_size = {};       ///< ArraySize, at least number_of_pairs, at most 100
   double from = 0;                          ///< u: the axis at Execute
   double from_velocity = 0;                 ///< u/s
   double from_acceleration = 0;             ///< u/s^2: for MC_AccelerationProfile
 };
 
-/// How a position table is read.
+/// Interpretation of a position table.
 enum class PositionRule {
   /// Velocity continuous, from from_velocity to rest, and no overshoot but for a from_velocity of more
   /// than 3 times the first stage's mean: the harmonic mean of Fritsch and Butland (SIAM J. Sci. Stat.

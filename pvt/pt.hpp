@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// What a segment of a PT table does with the rate (the velocity; over a master, the ratio) of the
+/// Effect of a segment of a PT table on the rate (the velocity; over a master, the ratio) of the
 /// one before it, with Googol's codes. P and T are the segment's increments of position and of time:
 ///
 ///     type       begins at                             ends at        rate at its start
@@ -20,7 +20,7 @@ namespace jounce {
 ///     continued  end of the segment before; of the     2P/T - begin   continuous
 ///                motion before where it is the first
 ///
-/// Sources: Googol iDEABOX Pro manual 7.4 (PT) and 7.6 (follow, which alone knows CONTINUE). The
+/// Sources: Googol iDEABOX Pro manual 7.4 (PT) and 7.6 (follow, which alone has CONTINUE). The
 /// start of `stop` is what its end and its area leave.
 enum class PtType : std::uint8_t { normal = 0, even = 1, stop = 2, continued = 3 };
 
@@ -50,7 +50,7 @@ struct PtRate {
 /// met exactly to the rounding of its own position; lengths are differences of the x given, so a
 /// table whose x has grown to 1e12 keeps the resolution that its numbers have.
 ///
-/// **Outside** [0, last x]: hold stands still at the end position, whatever the end rate was; wrap
+/// **Outside** [0, last x]: hold stands still at the end position, for every end rate; wrap
 /// repeats the positions; advance goes on from where the pass before ended, and every pass begins as
 /// the first one did (`normal`: at rest, for it is first again; manual 7.4: "0 for the first").
 ///

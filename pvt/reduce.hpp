@@ -33,7 +33,7 @@ namespace jounce {
 /// tolerance.
 ///
 /// **Dwells and straight lines** of the curve (a slave in sync) are intervals of the table, exactly,
-/// whatever the tolerance: both ends are knots, on a grid the next ones inwards. Between straight lines,
+/// for every tolerance: both ends are knots, on a grid the next ones inwards. Between straight lines,
 /// as in a table that was recorded in counts, only dwells of 1/64 of the curve and more. A line gives
 /// way where rounding its ends breaks the tolerance; any stretch where `spacing` leaves no place.
 ///
@@ -47,7 +47,7 @@ namespace jounce {
 /// **Units**: those of the curve. **Throws** InputError, naming the key and what would do, for a
 /// target that cannot be met, and for one that asks for nothing or for numbers below 0.
 
-/// What the table is for. `tolerance`, `velocity_tolerance` or `most` must be given; without
+/// Target of the table. `tolerance`, `velocity_tolerance` or `most` must be given; without
 /// tolerances the position error is the least that `most` knots can have.
 struct Target {
   Rule rule = Rule::cubic_hermite;

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// How far a table may stray from the curve it was made from, and where it strays most.
+/// Greatest error of a table against its curve, and the place of it.
 struct SampleError {
   double position = 0;  ///< max |table - curve| over the whole interval, in its unit, to rounding
   double where = 0;     ///< on the curve's axis
@@ -17,8 +17,8 @@ struct SampleError {
 /// Why a table has as many knots as it has.
 enum class Binding {
   none,                ///< two knots do
-  tolerance,           ///< of the position
-  velocity_tolerance,  ///< of the velocity
+  tolerance,           ///< tolerance of the position
+  velocity_tolerance,  ///< tolerance of the velocity
   most,                ///< its error is what so many knots can have
 };
 
@@ -28,7 +28,7 @@ const char* name(Binding binding);
 struct Sampled {
   Table table;
   SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
-  std::optional<Binding> binding = {};  ///< of a table of fewest knots: reduce.hpp
+  std::optional<Binding> binding = {};  ///< binding of a table of fewest knots: reduce.hpp
 };
 
 /// The table through the curve at the given knots (strictly ascending, first and last at the ends

@@ -29,10 +29,10 @@ namespace jounce {
 ///
 /// **Vocabulary.** A *pass* plays one FIFO from its first row to its last. Its *origin* is where
 /// x and position are when it begins: at the start, at the end of the pass before, at the switch. So
-/// the position is continuous whatever is pushed, and the rows of every FIFO count from (0, 0), those
+/// the position is continuous for all rows, and the rows of every FIFO count from (0, 0), those
 /// of a stream from the layout's base.
 ///
-/// As *tables* (Googol: static) each FIFO is one: played as often as `loops` says, kept, and played
+/// As *tables* (Googol: static) each FIFO is one: played `loops` times, kept, and played
 /// again when started again. A queued switch waits for the end of the pass; then the other FIFO takes
 /// over and the old one is emptied.
 /// As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied and the other goes on, with
@@ -59,11 +59,11 @@ class SegmentFifos {
     std::size_t each = 0;   ///< rows a FIFO holds: at most `most`
     std::size_t total = 0;  ///< both together
     bool stream = false;
-    bool open = false;      ///< of a stream
-    RowStart base = {};     ///< of a stream: where its first row begins
-    RowLimits limits = {};  ///< what rows may ask for
+    bool open = false;      ///< open of a stream
+    RowStart base = {};     ///< base of a stream: where its first row begins
+    RowLimits limits = {};  ///< limits of rows
   };
-  /// Empties both and takes another layout. While nobody plays, by one thread alone.
+  /// Empties both and takes another layout. Only while no thread plays, by a single thread.
   void reset(const Layout& layout);
 
   enum class State : std::uint8_t {
@@ -72,7 +72,7 @@ class SegmentFifos {
     moving,   ///< it plays
     ended,    ///< it has played its last row, which came to rest
     cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
-    left,     ///< whoever played it has gone before its end
+    left,     ///< its player has left before its end
     lost,     ///< x was not finite, or 2^53 passes off: it stands where it was, until started again
   };
   [[nodiscard]] State state() const { return state_.load(); }
@@ -83,7 +83,7 @@ class SegmentFifos {
   [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
   /// Rows that can be pushed now: into this FIFO, or into a stream.
   [[nodiscard]] std::size_t space(int fifo) const;
-  /// Whether it is being played, waits to be, or is part of a stream that is.
+  /// True if it is being played, waits to be, or is part of a stream that is.
   [[nodiscard]] bool in_use(int fifo) const;
   /// The FIFO that is played, or was last: 0 or 1.
   [[nodiscard]] int active() const { return active_.load(); }
@@ -96,31 +96,31 @@ class SegmentFifos {
   /// the last reset, as far as they are known (what follows an open rate of a table is not).
   [[nodiscard]] RowPeaks peaks() const;
 
-  /// Where the position is within a pass.
+  /// Position within a pass.
   struct Reach {
     double lowest = 0;
     double highest = 0;
   };
-  /// Of the pass under way, in the player's thread; infinite where rates are open. Of tables.
+  /// For the pass under way, in the player's thread; infinite where rates are open. Of tables.
   [[nodiscard]] Reach reach() const;
-  /// Of the pass that follows as things stand; nothing where none does.
+  /// For the pass that follows as things stand; nothing where none does.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
   // ---- producer ----------------------------------------------------------------------------------
 
   /// The number of what follows.
   void stamp(std::uint64_t number) { stamp_ = number; }
-  /// Takes a row, or says what is wrong with it; limits are checked exactly, by (1) to (3) of
+  /// Takes a row, or returns its error; limits are checked exactly, by (1) to (3) of
   /// segment_row.cpp. A `last` row means nothing to a table.
   RowRule push(int fifo, const SegmentRow& row);
-  /// What push() would say.
+  /// Result that push() would return.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
   /// What was pushed of an open stream is all of it, as if its last row had said so. False where it is
   /// none, has no rows, or does not end at rest.
   bool complete();
   /// Empties a FIFO, or the whole stream; false, and nothing, where it is in use.
   bool clear(int fifo);
-  /// Passes that a table is played; below 1: for ever. Counts at the end of a pass.
+  /// Passes that a table is played; below 1: endless. Counts at the end of a pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
   /// At the end of the pass the other FIFO takes over. False where tables have ended, or it has no
@@ -142,7 +142,7 @@ class SegmentFifos {
   /// Both.
   bool start(int fifo, double x, double position);
 
-  /// Whoever played has gone: it stands where it is. Tables are kept, a stream is to be cleared.
+  /// The player has left: it stands where it is. Tables are kept, a stream is to be cleared.
   void leave();
 
   /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
@@ -150,7 +150,7 @@ class SegmentFifos {
   /// Where it is not moving: the position where it ended, at rest.
   Jet at(double x);
 
-  /// Where the rows ended, and at which rate: once they are `ended` or `cut_off`.
+  /// End of the rows, and the rate there: once they are `ended` or `cut_off`.
   struct End {
     double x = 0;
     double position = 0;
@@ -158,9 +158,9 @@ class SegmentFifos {
   };
   [[nodiscard]] const End& end() const { return end_; }
 
-  /// x at which what is known now ends; infinite where tables are played for ever.
+  /// x at the end of the available rows; infinite for endless tables.
   [[nodiscard]] double known() const;
-  /// Whether more rows are to come: an open stream without its last one.
+  /// True if more rows are to come: an open stream without its last one.
   [[nodiscard]] bool growing() const {
     return layout_.open && !(complete_.load() && completed_at_.load() <= sight_);
   }
@@ -170,8 +170,8 @@ class SegmentFifos {
     SegmentRow row;
     double rate = 0;  // at the end of the row before, as played last
     std::uint64_t stamp = 0;
-    std::array<double, 4> peaks{};  // of all rows so far
-    Reach reach{};                  // of the rows of this FIFO so far, from its beginning
+    std::array<double, 4> peaks{};  // peaks of all rows so far
+    Reach reach{};                  // reach of the rows of this FIFO so far, from its beginning
   };
   struct Fifo {
     std::vector<Slot> slots;
@@ -181,7 +181,7 @@ class SegmentFifos {
     double x = 0;
     double position = 0;
   };
-  /// Where the producer is: the end of the last row, and the rate there (NaN: not known yet).
+  /// State of the producer: the end of the last row, and the rate there (NaN: not known yet).
   struct Tail {
     RowStart end;
     double rate = SegmentRow::open;
@@ -233,16 +233,16 @@ class SegmentFifos {
 
   // The producer's.
   std::uint64_t stamp_ = 0;
-  int filling_ = 0;            // of a stream
-  std::array<Tail, 2> tails_;  // of each table; [0] of a stream
+  int filling_ = 0;            // filling of a stream
+  std::array<Tail, 2> tails_;  // tails of each table; [0] of a stream
 
   // The player's.
   std::uint64_t sight_ = std::numeric_limits<std::uint64_t>::max();
   State before_ = State::idle;  // what a take() is given back to
-  Origin table_;                // of the first pass of its period
+  Origin table_;                // table of the first pass of its period
   std::int64_t turns_ = 0;
-  Origin origin_;         // of this pass: table_ + turns_ times the table
-  RowStart base_;         // of a stream: the end of what was emptied
+  Origin origin_;         // origin of this pass: table_ + turns_ times the table
+  RowStart base_;         // base of a stream: the end of what was emptied
   std::size_t slot_ = 0;  // played
   std::size_t seen_ = 0;  // rows of this pass
   double rate_ = 0;       // at the end of the row before

@@ -40,16 +40,16 @@ struct SegmentRow {
   double a_start = 0;     ///< u per x^2; degree 5
   double a_end = 0;       ///< u per x^2; degree 5
   int degree = 2;
-  bool last = false;  ///< of a stream: nothing comes after it
+  bool last = false;  ///< last of a stream: nothing comes after it
 };
 
-/// Where a row begins: the end of the one before.
+/// Start of a row: the end of the row before.
 struct RowStart {
   double x = 0;
   double position = 0;
 };
 
-/// What a row does wrong; `none` where nothing. The numbers are part of the wire format.
+/// Error of a row, or `none`. The numbers are part of the wire format.
 enum class RowRule : std::uint8_t {
   none = 0,
   full = 1,        ///< there is no space for it
@@ -60,7 +60,7 @@ enum class RowRule : std::uint8_t {
   velocity = 6,      ///< beyond the limits ...
   acceleration = 7,
   jerk = 8,
-  velocity_step = 9,  ///< where it begins
+  velocity_step = 9,  ///< at its start
   after_last = 10,    ///< the stream has its last row
   in_use = 11,        ///< the FIFO is about to be emptied by a switch
   position = 12,      ///< beyond the range
@@ -69,13 +69,13 @@ const char* name(RowRule rule);
 /// One sentence for people.
 const char* explain(RowRule rule);
 
-/// What rows may ask for, per x; infinite: anything.
+/// Limits of rows, per x; infinite: none.
 struct RowLimits {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double velocity = none;
   double acceleration = none;
   double jerk = none;
-  double velocity_step = none;  ///< of the rate, from one row to the next
+  double velocity_step = none;  ///< velocity step of the rate, from one row to the next
   double position_min = -none;  ///< u, of the rows' own coordinates
   double position_max = none;
 };
@@ -95,12 +95,12 @@ Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 /// Exact extrema of the row's polynomials.
 RowPeaks peaks(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Whether its numbers make sense after `from`: what is wrong first.
+/// True if its numbers make sense after `from`: what is wrong first.
 RowRule check(const SegmentRow& row, const RowStart& from);
-/// Whether it keeps the limits (a rounding of 1e-9 is forgiven).
+/// True if it keeps the limits (a rounding of 1e-9 is forgiven).
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
 
-/// As eight numbers, in the order of the members, for messages and files; degree and last as numbers.
+/// A row as eight numbers, in the order of the members, for messages and files; degree and last as numbers.
 /// A degree that is no whole number becomes 0, which check() refuses.
 std::array<double, 8> columns_of(const SegmentRow& row);
 SegmentRow row_of(const std::array<double, 8>& columns);

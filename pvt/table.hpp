@@ -9,14 +9,14 @@
 
 namespace jounce {
 
-/// How a table is read between its knots: each rule with the columns it needs.
+/// Interpolation of a table between its knots: each rule with the columns it needs.
 enum class Rule {
   linear,           ///< p; position continuous
   cubic_hermite,    ///< p, v; velocity continuous (a PVT table)
   quintic_hermite,  ///< p, v, a; acceleration continuous (a PVA or XYVA table)
 };
 
-/// What the first column of a table is.
+/// Meaning of the first column of a table.
 enum class Axis { time, master };
 
 /// Equal steps on a table's axis: instant k is start + k step, each operation rounded.
@@ -41,11 +41,11 @@ struct Columns {
 ///     Cam exact = table.curve<OverMaster>();     // the same polynomials, for exact checks
 ///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // a column each, in blocks
 ///
-/// An interval is evaluated as detail/piece.hpp says, the same on every processor; the curve agrees
+/// An interval is evaluated by detail/piece.hpp, the same on every processor; the curve agrees
 /// within rounding.
 ///
 /// Intervals are half-open, the last closed, as in a Curve. Throws InputError, naming knot and
-/// rule, for fewer than two knots, columns of unequal size, a column that the rule does not know or
+/// rule, for fewer than two knots, columns of unequal size, a column that the rule does not have or
 /// lacks, x that does not ascend, and numbers that are not finite.
 class Table {
  public:
@@ -54,7 +54,7 @@ class Table {
   [[nodiscard]] Axis axis() const { return axis_; }
   [[nodiscard]] Rule rule() const { return rule_; }
   [[nodiscard]] Outside outside() const { return outside_; }
-  /// How far the position goes in one period: Outside::advance; otherwise 0.
+  /// Advance of the position in one period: Outside::advance; otherwise 0.
   [[nodiscard]] double advance() const;
   [[nodiscard]] const Columns& columns() const { return columns_; }
   [[nodiscard]] std::size_t size() const { return columns_.x.size(); }

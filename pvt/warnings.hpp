@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// What a table plays without a word although it was hardly meant, as findings of Severity::warning;
+/// Possibly unintended features of a table, as findings of Severity::warning;
 /// none is ever broken. Exact: extrema and one-sided limits, no samples.
 ///
 ///     const Trajectory f = table.curve<OverTime>();
@@ -23,7 +23,7 @@ namespace jounce {
 template <class Over>
 Report overshoot(const Curve<Over>& f, double tolerance = 1e-9);
 
-/// Where the velocity steps; value: right limit minus left limit.
+/// Steps of the velocity; value: right limit minus left limit.
 ///
 /// - "pt/velocity_step" at a break; where the curve holds outside, also from rest at its start.
 /// - "pt/end_velocity": the curve ends moving; value: the velocity. Where it holds, the axis is

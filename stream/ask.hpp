@@ -10,13 +10,13 @@ namespace jounce {
 struct AskOptions {
   std::optional<wire::Key> key{};                ///< the executor's; none: it has none
   Nanos patience = std::chrono::seconds(2);      ///< until it is decided
-  Nanos repeat = std::chrono::milliseconds(20);  ///< between two times that it is said
+  Nanos repeat = std::chrono::milliseconds(20);  ///< interval of repetition
 };
 
-/// Says the slot's command in the session of `message` until the executor decides, for at most
-/// `patience`. Returns its last reply, which is pending where it did not decide; none: nobody
-/// answered. Who cannot know the challenge yet, an operator or the first command of a session, is
-/// told it, notes it in `message`, and says the command again. The link has subscribed to replies.
+/// Repeats the command of the slot in the session of `message` until its outcome, for at most
+/// `patience`. Returns the last reply, which is pending without an outcome; none: no
+/// answer. On a challenge (for an operator, or the first command of a session), stores it in
+/// `message` and resends the command. The link must have subscribed to replies.
 std::optional<wire::Reply> ask(Transport& link, wire::Message& message, CommandSlot& slot,
                                const AskOptions& options, const Clock& clock, Rejects& rejects);
 

@@ -31,7 +31,7 @@ class Assembly {
   [[nodiscard]] std::uint64_t mask() const;
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Of a complete assembly, once: the table, constructed and hashed anew from what arrived, if its
+  /// The table of a complete assembly, once: constructed and hashed anew from what arrived, if its
   /// hash is the one that was announced.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 

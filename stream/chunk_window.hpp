@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// How a table's chunks are sent. The defaults suit a local network and Linux' default socket
+/// Options for sending the chunks of a table. The defaults suit a local network and Linux' default socket
 /// buffer, which 8 messages of 12.8 KB fill, or as many chunks as are as long.
 struct Pace {
   std::uint32_t window = 8;    ///< messages of 12.8 KB under way, 1...64
@@ -22,13 +22,13 @@ struct Pace {
 
 /// One table's chunks under way: which are to be sent now, and again. Selective repeat within a
 /// window; the time until a repeat follows the measured round trip (RFC 6298) with back-off. A chunk
-/// is missing if one that was sent after it has arrived (RFC 8985). Where nothing is heard, the first
+/// is missing if one that was sent after it has arrived (RFC 8985). Without an ack, the first
 /// repeat is one chunk alone: a receiver that was only held up has all the others already.
 class ChunkWindow {
  public:
   ChunkWindow(std::uint32_t chunks, Pace pace);
 
-  /// Whether at least one more chunk has arrived. An ack that makes no sense changes nothing.
+  /// True if at least one more chunk has arrived. An ack that makes no sense changes nothing.
   bool acknowledge(const wire::Ack& ack, Nanos now);
 
   /// The chunks to be sent now; they count as sent.
@@ -40,7 +40,7 @@ class ChunkWindow {
  private:
   struct State {
     Nanos sent{};
-    std::uint64_t order = 0;  // of its last transmission among all
+    std::uint64_t order = 0;  // order of its last transmission among all
     std::uint32_t times = 0;
     bool arrived = false;
   };

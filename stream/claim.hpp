@@ -17,11 +17,11 @@ struct ClaimOptions {
   Nanos again = std::chrono::seconds(1);         ///< once it is up
 };
 
-/// Which executor has a name: a pure state machine without thread, clock or link. All executors of
+/// The claim of an executor to a name: a pure state machine without thread, clock or link. All executors of
 /// one network run it, each with the names of its axes and its boot.
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
-///     claim.receive(message, now);                       // whatever has arrived
+///     claim.receive(message, now);                       // each arrived message
 ///     for (const auto& m : claim.poll(now)) ...          // to be sent
 ///     if (claim.lost()) ...                              // another executor has this name
 ///     if (claim.up()) ...                                // all names are this executor's
@@ -62,7 +62,7 @@ class Claim {
   std::vector<wire::Message> outgoing_;
 };
 
-/// Claims the names over the link until they are this executor's, or lost. What arrives on other
+/// Claims the names over the link until they are this executor's, or lost. Messages on other
 /// channels meanwhile is dropped. True: it is up.
 bool claim_names(Transport& link, Claim& claim, const std::optional<wire::Key>& key,
                  const Clock& clock);

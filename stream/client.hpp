@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// What became of a call.
+/// Outcome of a call.
 struct CallOutcome {
   StreamError error = StreamError::none;  ///< no_answer, command_timeout, restarted or refused
   wire::Refusal refusal = wire::Refusal::none;
@@ -23,11 +23,11 @@ struct CallOutcome {
 
 struct ClientOptions {
   std::optional<wire::Key> key{};                ///< the executor's; none: it has none
-  Nanos patience = std::chrono::seconds(2);      ///< with one call
-  Nanos repeat = std::chrono::milliseconds(20);  ///< of a command, until it is answered
+  Nanos patience = std::chrono::seconds(2);      ///< for one call
+  Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of a command, until it is answered
 };
 
-/// How a motion is to be made, u/s, u/s^2, u/s^3, > 0. NaN: not given, the limit of the axis.
+/// Dynamics of a motion, u/s, u/s^2, u/s^3, > 0. NaN: the limit of the axis.
 struct Pacing {
   static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
   double velocity = not_given;
@@ -36,7 +36,7 @@ struct Pacing {
   double jerk = not_given;
 };
 
-/// Tells an executor's axis what to do, one call after another, as PLCopen's function blocks would.
+/// Commands an axis of an executor, one call after another, like the function blocks of PLCopen.
 ///
 ///     Client client(link, "feeder");
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;

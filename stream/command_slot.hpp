@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// The one command of a session that has no outcome yet, repeated until it has. Every streamer,
-/// client and operator says its commands by one of these.
+/// client and operator sends its commands with one of these.
 class CommandSlot {
  public:
   /// The first command gets the number after `last`.
@@ -18,14 +18,14 @@ class CommandSlot {
   /// Numbers the command; it takes the place of one before.
   void issue(wire::Body body);
   void clear() { body_.reset(); }
-  /// Says it at once the next time, as something about it has changed.
+  /// Sends it at once the next time, because it has changed.
   void hurry() { hurried_ = true; }
 
-  /// What is to be sent now, again and again.
+  /// The message to send now, repeatedly.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
   [[nodiscard]] bool empty() const { return !body_; }
-  [[nodiscard]] std::int32_t number() const { return number_; }  ///< of the last one issued
+  [[nodiscard]] std::int32_t number() const { return number_; }  ///< number of the last one issued
   [[nodiscard]] bool is_answered_by(const wire::Reply& reply) const {
     return body_.has_value() && reply.command == number_;
   }

@@ -27,7 +27,7 @@ struct StreamOptions {
 };
 
 /// Runs a Sender to its goal, then releases the session; a motion goes on. Returns within
-/// options.total whatever happens on the link. Throws InputError as Sender does, and
+/// options.total for any state of the link. Throws InputError like Sender, and
 /// TransportError.
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
@@ -41,7 +41,7 @@ struct RowOptions {
 };
 
 /// Runs a RowSender to the end of the motion, as long as that takes; returns early with an error.
-/// Throws InputError as RowSender does, TransportError, and whatever the source throws, after a
+/// Throws InputError as RowSender does, TransportError, and the exceptions of the source, after a
 /// stop.
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
@@ -53,19 +53,19 @@ wire::Reply operator_command(Transport& link, const std::string& executor, wire:
                              Nanos patience = std::chrono::seconds(2),
                              const Clock& clock = steady_now);
 
-/// An operator's stop: it needs no session and ends whatever session lives. Repeated until the
-/// executor answers, at most `patience`. Whether it was confirmed.
+/// An operator's stop: it needs no session and ends the present one. Repeated until the
+/// executor answers, at most `patience`. True if it was confirmed.
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
                    Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now,
                    const std::optional<wire::Key>& key = {});
 
-/// What an axis does now: drops the status messages that have waited, then waits for the next one,
+/// The present status of an axis: drops the waiting status messages, then waits for the next one,
 /// at most `timeout`. The link has subscribed to the axis's status channel, with capacity 1.
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
                                          Nanos timeout, const Clock& clock = steady_now,
                                          const std::optional<wire::Key>& key = {});
 
-/// What an executor's communication thread runs around its Receivers: one an axis, all on one link.
+/// The loop of the communication thread around its Receivers: one for each axis, all on one link.
 ///
 ///     ReceiverPump pump(link, {.executor = "feeder"}, random_id());
 ///     for (;;) {
@@ -93,7 +93,7 @@ class ReceiverPump {
   void announce(wire::Event event, std::size_t axis = 0);
   void publish_master(wire::MasterStatus status, std::size_t axis = 0);
 
-  /// Subscribes to what says where the master of this name is, and hands each of it to `take`.
+  /// Subscribes to the samples of the master of this name, and passes each to `take`.
   void hear(const std::string& master, std::function<void(const wire::Master&)> take);
   /// Subscribes to the claims of its axes' names, and hands each of them to `take`.
   void hear_claims(std::function<void(const wire::Message&)> take);
@@ -114,7 +114,7 @@ class ReceiverPump {
   void take(const wire::Message& message);
 
   Transport& link_;
-  std::optional<wire::Key> key_;    // of all axes
+  std::optional<wire::Key> key_;    // key of all axes
   std::deque<Receiver> receivers_;  // in the order of the options
   std::vector<Named> by_name_;      // sorted
   std::vector<std::pair<std::string, std::function<void(const wire::Master&)>>> masters_;

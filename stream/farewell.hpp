@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// What a streamer sends once it has failed: a stop, if a motion of its session may be under way, and
+/// The messages of a failed streamer: a stop, if a motion of its session may be under way, and
 /// the end of its session, so that the next streamer finds the axis free. Sent a few times, as any of
 /// them may be lost, until the end of the session is answered.
 class Farewell {

@@ -12,7 +12,7 @@
 /// Messages over a link: what every program around the state machines does with one.
 namespace jounce {
 
-/// How many packets were no message, by reason.
+/// Number of rejected packets, by reason.
 struct Rejects {
   std::array<std::size_t, wire::reject_count> by_reason{};
 

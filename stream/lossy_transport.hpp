@@ -8,15 +8,15 @@
 
 namespace jounce {
 
-/// A time during which a link is cut: [from, to) since it was made. What is sent then is lost.
+/// A time during which a link is cut: [from, to) since it was made. Packets sent then are lost.
 struct Partition {
   enum class Way { both, out, in };
   Nanos from{};
   Nanos to{};
-  Way way = Way::both;  ///< `out`: what this side sends does not get through, but it hears
+  Way way = Way::both;  ///< `out`: packets of this side are lost, but it receives
 };
 
-/// What happens to packets, each way. Shares are probabilities from 0 to 1.
+/// Faults of packets, each way. Shares are probabilities from 0 to 1.
 struct LossSpec {
   std::uint64_t seed = 1;
   double lost = 0;

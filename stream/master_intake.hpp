@@ -15,15 +15,15 @@ struct MasterIntakeOptions {
   Nanos forget = std::chrono::seconds(1);
 };
 
-/// Which of the messages about one master count: those that say something new. A value, without clock
+/// Filter of the messages about one master: accepts those with new content. A value, without clock
 /// and network.
 ///
 ///     MasterIntake intake({.unit = "mm"});
 ///     if (intake.take(message, now)) line.receive(...);
 ///
 /// Within an epoch (Master::clock) both `seq` and `stamp_ns` rise; a later epoch has a greater number.
-/// What is doubled, overtaken or repeated by somebody does nothing and is counted; so is what counts in
-/// another unit. Of two senders of one name the later begun one is heard and the other refused: the
+/// Duplicate, overtaken and repeated messages have no effect and are counted; so are those in
+/// another unit. Of two senders of one name, the later one is accepted and the other rejected: the
 /// master never hops between them.
 class MasterIntake {
  public:

@@ -12,7 +12,7 @@ namespace jounce {
 
 class MemoryTransport;
 
-/// What the links of one process are joined by: everything sent on one reaches all that subscribe,
+/// Connects the links of one process: a message sent on one reaches all that subscribe,
 /// the sender included, at once and whole.
 class MemoryNetwork {
  public:

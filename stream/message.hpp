@@ -15,20 +15,20 @@
 #include "jounce/stream/order.hpp"
 #include "jounce/stream/queue.hpp"
 
-/// The messages of stream protocol version 2, as values. docs/stream-protocol.md tells who sends
+/// The messages of stream protocol version 2, as values. docs/stream-protocol.md defines who sends
 /// which when; stream/lcm/*.lcm is their layout on the wire; wire.hpp turns one into the other.
 namespace jounce::wire {
 
 inline constexpr std::int32_t protocol_version = 2;
 inline constexpr std::size_t chunk_values = 7680;    ///< doubles a chunk can carry: one datagram
 inline constexpr std::size_t message_values = 1600;  ///< doubles of a message that credit counts in
-inline constexpr std::size_t credit_values = 2048;   ///< doubles for which such a message's room is
-inline constexpr std::size_t executor_bytes = 24;    ///< of an executor's name, final zero included
-inline constexpr std::size_t unit_bytes = 16;        ///< of a unit, final zero included
-inline constexpr std::size_t reason_bytes = 160;     ///< of a reason in words, final zero included
-inline constexpr std::uint32_t most_tables = 64;     ///< of one session
+inline constexpr std::size_t credit_values = 2048;   ///< doubles of space for such a message
+inline constexpr std::size_t executor_bytes = 24;    ///< executor bytes of an executor's name, final zero included
+inline constexpr std::size_t unit_bytes = 16;        ///< unit bytes of a unit, final zero included
+inline constexpr std::size_t reason_bytes = 160;     ///< reason bytes of a reason in words, final zero included
+inline constexpr std::uint32_t most_tables = 64;     ///< most tables of one session
 
-/// What drives the slave.
+/// Drive of the slave.
 enum class ArmMode : std::int8_t {
   play = 0,          ///< the slave table is over time and plays by itself
   follow_input = 1,  ///< the slave table is over master and follows the executor's master input
@@ -40,8 +40,8 @@ enum class ArmMode : std::int8_t {
 /// velocity and acceleration meet within the axis's limits.
 enum class StartAt : std::int8_t {
   tick = 0,             ///< at a tick
-  end_of_table = 1,     ///< where what plays now ends, or begins anew
-  master_position = 2,  ///< where the master reaches a position
+  end_of_table = 1,     ///< when the present motion ends, or repeats
+  master_position = 2,  ///< when the master reaches a position
 };
 
 enum class StopMode : std::int8_t {
@@ -65,7 +65,7 @@ enum class Refusal : std::int8_t {
   wrong_axis,       ///< a table over time where one over master is needed, or the reverse
   wrong_unit,       ///< a table over time not in s, or a master that counts in another unit
   not_armed,        ///< start without arm
-  axis,             ///< the axis said no: see the reason
+  axis,             ///< rejected by the axis: see the reason
   stale_challenge,  ///< it does not carry the executor's newest challenge, which the answer does
   bad_queue,        ///< the queue contradicts itself, or an earlier one of the same index
   bad_rows,         ///< rows contradict their queue, or those before them
@@ -76,7 +76,7 @@ enum class Refusal : std::int8_t {
 };
 inline constexpr int refusals = 22;
 
-/// What became of a start that was accepted: one for later is judged where it takes place.
+/// Outcome of an accepted start: a later start is checked when it takes place.
 enum class StartOutcome : std::int8_t {
   none = 0,     ///< none was accepted in this session
   waiting = 1,  ///< for its tick, its master position, or the end of what plays
@@ -84,18 +84,18 @@ enum class StartOutcome : std::int8_t {
   dropped = 3,  ///< it did not begin: see start_reason
 };
 
-/// What an axis does where a cam behind its live master ends at a velocity.
+/// Behaviour of an axis if a cam with a live master ends at a velocity.
 enum class CamEnd : std::int8_t {
   brake = 0,  ///< it comes to rest within its limits
   keep_velocity =
-      1,       ///< it goes on at that velocity, whatever the master does, until another command
+      1,       ///< keeps that velocity, independent of the master, until another command
   extend = 2,  ///< the cam goes on at the ratio that it ends with: the axis stays coupled
 };
 
-/// How far a command has come.
+/// Progress of a command.
 enum class Outcome : std::int8_t { pending = 0, accepted = 1, refused = 2 };
 
-/// What the axis does: the states of PLCopen that an axis which plays tables needs.
+/// State of the axis: the states of PLCopen that an axis for tables needs.
 enum class AxisState : std::int8_t {
   disabled = 0,
   standstill = 1,
@@ -107,18 +107,18 @@ enum class AxisState : std::int8_t {
   homing = 7,
 };
 
-/// How far the motion has come.
+/// Progress of the motion.
 enum class Progress : std::int8_t {
   none = 0,      ///< there is none
   waiting = 1,   ///< for its master, or an event
   engaging = 2,  ///< on its way to where it belongs: ramp, clutch
   running = 3,
-  starving = 4,  ///< what is known of it is about to end, more was to come
+  starving = 4,  ///< buffer underrun: the available rows end
   done = 5,
   broken = 6,  ///< it could not go on
 };
 
-/// What it will do next.
+/// Its next action.
 enum class Next : std::int8_t {
   nothing = 0,
   armed = 1,    ///< a table waits for its start
@@ -130,7 +130,7 @@ enum class Next : std::int8_t {
 /// Announces a table; the first one of a session opens it.
 struct Header {
   std::uint32_t table = 0;  ///< index within the session, 0...63
-  Sha256 hash{};            ///< content_hash(table, units); zeros: not known yet, it will be told
+  Sha256 hash{};            ///< content_hash(table, units); zeros: it follows later
   Axis axis = Axis::time;
   Rule rule = Rule::linear;
   Outside outside = Outside::refuse;
@@ -160,10 +160,10 @@ struct Arm {
   ArmMode mode = ArmMode::play;
   Sha256 slave{};              ///< hash of the slave table
   Sha256 master{};             ///< hash of the master table; zero unless mode is follow_table
-  CouplingSpec coupling{};     ///< of a slave table over master; without master_jump
-  std::uint32_t queue = 0;     ///< with mode queue: 64...127
-  std::uint8_t bank = 0;       ///< of a static queue: the bank that begins
-  CamEnd end = CamEnd::brake;  ///< with follow_input
+  CouplingSpec coupling{};     ///< coupling of a slave table over master; without master_jump
+  std::uint32_t queue = 0;     ///< for mode queue: 64...127
+  std::uint8_t bank = 0;       ///< bank of a static queue: the bank that begins
+  CamEnd end = CamEnd::brake;  ///< for follow_input
 };
 
 struct Start {
@@ -173,7 +173,7 @@ struct Start {
   double position = 0;  ///< m, with master_position
 };
 
-/// In session 0: an operator's stop, which ends whatever session lives.
+/// In session 0: an operator's stop, which ends the present session.
 struct Stop {
   std::int32_t command = 0;
   StopMode mode = StopMode::stop;
@@ -187,7 +187,7 @@ struct Heartbeat {
 
 // ---- from the executor -------------------------------------------------------------------------
 
-/// How far a table has come.
+/// Progress of a table.
 struct Ack {
   std::int64_t boot = 0;     ///< drawn when the executor starts: another one means it has forgotten
   std::uint32_t table = 0;   ///< index within the session
@@ -199,7 +199,7 @@ struct Ack {
   std::string reason{};  ///< in words; may be empty
 };
 
-/// How far a command has come.
+/// Progress of a command.
 struct Reply {
   std::int64_t boot = 0;
   std::int32_t command = 0;
@@ -209,13 +209,13 @@ struct Reply {
   std::string reason{};
 };
 
-/// How far a queue has come. Two numbers: one for each bank.
+/// Progress of a queue. Two numbers: one for each bank.
 struct QueueAck {
   std::int64_t boot = 0;
   std::uint32_t queue = first_queue;
   std::array<std::uint32_t, 2> next{};   ///< every message of rows below has been taken
   std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
-  std::array<std::uint32_t, 2> space{};  ///< rows behind those of `next` that there is room for
+  std::array<std::uint32_t, 2> space{};  ///< free rows after those of `next`
   std::int64_t played = 0;               ///< rows whose end was reached since it was opened
   Progress progress = Progress::none;
   Refusal refusal = Refusal::none;  ///< final for this queue
@@ -229,7 +229,7 @@ using Histogram = std::array<std::int32_t, 16>;
 /// Bits of Status::unwritten: the file ended before the run did, or was not made.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
-/// What the axis does now; published every few milliseconds, only the newest counts.
+/// Status of the axis; published every few milliseconds, only the newest is valid.
 struct Status {
   AxisState state = AxisState::disabled;
   Next next = Next::nothing;
@@ -243,23 +243,23 @@ struct Status {
   std::int64_t late_ticks = 0;          ///< cycles that began too late, since the executor started
   std::int64_t finished = 0;            ///< motions that reached their end, since then
   std::int64_t stopped = 0;             ///< motions that a stop brought to rest, since then
-  double actual_position = unknown;     ///< of the drive
+  double actual_position = unknown;     ///< actual position of the drive
   double following_error = unknown;     ///< commanded less actual
   double torque = unknown;              ///< share of the rated one
   double override_ = 1;                 ///< velocity factor that is set
-  Progress progress = Progress::none;   ///< of the motion
+  Progress progress = Progress::none;   ///< progress of the motion
   std::int32_t reason = 0;              ///< why the last motion ended early, as last_error; 0: no
   std::uint32_t queue_rows = 0;         ///< waiting in the queue that is armed or played
-  std::uint32_t queue_capacity = 0;     ///< of that queue
+  std::uint32_t queue_capacity = 0;     ///< queue capacity of that queue
   std::uint32_t outputs = 0;            ///< switches: track 1 is bit 0
-  std::int64_t boot = 0;                ///< as in Ack
+  std::int64_t boot = 0;                ///< see Ack
   std::int64_t rejected = 0;            ///< packets that were no message, since it started
-  std::int64_t not_authentic = 0;       ///< of those, the ones whose mac was wrong
-  Histogram lateness{};                 ///< of cycles: how late they woke up
-  Histogram computing{};                ///< of cycles: how long they computed
+  std::int64_t not_authentic = 0;       ///< not authentic of those, the ones whose mac was wrong
+  Histogram lateness{};                 ///< lateness of cycles: how late they woke up
+  Histogram computing{};                ///< computing of cycles: how long they computed
   Units units{};                        ///< in which the axis counts; empty: any
   std::int32_t start_command = 0;       ///< the last start of this session; 0: none
-  StartOutcome start = StartOutcome::none;  ///< what became of it
+  StartOutcome start = StartOutcome::none;  ///< its outcome
   std::int32_t start_cause = 0;             ///< why it was dropped, as last_error
   std::string start_reason{};               ///< in words
   bool held = false;                        ///< a motion waits for the order resume
@@ -276,16 +276,16 @@ struct Event {
   std::int64_t boot = 0;
   std::int64_t count = 0;  ///< events of this axis since the executor started, from 1
   EventKind kind = EventKind::compare;
-  std::uint32_t number = 1;  ///< of the output, from 1
+  std::uint32_t number = 1;  ///< number of the output, from 1
   bool on = false;
   std::int64_t tick = 0;  ///< the cycle at whose end it was seen
   double offset_s = 0;    ///< s before that cycle's instant, >= 0
-  double position = 0;    ///< of what the output depends on, there
+  double position = 0;    ///< position of what the output depends on, there
 };
 
 // ---- from a master -----------------------------------------------------------------------------
 
-/// Where a master is; Message::executor is the master's name.
+/// Position of a master; Message::executor is the name of the master.
 struct Master {
   std::int64_t seq = 0;               ///< >= 0, rising
   std::int64_t stamp_ns = 0;          ///< >= 0: when it was there, on the sender's clock; rising
@@ -293,15 +293,15 @@ struct Master {
   bool valid = false;                 ///< otherwise it is lost, or its position unknown
   double position = 0;                ///< finite
   double velocity = Status::unknown;  ///< per second; NaN: not known
-  std::string unit{};                 ///< of the position; not empty
+  std::string unit{};                 ///< unit of the position; not empty
 };
 
-/// What an executor sees of a master; Message::executor is an axis that follows it, or else the
+/// State of a master in an executor; Message::executor is an axis that follows it, or else the
 /// machine's first one.
 struct MasterStatus {
-  std::int64_t boot = 0;  ///< as in Ack
+  std::int64_t boot = 0;  ///< see Ack
   std::string master{};   ///< its name, as an executor's
-  std::string unit{};     ///< of the position; not empty
+  std::string unit{};     ///< unit of the position; not empty
   std::int64_t tick = 0;  ///< the cycle that saw it so
   bool lost = true;       ///< there is none, or no longer: position and velocity are NaN
   double position = Status::unknown;
@@ -315,7 +315,7 @@ struct MasterStatus {
 
 /// An executor has the name Message::executor, or claims it while it starts.
 struct Claim {
-  std::int64_t boot = 0;   ///< as in Ack
+  std::int64_t boot = 0;   ///< see Ack
   std::int64_t rival = 0;  ///< boot of the executor that it answers; 0: it asks all
   bool up = false;         ///< it takes orders; otherwise it is starting
 };
@@ -328,7 +328,7 @@ struct Message {
   std::int64_t session =
       0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event, MasterStatus, Claim)
   Body body;
-  /// From an executor: what commands must carry from now on. To it: what it said last, 0 at first.
+  /// From an executor: the challenge that commands must carry. To it: its last challenge, 0 at first.
   std::int64_t challenge = 0;
 };
 
@@ -339,7 +339,7 @@ const char* name(Next next);
 const char* name(Progress progress);
 const char* name(EventKind kind);
 
-/// How a table is cut into chunks.
+/// Division of a table into chunks.
 struct Cut {
   std::uint32_t columns = 0;    ///< 2, 3 or 4, as the rule needs
   std::uint32_t per_chunk = 0;  ///< knots of a full chunk
@@ -347,16 +347,16 @@ struct Cut {
 
   /// Knots of chunk `seq`.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Chunks for which there is room where so many messages of message_values have it: as many, or of
+  /// Number of chunks that fit the space of so many messages of message_values: as many, or of
   /// longer ones as hold no more than credit_values a message, but 1.
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
 /// `values`: doubles of a full chunk, 4...chunk_values.
 Cut cut(Rule rule, std::uint32_t knots, std::size_t values = message_values);
-/// As its sender has cut it, per_chunk >= 1.
+/// The division of its sender, per_chunk >= 1.
 Cut cut(const Header& header);
 
-/// Whether this is a name that an executor may have.
+/// True if this is a name that an executor may have.
 bool is_executor_name(std::string_view name);
 
 }  // namespace jounce::wire

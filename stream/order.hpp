@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-/// What an axis can be told besides playing tables: PLCopen's function blocks as one message.
+/// A command to an axis besides playing tables: the function blocks of PLCopen as one message.
 ///
 ///     constexpr auto kind = OrderKind::move_absolute;
 ///     Order{.kind = kind, .value = values(kind, {120, 200})};   // to 120 mm at 200 mm/s
@@ -49,7 +49,7 @@ enum class OrderKind : std::int8_t {
 inline constexpr int order_kinds = 22;
 
 struct Order {
-  std::int32_t command = 0;  ///< as in Arm
+  std::int32_t command = 0;  ///< see Arm
   OrderKind kind = OrderKind::enable;
   std::int64_t at = -1;  ///< tick; -1: the next one
   std::array<double, 8> value{};
@@ -58,25 +58,25 @@ struct Order {
 /// "enable", "move_absolute", "override", ...
 const char* name(OrderKind kind);
 
-/// How many values have a meaning.
+/// Number of used values.
 std::size_t arity(OrderKind kind);
 
-/// The values of an order of this kind. What is left out at the end is not given: NaN for a velocity,
+/// The values of an order of this kind. Omitted values at the end get their defaults: NaN for a velocity,
 /// acceleration, deceleration, jerk, time or distance of home, else 0.
 std::array<double, 8> values(OrderKind kind, std::initializer_list<double> given);
 
-/// What an order says wrongly, as a sentence that names the value; empty: nothing. Every value is
-/// finite, magnitudes are > 0 or NaN, home's offset any number or NaN, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
+/// Error of an order, as a sentence that names the value; empty: none. Every value is finite, magnitudes > 0 or NaN,
+/// home's offset any number or NaN, a flag is 0 or 1, a buffer mode 0 to 5 (PLCopen: aborting, buffered,
 /// blending low, previous, next, high), a direction -1, 0 or 1, an override 0 to 2, a
 /// denominator is not 0, both numbers of a ratio are whole, values without a meaning are 0.
 std::string contradiction(const Order& order);
 
-/// Whether the motion runs only while its session is heard: a hold-to-run jog.
+/// True if the motion runs only while its session sends heartbeats: a hold-to-run jog.
 constexpr bool holds_to_run(OrderKind kind, const std::array<double, 8>& value) {
   return kind == OrderKind::move_velocity && value[5] == 1;
 }
 
-/// Whether an operator may give it without owning the axis: it changes when, not what is played.
+/// True if an operator may give it without owning the axis: it changes when, not what is played.
 constexpr bool is_operators(OrderKind kind) {
   return kind == OrderKind::hold || kind == OrderKind::resume || kind == OrderKind::override_;
 }

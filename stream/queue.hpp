@@ -17,17 +17,17 @@
 ///           .origin = 120, .lowest = 0, .highest = 80};   // from 120 mm, and never beyond 200 mm
 ///     Rows{.queue = 64, .rows = {{.x_end = 0.1, .p_end = 2, .v_end = 40, .order = RowOrder::cubic}}};
 ///
-/// **Place.** A queue says where it begins and how far it goes. An axis that stands elsewhere, or whose
+/// **Origin and range.** A queue announces its origin and its range. An axis that stands elsewhere, or whose
 /// range is narrower, refuses it; rows that leave the announced range are refused, or the axis stops.
 ///
 /// u: the unit of p, m: that of x (s over time).
 namespace jounce::wire {
 
 inline constexpr std::size_t rows_each = 200;     ///< rows of one message: 12.8 KB
-inline constexpr std::uint32_t first_queue = 64;  ///< of a queue's index
+inline constexpr std::uint32_t first_queue = 64;  ///< first queue of a queue's index
 inline constexpr std::uint32_t last_queue = 127;  ///< below are tables
 
-/// Which curve a row is, between its ends.
+/// Curve of a row between its ends.
 enum class RowOrder : std::int8_t {
   linear = 1,     ///< from p alone
   quadratic = 2,  ///< from p and one v, at whichever end is given; NaN: it is left open. With both
@@ -53,10 +53,10 @@ struct Row {
 
 enum class QueueMode : std::int8_t {
   static_ = 0,  ///< two banks; each is filled, played as a whole, and stays until it is cleared
-  dynamic = 1,  ///< both banks are one stream, sent as bank 0; what is played makes room
+  dynamic = 1,  ///< both banks are one stream, sent as bank 0; played rows free space
 };
 
-/// What a queue over master waits for, with Googol's codes.
+/// Start event of a queue over master, with Googol's codes.
 enum class QueueEvent : std::int8_t { start = 1, pass = 2 };
 
 /// Opens a queue, and like a Header the session where it is the first.
@@ -66,7 +66,7 @@ struct Queue {
   Units units{};
   QueueMode mode = QueueMode::dynamic;
   std::uint32_t capacity = 1024;  ///< rows of each of the two banks, >= 2
-  std::int32_t loops = 1;         ///< of a static bank; below 1: for ever
+  std::int32_t loops = 1;         ///< loops of a static bank; below 1: endless
   QueueEvent event = QueueEvent::start;
   double event_position = 0;        ///< m, with pass
   std::int8_t event_direction = 0;  ///< 1 or -1 with pass
@@ -91,7 +91,7 @@ struct Rows {
   std::vector<Row> rows{};      ///< 1...200
 };
 
-/// What a queue says wrongly, as a sentence; empty: nothing.
+/// Error of a queue, as a sentence; empty: none.
 std::string contradiction(const Queue& queue);
 
 /// Rows that a queue holds in a bank, as its mode counts them.

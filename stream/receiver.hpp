@@ -21,15 +21,15 @@ namespace jounce {
 
 struct ReceiverOptions {
   std::string executor;                             ///< the name this axis answers to
-  std::uint32_t most_knots = 1U << 24U;             ///< of one table
+  std::uint32_t most_knots = 1U << 24U;             ///< most knots of one table
   std::size_t memory = std::size_t{1} << 28U;       ///< bytes of all tables, complete or under way
-  Nanos session_timeout = std::chrono::seconds(1);  ///< of silence, then the axis is free again
+  Nanos session_timeout = std::chrono::seconds(1);  ///< session timeout of silence, then the axis is free again
   Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
   std::uint32_t credit =
       8;  ///< messages of 12.8 KB under way, 1...64; 8 fit a socket's default buffer
-  std::uint32_t most_rows = 1U << 20U;  ///< of one bank of a queue
-  std::size_t most_queues = 4;          ///< of one session
-  std::optional<wire::Key> key{};       ///< what commands must be signed with; none: anybody may
+  std::uint32_t most_rows = 1U << 20U;  ///< most rows of one bank of a queue
+  std::size_t most_queues = 4;          ///< most queues of one session
+  std::optional<wire::Key> key{};       ///< key that must sign commands; none: no signature needed
 };
 
 /// A table is complete and has proved itself. It stays in the store.
@@ -44,9 +44,9 @@ struct ArmRequested {
   std::int32_t command = 0;
   wire::ArmMode mode = wire::ArmMode::play;
   StoredTable slave;
-  std::optional<StoredTable> master;  ///< with follow_table
-  CouplingSpec coupling{};            ///< of a slave over master
-  wire::CamEnd end = wire::CamEnd::brake;  ///< with follow_input
+  std::optional<StoredTable> master;  ///< for follow_table
+  CouplingSpec coupling{};            ///< coupling of a slave over master
+  wire::CamEnd end = wire::CamEnd::brake;  ///< for follow_input
 };
 
 /// The queue is open. Owes an answer.
@@ -54,16 +54,16 @@ struct QueueArmRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
   std::uint32_t queue = 0;
-  std::uint8_t bank = 0;  ///< of a static queue: the one that begins
+  std::uint8_t bank = 0;  ///< bank of a static queue: the one that begins
 };
 
 /// Follows an accepted arm of the same session; a queue has its prefill. Owes an answer.
 struct StartRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
-  std::int64_t tick = -1;  ///< of the executor; -1: the next one
+  std::int64_t tick = -1;  ///< tick of the executor; -1: the next one
   wire::StartAt when = wire::StartAt::tick;
-  double position = 0;  ///< of the master, m, with master_position
+  double position = 0;  ///< position of the master, m, with master_position
 };
 
 /// Something else that the axis is to do; its values are within their ranges, and a queue that they
@@ -82,7 +82,7 @@ struct QueueOpened {
   wire::Queue queue;
 };
 
-/// Rows in order and without gaps, for which there is room. One that would break a limit is refused
+/// Rows in order and without gaps, within the free space. One that would break a limit is refused
 /// by Receiver::refuse_row().
 struct RowsArrived {
   std::int64_t session = 0;
@@ -96,7 +96,7 @@ struct StopRequested {
   wire::StopMode mode = wire::StopMode::stop;
 };
 
-/// Nobody owns the axis any longer. What is armed but not started must be disarmed; whether a
+/// The axis has no owner any more. An armed motion without a start must be disarmed; whether a
 /// motion goes on is the axis's choice.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
@@ -111,18 +111,18 @@ using StreamEvent =
 /// The executor's half of the protocol: a pure state machine without thread, clock or link.
 ///
 ///     Receiver receiver({.executor = "feeder"}, random_id());
-///     receiver.receive(message, now);                      // whatever has arrived
+///     receiver.receive(message, now);                      // each arrived message
 ///     for (const auto& answer : receiver.poll(now)) ...    // to be sent; calls every few ms
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
-/// Any message may be lost, doubled, delayed or reordered. None is trusted: counts are bounded
+/// Any message may be lost, doubled, delayed or reordered. Every one is checked: counts are bounded
 /// before memory is taken, the hash is computed from what arrived, and the table is constructed
 /// anew. Messages for another executor are ignored, and so are those that executors send.
 ///
 /// **Challenge.** A number that every command must carry. Each session ends with a new one, and so
-/// does each start of the executor, so that nothing of before has any effect. Who does not know it
-/// is told by the refusal `stale_challenge`. Operators, who have no session, have one of their own,
+/// does each start of the executor, so that older messages have no effect. The refusal
+/// `stale_challenge` carries the present one. Operators, who have no session, have one of their own,
 /// which each of their commands uses up.
 class Receiver {
  public:
@@ -146,7 +146,7 @@ class Receiver {
   void refuse(std::int64_t session, std::int32_t command, std::string reason,
               std::int32_t cause = 0);
 
-  /// How far the executor has come with this queue of the live session: makes room for more rows.
+  /// Progress of this queue of the present session: frees space for more rows.
   void level(std::uint32_t queue, const QueueLevel& level);
   /// The executor cannot play this queue, or not this row of it (from 0 in its bank).
   void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
@@ -157,7 +157,7 @@ class Receiver {
   [[nodiscard]] const TableStore& store() const { return store_; }
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
   [[nodiscard]] std::int64_t boot() const { return boot_; }
-  /// What a message of a session must carry, and one of an operator.
+  /// Challenge of the messages of a session, and of those of an operator.
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
   [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
 
@@ -247,8 +247,8 @@ class Receiver {
   std::map<std::uint32_t, OpenQueue> queues_;
   std::uint64_t rows_taken_ = 0;                                       // messages of them
   std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // and bank; of the last arm
-  Record command_;   // of the live session, or else of the last one
-  Record operator_;  // of session 0
+  Record command_;   // command of the live session, or else of the last one
+  Record operator_;  // operator of session 0
   std::deque<std::int64_t> ended_;
 
   std::vector<wire::Message> outgoing_;

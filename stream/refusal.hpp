@@ -14,7 +14,7 @@ struct Refused {
   explicit operator bool() const { return refusal != wire::Refusal::none; }
 };
 
-/// What a header says wrongly: bad_header, or nothing.
+/// Error of a header: bad_header, or none.
 Refused contradiction(const wire::Header& header);
 
 /// A table with the units of its axes.
@@ -23,7 +23,7 @@ struct TableInUnits {
   const Units& units;
 };
 
-/// Whether these tables can be armed in this mode: the slave's axis and, in follow_table, a master
+/// True if these tables can be armed in this mode: the slave's axis and, in follow_table, a master
 /// over time in the unit that the slave table is over. Every table over time is in s.
 Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master);
 

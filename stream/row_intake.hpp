@@ -10,20 +10,20 @@
 
 namespace jounce {
 
-/// How far an executor has come with a queue. Two numbers: one for each bank.
+/// Progress of an executor with a queue. Two numbers: one for each bank.
 struct QueueLevel {
-  std::array<std::uint64_t, 2> freed{};  ///< rows that need no room any more, since it was opened
+  std::array<std::uint64_t, 2> freed{};  ///< rows freed since it was opened
   std::int64_t played = 0;               ///< rows whose end was reached, since it was opened
   wire::Progress progress = wire::Progress::none;
 };
 
-/// The rows of one queue on their way in: put in order, checked, and never more than there is room
+/// The arriving rows of one queue: sorted, checked, and never more than the free space
 /// for. Holds at most `credit` messages that have overtaken others.
 class RowIntake {
  public:
   RowIntake(const wire::Queue& queue, std::uint32_t credit);
 
-  /// Takes in what fits. What was seen before changes nothing.
+  /// Takes the rows that fit. Rows received before have no effect.
   void add(const wire::Rows& rows);
 
   /// Rows that are in order now, each once; of both banks.
@@ -32,7 +32,7 @@ class RowIntake {
   /// The rows of this bank that are not played count no more; its messages count again from `seq`.
   void clear(std::uint8_t bank, std::uint32_t seq);
 
-  /// Whether an acknowledgement has something new to say.
+  /// True if there is something new to acknowledge.
   bool level(const QueueLevel& level);
   /// The first one stays.
   void refuse(Refused refused, std::int64_t row = -1);
@@ -47,11 +47,11 @@ class RowIntake {
   struct Bank {
     std::uint32_t next = 0;                    // message
     std::uint64_t rows = 0;                    // before that message
-    std::uint64_t freed = 0;                   // of those
+    std::uint64_t freed = 0;                   // freed of those
     std::uint64_t begin = 0;                   // the first one since the last clear
-    bool resumes = false;                      // the next message says anew how many were before it
+    bool resumes = false;                      // the next message repeats the number of rows before it
     bool ended = false;                        // its last row was the last one
-    double x = 0;                              // where that ended
+    double x = 0;                              // x at its end
     std::map<std::uint32_t, wire::Rows> held;  // at most credit_
   };
 

@@ -17,12 +17,12 @@ namespace jounce {
 /// all has `last` set.
 using RowSource = std::function<std::vector<wire::Row>(std::size_t most)>;
 
-/// A stream of rows: longer than anybody's memory, or computed on the fly.
+/// A stream of rows: longer than any memory, or computed on the fly.
 struct RowPlan {
   std::string executor;  ///< its name
   wire::Queue queue{};   ///< dynamic; over time in s, or over a master
   RowSource rows;
-  std::int64_t start_tick = -1;  ///< of the executor; -1: the next one
+  std::int64_t start_tick = -1;  ///< start tick of the executor; -1: the next one
   bool resume = false;           ///< after an underrun, goes on once the prefill is there again
 };
 
@@ -32,7 +32,7 @@ RowSource source_of(Table table);
 /// A row as it stands on the wire.
 wire::Row on_wire(const SegmentRow& row);
 
-/// Where a table goes, u, from its first knot on: what a queue of its rows announces.
+/// Range of a table, u, relative to its first knot, as a queue of its rows announces it.
 struct Travel {
   double lowest = 0;   ///< <= 0
   double highest = 0;  ///< >= 0
@@ -41,12 +41,12 @@ struct Travel {
 /// Exact: the rows' own extrema, as an executor computes them.
 Travel travel_of(const Table& table);
 
-/// How far a stream of rows has come.
+/// Progress of a stream of rows.
 struct RowProgress {
   std::uint64_t sent = 0;          ///< rows handed over by the source
-  std::uint64_t acknowledged = 0;  ///< of those, with the executor
-  std::uint64_t played = 0;        ///< of those, played to their end
-  std::size_t messages = 0;        ///< of rows, sent for the first time
+  std::uint64_t acknowledged = 0;  ///< acknowledged of those, with the executor
+  std::uint64_t played = 0;        ///< played of those, played to their end
+  std::size_t messages = 0;        ///< messages of rows, sent for the first time
   std::size_t resent = 0;          ///< sent again
   int underruns = 0;               ///< times that the axis had to stop for want of rows
   bool started = false;
@@ -66,19 +66,19 @@ struct RowOutcome {
 
 /// The streamer's half of a rolling stream: a pure state machine without thread, clock or link. It
 /// opens the queue, fills it up to the prefill (or with all there is), arms, starts, and goes on
-/// filling as what is played makes room, to the end of the motion.
+/// and continues as played rows free space, to the end of the motion.
 ///
 ///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
-///       sender.receive(message, now);                      // whatever has arrived
+///       sender.receive(message, now);                      // each arrived message
 ///     }
 ///
 /// Where the source does not keep up, the axis stops on the path and within its limits before it
-/// runs out of rows: an underrun. Then the stream ends with that error, or goes on if the plan says
+/// runs out of rows: an underrun. Then the stream ends with that error, or continues if the plan has
 /// so. A source that has no more rows for `progress_patience`, though they are waited for, ends it,
 /// too: `underrun` of what has started, `stalled` before. Where an operator has stopped the axis, or
-/// a fault has, the stream ends as `stopped`, whatever the plan says.
+/// a fault has, the stream ends as `stopped`, for every plan.
 class RowSender {
  public:
   /// Throws InputError for a plan that cannot be sent.
@@ -92,7 +92,7 @@ class RowSender {
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool ended() const { return stage_ == Stage::ended; }
-  /// It has ended, and a failed one has said its farewell.
+  /// It has ended, and a failed one has sent its farewell.
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] const RowOutcome& outcome() const { return outcome_; }
 
@@ -136,7 +136,7 @@ class RowSender {
   RowWindow window_;
   CommandSlot command_;
   std::int64_t challenge_ = 0;
-  std::int64_t boot_ = 0;   // 0: not heard yet
+  std::int64_t boot_ = 0;   // 0: no message yet
   bool exhausted_ = false;  // the source has given its last row
   bool starving_ = false;
   std::uint64_t starved_at_ = 0;  // rows that were acknowledged then

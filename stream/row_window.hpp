@@ -9,12 +9,12 @@
 
 namespace jounce {
 
-/// The rows of one bank under way: selective repeat, and never more than there is room for.
+/// The rows of one bank in transit: selective repeat, and never more than the free space.
 class RowWindow {
  public:
   explicit RowWindow(const wire::Queue& queue, std::uint8_t bank = 0, Pace pace = {});
 
-  /// How many rows may be handed over now: as there is room, and messages to carry them.
+  /// Number of rows that may be handed over now: by free space and free messages.
   [[nodiscard]] std::size_t wants() const;
   /// 1...min(wants(), 200) rows.
   void push(std::vector<wire::Row> rows);
@@ -46,7 +46,7 @@ class RowWindow {
   std::uint32_t next_ = 0;
   std::uint64_t before_ = 0;  // rows before message next_
   std::uint64_t pushed_ = 0;  // rows of all messages
-  std::uint64_t limit_ = 0;   // rows that there was room for, of all
+  std::uint64_t limit_ = 0;   // number of the last row with space
   unsigned back_off_ = 0;
   std::size_t resent_ = 0;
 };

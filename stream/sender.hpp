@@ -18,7 +18,7 @@ namespace jounce {
 /// Times of a streamer.
 struct SenderOptions {
   Pace pace;
-  Nanos repeat = std::chrono::milliseconds(20);        ///< of headers and commands, until answered
+  Nanos repeat = std::chrono::milliseconds(20);        ///< repeat of headers and commands, until answered
   Nanos heartbeat = std::chrono::milliseconds(100);    ///< between signs of life
   Nanos patience = std::chrono::seconds(5);            ///< without any answer
   Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
@@ -31,7 +31,7 @@ enum class StreamError {
   no_answer,        ///< the executor has never answered
   contact_lost,     ///< it has, but no longer does
   stalled,          ///< it answers, but no chunk gets through
-  command_timeout,  ///< it answers, but does not say whether it arms, starts or stops
+  command_timeout,  ///< it answers, but without an outcome of arm, start or stop
   out_of_time,      ///< the bound on the total time was reached
   restarted,        ///< the executor has restarted and forgotten
   refused,          ///< see refusal and reason
@@ -57,12 +57,12 @@ const char* name(StreamStage stage);
 
 struct StreamProgress {
   StreamStage stage = StreamStage::downloading;
-  std::size_t chunks = 0;   ///< of all tables
-  std::size_t arrived = 0;  ///< of those, acknowledged
+  std::size_t chunks = 0;   ///< chunks of all tables
+  std::size_t arrived = 0;  ///< arrived of those, acknowledged
   std::size_t resent = 0;   ///< chunks sent again
 };
 
-/// How a stream ended, or stands. Each flag is set where the executor confirmed it.
+/// Outcome or state of a stream. Each flag is set when the executor has confirmed it.
 struct StreamOutcome {
   StreamError error = StreamError::none;
   wire::Refusal refusal = wire::Refusal::none;
@@ -70,7 +70,7 @@ struct StreamOutcome {
   std::string reason;      ///< in words; may be empty
   bool downloaded = false;
   bool armed = false;
-  bool started = false;  ///< with StreamPlan::await: it has begun; else it may still wait
+  bool started = false;  ///< for StreamPlan::await: it has begun; else it may still wait
   bool stopped = false;
   std::size_t swaps = 0;  ///< accepted
   StreamProgress progress;
@@ -83,7 +83,7 @@ struct StreamOutcome {
 ///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
-///       sender.receive(message, now);                      // whatever has arrived
+///       sender.receive(message, now);                      // each arrived message
 ///       sender.hash();                                     // if nothing has
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
@@ -96,8 +96,8 @@ class Sender {
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   void receive(const wire::Message& message, Nanos now);
-  /// Hashes a chunk's worth of the table under way, if the plan does not know its hash; false: there
-  /// was nothing to hash. For the time in which nothing arrives; whoever does not use it so has
+  /// Hashes a chunk's worth of the table under way, if the plan has no hash of it; false: there
+  /// was nothing to hash. Call it while no message arrives; a caller that does not do so has
   /// the hash computed in one go, when all chunks have arrived.
   bool hash();
 
@@ -113,7 +113,7 @@ class Sender {
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
-  /// It has ended, and a failed one has said its farewell.
+  /// It has ended, and a failed one has sent its farewell.
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] bool ended() const {
     return stage() == StreamStage::released || stage() == StreamStage::failed;
@@ -158,7 +158,7 @@ class Sender {
   std::optional<Nanos> over_;  // the axis has stood since then, with nothing to begin
   std::int64_t session_;
   SenderOptions options_;
-  std::int64_t challenge_ = 0;  // what the executor told last
+  std::int64_t challenge_ = 0;  // the last challenge of the executor
   StreamOutcome outcome_;
   std::vector<wire::Header> headers_;
   bool given_up_ = false;  // the goal, after a stop
@@ -177,12 +177,12 @@ class Sender {
 
   CommandSlot command_;
 
-  std::vector<std::int64_t> boots_;  // of the executor, the present one last
+  std::vector<std::int64_t> boots_;  // boots of the executor, the present one last
   bool begun_ = false;
   Farewell farewell_;
   Nanos heard_{}, progressed_{}, sent_{};
   std::optional<Nanos> header_sent_;
-  std::optional<Nanos> named_;  ///< since when a table without room is asked for by its hash
+  std::optional<Nanos> named_;  ///< since when a table without space is requested by its hash
 };
 
 }  // namespace jounce

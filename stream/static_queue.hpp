@@ -31,17 +31,17 @@ class StaticQueue {
   StaticQueue(Client& client, wire::Queue queue);
 
   CallOutcome open();
-  /// All rows, behind those that are in the bank. `stalled`: it has no room for all of them, or for the
+  /// All rows, after those in the bank. `stalled`: it has no space for all of them, or for the
   /// client's patience none was taken, though there were answers.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
   CallOutcome arm(std::uint8_t bank = 0);
   CallOutcome start(std::int64_t tick = -1);
-  /// Where the bank that plays ends, the other one goes on.
+  /// Continues with the other bank at the end of the playing one.
   CallOutcome switch_over();
   /// A bank that does not play: it is empty then, and its x begins at 0 again.
   CallOutcome clear(std::uint8_t bank);
 
-  /// How far it is, asked now; none: nobody answers. Keeps the session alive, called once a second.
+  /// Present progress; none: no answer. Keeps the session alive if called once per second.
   [[nodiscard]] std::optional<wire::QueueAck> level();
 
  private:

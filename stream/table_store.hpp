@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// A complete table, shared with whoever plays it.
+/// A complete table, shared with its players.
 struct StoredTable {
   Sha256 hash{};
   Units units;
@@ -19,7 +19,7 @@ struct StoredTable {
 
 /// Complete tables by their hash, within a bound of memory that they share with tables under way.
 ///
-/// The oldest tables that nobody else holds make room for new ones. So a table's memory is given
+/// New tables replace the oldest ones without another owner. So a table's memory is given
 /// back by the thread that owns the store, never by the one that plays the table and lets go of it.
 class TableStore {
  public:

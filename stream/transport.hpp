@@ -37,8 +37,8 @@ class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on; asked again, no second time. At most `capacity` >= 1 packets of it wait for receive();
-  /// what comes while they wait is lost. (LCM keeps the oldest ones: to know the newest state,
+  /// Receives this channel from now on, once. At most `capacity` >= 1 packets of it wait for receive();
+  /// later ones are lost while they wait. (LCM keeps the oldest ones: for the newest state,
   /// drain the link, then wait.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 

@@ -18,10 +18,10 @@ using Bytes = std::vector<std::byte>;
 
 /// Why bytes are no message.
 enum class Reject {
-  too_short,       ///< no room for type, magic and version
+  too_short,       ///< shorter than type, magic and version
   wrong_magic,     ///< not Jounce's
   wrong_version,   ///< another version of the protocol
-  unknown_type,    ///< a type hash that this version does not know
+  unknown_type,    ///< a type hash unknown to this version
   wrong_length,    ///< not the one length of its type
   wrong_checksum,  ///< damaged on the way
   bad_field,       ///< an enumeration, a count or a name out of its range
@@ -30,12 +30,12 @@ enum class Reject {
 inline constexpr std::size_t reject_count = 8;
 const char* name(Reject reject);
 
-/// With a key, the message is signed by it. Throws InputError for a name, unit or count that does
+/// A key signs the message. Throws InputError for a name, unit or count that does
 /// not fit the wire. A reason is shortened.
 Bytes encode(const Message& message, const std::optional<Key>& key = {});
 
-/// With a key, what is not signed by it is refused before any of its fields is looked at. Never
-/// throws and never reads past the bytes, whatever they are.
+/// A key rejects messages without its signature before any field is read. Never
+/// throws and never reads past the bytes, for any input.
 std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
                                      const std::optional<Key>& key = {});
 

@@ -12,10 +12,10 @@ namespace jounce {
 /// The drive that a cam is optimised against, and how fast the master turns.
 struct Against {
   Drive drive = {};       ///< position_per_rev in the slave's unit
-  double velocity = 0;    ///< of the master, units a second, > 0
+  double velocity = 0;    ///< velocity of the master, units a second, > 0
   double settle = 0.2;    ///< s of standstill after the cam's end: where the residual is looked at
-  bool periodic = false;  ///< the cam turns for ever: its steady state; then nothing of a residual
-  int max_rounds = 8;     ///< of a drive that is not linear
+  bool periodic = false;  ///< the cam repeats endlessly: its steady state; then nothing of a residual
+  int max_rounds = 8;     ///< max rounds of a drive that is not linear
 };
 
 /// A figure of the drive along the whole cam, by drive_through().
@@ -29,7 +29,7 @@ struct AgainstOutcome {
   CamShapeOutcome shapes;  ///< bounds only where the drive is linear
   DriveResult given;       ///< the given cam and the best one, integrated
   DriveResult best;
-  std::vector<DriveFigureResult> figures = {};  ///< of `minimize`, then of the ceilings
+  std::vector<DriveFigureResult> figures = {};  ///< figures of `minimize`, then of the ceilings
   int rounds = 0;
   /// By integration: no ceiling of the drive is exceeded, and it is better where it was to be.
   bool real = false;

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// Random numbers without a state: what is drawn depends on its address alone, whatever was drawn
+/// Random numbers without a state: a number depends only on its address, not on those drawn
 /// before and by whom.
 ///
 ///     const Draw d{.seed = 1, .stream = stream_of("drive.load_inertia"), .sample = 17};

@@ -11,26 +11,26 @@
 
 namespace jounce {
 
-/// Whatever there is to look at: one axis of a spec, which is made first, or a finished table.
+/// An input of the verbs: one axis of a spec, which is made first, or a finished table.
 struct Input {
   std::optional<Spec> spec;
   std::variant<Cam, Trajectory> curve;
   TableFile table;
   std::optional<SampleError>
-      error;      ///< of the table against the curve; none where it is all there is
-  Limits limits;  ///< of the spec; none for a table
+      error;      ///< error of the table against the curve; none where it is all there is
+  Limits limits;  ///< limits of the spec; none for a table
   Labels labels;
   std::string name;           ///< the spec's name with the axis', or the file's
-  std::string axis;           ///< where there are several; otherwise ""
+  std::string axis;           ///< name if there are several axes; otherwise ""
   TableOptions options = {};  ///< by which the table was made
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};
-  std::optional<Binding> binding = {};   ///< of a table of fewest knots
-  std::vector<std::string> unread = {};  ///< what its file holds beside the table
+  std::optional<Binding> binding = {};   ///< binding of a table of fewest knots
+  std::vector<std::string> unread = {};  ///< other content of its file
 };
 
-/// Where slave and master are when a coupling begins. Left out: the slave rests at the cam's first
+/// Positions of slave and master at the start of a coupling. By default, the slave rests at the cam's first
 /// value; the master is where the cam begins, at the velocity of [master] (0 without one).
 struct EngageState {
   std::optional<double> slave = {};            ///< u
@@ -47,12 +47,12 @@ Report check_all(const Input& input, int continuity = 1, const EngageState& at =
 /// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
 void add_not_limited(Report& report, const Input& input);
 
-/// How far the table may stray from its curve, in the unit of the position: the tolerance asked for;
+/// Greatest permitted error of the table, in the unit of the position: the tolerance asked for;
 /// a millionth of the stroke where a number of intervals was; the error that it has where the number
 /// of its knots was. None where the table is all there is.
 std::optional<double> table_tolerance(const Input& input);
 
-/// What a table file holds, and what a spec makes: one input for each axis. `path` names it where the
+/// Content of a table file, or result of a spec: one input for each axis. `path` names it where the
 /// spec has no name.
 Input input_of(TableFile file, const std::string& path);
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);

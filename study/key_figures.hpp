@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// One number that says how good a design is.
+/// One number for the quality of a design.
 struct KeyFigure {
   std::string name;
   double value = 0;
@@ -31,7 +31,7 @@ struct KeyFigure {
 ///   "peak acceleration", "peak jerk" and their "rms ..." (sqrt of the mean square over the duration);
 /// - of a cam: "peak geo_velocity", ... and "rms geo_velocity", ... over the master;
 /// - "master velocity", "cycle time" of a periodic cam, "fastest master" that [limits.slave] allows;
-/// - what the generator says of itself (sync_figures): "longest cut", "fastest line", "in step" ...;
+/// - figures of the generator (sync_figures): "longest cut", "fastest line", "in step" ...;
 /// - "predicted residual" of the first mode that an operator was made for, "predicted residual 2" ...;
 /// - with a [drive]: "peak torque", "rms torque", "motor velocity", "following error", "end following
 ///   error", "residual", "residual frequency", "saturation time", "energy" (J that it drives with),
@@ -41,10 +41,10 @@ struct KeyFigure {
 /// - "margin": the smallest of all limits that the spec states, a share of the limit, below 0: broken;
 ///   infinite where it states none.
 ///
-/// Peaks are those between steps, which the report tells of. A spec of several axes has them for each,
+/// Peaks are those between steps, which the report has. A spec of several axes has them for each,
 /// behind its name ("x peak velocity"), but one "duration" and one "margin".
 struct Assessment {
-  std::vector<KeyFigure> figures;  ///< as asked for; otherwise in the order above
+  std::vector<KeyFigure> figures;  ///< requested figures; by default in the order above
   Report report;  ///< every limit that the spec states: check, and the drive where it was driven
   /// Limits of the curves, segment by segment, where they were asked for; rules as in `report`, with the
   /// axis behind them. Those of a cam's slave over time stand under "limit/master_velocity".
@@ -53,7 +53,7 @@ struct Assessment {
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
 
-/// Whether a finding has a say in the margin. A table meets its tolerance, and joints are as continuous as
+/// True if a finding counts for the margin. A table meets its tolerance, and joints are as continuous as
 /// they are: rules that hold as well as the design needs it to, and no better, only if they are broken.
 bool states_limit(const Finding& finding);
 

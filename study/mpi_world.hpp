@@ -10,7 +10,7 @@ struct MpiCalls;
 
 namespace jounce {
 
-/// Whether mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and as
+/// True if mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and as
 /// which of how many: from the environment, without MPI.
 struct MpiPlace {
   bool started = false;

@@ -11,13 +11,13 @@ namespace jounce {
 /// The slave's motion over time in seconds: a trajectory as it is, a cam behind its master.
 using Reference = std::variant<Trajectory, Followed>;
 
-/// As the exact curve has it.
+/// The exact curve.
 Reference exact_reference(const Input& input);
 
-/// As the executor will interpolate it, from the table.
+/// The interpolated table, as in the executor.
 Reference table_reference(const Input& input);
 
-/// The master that a cam follows, over seconds. Throws InputError where nothing says how it runs.
+/// The master that a cam follows, over seconds. Throws InputError if its motion is not given.
 Trajectory master_of(const Input& input);
 
 /// The slave's exact motion over the spec's unit of time: a trajectory as it is; of a cam the curve

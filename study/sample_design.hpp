@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// How the samples of a Monte Carlo analysis fill the ranges of its random parameters.
+/// Distribution of the samples of a Monte Carlo analysis over the ranges of its random parameters.
 enum class Design {
   random,           ///< independently
   latin_hypercube,  ///< of N samples one in each N-th of every parameter's distribution
@@ -41,7 +41,7 @@ class SampleDesign {
   std::uint64_t seed_ = 1;
   std::vector<std::string> names_;
   std::vector<std::vector<std::uint32_t>>
-      order_;  ///< of a Latin hypercube: which N-th, by parameter and sample
+      order_;  ///< order of a Latin hypercube: which N-th, by parameter and sample
 };
 
 /// The standard normal's quantile of u in (0, 1).

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// How many dimensions sobol() has.
+/// Number of dimensions of sobol().
 inline constexpr std::size_t sobol_dimensions = 21;
 
 /// Coordinate `dimension` of the point `number` of Sobol's sequence, times 2^32. Any 2^k points from a multiple of 2^k on

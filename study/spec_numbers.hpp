@@ -20,11 +20,11 @@ namespace jounce {
 ///
 /// Keys are those of the file, entries of arrays counted from 1, as in error messages:
 /// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". A number that the file
-/// leaves out, and a value that is no number, cannot be changed: InputError with key and rule.
+/// leaves out, and a value that is not a number, cannot be changed: InputError with key and rule.
 /// Nothing is changed after construction: any number of threads may ask at once.
 class SpecNumbers {
  public:
-  /// Of the document name and text count. Throws InputError where that is not TOML; whether it is a
+  /// For the document name and text count. Throws InputError where that is not TOML; whether it is a
   /// spec shows when one is made of it.
   explicit SpecNumbers(Document document);
 
@@ -34,10 +34,10 @@ class SpecNumbers {
   };
 
   [[nodiscard]] double value(const std::string& key) const;
-  /// As written behind the number; "" where the file gives none (the spec's own unit).
+  /// Unit as written after the number; "" if the file has none (the unit of the spec).
   [[nodiscard]] std::string unit(const std::string& key) const;
   [[nodiscard]] bool is_whole(
-      const std::string& key) const;  ///< as written: 12, not 12.0 or "12 mm"
+      const std::string& key) const;  ///< text as written: 12, not 12.0 or "12 mm"
   /// The text with other numbers. Throws InputError for a key that is given twice.
   [[nodiscard]] std::string text(std::span<const Change> changes) const;
   [[nodiscard]] Spec spec(std::span<const Change> changes) const;  ///< parsed from text()
@@ -59,7 +59,7 @@ class SpecNumbers {
 
   Document document_;
   std::map<std::string, Place> numbers_;
-  std::map<std::string, int> others_;  ///< what is no number, and its line
+  std::map<std::string, int> others_;  ///< other keys, and their lines
 };
 
 }  // namespace jounce

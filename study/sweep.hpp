@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// What a case came to.
+/// Result of a case.
 enum class Verdict {
   within,      ///< all limits of the spec and of the sweep
   broken,      ///< a limit; the figures are there
@@ -18,13 +18,13 @@ enum class Verdict {
 };
 
 struct SweepRow {
-  std::size_t number = 0;       ///< of the case, from 0
+  std::size_t number = 0;       ///< number of the case, from 0
   std::vector<double> figures;  ///< in the order of SweepSpec::given; NaN where impossible
   Verdict verdict = Verdict::impossible;
   std::string why = {};  ///< unless within: the worst limit, or why nothing could be made
 };
 
-/// Makes one case and looks at it. What is wrong with its numbers is an answer, not an exception.
+/// Makes one case and looks at it. Invalid numbers are a result, not an exception.
 /// Threads may call it at once.
 SweepRow evaluated(const SweepSpec& spec, std::size_t number);
 
@@ -61,7 +61,7 @@ struct SweepResult {
   bool complete = false;
 };
 
-/// Runs a sweep; the rows are the same whoever made them, in whatever order.
+/// Runs a sweep; the rows are the same for every process and order.
 ///
 ///     const SweepSpec spec = read_sweep("sweep.toml");
 ///     const SweepResult result = run_sweep(spec, {.journal = "results.csv.journal"});

@@ -30,8 +30,8 @@ struct NormalSpread {
 
 /// A number of the spec that takes several values, counted in what the spec counts it in there.
 struct SweepParameter {
-  std::string key;   ///< as SpecNumbers has it
-  std::string unit;  ///< as written in the spec; "" where it writes none
+  std::string key;   ///< key in SpecNumbers
+  std::string unit;  ///< unit in the spec; "" if there is none
   std::variant<Values, UniformSpread, NormalSpread> how;
 
   [[nodiscard]] bool random() const { return !std::holds_alternative<Values>(how); }
@@ -87,12 +87,12 @@ struct SweepSpec {
   std::size_t chosen =
       0;  ///< how many of the last of `given` are numbers that each case chooses, with `optima`
   std::vector<KeyFigure> given;  ///< the figures that are looked at, of the spec as given
-  bool given_ok = false;         ///< whether it is within all limits
+  bool given_ok = false;         ///< true if it is within all limits
   std::vector<SweepObjective> objectives;
   std::vector<SweepLimit> limits;
 
   [[nodiscard]] bool random() const;
-  /// Whether the samples are independent, so that shares among them have an interval.
+  /// True if the samples are independent, so that shares among them have an interval.
   [[nodiscard]] bool independent() const { return design.design() == Design::random; }
   [[nodiscard]] std::size_t cases() const;
   /// The numbers of a case, in the order of the parameters.
@@ -102,7 +102,7 @@ struct SweepSpec {
   [[nodiscard]] Sha256 identity() const;
 
  private:
-  /// What a sample gives a random parameter, the `which`-th of these.
+  /// Value of a random parameter in a sample, the `which`-th of these.
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 

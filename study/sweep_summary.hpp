@@ -11,7 +11,7 @@ namespace jounce {
 /// A figure over all cases that are possible.
 struct FigureSpread {
   KeyFigure given;                   ///< name, unit, and the value of the spec as it is given
-  std::optional<double> limit = {};  ///< at most, where the sweep or the spec says so
+  std::optional<double> limit = {};  ///< upper limit in the sweep or the spec, if any
   double least = 0;
   double median = 0;
   double greatest = 0;
@@ -32,14 +32,14 @@ struct Share {
 /// succession, and statistical inference", J. Am. Stat. Assoc. 22 (1927).
 Share share_of(std::size_t hits, std::size_t n);
 
-/// What the rows of a sweep come to.
+/// Summary of the rows of a sweep.
 struct SweepSummary {
   std::size_t cases = 0;
   std::size_t within = 0;
   std::size_t broken = 0;
   std::size_t impossible = 0;
   std::vector<FigureSpread> figures;      ///< empty if no case is possible
-  std::optional<Share> yield = {};        ///< of all samples within limits, where they are random
+  std::optional<Share> yield = {};        ///< yield of all samples within limits, where they are random
   std::optional<std::size_t> worst = {};  ///< index of the possible row with the smallest margin
   std::vector<std::size_t> front;         ///< Pareto, among rows within limits: indices, along the
                                           ///< first objective; empty without objectives

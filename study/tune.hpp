@@ -19,7 +19,7 @@ struct TunedNumber {
   bool at_bound = false;
 };
 
-/// What it was chosen for, or held within bounds.
+/// A figure that is optimized, or held within bounds.
 struct TunedFigure {
   std::string name;
   std::string unit;
@@ -34,8 +34,8 @@ struct TuneOutcome {
   std::vector<TunedNumber> numbers;  ///< in the order of the spec
   std::vector<TunedFigure>
       figures;  ///< the objective, then what is required; empty: nothing can be made
-  std::vector<std::string> active;  ///< what stops it, or what is missed: sentences
-  Report report;                    ///< of the best: every limit that the spec states
+  std::vector<std::string> active;  ///< active limits, or missed ones: sentences
+  Report report;                    ///< report of the best: every limit that the spec states
   std::string text;                 ///< the spec with the numbers of the best, nothing else touched
 
   [[nodiscard]] bool usable() const { return search.usable(); }

@@ -28,7 +28,7 @@ struct Motor {
   double inertia = 0;  ///< kg m^2, > 0
   Friction friction = {};
   double torque_limit = 0;     ///< peak, N m, > 0
-  double rated_torque = 0;     ///< * N m, that it bears for ever
+  double rated_torque = 0;     ///< * N m, continuous torque
   double rated_velocity = 0;   ///< * rad/s, up to which it has its peak torque
   double max_velocity = 0;     ///< * rad/s, where none of it is left: a straight line between
   double torque_constant = 0;  ///< * N m/A
@@ -39,10 +39,10 @@ struct Motor {
 
 /// A mass of the drive train behind the one before (the first behind the motor).
 struct Mass {
-  double stiffness = 0;   ///< of the shaft or belt to the mass before, N m/rad; 0: rigid
-  double damping = 0;     ///< of the same, N m s/rad, >= 0
-  double backlash = 0;    ///< of the same, rad, the full gap, >= 0
-  double efficiency = 1;  ///< of the gear between, in (0, 1]
+  double stiffness = 0;   ///< stiffness of the shaft or belt to the mass before, N m/rad; 0: rigid
+  double damping = 0;     ///< damping of the same, N m s/rad, >= 0
+  double backlash = 0;    ///< backlash of the same, rad, the full gap, >= 0
+  double efficiency = 1;  ///< efficiency of the gear between, in (0, 1]
   double inertia = 0;     ///< kg m^2, > 0
   Friction friction = {};
   double load_torque = 0;     ///< N m, constant, against positive motion
@@ -55,7 +55,7 @@ struct Mass {
 struct Pendulum {
   double frequency = 0;  ///< Hz, > 0, held at its pivot
   double damping = 0;    ///< ratio to the critical one, >= 0
-  double share = 0;      ///< of the last mass's inertia, in (0, 1)
+  double share = 0;      ///< share of the last mass's inertia, in (0, 1)
 };
 
 /// Position loop (P), velocity loop (PI), feed-forwards of the reference.
@@ -88,10 +88,10 @@ struct Drive {
   double position_per_rev = 0;  ///< u/rev, > 0: the signal's position unit per motor revolution
 };
 
-/// What a number of a drive may be, always finite.
+/// Permitted values of a number of a drive, always finite.
 enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
 
-/// A number of a drive by the name that specs, tolerances and identification know it by.
+/// A number of a drive by its name in specs, tolerances and identification.
 struct DriveNumber {
   std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
   std::string unit;         ///< "kg m^2", "1": a pure number, "u/rev"
@@ -120,7 +120,7 @@ Drive wittenstein_premo_2d();
 /// Throws InputError, with the number's key, for a value out of range.
 void require_valid(const Drive& drive);
 
-/// What the axis may do; what is left out is not limited. All > 0.
+/// Limits of the axis; an omitted value is not limited. All > 0.
 struct DriveLimits {
   std::optional<double> torque = {};                ///< N m, peak
   std::optional<double> rms_torque = {};            ///< N m
@@ -144,10 +144,10 @@ struct DriveOptions {
   double settle = 0.2;      ///< s of standstill after the reference's end, >= 0
   std::size_t samples = 0;  ///< for plots: equally spaced over reference and standstill
   DriveLimits limits = {};
-  std::vector<Interval> sync = {};  ///< where following counts most; within the reference
+  std::vector<Interval> sync = {};  ///< intervals in sync; within the reference
   double tolerance = 1e-8;          ///< relative, of the integration, in [1e-12, 1e-3]
   long max_steps = 10'000'000;      ///< > 0
-  /// The reference is one period of a motion that repeats for ever, as a cam's behind a master that turns: the run is
+  /// The reference is one period of an endless motion, such as that of a cam with a rotating master: the run is
   /// one period of the steady state, without a standstill (`settle` is not used). For linear drives.
   bool periodic = false;
 };
@@ -200,14 +200,14 @@ struct DriveResult {
   Peak residual;                   ///< u, load - reference, after the reference's end
   double residual_frequency = 0;   ///< Hz, of the load after the end; 0: it does not swing
   std::optional<double> settling_time = {};  ///< s after the end; none: no band, or not settled
-  /// Where the following error was beyond its limit, if one is given: entered and left at zeros of the
+  /// Intervals with a following error above its limit, if one is given: entered and left at zeros of the
   /// solver's dense output. An excursion and return within half a step is seen by its parabola's vertex.
   std::vector<Interval> beyond_following_error = {};
   Peak swing;  ///< u, pendulum - load
   /// Peak share of the winding's thermal limit, from cold: h' = ((T / rated)^2 - h) / thermal_time.
   Peak i2t;
   DriveEnergy energy;
-  long impacts = 0;  ///< how often a flank of a joint with backlash was met
+  long impacts = 0;  ///< number of impacts on a flank of a joint with backlash
   std::vector<Saturation> saturation;
   std::vector<DriveSample> samples;
   /// "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity", "drive/following_error",
@@ -244,7 +244,7 @@ struct DriveResult {
 /// zeros of the load's velocity, as long as they stand out by 1 % of its peak.
 ///
 /// `periodic`: from the exact steady state on (exact_period()), a period is integrated all the same; the finding
-/// "drive/periodic" says how far from where it began it ended, as a share of stroke or peak torque, and is broken
+/// "drive/periodic" has the distance of its end from its start, as a share of stroke or peak torque, and is broken
 /// beyond a hundred tolerances. Where the torque meets its limit that is so: the state began from is that of a
 /// stronger motor.
 ///

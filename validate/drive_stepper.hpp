@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// A linear drive stepped in time with an axis's cycle: what drive_through() says of a whole motion,
-/// a setpoint at a time, for an executor that does not know the motion in advance.
+/// A linear drive stepped in time with an axis's cycle: the result of drive_through() for
+/// a setpoint at a time, for an executor without the motion in advance.
 ///
 ///     DriveStepper drive(servo_400w(), 0.001);
 ///     drive.rest(0);                                       // u, where it stands

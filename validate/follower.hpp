@@ -32,7 +32,7 @@ struct SpringFollower {
 /// nothing presses on the cam (neither preload nor spring).
 void require_valid(const SpringFollower& follower);
 
-/// What the follower may do; what is left out is not limited.
+/// Limits of the follower; an omitted value is not limited.
 struct FollowerLimits {
   std::optional<double> least_force = {};     ///< N, >= 0, of the contact; left out: 0
   std::optional<double> greatest_force = {};  ///< N, > 0, of the contact

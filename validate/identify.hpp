@@ -27,7 +27,7 @@ struct Recording {
 /// that are not finite (key "time", "command").
 Trajectory commanded_motion(const Recording& recording);
 
-/// What to fit, and from where.
+/// Numbers to fit, and their start.
 struct IdentifySpec {
   Drive drive;                   ///< the start: every number that is not fitted is believed
   std::vector<std::string> fit;  ///< keys of numbers(Drive&): "motor.inertia", "mass[1].stiffness"
@@ -46,11 +46,11 @@ struct FittedNumber {
   double high = 0;
 };
 
-/// Two numbers that the recording hardly tells apart: the estimates depend on each other.
+/// Two numbers that the recording hardly separates: the estimates depend on each other.
 struct Entangled {
   std::string first;
   std::string second;
-  double correlation = 0;  ///< of the estimates' logarithms, -1 to 1
+  double correlation = 0;  ///< correlation of the estimates' logarithms, -1 to 1
 };
 
 /// A statistic against the value that it exceeds in one of a thousand recordings if the model is right.
@@ -61,32 +61,32 @@ struct ResidualTest {
   [[nodiscard]] bool failed() const { return value > limit; }
 };
 
-/// How well one recorded quantity is explained. What is not above the recording's own resolution, or the
+/// Quality of the fit of one recorded quantity. A residual not above the recording's own resolution, or the
 /// integrator's error, is not tested.
 struct Explained {
   std::string quantity;        ///< "position", "velocity", "torque", "load"
   double before = 0;           ///< rms of recorded - model with the start's numbers
   double after = 0;            ///< the same with the fitted ones: the noise, if the model is right
-  double autocorrelation = 0;  ///< of neighbouring residuals: about 0 for a model that is right
+  double autocorrelation = 0;  ///< autocorrelation of neighbouring residuals: about 0 for a model that is right
   ResidualTest white = {};     ///< Ljung and Box's Q
   ResidualTest growth = {};  ///< squares of the last third over the first: Goldfeld and Quandt's F
   ResidualTest worsening = {};     ///< squares after the fit over those before it
   std::vector<double> model = {};  ///< the fitted model's, one for each sample
 };
 
-/// What identify() answers.
+/// Result of identify().
 struct Identification {
   enum class Status {
     converged,  ///< the fit is a least one, every number is known and the residuals are noise
     misfit,  ///< the fit is a least one, but residuals are not white, or grow: the model is wrong
-    not_identifiable,  ///< the recording does not tell some of the numbers: see reason
+    not_identifiable,  ///< the recording does not determine some of the numbers: see reason
     stalled,           ///< iterations ran out
-    cancelled,         ///< the caller said stop
+    cancelled,         ///< stopped by the caller
     failed,            ///< the model cannot be integrated with the start's numbers
   };
   Status status = Status::failed;
   std::string reason;  ///< one sentence
-  Drive drive;         ///< with the fitted numbers
+  Drive drive;         ///< the drive with the fitted numbers
   std::vector<FittedNumber> numbers;
   std::vector<Entangled> entangled;  ///< correlation above 0.95, strongest first
   std::vector<Explained> explained;

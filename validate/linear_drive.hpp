@@ -23,12 +23,12 @@ struct DriveMode {
   double frequency = 0;  ///< Hz, as counted (damped); 0: it creeps
   double damping = 0;    ///< ratio to the critical one; 1 where it creeps; negative: it grows
   double rate = 0;       ///< 1/s, of the decay
-  /// How far it swings about its place at the reference's end, in u at the load: the envelope at
-  /// that instant. NaN where two modes are too much alike to be told apart.
+  /// Amplitude about its position at the end of the reference, in u at the load: the envelope at
+  /// that instant. NaN where two modes are too similar to be separated.
   double residual = 0;
 };
 
-/// What a linear drive does along a reference, exactly.
+/// Exact response of a linear drive to a reference.
 struct ExactRun {
   std::vector<DriveSample> samples;  ///< at the times asked for
   double rms_torque = 0;             ///< N m, over the reference's duration
@@ -55,7 +55,7 @@ struct ExactRun {
 ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times);
 ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times);
 
-/// The same for a reference that repeats for ever, as a cam does behind a master that turns: one period of the steady
+/// The same for an endless reference, such as a cam with a rotating master: one period of the steady
 /// state, in which every period is like the one before. The position may advance over a period (a rotary
 /// slave); a step of velocity from the period's end to its start is met as such.
 ///
@@ -100,7 +100,7 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
                                      const DriveResult& run, double tolerance = 1e-8,
                                      bool periodic = false);
 
-/// What a response counts.
+/// Counters of a response.
 enum class DriveOutput {
   torque,           ///< N m, of the motor
   following_error,  ///< u, reference - motor

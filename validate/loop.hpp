@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// How far the loop is from where it becomes unstable, and at which frequency it would swing there.
+/// Distance of the loop from instability, and the frequency of its oscillation there.
 struct LoopMargin {
   double value = 0;      ///< a gain: dB; a phase: deg
   double frequency = 0;  ///< Hz
@@ -21,17 +21,17 @@ struct LoopPole {
   double damping = 0;    ///< ratio to the critical one
 };
 
-/// What the loop of a drive is: stable, and by how much.
+/// Stability of the loop of a drive, with its margins.
 struct LoopStability {
   bool stable = true;
-  std::vector<LoopPole> poles;  ///< of each conjugate pair one, the one that grows most first
+  std::vector<LoopPole> poles;  ///< poles of each conjugate pair one, the one that grows most first
   /// By which factor the gain may rise (positive) or fall (negative) until the loop becomes unstable, whichever is
   /// less. Of an unstable loop: how far the gain is from the nearest factor at which a pole crosses, always negative. Nothing
   /// where no factor brings a pole across.
   std::optional<LoopMargin> gain;
   /// By how much the phase may lag (or lead) more where |L| = 1; of an unstable loop negative.
   std::optional<LoopMargin> phase;
-  /// Of an unstable loop: the velocity gain (N m s/rad) below which it is stable, if there is one.
+  /// For an unstable loop: the velocity gain (N m s/rad) below which it is stable, if there is one.
   std::optional<double> velocity_gain;
 };
 
@@ -55,7 +55,7 @@ LoopStability loop_stability(const Drive& drive);
 /// The poles alone, as LoopStability has them: a fraction of the cost.
 std::vector<LoopPole> loop_poles(const Drive& drive);
 
-/// Whether a pole grows, by more than rounding; `poles` as loop_poles() has them.
+/// True if a pole grows, by more than rounding; `poles` as loop_poles() has them.
 bool is_stable(const std::vector<LoopPole>& poles);
 
 /// A point of the loop's frequency response.

@@ -45,7 +45,7 @@ class SignalView {
   /// runs at constant velocities. Nothing for any other signal.
   [[nodiscard]] std::optional<Trajectory> trajectory() const { return trajectory_(signal_); }
 
-  /// Whether the signal runs over master position (a Cam, or a Table that says so), not time.
+  /// True if the signal runs over master position (a Cam, or a Table over master), not time.
   [[nodiscard]] bool over_master() const { return over_master_; }
 
  private:

@@ -15,15 +15,15 @@ namespace jounce {
 
 /// A number of a drive that is known within a tolerance only.
 struct NumberTolerance {
-  std::string key;      ///< as numbers() names it: "mass[1].stiffness"
-  double share = 0;     ///< of its value, either way, >= 0: 0.1 is +-10 %
+  std::string key;      ///< like numbers() names it: "mass[1].stiffness"
+  double share = 0;     ///< share of its value, either way, >= 0: 0.1 is +-10 %
   double absolute = 0;  ///< in its own unit, either way, >= 0; both add up
   /// Otherwise every value is as likely. A normal one has its tolerance at three standard deviations,
   /// and none beyond.
   bool normal = false;
 };
 
-/// How the numbers vary.
+/// Distribution of the numbers.
 ///
 ///     ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.2},
 ///                                    {.key = "mass[1].stiffness", .share = 0.1}}};
@@ -56,11 +56,11 @@ struct ToleranceSpread {
   /// has a thermal_time, "driving_energy".
   std::string figure;
   std::string unit;    ///< "N m", "u": the reference's unit of position, "s", "1"
-  double nominal = 0;  ///< with every number as given; NaN where that run failed
+  double nominal = 0;  ///< value with the nominal numbers; NaN if that run failed
   double least = 0;
   double mean = 0;
   double deviation = 0;    ///< standard, of the sample; of corners it is no statistic of machines
-  double most_of_all = 0;  ///< what 99 % of the cases do not exceed
+  double most_of_all = 0;  ///< the 99 % quantile of the cases
   ToleranceCase worst;     ///< the greatest
   std::size_t beyond = 0;  ///< cases over the limit, where there is one
 };
@@ -87,7 +87,7 @@ using ForEach =
 /// place. Corners find the worst where a figure grows or falls with each number over its tolerance,
 /// which it usually does; a resonance met between the ends is Monte Carlo's to find.
 ///
-/// Throws InputError as drive_through() does, for a key that numbers() does not know or that comes
+/// Throws InputError as drive_through() does, for a key that numbers() does not have or that comes
 /// twice, and where a number at an end of its tolerance is one that the drive must not have.
 ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,

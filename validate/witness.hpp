@@ -12,18 +12,18 @@ struct WitnessOptions {
   /// Otherwise it is what it is to a machine, an infinite acceleration, and breaks
   /// witness/velocity.
   bool velocity_steps = false;
-  double tolerance = 1e-15;     ///< of the integration of one interval, relative, in [1e-15, 1e-3]
+  double tolerance = 1e-15;     ///< tolerance of the integration of one interval, relative, in [1e-15, 1e-3]
   long max_steps = 50'000'000;  ///< > 0
 };
 
-/// Where integral and signal differ most, measured by what they may differ there.
+/// Greatest difference of integral and signal, relative to its tolerance.
 struct Disagreement {
   double relative = 0;    ///< |integrated - signal| / scale
   double where = 0;       ///< on the signal's axis
-  double integrated = 0;  ///< what the witness says there
-  double signal = 0;      ///< what the signal says
+  double integrated = 0;  ///< value of the witness there
+  double signal = 0;      ///< value of the signal there
   double scale = 0;       ///< range of the position, or peak of the derivative, over the signal
-  double limit = 0;       ///< what `relative` may be there: the option, or rounding if larger
+  double limit = 0;       ///< limit of `relative` there: the option, or rounding if larger
 };
 
 struct Witness {
@@ -37,7 +37,7 @@ struct Witness {
 };
 
 /// The signal's own witness: its jerk alone, integrated three times by an ODE solver that shares no
-/// code with it, compared with what the signal says of its acceleration, velocity and position.
+/// code with it, compared with the acceleration, velocity and position of the signal.
 ///
 ///     const Witness proof = witness(cam);      // a Trajectory, a Cam, a Followed, a Table, ...
 ///     if (!proof.report.ok()) ...

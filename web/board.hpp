@@ -12,26 +12,26 @@
 
 namespace jounce::web {
 
-/// What is known of some axes: the newest status of each, and the last seconds for its plots.
+/// State of some axes: the newest status of each, and the last seconds for its plots.
 ///
 ///     Board board({"feeder", "knife"});
 ///     board.take("feeder", status, steady_now());
 ///     std::int64_t seen = 0;
 ///     send(board.json_since(seen, steady_now()));   // moves `seen` on
 ///
-/// A pure value: whoever shares it between threads guards it.
+/// A pure value: guard it if threads share it.
 class Board {
  public:
   static constexpr std::size_t most_samples = 2000;  ///< kept of each axis
   static constexpr std::size_t most_masters =
-      64;  ///< likewise: without a key anybody makes some up
+      64;  ///< likewise: without a key, any sender can invent some
 
   explicit Board(std::vector<std::string> axes);
 
   /// A status; of an axis that is not named, or as old as the one before: nothing happens.
   void take(const std::string& axis, const wire::Status& status, Nanos now);
 
-  /// What an axis says of a master. Of too many, the one that was seen in the earliest cycle goes.
+  /// State of a master in an axis. If there are too many, the one of the earliest cycle is dropped.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
   /// All axes in JSON, with the samples of after `seen`, which is moved to the newest one. NaN

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// Who may talk to a server on the loopback address. Listening there keeps other machines out, not
+/// Access control of a server on the loopback address. Listening there keeps other machines out, not
 /// the pages of other sites in the browser of this one: they may send requests here (cross-site
 /// request forgery), or give their own name this address (DNS rebinding).
 ///
@@ -13,7 +13,7 @@
 ///     if (!same(token, given)) return 403;                // before anything is done
 namespace jounce::web {
 
-/// What a request says of where it comes from; empty: it does not say.
+/// Origin of a request by its headers; empty: not given.
 struct Origin {
   std::string host{};    ///< Host
   std::string origin{};  ///< Origin: browsers send it with every POST
@@ -28,7 +28,7 @@ std::string objection(const Origin& origin, std::uint16_t port);
 /// 32 random hexadecimal digits.
 std::string new_token();
 
-/// Whether two texts are equal, in a time that does not tell where they differ.
+/// True if two texts are equal, in a time that does not depend on their difference.
 bool same(std::string_view a, std::string_view b);
 
 }  // namespace jounce::web

@@ -9,11 +9,11 @@
 
 namespace jounce::web {
 
-/// What an operator asks of an axis: {"axis": "feeder", "what": "override", "value": 0.5}.
+/// A command of an operator to an axis: {"axis": "feeder", "what": "override", "value": 0.5}.
 ///
-/// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which are obeyed whoever
-/// owns the axis; or enable, disable, reset, move (value: position in the axis's unit, at the limits
-/// it is configured with), which are refused while a streamer owns it. A hold-to-run jog is asked for again and again
+/// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which take effect in
+/// every session; or enable, disable, reset, move (value: position in the axis's unit, at the limits
+/// it is configured with), which are refused while a streamer owns it. The page repeats a hold-to-run jog
 /// (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of the jog as `hold`.
 struct Instruction {
   std::string axis{};

@@ -17,7 +17,7 @@ namespace jounce::web {
 struct PanelOptions {
   std::vector<std::string> axes{};  ///< names of the executors to show
   std::optional<wire::Key> key{};   ///< theirs, if they have one
-  std::string title{};              ///< of the page
+  std::string title{};              ///< title of the page
   std::string token{};              ///< without which no order is taken; as new_token() makes it
   std::string warning{};            ///< that stands on top of the page; empty: none
 };

@@ -9,19 +9,19 @@ namespace jounce::web {
 
 /// An answer to an order.
 struct Answer {
-  int status = 200;  ///< of HTTP
+  int status = 200;  ///< status of HTTP
   std::string json{};
 };
 
-/// What a server serves. The functions are called from several threads at once.
+/// Content of a server. Several threads call the functions at once.
 struct Site {
   std::string page{};    ///< HTML, at /
   std::string script{};  ///< JavaScript, at /panel.js
   std::string style{};   ///< CSS, at /panel.css
   /// The next event, in JSON; `seen` is 0 for a new reader, and its own place from then on.
   std::function<std::string(std::int64_t& seen)> event;
-  std::function<Answer(const std::string& body)> order;  ///< what a POST to /order orders
-  /// Whether an order waits for no other one: a stop.
+  std::function<Answer(const std::string& body)> order;  ///< handler of a POST to /order
+  /// True if an order waits for no other one: a stop.
   std::function<bool(const std::string& body)> urgent;
 };
 
@@ -51,7 +51,7 @@ class Listening {
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
 /// GET / and its script and style, GET /events (server-sent events, 20 a second), POST /order. One request a
-/// connection. What objection() has something against is not answered (403), nor an order without the
+/// connection. A request with an objection() is rejected (403), nor an order without the
 /// header X-Jounce-Token, whose body is then not read. The page may load nothing from elsewhere, nor be framed.
 ///
 /// Everything is bounded: a request in bytes (8 KB of head, 1 KB of body, whose length it must give) and in
@@ -59,7 +59,7 @@ class Listening {
 /// events in number, one without the token is closed for one with it. So an order always finds a connection.
 class Server {
  public:
-  static constexpr int most_readers = 8;     ///< of events
+  static constexpr int most_readers = 8;     ///< most readers of events
   static constexpr int most_guests = 64;     ///< connections that have not shown the token
   static constexpr int most_orders = 16;     ///< that wait for an axis at a time; stops are not counted
   static constexpr int request_seconds = 5;  ///< for a whole request; as long for an answer

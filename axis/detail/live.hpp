@@ -6,7 +6,7 @@
 #include "jounce/axis/inputs.hpp"
 #include "jounce/axis/movement.hpp"
 
-/// What movements behind a live master share.
+/// Base of the movements with a live master.
 namespace jounce::detail {
 
 /// Numbers that a master may have: finite, and small enough for their squares and quotients to be.

@@ -27,10 +27,10 @@ std::vector<Part> parts(const Segment& f);
 /// The master position at s of a segment, within the cam's breaks.
 double master_at(const Cam& cam, std::size_t segment, double s);
 
-/// Of all segments.
+/// For all segments.
 double greatest_magnitude(const Cam& cam);
 
-/// Whether the slave's position steps by more than rounding from one run to the next.
+/// True if the slave's position steps by more than rounding from one run to the next.
 bool jumps(const CamRun& before, const CamRun& after, double magnitude);
 
 }  // namespace jounce::detail

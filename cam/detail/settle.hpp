@@ -9,7 +9,7 @@ namespace jounce::detail {
 Engagement settle(const Coupling& coupling, StartMode start, const Placement& placement,
                   const MotionState& slave, const Jet& master, double t);
 
-/// Whether the coupling has what a start mode needs.
+/// True if the coupling has what a start mode needs.
 bool has_numbers(const CouplingSpec& spec, StartMode start);
 
 /// Differences in position, velocity and acceleration that are rounding: between a slave and its cam's

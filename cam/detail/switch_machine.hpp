@@ -16,7 +16,7 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// When something happens next along a path: where it is looked for, and what was found.
 struct Event {
   std::size_t path = 0;
-  std::size_t stretch = 0;  ///< of the path: the first one not done with
+  std::size_t stretch = 0;  ///< stretch of the path: the first one not done with
   double next = never;      ///< s since the piece's start
   bool rising = true;       ///< the compensated position goes up there
 };
@@ -106,7 +106,7 @@ class SwitchMachine {
   void finish();
 
   double period_;
-  double length_ = 0;  // of the piece
+  double length_ = 0;  // length of the piece
   std::vector<SwitchPath> paths_;
   std::vector<Track> tracks_;
   std::vector<Switch> switches_;

@@ -25,7 +25,7 @@ class ToleranceProgram {
     std::vector<std::size_t> joints;  ///< points where segments meet, ends included
     std::vector<Segment> segments;
     std::vector<double> at;        ///< its value at every point
-    std::vector<double> gradient;  ///< of the integral by every pinned point's value, or zero
+    std::vector<double> gradient;  ///< gradient of the integral by every pinned point's value, or zero
     int solutions = 0;             ///< linear systems solved on the way
     bool optimal = false;          ///< within all tolerances, and no pin holds the wrong way
   };
@@ -54,7 +54,7 @@ class ToleranceProgram {
 
   const SplineSpec& spec_;
   bool periodic_;
-  double rounding_;          ///< of the slave positions
+  double rounding_;          ///< rounding of the slave positions
   std::size_t determining_;  ///< points that determine a curve without jerk
 };
 

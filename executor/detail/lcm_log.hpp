@@ -36,7 +36,7 @@ class LcmLogReader {
 
   [[nodiscard]] bool cut() const { return cut_; }
   [[nodiscard]] std::int64_t events() const { return events_; }  ///< read so far
-  [[nodiscard]] std::int64_t offset() const { return offset_; }  ///< of the next one, in bytes
+  [[nodiscard]] std::int64_t offset() const { return offset_; }  ///< offset of the next one, in bytes
 
  private:
   [[nodiscard]] bool take(std::string& bytes, std::size_t count);

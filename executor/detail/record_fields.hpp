@@ -9,7 +9,7 @@
 #include "jounce/executor/record.hpp"
 #include "jounce/profiles/error.hpp"
 
-/// What the record's types of executor/lcm have in common with ours, one list of fields a type, for both
+/// The common fields of the record types in executor/lcm and ours, one list for each type, for both
 /// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a function of one's own compares.
 namespace jounce::record_fields {
 

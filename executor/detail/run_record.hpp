@@ -13,7 +13,7 @@ struct RunRecord {
   std::unique_ptr<Recorder> recorder = {};
 };
 
-/// As the run's options say. Throws as Recorder does.
+/// Makes the recorder of the options of a run. Throws like Recorder.
 RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& axes);
 
 /// The masters of a run, who follows them, and what a replay makes them from again.

@@ -33,7 +33,7 @@ const char* explain(GearError error);
 struct GearAxis {
   bool enabled = false;  ///< powered
   bool in_cam = false;
-  std::optional<int> master = {};  ///< of the pair that EnableGear made
+  std::optional<int> master = {};  ///< master of the pair that EnableGear made
   bool engaged = false;            ///< GearIn
   double ratio = 0;                ///< mm or deg a mm or deg of the master's; kept after GearOut
   double master_origin = 0;        ///< positions at GearIn
@@ -45,7 +45,7 @@ struct Gears {
   std::array<GearAxis, axis_count> axis{};
 };
 
-/// What a call makes of them; unchanged where it is refused.
+/// Result of a call; unchanged if it is rejected.
 struct GearAnswer {
   Gears gears;
   GearError error = GearError::ok;
@@ -72,7 +72,7 @@ bool is_in_gear(const Gears& gears, int slave);
 bool is_gear_master(const Gears& gears, int axis);
 bool is_gear_slave(const Gears& gears, int axis);
 
-/// Where an engaged slave is for a master's command position: from both positions at GearIn, so
+/// Position of an engaged slave for a command position of the master: from both positions at GearIn, so
 /// nothing drifts.
 double gear_position(const Gears& gears, int slave, double master_position);
 

@@ -17,7 +17,7 @@ struct FollowGap {
 
 FollowGap gap(const FollowKnot& a, const FollowKnot& b);
 
-/// Whether a ratio is against both ends': 0 where those differ in sign, or are both 0.
+/// True if a ratio is against both ends': 0 where those differ in sign, or are both 0.
 int way(const FollowGap& gap);
 
 /// A piece of a gap: how long, how far, and whether it stands or runs evenly.

@@ -10,8 +10,8 @@ namespace jounce::detail {
 
 /// Half of the sync zone, from the cut on: how far it goes, and with what it ends.
 struct KnifeSync {
-  double angle = 0;         ///< of the knife
-  double length = 0;        ///< of the web, m
+  double angle = 0;         ///< angle of the knife
+  double length = 0;        ///< length of the web, m
   double velocity = 0;      ///< rad/m, at its end
   double acceleration = 0;  ///< rad/m^2; 0 for surface matching
   double jerk = 0;          ///< rad/m^3; 0 for surface matching

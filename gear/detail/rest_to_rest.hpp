@@ -23,7 +23,7 @@ void require_rest_to_rest(const char* key, Law law, const LawForm& form);
 /// Of such a law.
 Peaks peaks(const char* key, Law law, const LawForm& form = {});
 
-/// Of a law that a speed follows from 0 to 1: those, or the line.
+/// For a law that a speed follows from 0 to 1: those, or the line.
 Peaks peaks_of_ramp(const char* key, Law law);
 
 /// x rounded to a multiple of the last digit of `cycle`. Positions within a cycle that are sums of

@@ -14,7 +14,7 @@ namespace jounce::detail {
 struct ShapeWords {
   Units units;
   std::string time_unit;
-  std::optional<double> speed;     ///< of the master, x a time unit
+  std::optional<double> speed;     ///< speed of the master, x a time unit
   double seconds = 1;              ///< a time unit
   const LoadSpec* load = nullptr;  ///< where there is one
 };

@@ -107,7 +107,7 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
 /// The keys of [table] that ask for the fewest knots.
 void read_target(TomlReader& table, const Units& units, Axis axis, TableOptions& options);
 Limits read_limits(TomlReader& owner, const Units& units);
-/// Of a cam: per master unit, and [limits.slave] over time.
+/// For a cam: per master unit, and [limits.slave] over time.
 Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
                    const std::string& time_unit);
 std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units);

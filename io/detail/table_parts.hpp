@@ -26,7 +26,7 @@ struct TableParts {
   Columns columns;
   std::string sha256;
   Provenance provenance;
-  int line_before_knots = 0;  ///< of the file, where it has lines
+  int line_before_knots = 0;  ///< line before knots of the file, where it has lines
 };
 
 /// "time", "position", "velocity": as many as the rule uses.

@@ -47,7 +47,7 @@ class TomlReader {
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
   /// key = a, the same as [a, a], or key = [a, b].
   std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
-  /// Whether key holds tables: [[key]] or key = [{...}, ...].
+  /// True if key holds tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// key = [a, b, ...]: one number for each unit; nothing if the key is left out.
   std::vector<double> numbers(const char* key, std::span<const std::string> units);

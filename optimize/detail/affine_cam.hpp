@@ -27,9 +27,9 @@ class AffineCam {
 
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
   [[nodiscard]] double peak() const { return peak_; }
-  /// Whether what is left of the given cam's acceleration is rounding.
+  /// True if what is left of the given cam's acceleration is rounding.
   [[nodiscard]] bool straight() const;
-  /// Whether a free derivative changes the segment.
+  /// True if a free derivative changes the segment.
   [[nodiscard]] bool moves(std::size_t segment) const;
   [[nodiscard]] CamSpec at(const std::vector<double>& x) const;
 
@@ -48,7 +48,7 @@ class AffineCam {
 
   CamSpec spec_;
   std::vector<CamKnot> knots_;
-  std::vector<std::array<std::optional<std::size_t>, 2>> index_;  ///< of velocity, acceleration
+  std::vector<std::array<std::optional<std::size_t>, 2>> index_;  ///< index of velocity, acceleration
   std::vector<Unknown> unknowns_;
   double peak_ = 0;
   double mean_ = 1;

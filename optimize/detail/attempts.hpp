@@ -14,7 +14,7 @@ struct AttemptsOptions {
   /// Called in the calling thread after each start, and some 50 times a second, with how many are done and
   /// the best of them; false: all of them end with their best so far.
   std::function<bool(std::size_t done, const std::optional<Standing>& best)> go_on;
-  /// Whether a result leaves nothing to those after it: they are left out.
+  /// True if a result leaves nothing to those after it: they are left out.
   std::function<bool(const Attempt&)> enough;
 };
 

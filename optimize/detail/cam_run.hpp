@@ -12,7 +12,7 @@ namespace jounce::detail {
 /// One knot of a run: what is fixed there, and within which bounds the rest is free.
 struct RunKnot {
   std::size_t knot = 0;  ///< in the spec
-  double master = 0;     ///< of the spec
+  double master = 0;     ///< master of the spec
   double ahead = 0;      ///< 0, or the length of the cam beyond its seam
   double lift = 0;       ///< 0, or how far the slave advances in a period, beyond the seam
   std::optional<double> slave, geo_velocity, geo_acceleration, geo_jerk;
@@ -26,9 +26,9 @@ struct CamRunOf {
   std::vector<std::size_t> segments;
   std::vector<RunKnot> knots;  ///< one more than segments
   bool closed = false;         ///< all of a periodic cam: both ends are one knot
-  double start = 0;            ///< of the whole cam
-  double length = 0;           ///< of it
-  double advance = 0;          ///< of its slave
+  double start = 0;            ///< start of the whole cam
+  double length = 0;           ///< length of it
+  double advance = 0;          ///< advance of its slave
 };
 
 std::vector<CamRunOf> runs_of(const CamShapeProblem& problem);
@@ -38,7 +38,7 @@ std::vector<Finding> kept_jerks(const CamRunOf& run);
 
 const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment);
 
-/// Whether a corridor of the cam lies over some of the run.
+/// True if a corridor of the cam lies over some of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 
 /// The run as a problem of its own. `minimize` is empty. Positions are counted as true to `accuracy`,

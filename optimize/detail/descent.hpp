@@ -13,7 +13,7 @@ namespace jounce::optimizer {
 struct PlaceRow {
   const Pointwise* figure = nullptr;
   double x = 0;
-  double sign = 1;  ///< of the velocity; held
+  double sign = 1;  ///< sign of the velocity; held
   std::vector<DenseRow> q = {};
 
   /// g at y, and its gradient times `factor` added to `gradient`.
@@ -39,7 +39,7 @@ struct Mean {
   std::vector<PlaceRow> places = {};
   std::vector<DenseRow> forms = {};  ///< instead of places: squares, weights in them
   std::vector<double> weight = {};
-  double factor = 1;  ///< of the whole
+  double factor = 1;  ///< factor of the whole
   double offset = 0;  ///< as a constraint: factor * mean - offset <= 0
 
   double evaluate(const Eigen::VectorXd& y, double factor,
@@ -49,7 +49,7 @@ struct Mean {
 /// minimise sum weight[k] t[k] + sum of means   subject to   rows, ceilings.
 struct DescentProgram {
   Eigen::Index unknowns = 0;
-  std::vector<double> weight = {};  ///< of t
+  std::vector<double> weight = {};  ///< weight of t
   std::vector<Mean> means = {};     ///< in the objective, factors contain their weights
   std::vector<Mean> ceilings = {};
   std::vector<DescentRow> rows = {};

@@ -52,7 +52,7 @@ FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
                    const Lift* lift = nullptr);
 FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
 
-/// Whether there is a rows_of() for it.
+/// True if there is a rows_of() for it.
 bool has_rows(const ShapeFigure& figure);
 /// That of whichever figure it is. `space` must outlive what is returned.
 /// Lifted, if asked to and a response or a residual.

@@ -17,7 +17,7 @@ namespace jounce::optimizer {
 struct SearchedFigure {
   Pointwise figure;
   double unit = 1;
-  double weight = 1;                   ///< of the objective
+  double weight = 1;                   ///< weight of the objective
   std::optional<double> at_most = {};  ///< a ceiling instead
 };
 
@@ -73,7 +73,7 @@ class FixedKnots {
 
   /// Knots with the pieces halved on which a peaked figure falls most short of a peak that it meets there.
   [[nodiscard]] std::vector<double> finer(const std::vector<Segment>& shape) const;
-  /// Whether a shape is better by more than a share of the tolerance.
+  /// True if a shape is better by more than a share of the tolerance.
   [[nodiscard]] bool gain(const FoundShape& now, const FoundShape& best, double share = 0.01) const;
   [[nodiscard]] std::size_t pieces() const { return model_.space.pieces(); }
 
@@ -89,7 +89,7 @@ class FixedKnots {
   [[nodiscard]] PlaceRow place_row(const Pointwise& figure, std::size_t piece, double s,
                                    double sign) const;
 
-  /// Of a wall; a limit that nothing can change is no row.
+  /// For a wall; a limit that nothing can change is no row.
   void add_wall(const Form& form, double scale);
 
   void add_peak(const SearchedFigure& part, std::size_t t, std::size_t piece, double s, double sign,

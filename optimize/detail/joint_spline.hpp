@@ -13,7 +13,7 @@ namespace jounce::optimizer {
 template <class T>
 struct JointSpline {
   std::vector<T> position, velocity, acceleration;  ///< at each knot
-  std::vector<T> jerk;                              ///< of each interval
+  std::vector<T> jerk;                              ///< jerk of each interval
 };
 
 // The C2 cubic spline with accelerations a_i at knots i = 0 ... n, a_0 = a_n = 0. Knots 1 and n - 1 are

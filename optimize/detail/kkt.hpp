@@ -51,7 +51,7 @@ class Kkt {
   Matrix g_, a_, f_, k_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;  ///< G by rows
   Vector q_, h_, b_;
-  std::vector<Eigen::Index> place_;  ///< of each contribution, in k_'s values
+  std::vector<Eigen::Index> place_;  ///< place of each contribution, in k_'s values
   std::vector<double> fixed_;        ///< k_ without G' D G, regularised
   Vector regular_;                   ///< what was added to the diagonal
   std::vector<Vector> u_;            ///< K = (what is factorised) + sum u u'

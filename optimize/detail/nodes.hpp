@@ -13,7 +13,7 @@ class Nodes {
   Nodes(double low, double high, double size);
 
   [[nodiscard]] const std::vector<double>& at() const { return at_; }
-  /// Whether that would have been more than there are.
+  /// True if that would have been more than there are.
   [[nodiscard]] bool too_few() const;
 
   /// The polynomials at x within the interval, one a node: f(x) = sum of share * f(node).

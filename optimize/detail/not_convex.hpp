@@ -22,7 +22,7 @@ struct NotConvexResult {
   int evaluations = 0;
 };
 
-/// Whether a figure of the problem needs this search rather than a convex program.
+/// True if a figure of the problem needs this search rather than a convex program.
 bool needs_search(const ShapeProblem& problem);
 
 /// Minimises the weighted sum from `given` and, from the same seed, a few shapes beside it. Walls, ceilings

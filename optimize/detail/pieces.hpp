@@ -28,7 +28,7 @@ using KnotGradient = std::array<double, 8>;
 
 /// One segment of the finished curve: the six shapes of (1) over its share of the spec's segment.
 struct Piece {
-  std::size_t segment = 0;  ///< of the spec; between knots `segment` and `segment + 1`
+  std::size_t segment = 0;  ///< segment of the spec; between knots `segment` and `segment + 1`
   std::array<Segment, 6> shape{};
 };
 

@@ -18,10 +18,10 @@ namespace jounce::optimizer {
 ///
 ///     (1)  g = polynomial + gravity sin(angle)
 struct Wave {
-  std::size_t piece = 0;  ///< of the shape
+  std::size_t piece = 0;  ///< piece of the shape
   double from = 0;        ///< x
   double to = 0;
-  double sign = 1;  ///< of the velocity here
+  double sign = 1;  ///< sign of the velocity here
   Segment polynomial = {};
   double gravity = 0;
   Segment angle = {};
@@ -40,7 +40,7 @@ struct Pointwise {
   /// g at x for given q and sign; its derivatives by q into `slope`.
   std::function<double(double x, double sign, std::span<const double> q, std::span<double> slope)>
       g = {};
-  /// Of a whole shape; g^2 or g is what is integrated.
+  /// For a whole shape; g^2 or g is what is integrated.
   std::function<std::vector<Wave>(const std::vector<Segment>& shape, double begin)> waves = {};
 };
 

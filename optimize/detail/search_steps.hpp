@@ -7,7 +7,7 @@ namespace jounce::optimizer {
 
 struct Roamed {
   int searches = 0;  ///< local ones
-  int agreeing = 0;  ///< of these, that led to the best
+  int agreeing = 0;  ///< agreeing of these, that led to the best
 };
 
 /// Asks here and there until something is possible, and settles the scales.

@@ -20,9 +20,9 @@ struct ShapeSolution {
   End end = End::stalled;
   std::string why;  ///< infeasible or stalled, one sentence
   Coordinates z;
-  std::optional<double> bound = {};  ///< of the weighted sum over these knots, by weak duality
+  std::optional<double> bound = {};  ///< bound of the weighted sum over these knots, by weak duality
   int rounds = 0;
-  int iterations = 0;  ///< of the interior point method
+  int iterations = 0;  ///< iterations of the interior point method
 };
 
 /// Before each round, with its number and the weighted sum so far.

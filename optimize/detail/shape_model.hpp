@@ -12,7 +12,7 @@ struct Term {
   FigureRows rows;
   double weight = 1;
   double unit = 1;
-  int order = 0;  ///< of the highest derivative in it
+  int order = 0;  ///< order of the highest derivative in it
 };
 
 /// A figure whose square is limited: kept by a second-order cone, not by planes.

@@ -34,7 +34,7 @@ class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
 
-  /// Whether there are any squares.
+  /// True if there are any squares.
   [[nodiscard]] bool any() const;
   [[nodiscard]] std::vector<Form> squares() const;
 

@@ -9,7 +9,7 @@ namespace jounce::optimizer {
 
 /// What stands instead of t and mu in one kind of program.
 struct ShapeTask {
-  std::vector<std::optional<double>> level;  ///< of terms: given, or a t of its own
+  std::vector<std::optional<double>> level;  ///< level of terms: given, or a t of its own
   bool terms = true;                         ///< with their rows
   bool elastic = false;                      ///< walls may be broken by a common v, to be minimised
   bool round = true;                         ///< with ceilings that are round
@@ -23,7 +23,7 @@ ShapeTask plain(const ShapeModel& model);
 /// A task as a program in the coordinates, the responses' own unknowns, each t, and v.
 struct ShapeProgram {
   ConvexProgram convex;
-  std::vector<std::optional<std::size_t>> column = {};  ///< of each term's t
+  std::vector<std::optional<std::size_t>> column = {};  ///< column of each term's t
   std::optional<std::size_t> slack = {};
 };
 

@@ -8,7 +8,7 @@
 /// Why the limits of a shape cannot be kept.
 namespace jounce::optimizer {
 
-/// Whether no shape at all has what is fixed at the ends and kept exactly; looked for near `z`.
+/// True if no shape at all has what is fixed at the ends and kept exactly; looked for near `z`.
 bool contradictory(const ShapeModel& model, const Coordinates& z);
 
 /// Of walls that no free coordinate changes, what one is broken by, as a sentence. None where all are

@@ -32,7 +32,7 @@ void add_exact(const SplineSpace& space, const Corridor& corridor, std::vector<F
 /// The value of an edge at x.
 double edge_at(const Corridor& corridor, const Edge& edge, double x);
 
-/// Whether the corridor leaves no room: what it holds is kept exactly.
+/// True if the corridor leaves no room: what it holds is kept exactly.
 bool is_exact(const Corridor& corridor);
 
 }  // namespace jounce::optimizer

@@ -26,7 +26,7 @@ struct Space {
   explicit Space(const CamProblem& problem);
 
   CamSpec given;
-  std::vector<Knot> knots;  ///< as given
+  std::vector<Knot> knots;  ///< like given
   std::vector<Variable> variables;
   std::vector<Piece> pieces;
   std::vector<Gram> grams;
@@ -35,7 +35,7 @@ struct Space {
   double stroke = 1;                 ///< range of the given slave positions, or what stands for it
 
   [[nodiscard]] double length() const { return knots.back()[0] - knots.front()[0]; }
-  /// Whether every constraint is linear and every objective convex: no master is free.
+  /// True if every constraint is linear and every objective convex: no master is free.
   [[nodiscard]] bool convex() const;
 };
 

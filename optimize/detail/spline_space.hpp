@@ -82,7 +82,7 @@ class SplineSpace {
   /// z with all but the top derivatives and those at the beginning made anew by (2): a spline, whatever
   /// z was. Together those are a basis of the space.
   [[nodiscard]] Coordinates propagated(Coordinates z) const;
-  /// Whether a coordinate belongs to that basis.
+  /// True if a coordinate belongs to that basis.
   [[nodiscard]] bool independent(std::size_t coordinate) const {
     return coordinate < stride() || coordinate % stride() == stride() - 1;
   }

@@ -31,7 +31,7 @@ struct Stage {
 
 /// What a point is worth, by exact extrema.
 struct Standing {
-  double value = 0;   ///< of the objective; without one, the violation
+  double value = 0;   ///< value of the objective; without one, the violation
   double excess = 0;  ///< worst violation of a ceiling where the cam can change, relative
 };
 

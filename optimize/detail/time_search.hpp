@@ -10,7 +10,7 @@ namespace jounce::optimizer {
 /// What one start led to.
 struct TimeAttempt {
   std::vector<double> intervals;  ///< s; for `shortest` scaled so that the limits just hold
-  double value = 0;               ///< of the objective
+  double value = 0;               ///< value of the objective
   int evaluations = 0;
 };
 

@@ -52,7 +52,7 @@ class Trials {
   /// asked so far.
   void settle_scales();
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
-  [[nodiscard]] double spread() const { return spread_; }  ///< of the objective
+  [[nodiscard]] double spread() const { return spread_; }  ///< spread of the objective
   [[nodiscard]] const Trial& nearest_possible(const Choice& z) const;
 
  private:

@@ -29,7 +29,7 @@ struct Scale {
 struct PanelAxis {
   PlotRange extent;
   Ticks ticks;
-  bool lower = false;  ///< whether the limit is drawn
+  bool lower = false;  ///< true if the limit is drawn
   bool upper = false;
   std::vector<std::string> notes;
 };

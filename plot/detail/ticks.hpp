@@ -15,7 +15,7 @@ struct PlotRange {
   void add(double value);
 };
 
-/// Whether a plot can show the value: finite, and far enough from the largest double that
+/// True if a plot can show the value: finite, and far enough from the largest double that
 /// differences stay finite.
 bool drawable(double value);
 

@@ -23,7 +23,7 @@ inline constexpr double sample_time = 1.0 / 16384;  ///< s
 struct Settings {
   double accel = 0;       ///< Accel: user units/s^2, 100 to 2e9
   double decel = 100000;  ///< Decel: the same range
-  double speed = 0;  ///< Speed: user units/s, +-6e7; its sign tells the direction of a jog only
+  double speed = 0;  ///< Speed: user units/s, +-6e7; its sign is the direction of a jog only
   int jerk = 0;      ///< Jerk: 0 to 9
 };
 

@@ -24,7 +24,7 @@ struct Kernels {
 };
 extern const Kernels kernels_anywhere, kernels_avx2, kernels_avx512;
 
-/// Whether the question was sound and the answer is one: no NaN passes a comparison.
+/// True if the question was sound and the answer is one: no NaN passes a comparison.
 template <class Real>
 JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velocity, Real ends,
                                   Real duration) {

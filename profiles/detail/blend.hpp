@@ -13,7 +13,7 @@ namespace jounce::detail {
 /// The dynamics as bounds for a move in the positive direction.
 Bounds forward(const Dynamics& dynamics);
 
-/// Whether the axis runs, or is about to run, backwards.
+/// True if the axis runs, or is about to run, backwards.
 bool runs_backwards(const MotionState& from, const Dynamics& dynamics);
 
 /// Where acceleration and deceleration differ, an axis that has to turn round stops first.

@@ -7,7 +7,7 @@
 
 namespace jounce::detail {
 
-/// Whether a state keeps the bounds, and can go on to, but for a share of the limits.
+/// True if a state keeps the bounds, and can go on to, but for a share of the limits.
 bool is_inside(const MotionState& s, const Bounds& bounds, double tolerance) noexcept;
 
 /// The velocity at which the acceleration is back at zero if that begins at once.

@@ -72,7 +72,7 @@ class Extremals {
   Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
-  /// Whether there is an early branch, give or take what rounding makes of the velocities.
+  /// True if there is an early branch, give or take what rounding makes of the velocities.
   [[nodiscard]] bool has_early() const noexcept;
   /// The shortest member of a branch, and the longest of the early one.
   [[nodiscard]] Extremal first(Branch b) const noexcept;
@@ -150,10 +150,10 @@ class Extremals {
 
   std::array<Half, 2> half_;
   double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
-  double excess_;  ///< of the first half's velocity over the second's, where the accelerations are zero
+  double excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
   bool rises_slowly_;  ///< jp is far below jd
   double natural_;
-  double mean_, cubic_, inverse_, base_;  ///< of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
+  double mean_, cubic_, inverse_, base_;  ///< base of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
   double q_;                              ///< z_low^2 - z_high^2 while nothing is held
   int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
   int first_;  ///< the half that is degenerate at the start of the main branch

@@ -39,7 +39,7 @@ struct Clock {
 struct Path {
   std::vector<Trajectory> axes;  ///< that hold
   std::span<const Limits> limits;
-  double acceleration = 0;  ///< of the clock, nominal: 1/s
+  double acceleration = 0;  ///< acceleration of the clock, nominal: 1/s
   double jerk = 0;          ///< 1/s^2
 
   [[nodiscard]] double start() const { return axes.front().start(); }

@@ -76,17 +76,17 @@ class PointToPoint {
 
   double rise_, fall_;  ///< the jerks, signed
   double d_;
-  double dv_;  ///< of the velocities: to_ less from_
+  double dv_;  ///< dv of the velocities: to_ less from_
   Extremals::End from_, to_;
   Extremals::Limits down_limits_;
   Extremals::Jerks jerks_;
   bool start_is_higher_;           ///< in its natural velocity
   std::array<double, 2> natural_;  ///< velocities of start and target
   Extremals up_;
-  Extremal direct_;  ///< of up_
+  Extremal direct_;  ///< direct of up_
   double direct_distance_;
   MotionState scale_;  ///< what the states are made of
-  double rounding_;    ///< of positions: a distance is not known better
+  double rounding_;    ///< rounding of positions: a distance is not known better
 };
 
 /// Adds a blocked interval behind the others: to the last where it goes on, or where there is no room

@@ -33,7 +33,7 @@ class Sequence {
   void append(const Segment& f);
 
   std::vector<Segment> segments_;
-  std::vector<double> begins_;  ///< of each segment, s
+  std::vector<double> begins_;  ///< begins of each segment, s
   MotionState state_;
   double end_ = 0;
 };

@@ -15,7 +15,7 @@ inline int order_of(const Bounds& b) {
   return std::isfinite(b.acceleration_max) ? 2 : 1;
 }
 
-/// Whether states and bounds make a sound question.
+/// True if states and bounds make a sound question.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
 /// The usual questions, without need for a Solver: a sound question without position limits, whose start (of

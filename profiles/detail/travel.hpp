@@ -16,11 +16,11 @@ Travel travelled(const Profile& profile, double velocity = 0) noexcept;
 /// The same of the velocity, u/s.
 Travel travelled_in_velocity(const Profile& profile) noexcept;
 
-/// Whether a motion turns round on its way, by more than a share of it and rounding: it then passes its
+/// True if a motion turns round on its way, by more than a share of it and rounding: it then passes its
 /// end or goes back.
 bool turns_round(const Travel& travel, double share, double rounding) noexcept;
 
-/// Whether a profile keeps every bound from its start on, to a share of 1e-12.
+/// True if a profile keeps every bound from its start on, to a share of 1e-12.
 bool keeps(const Profile& profile, const Bounds& bounds) noexcept;
 
 }  // namespace jounce::detail

@@ -10,7 +10,7 @@
 /// at the knot between.
 namespace jounce::detail {
 
-/// Whether one quadratic piece leads from a to b, with the velocities of both.
+/// True if one quadratic piece leads from a to b, with the velocities of both.
 bool is_one_quadratic(const Knot& a, const Knot& b);
 
 /// The knot between at which the two pieces meet, in the middle or the step of x next to it; nothing

@@ -17,7 +17,7 @@
 // million intervals at rest none passes the first.
 namespace jounce::detail {
 
-/// Of at most `size` intervals, for the value and three derivatives: what no value exceeds, of f [0] and
+/// For at most `size` intervals, for the value and three derivatives: what no value exceeds, of f [0] and
 /// of -f [1], and the greatest that are taken for certain among all.
 struct Hulls {
   static constexpr std::size_t size = 256;
@@ -27,7 +27,7 @@ struct Hulls {
   double taken[4][2];
 };
 
-/// Of intervals [first, first + n), 1 <= n <= Hulls::size.
+/// For intervals [first, first + n), 1 <= n <= Hulls::size.
 using HullKernel = void (*)(const KnotColumns&, Rule, std::size_t first, std::size_t n, Hulls&);
 void hulls_anywhere(const KnotColumns&, Rule, std::size_t, std::size_t, Hulls&);
 void hulls_avx2(const KnotColumns&, Rule, std::size_t, std::size_t, Hulls&);

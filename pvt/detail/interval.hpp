@@ -13,7 +13,7 @@ struct Knot {
   Jet jet{};
 };
 
-/// Of position and velocity; infinite where nothing is asked.
+/// For position and velocity; infinite where nothing is asked.
 struct Tolerances {
   double position = 0;
   double velocity = 0;

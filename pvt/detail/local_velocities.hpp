@@ -18,7 +18,7 @@ double between_chords(double h0, double d0, double h1, double d1);
 /// `periodic`.
 void monotone_velocities(const Chords& chords, bool periodic, std::span<double> v);
 
-/// Whether the cubic piece with this chord and these velocities never runs against its chord (chord
+/// True if the cubic piece with this chord and these velocities never runs against its chord (chord
 /// 0: stands still). Exact, to rounding.
 bool is_monotone(double chord, double v0, double v1);
 

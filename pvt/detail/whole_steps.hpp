@@ -17,7 +17,7 @@ inline double rounded_to(double x, double step) {
   return step > 0 ? steps(std::round(x / step), step) : x;
 }
 
-/// Whether x is a whole number of steps, to 1e-9 of one and to rounding.
+/// True if x is a whole number of steps, to 1e-9 of one and to rounding.
 inline bool is_whole(double x, double step) {
   const double k = x / step;
   return std::abs(k - std::round(k)) <= 1e-9 + 4e-16 * std::abs(k);

@@ -11,13 +11,13 @@
 /// count from the wire: that is checked against the length first.
 namespace jounce::wire {
 
-/// `head`: all fields but count and values. With room for mac and checksum behind.
+/// `head`: all fields but count and values. Includes space for mac and checksum at the end.
 std::vector<std::byte> chunk_bytes(const jounce_lcm::chunk_t& head, std::span<const double> values);
 
-/// Whether the bytes are as long as the count in them says, which is at most chunk_values.
+/// True if the bytes are as long as their count requires, which is at most chunk_values.
 bool has_chunk_length(std::span<const std::byte> bytes);
 
-/// Of bytes with that length.
+/// Chunk of bytes with that length.
 bool read_chunk(std::span<const std::byte> bytes, jounce_lcm::chunk_t& head,
                 std::vector<double>& values);
 

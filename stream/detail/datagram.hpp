@@ -19,7 +19,7 @@ std::vector<std::byte> datagram_of(const std::string& channel, std::span<const s
 /// Returns nothing where the bytes are no such datagram.
 std::optional<Packet> packet_of(std::span<const std::byte> datagram);
 
-/// Whether the channel has this name. A * stands for any text without a dot.
+/// True if the channel has this name. A * stands for any text without a dot.
 bool matches(const std::string& pattern, const std::string& channel);
 
 }  // namespace jounce::detail

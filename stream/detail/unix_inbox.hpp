@@ -42,7 +42,7 @@ class UnixInbox {
 
   std::filesystem::path path_;
   int socket_ = -1;
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // mutex of all below
   std::condition_variable arrived_;
   std::map<std::string, Subscription> subscriptions_;
   std::deque<Waiting> waiting_;

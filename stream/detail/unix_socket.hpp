@@ -15,7 +15,7 @@ inline constexpr std::size_t longest_folder = 75;
 /// of one that has ended can remove no other.
 std::string unique_socket_name();
 
-/// Whether unique_socket_name() makes such names.
+/// True if unique_socket_name() makes such names.
 bool is_socket_name(const std::string& name);
 
 /// The address of a path of at most 107 bytes.

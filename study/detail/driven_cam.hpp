@@ -22,17 +22,17 @@ class DrivenCam {
   /// along a cam; none without an arm.
   [[nodiscard]] std::vector<double> weight_slopes(const CamSpec& cam) const;
 
-  /// Of the linear drive, with a shape over the master in place of the run; to its torque slope times
+  /// For the linear drive, with a shape over the master in place of the run; to its torque slope times
   /// reference is added.
   [[nodiscard]] std::function<std::vector<double>(const Trajectory& shape)> response(
       DriveFigure figure, const std::vector<double>& slopes) const;
 
-  /// Of the drive as it is, integrated, along a whole cam; `result` is that run, with its own standstill.
+  /// For the drive as it is, integrated, along a whole cam; `result` is that run, with its own standstill.
   [[nodiscard]] DriveResult run(const CamSpec& cam) const;
   [[nodiscard]] Lists measured(const CamSpec& cam) const;
   [[nodiscard]] Lists linear(const CamSpec& cam, const std::vector<double>& slopes) const;
 
-  /// Whether the linear drive is the drive, as far as its torque keeps its limits.
+  /// True if the linear drive is the drive, as far as its torque keeps its limits.
   [[nodiscard]] bool is_linear() const { return linear_; }
 
  private:
@@ -47,7 +47,7 @@ class DrivenCam {
   Against against_;
   Drive twin_;  ///< linear
   bool linear_ = true;
-  std::vector<Segment> before_, after_;  ///< of the cam, over time
+  std::vector<Segment> before_, after_;  ///< after of the cam, over time
   double step_ = 0;                      ///< s
   std::size_t settling_ = 0;             ///< steps
 };

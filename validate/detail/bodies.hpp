@@ -20,7 +20,7 @@ struct Body {
   std::vector<Friction> dry = {};  ///< those with dry friction; breakaway filled in
   double load = 0;                 ///< constant torque against positive motion
   std::vector<Gravity> gravity = {};
-  double stiffness = 0;  ///< of the joint; the motor has none
+  double stiffness = 0;  ///< stiffness of the joint; the motor has none
   double damping = 0;
   double half_gap = 0;
   double efficiency = 1;

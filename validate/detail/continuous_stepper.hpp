@@ -54,8 +54,8 @@ class ContinuousStepper {
   std::vector<double> x_;
   std::vector<std::vector<double>> next_;  // by level
   SteppedReference reference_;
-  double velocity_ = 0;  // of the reference at the end, u/s
-  double end_ = 0;       // of the reference, s
+  double velocity_ = 0;  // velocity of the reference at the end, u/s
+  double end_ = 0;       // end of the reference, s
 };
 
 }  // namespace jounce::detail

@@ -10,7 +10,7 @@ namespace jounce::detail {
 
 // What every run along a reference shares.
 
-/// Of an interval; no law has its zeros at these multiples.
+/// For an interval; no law has its zeros at these multiples.
 inline constexpr double longest_step = 0.3;
 
 /// A reference after its end.
@@ -30,7 +30,7 @@ double usable(double scale);
 /// The length of time that is none on an axis from `from` to `to`: rounding.
 double shortest_time(double from, double to);
 
-/// Whether position, velocity or acceleration step from one piece to the next, by more than rounding
+/// True if position, velocity or acceleration step from one piece to the next, by more than rounding
 /// or, of the acceleration, than error control takes: the solver then begins anew.
 bool steps(const Jet& before, const Jet& after, const Scales& size);
 

@@ -15,8 +15,8 @@ namespace jounce::detail {
 struct DriveMode {
   int torque = 0;                 ///< 1 or -1 while the torque stands at that limit, else 0
   int feed = 0;                   ///< sign of the reference's velocity: friction feed-forward
-  std::vector<int> slip = {};     ///< of a body that rubs: the sign of its motion; 0: it sticks
-  std::vector<int> contact = {};  ///< of a joint with a gap: the flank that touches; 0: neither
+  std::vector<int> slip = {};     ///< slip of a body that rubs: the sign of its motion; 0: it sticks
+  std::vector<int> contact = {};  ///< contact of a joint with a gap: the flank that touches; 0: neither
 
   bool operator==(const DriveMode&) const = default;
 };
@@ -53,7 +53,7 @@ class DriveModel {
   [[nodiscard]] double motor_speed(const Jet& r, const double* y) const;
   /// The limit on the side of the sign, as a signed torque, at that speed of the motor: (4).
   [[nodiscard]] double limit(int sign, double motor_speed) const;
-  /// Whether it is less there than the motor's peak.
+  /// True if it is less there than the motor's peak.
   [[nodiscard]] bool weakened(int sign, double motor_speed) const;
   void rhs(const Jet& r, const double* y, double* dy) const;
   /// dfdy[column * size + row], zeros filled in before.

@@ -28,8 +28,8 @@ Drive with_numbers(const Drive& start, std::span<const std::string> keys,
 
 struct ResponseSpec {
   const Drive* start;                 ///< the controller's feed-forward is that of this one
-  std::span<const std::string> keys;  ///< of the numbers that differ from it
-  std::span<const double> values;     ///< of them
+  std::span<const std::string> keys;  ///< keys of the numbers that differ from it
+  std::span<const double> values;     ///< values of them
   std::span<const double> times;  ///< ascending, on the reference's axis; after its end it holds
   double tolerance = 1e-8;
 };

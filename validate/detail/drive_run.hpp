@@ -8,7 +8,7 @@ namespace jounce::detail {
 
 struct DriveRun {
   DriveResult result;         ///< without the report
-  std::vector<double> state;  ///< of DriveModel, where it ended
+  std::vector<double> state;  ///< state of DriveModel, where it ended
 };
 
 /// The run of drive_through, for drive and options that have been checked: from rest, or, where `start` is not

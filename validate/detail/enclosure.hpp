@@ -16,7 +16,7 @@ struct Bounds {
   double most = 0;
 };
 
-/// Of an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
+/// For an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
 inline Bounds bounds_of(double begin, double end, double length, double bend) {
   const double slack = length * length / 8 * bend;
   const double near = std::min(std::abs(begin), std::abs(end));
@@ -27,7 +27,7 @@ inline Bounds bounds_of(double begin, double end, double length, double bend) {
 /// A stretch of the way of a linear system: its state at the beginning, its outputs at both ends, and a
 /// bound of each output's second derivative in between.
 struct Stretch {
-  double time = 0;  ///< of its beginning
+  double time = 0;  ///< time of its beginning
   double length = 0;
   Eigen::VectorXd z;
   Eigen::VectorXd begin;  ///< outputs

@@ -43,7 +43,7 @@ class ExactPath {
   const Segment& enter(std::size_t i);
   /// What the reference is at the segment's end, for the next to step from.
   void leave();
-  /// Whether it was the standstill that was entered last.
+  /// True if it was the standstill that was entered last.
   [[nodiscard]] bool rests() const { return segment_ == &standstill_; }
   [[nodiscard]] Ladder& ladder() { return *ladder_; }
   /// The system's state where the last segment ended, before any step that follows; after along() or whole().

@@ -12,13 +12,13 @@ namespace jounce::detail {
 
 /// Steps one behind another within a segment, with what the outputs are and may be in each.
 struct Steps {
-  std::vector<double> time;     ///< of the ends, one more than steps
+  std::vector<double> time;     ///< time of the ends, one more than steps
   Eigen::MatrixXd z;            ///< states there, one column an end
   Eigen::MatrixXd y;            ///< outputs there
   Eigen::MatrixXd bend;         ///< bounds of their second derivatives, one column a step
   std::vector<double> squared;  ///< integral of the squared torque over each step
   std::vector<double> work;     ///< the same of the motor's power
-  Eigen::VectorXd rounding;     ///< of the outputs: what is less is none
+  Eigen::VectorXd rounding;     ///< rounding of the outputs: what is less is none
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(squared.size()); }
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
@@ -43,7 +43,7 @@ class ExactSteps {
   const Steps* next(double to);
   void leave() { path_->leave(); }
 
-  /// Of the segment that was entered.
+  /// For the segment that was entered.
   [[nodiscard]] Enclosure& enclosure() { return *enclosure_; }
 
  private:

@@ -14,13 +14,13 @@ namespace jounce::detail {
 /// Where a fit ended. Residuals are the model's less what was recorded, one quantity behind the other.
 struct Fitted {
   LeastSquares found;             ///< weighted with 1 / sigma; x: logarithms of value / start
-  std::vector<double> values;     ///< of the numbers
+  std::vector<double> values;     ///< values of the numbers
   std::vector<std::size_t> used;  ///< the outputs that were recorded
   Eigen::VectorXd before;         ///< residuals of the start, not weighted
   Eigen::VectorXd sigma;          ///< one an output used
   int iterations = 0;
   bool cancelled = false;
-  std::string failure;  ///< of the last integration that came to nothing
+  std::string failure;  ///< failure of the last integration that came to nothing
 
   [[nodiscard]] Eigen::Index samples() const {
     return before.size() / static_cast<Eigen::Index>(used.size());

@@ -31,7 +31,7 @@ class Ladder {
   /// `step` > 0: a length that will be asked for often, made to be one rung.
   Ladder(const LinearSystem& system, int degree, std::vector<double> frequencies, double step);
 
-  /// Whether the segment is of this kind: its degree and its sines' frequencies.
+  /// True if the segment is of this kind: its degree and its sines' frequencies.
   [[nodiscard]] bool takes(const Segment& f) const;
 
   [[nodiscard]] Eigen::Index states() const { return states_; }

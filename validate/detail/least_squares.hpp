@@ -24,7 +24,7 @@ struct LeastSquaresOptions {
   /// Where a step leads; left out: x + step. Must agree with that to first order.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& step)> advance =
       {};
-  double tolerance = 1e-8;  ///< of x: a step shorter than this in every entry ends the search
+  double tolerance = 1e-8;  ///< tolerance of x: a step shorter than this in every entry ends the search
   double flat = 0;          ///< so does one that promises no more than this of |residual|^2
 };
 

@@ -6,11 +6,11 @@
 
 namespace jounce::detail {
 
-/// Whether residuals are white: Ljung and Box's Q over the first 10 autocorrelations (a fifth of the samples, if
+/// True if residuals are white: Ljung and Box's Q over the first 10 autocorrelations (a fifth of the samples, if
 /// those are fewer), against the chi-square quantile. Not tested below 20 samples.
 ResidualTest whiteness(std::span<const double> residuals);
 
-/// Whether residuals grow along the recording: Goldfeld and Quandt's F, the squares of the last third over those of
+/// True if residuals grow along the recording: Goldfeld and Quandt's F, the squares of the last third over those of
 /// the first, against the F quantile. Not tested below 20 samples.
 ResidualTest growth(std::span<const double> residuals);
 
