@@ -118,13 +118,16 @@ detail::Form detail::form(const MotionState& from, const MotionState& to,
   else
     sound = holds(common & Magnitudes::sound(m.acceleration) & Magnitudes::finite(m.jerk));
   if (moves != 0) sound = sound & holds(m.hold(to.velocity, to.acceleration, 1 + forgiven));
-  if (moves != 0 && !steps)
-    sound = sound & holds(m.hold(from.velocity, from.acceleration, 1) &
-                          m.return_inside(from.velocity, from.acceleration, 1) &
-                          m.return_inside(to.velocity, -to.acceleration, 1 + forgiven));
+  bool inside = true;
+  if (moves != 0 && !steps) {
+    sound = sound & holds(m.return_inside(to.velocity, -to.acceleration, 1 + forgiven));
+    inside = holds(m.hold(from.velocity, from.acceleration, 1) &
+                   m.return_inside(from.velocity, from.acceleration, 1));
+  }
   if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest) || !sound)
     return Form::any;
   if (steps) return Form::second_order;
+  if (!inside) return Form::outside;
   if (moves != 0) return from == to ? Form::any : Form::point_to_point;
   return from.position == to.position ? Form::any : Form::rest_to_rest;
 }
@@ -141,7 +144,7 @@ bool detail::shortest(Form form, const MotionState& from, const MotionState& to,
   } else if (form == Form::second_order) {
     ::new (&out) Profile(shortest_second_order(from, to, b));
   }
-  return form != Form::any;
+  return form > Form::outside;
 }
 
 MoveStatus detail::status_of(const MotionState& from, const MotionState& to,
@@ -190,7 +193,7 @@ Move move_to(const MotionState& from, const MotionState& to, const Bounds& bound
   if (form == Form::second_order)
     return {MoveStatus::ok, detail::shortest_second_order(from, to, bounds)};
   Move move;
-  move.status = detail::status_of(from, to, bounds);
+  if (form == Form::any) move.status = detail::status_of(from, to, bounds);
   if (move) move.status = detail::Solver(from, to, bounds).shortest(move.profile);
   return move;
 }

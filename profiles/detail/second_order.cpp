@@ -63,21 +63,31 @@ ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionSt
 }
 
 Profile ShortestSecondOrder::profile(const MotionState& from, const MotionState& to) const noexcept {
-  return Profile(from, to, 2, {rise_, fall_}, {{rises_, 1}, {cruise_, 0}, {falls_, 2}});
+  return Profile(from, to, 2, {rise_, fall_},
+                 {{lead_, 2}, {rises_, 1}, {cruise_, 0}, {falls_, 2}});
+}
+
+void ShortestSecondOrder::lead(double t, double a) noexcept {
+  if (a == rise_)
+    rises_ += t;
+  else if (rises_ + cruise_ == 0)
+    falls_ += t;
+  else
+    lead_ = t;
 }
 
 void ShortestSecondOrder::append(Profile& out) const noexcept {
+  out.add(lead_, fall_);
   out.add(rises_, rise_);
   out.add(cruise_, 0);
   out.add(falls_, fall_);
 }
 
-MotionState slowed(const MotionState& s, const Bounds& b, Profile& profile) noexcept {
+Slowed slowed(const MotionState& s, const Bounds& b) noexcept {
   const double v = std::clamp(s.velocity, b.velocity_min, b.velocity_max);
   const double a = v < s.velocity ? b.acceleration_min : b.acceleration_max;
   const double t = (v - s.velocity) / a;
-  profile.add(t, a);
-  return {s.position + t * (s.velocity + v) / 2, v, 0};
+  return {t, a, {s.position + t * (s.velocity + v) / 2, v, 0}};
 }
 
 Profile shortest_second_order(const MotionState& from, const MotionState& to,
@@ -85,10 +95,10 @@ Profile shortest_second_order(const MotionState& from, const MotionState& to,
   const MotionState start{from.position, from.velocity, 0};
   if (from.velocity >= b.velocity_min && from.velocity <= b.velocity_max)
     return ShortestSecondOrder(start, to, b).profile(start, to);
-  Profile p(start, 2);
-  ShortestSecondOrder(slowed(start, b, p), to, b).append(p);
-  p.finish(to);
-  return p;
+  const Slowed inside = slowed(start, b);
+  ShortestSecondOrder shortest(inside.state, to, b);
+  shortest.lead(inside.time, inside.acceleration);
+  return shortest.profile(start, to);
 }
 
 SecondOrder::SecondOrder(const MotionState& from, const MotionState& to, const Bounds& b) noexcept

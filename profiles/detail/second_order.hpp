@@ -23,17 +23,25 @@ class ShortestSecondOrder {
  public:
   ShortestSecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-  [[nodiscard]] double duration() const noexcept { return rises_ + cruise_ + falls_; }
+  /// The motion begins with an acceleration a, during t.
+  void lead(double t, double a) noexcept;
+
+  [[nodiscard]] double duration() const noexcept { return lead_ + rises_ + cruise_ + falls_; }
   [[nodiscard]] Profile profile(const MotionState& from, const MotionState& to) const noexcept;
   void append(Profile& out) const noexcept;
 
  private:
   double rise_, fall_;  ///< accelerations, signed
   double rises_, cruise_, falls_;  ///< s
+  double lead_ = 0;                ///< s, with fall_
 };
 
-/// Down (or up) to the velocity limit, if that is passed; the state after it.
-MotionState slowed(const MotionState& from, const Bounds& bounds, Profile& profile) noexcept;
+/// Down (or up) to the velocity limit, if that is passed.
+struct Slowed {
+  double time, acceleration;
+  MotionState state;  ///< after it
+};
+Slowed slowed(const MotionState& from, const Bounds& bounds) noexcept;
 
 /// The shortest motion from any velocity.
 Profile shortest_second_order(const MotionState& from, const MotionState& to,

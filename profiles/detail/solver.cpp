@@ -92,7 +92,11 @@ Profile Solver::led_out() const noexcept {
 }
 
 MotionState Solver::begin(Profile& profile) const noexcept {
-  if (order_ == 2) return slowed(start_, bounds_, profile);
+  if (order_ == 2) {
+    const Slowed s = slowed(start_, bounds_);
+    profile.add(s.time, s.acceleration);
+    return s.state;
+  }
   const double t = hold_;
   profile.add(t, 0);
   const auto [p, v, a] = start_;

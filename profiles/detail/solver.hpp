@@ -18,14 +18,18 @@ inline int order_of(const Bounds& b) {
 /// True if states and bounds make a sound question.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The usual questions, without need for a Solver: a sound question without position limits, whose start (of
-/// the third order) lies inside the bounds.
-enum class Form : std::uint8_t { any, rest_to_rest, point_to_point, second_order };
-
-/// `any` also where the question is not sound: status_of() says why.
+/// The usual questions: sound, without position limits. All but `outside` need no Solver.
+enum class Form : std::uint8_t {
+  any,      ///< another question, or one that is not sound: status_of() gives the reason
+  outside,  ///< third order, the start outside the bounds
+  rest_to_rest,
+  point_to_point,
+  second_order,
+};
 Form form(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The shortest motion of such a question; false for `any`, and for a rest to rest without a closed form.
+/// The shortest motion of such a question; false where a Solver is needed: for `any` and `outside`, and for a
+/// rest to rest without a closed form.
 bool shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& bounds,
               Profile& out) noexcept;
 
