@@ -59,6 +59,11 @@ class Source {
     x.velocity = std::max(x.velocity, std::abs(x.from.velocity));
     return x;
   }
+  Axis stepping() {  // for the second order
+    Axis x = general();
+    x.from.acceleration = x.to.acceleration = 0;
+    return x;
+  }
   Axis resting() {
     const Axis x = general();
     return {{x.from.position}, {x.to.position}, x.velocity, x.acceleration, x.jerk};
@@ -131,11 +136,13 @@ void measure(benchmark::State& state, const AllCases& all, Solve solve) {
 
 #ifdef JOUNCE_BENCH_RUCKIG
 template <std::size_t Axes>
-void ruckig_solves(benchmark::State& state, const Cases<Axes>& all, bool jerk = true) {
+void ruckig_solves(benchmark::State& state, const Cases<Axes>& all, bool jerk = true,
+                   ruckig::Synchronization sync = ruckig::Synchronization::Time) {
   std::vector<ruckig::InputParameter<Axes>> inputs(all.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < Axes; ++k) {
       auto& in = inputs[i];
+      in.synchronization = sync;
       const Axis& x = all[i][k];
       in.current_position[k] = x.from.position;
       in.current_velocity[k] = x.from.velocity;
@@ -166,6 +173,18 @@ void resting_ruckig(benchmark::State& s) {
 void trapezoid_ruckig(benchmark::State& s) {
   ruckig_solves<1>(s, make<1>(&Source::resting), false);
 }
+void second_order_ruckig(benchmark::State& s) {
+  ruckig_solves<1>(s, make<1>(&Source::stepping), false);
+}
+void resting_3_ruckig(benchmark::State& s) {
+  ruckig_solves<3>(s, make<3>(&Source::resting));
+}
+void resting_7_ruckig(benchmark::State& s) {
+  ruckig_solves<7>(s, make<7>(&Source::resting));
+}
+void each_3_ruckig(benchmark::State& s) {
+  ruckig_solves<3>(s, make<3>(&Source::general), true, ruckig::Synchronization::None);
+}
 void synchronised_3_ruckig(benchmark::State& s) {
   ruckig_solves<3>(s, make<3>(&Source::general));
 }
@@ -176,6 +195,10 @@ BENCHMARK(general_ruckig);
 BENCHMARK(moving_ruckig);
 BENCHMARK(resting_ruckig);
 BENCHMARK(trapezoid_ruckig);
+BENCHMARK(second_order_ruckig);
+BENCHMARK(resting_3_ruckig);
+BENCHMARK(resting_7_ruckig);
+BENCHMARK(each_3_ruckig);
 BENCHMARK(synchronised_3_ruckig);
 BENCHMARK(synchronised_7_ruckig);
 #endif
@@ -195,26 +218,44 @@ void moving_jounce(benchmark::State& s) {
 void resting_jounce(benchmark::State& s) {
   moves(s, make<1>(&Source::resting));
 }
+void second_order_jounce(benchmark::State& s) {
+  measure(s, make<1>(&Source::stepping), [](const auto& c) {
+    return move_to(c[0].from, c[0].to, within(c[0].velocity, c[0].acceleration));
+  });
+}
+BENCHMARK(second_order_jounce);
 BENCHMARK(general_jounce);
 BENCHMARK(moving_jounce);
 BENCHMARK(resting_jounce);
 
 template <std::size_t Axes>
-void synchronised(benchmark::State& state) {
+void synchronised(benchmark::State& state, Axis (Source::*kind)(), Sync sync = Sync::time) {
   std::vector<std::array<AxisMove, Axes>> all;
-  for (const auto& one : make<Axes>(&Source::general)) {
+  for (const auto& one : make<Axes>(kind)) {
     auto& axes = all.emplace_back();
     for (std::size_t k = 0; k < Axes; ++k) axes[k] = {one[k].from, one[k].to, bounds(one[k])};
   }
   std::array<Profile, Axes> out;
-  measure(state, all, [&](const auto& axes) { return synchronise(axes, Sync::time, out); });
+  measure(state, all, [&](const auto& axes) { return synchronise(axes, sync, out); });
 }
 void synchronised_3_jounce(benchmark::State& s) {
-  synchronised<3>(s);
+  synchronised<3>(s, &Source::general);
 }
 void synchronised_7_jounce(benchmark::State& s) {
-  synchronised<7>(s);
+  synchronised<7>(s, &Source::general);
 }
+void resting_3_jounce(benchmark::State& s) {
+  synchronised<3>(s, &Source::resting);
+}
+void resting_7_jounce(benchmark::State& s) {
+  synchronised<7>(s, &Source::resting);
+}
+void each_3_jounce(benchmark::State& s) {
+  synchronised<3>(s, &Source::general, Sync::none);
+}
+BENCHMARK(resting_3_jounce);
+BENCHMARK(resting_7_jounce);
+BENCHMARK(each_3_jounce);
 BENCHMARK(synchronised_3_jounce);
 BENCHMARK(synchronised_7_jounce);
 
