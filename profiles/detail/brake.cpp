@@ -72,7 +72,8 @@ MotionState acceleration_inside(const MotionState& from, const Bounds& b,
   MotionState s = from;
   s.acceleration = std::clamp(from.acceleration, b.acceleration_min, b.acceleration_max);
   const double change = s.acceleration - from.acceleration;
-  if (std::abs(change) <= forgiven * std::abs(s.acceleration)) return s;
+  // A last digit, too: left over, it would act through all of a hold or a cruise.
+  if (change == 0) return s;
   const double jerk = change < 0 ? b.jerk_min : b.jerk_max;
   const double a = s.acceleration;
   s = after(profile, from, change / jerk, jerk);
@@ -90,10 +91,6 @@ MotionState begin_inside(const MotionState& from, const Bounds& b, Profile& prof
   const int side = violated(s, b, n);
   if (side == 0) return s;
   const double excess = side > 0 ? n - b.velocity_max : b.velocity_min - n;
-  // A last digit beyond the limit would be left over when the acceleration is back at zero.
-  const double digit = s.acceleration - from.acceleration;
-  if (std::abs(digit) <= forgiven * std::abs(s.acceleration))
-    profile.add(digit / (digit < 0 ? b.jerk_min : b.jerk_max), digit < 0 ? b.jerk_min : b.jerk_max);
   return level_return(s, b, side, excess, profile);
 }
 

@@ -6,16 +6,10 @@
 #include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::detail {
-namespace {
-
-/// By how much one jerk must be below the other for the digits that (1) to (3) lose to matter.
-constexpr double uneven = 8;
-
-}  // namespace
-
 Extremals::Extremals(const End& from, const End& to, double dv, const Limits& limits,
                      const Jerks& jerks, int degenerate) noexcept
     : vmax_(limits.velocity),
+      dv_(dv),
       ijp_(jerks.per_rise),
       ijd_(jerks.per_fall),
       k_(jerks.k),
@@ -25,9 +19,11 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
   const auto half = [this](double v, double s, double limit) {
     const double c = v - s * s * ijp_ / 2;
     // A half begins at its own s, or where its z passes zero.
-    const double natural = s > 0 ? v + s * s * ijd_ / 2 : c;
+    const double gain = s > 0 ? s * s * ijd_ / 2 : -s * s * ijp_ / 2;
+    const double natural = s > 0 ? v + gain : c;
     const double begun = std::max(s, 0.0);
-    return Half{v, s, limit, c, natural + k_ * (limit - begun) * (limit + begun) / 2, natural};
+    const double to_sat = k_ * (limit - begun) * (limit + begun) / 2;
+    return Half{v, s, limit, c, gain, to_sat, natural + to_sat, natural};
   };
   half_ = {half(from.velocity, from.acceleration, limits.rise),
            half(to.velocity, -to.acceleration, limits.fall)};
@@ -60,22 +56,23 @@ bool Extremals::has_early() const noexcept {
          dc + k_ * (room.s - degenerate.s) * (room.s + degenerate.s) / 2 >= -tolerance;
 }
 
-Extremal Extremals::at_peak(double vp) const noexcept {
+Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   Extremal e;
-  e.vp = vp;
+  e.vp = vp + beyond;
   for (std::size_t i = 0; i < 2; ++i) {
     const Half& h = half_[i];
-    const double more = vp - h.natural;
+    const double more = vp - h.v - h.gain + beyond;
     double squares = -h.s * h.s;
     if (more <= rounding * std::abs(vp)) {
       e.z[i] = std::max(h.s, 0.0);  // no phases for the sake of the last digits
       if (h.s > 0) squares = 0;
-    } else if (vp <= h.sat) {
-      e.z[i] = std::max(std::min(root(2 * ik_ * (vp - h.c)), h.limit), h.s);
+    } else if (more <= h.to_sat) {
+      // From the same difference as the rise, so that the fall brings the acceleration back to zero.
       squares = 2 * ik_ * more;
+      e.z[i] = std::max(std::min(root(square(std::max(h.s, 0.0)) + squares), h.limit), h.s);
     } else {
       e.z[i] = h.limit;
-      e.hold[i] = (vp - h.sat) / h.limit;
+      e.hold[i] = (more - h.to_sat) / h.limit;
       squares = (h.limit - h.s) * (h.limit + h.s);
     }
     e.rise[i] = rise(h, e.z[i], squares);
@@ -104,13 +101,17 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
     z = sign * root(square_of_z);
     e.fall = (z * s < 0 ? more / (z - s) : z + s) * ijd_;
     if (sign > 0 && z < other.s) {
+      // By rounding of the accelerations the fall is known better than their difference is.
+      const bool is_rounding = other.s - z <= rounding * other.s;
       z = other.s;
-      e.fall = (z + s) * ijd_;
+      if (!is_rounding) e.fall = (z + s) * ijd_;
     }
   } else {
     z = other.limit;
     squares = (other.limit - other.s) * (other.limit + other.s);
-    e.hold[1 - i] = std::max((e.vp - other.sat) / other.limit, 0.0);
+    // From the change of velocity, of which rise and fall are parts: vp and sat may be far above it.
+    const double passed = ((z - other.s) * (z + other.s) * ijp_ + (z - s) * (z + s) * ijd_) / 2;
+    e.hold[1 - i] = std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0);
     e.fall = (z + s) * ijd_;
   }
   e.rise[1 - i] = rise(other, z, squares);
@@ -182,10 +183,13 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   const auto& u = half_[static_cast<std::size_t>(1 - lower)];
   const auto z = [this](const Half& h, double v) { return root(2 * ik_ * (v - h.c)); };
   const double c_high = half_[static_cast<std::size_t>(high_)].c;
+  // Where the branch begins, both z are known better than from the velocities.
+  const bool begins = a.s >= 0;
+  const Extremal start = begins ? first(b) : Extremal{};
   const double to_none = std::min(l.sat, vmax_);
   if (vp < to_none) {
     const auto s_at = [&](double v) { return v == inf ? inf : sum(root(2 * ik_ * (v - c_high))); };
-    add(Held::none, 0, s_at(vp), s_at(to_none));
+    add(Held::none, 0, begins ? start.z[0] + start.z[1] : s_at(vp), s_at(to_none));
     vp = to_none;
   }
   const double to_one = std::min(u.sat, vmax_);
@@ -218,7 +222,7 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
       e.z[1 - f] = half_[1 - f].limit;
       e.fall = (e.z[0] + e.z[1]) * ijd_;
       e.vp = half_[f].c + k_ * x * x / 2;
-      e.hold[1 - f] = std::max((e.vp - half_[1 - f].sat) / half_[1 - f].limit, 0.0);
+      e.hold[1 - f] = std::max(held_beside(p.free, x), 0.0);
       break;
     }
     case Held::both:
@@ -235,17 +239,25 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   const bool cruises = e.cruise > 0;
   double fall = e.fall;
-  // A rise that rounding made negative is left out: the fall makes up for it, so that the acceleration
-  // ends where it should.
-  if (std::min(e.rise[0], e.rise[1]) < 0)
-    fall -= (std::min(e.rise[0], 0.0) + std::min(e.rise[1], 0.0)) * ijd_ / ijp_;
-  return {e.rise[0],
+  std::array<double, 2> rise = e.rise;
+  if (!cruises && std::min(rise[0], rise[1]) < 0) {
+    // A rise that rounding made negative is taken from the other: duration and acceleration at the end
+    // stay. What is then left of it is left out.
+    const std::size_t i = rise[0] < 0 ? 0 : 1;
+    rise[1 - i] += rise[i];
+    rise[i] = 0;
+    const double less = -std::min(rise[1 - i], 0.0);
+    // The fall makes up for it, unless only rounding of the acceleration is left.
+    if (less > rounding * (std::abs(half_[0].s) + std::abs(half_[1].s)) * ijp_)
+      fall += less * ijd_ / ijp_;
+  }
+  return {rise[0],
           e.hold[0],
           cruises ? e.z[0] * ijd_ : fall,
           e.cruise,
           cruises ? e.z[1] * ijd_ : 0,
           e.hold[1],
-          e.rise[1]};
+          rise[1]};
 }
 
 Extremal Extremals::lasting(Branch b, double t) const noexcept {
@@ -266,17 +278,15 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
         x = (t + ends) / k_;
         break;
       case Stretch::Held::one: {
-        const auto& free = half_[static_cast<std::size_t>(p.free)];
-        const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
-        const double l = held.limit;
-        const double w = k_ * l + (free.c - held.sat) / l - ends - t;
+        const double l = half_[static_cast<std::size_t>(1 - p.free)].limit;
+        const double w = k_ * l + held_beside(p.free, 0) - ends - t;
         x = -l + root(l * l - 2 * l * w / k_);
         break;
       }
       case Stretch::Held::both: {
         e = member(p, p.lo);
-        x = p.lo + (t - duration(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
-        break;
+        x = (t - duration(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
+        return at_peak(p.lo, std::clamp(x, 0.0, p.hi - p.lo));
       }
       case Stretch::Held::cruise:
         x = t - duration(at_peak(vmax_));

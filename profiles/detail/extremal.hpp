@@ -33,6 +33,10 @@ namespace jounce::detail {
 // phase of seconds changes z by less than its last digits. The same equations in the times of the phases
 // keep theirs (extremal_timed.cpp).
 
+/// By how much one jerk must be below the other, or one acceleration above the other, for the digits that
+/// (1) to (3) lose to matter.
+inline constexpr double uneven = 8;
+
 /// A member of the family.
 struct Extremal {
   std::array<double, 2> z{};     ///< peak accelerations towards the peak velocity
@@ -109,6 +113,8 @@ class Extremals {
  private:
   struct Half {
     double v, s, limit, c;
+    double gain;     ///< from v to natural
+    double to_sat;   ///< from natural to sat
     double sat;      ///< vp at which z reaches the limit
     double natural;  ///< vp at which z is s, or 0 if that is more
   };
@@ -131,8 +137,15 @@ class Extremals {
   [[nodiscard]] double of_sum(double s) const noexcept {
     return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
   }
-  [[nodiscard]] Extremal at_peak(double vp) const noexcept;
   [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
+  /// `beyond`: what vp + beyond would round.
+  [[nodiscard]] Extremal at_peak(double vp, double beyond = 0) const noexcept;
+  /// How long the other half holds its limit where the half `free` has z. From the difference of both c,
+  /// as velocities are no measure of it.
+  [[nodiscard]] double held_beside(int free, double z) const noexcept {
+    const double l = half_[static_cast<std::size_t>(1 - free)].limit;
+    return k_ / 2 * ((free == high_ ? q_ : -q_) + (z - l) * (z + l)) / l;
+  }
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
   /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
   [[nodiscard]] double rise(const Half& h, double z, double squares) const noexcept {
@@ -149,7 +162,7 @@ class Extremals {
   [[nodiscard]] Extremal solve_time(const Stretch& p, double d, bool rising) const noexcept;
 
   std::array<Half, 2> half_;
-  double vmax_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
+  double vmax_, dv_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
   bool rises_slowly_;  ///< jp is far below jd
   double natural_;

@@ -64,7 +64,7 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const auto& x = half_[static_cast<std::size_t>(p.free)];
       const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
       const double l = held.limit;
-      const double h0 = (x.c - held.sat) / l;  // hold at x = 0, may be negative
+      const double h0 = held_beside(p.free, 0);  // hold at x = 0, may be negative
       const double k0 = base_ + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
                         h0 * (held.c + l * l * ijp_ / 2 + l * h0 / 2) + x.c * l * ijd_ -
                         cube(l) * ijd_ * ijd_ / 6;
@@ -81,15 +81,22 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
         guess = hi;
         for (double sign = -1; (void)f(hi, sign), sign < 0;) hi *= 2;
       }
-      return member(p, zero(f, p.lo, hi, rising, guess));
+      const double y = zero(f, p.lo, hi, rising, guess);
+      const Extremal e = member(p, y);
+      if (!(y > uneven * l)) return e;
+      // The terms are y/L times as large as the sum over the phases is: one step more by that.
+      const double slope = k_ * (x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)));
+      const double next = y - newton(distance(e) - d, slope, rising);
+      return next > p.lo && next < hi ? member(p, next) : e;
     }
     case Held::both: {
       const Extremal e = at_peak(p.lo);
       const double h = slope(e);
       const double g = (d - distance(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
       const double r = root(h * h + 2 * g);
-      const double y = !rising ? -h - r : (h > 0 ? 2 * g / (h + r) : r - h);
-      return at_peak(std::clamp(p.lo + y, p.lo, p.hi));
+      const double signed_root = rising ? r : -r;
+      const double y = rising == (h > 0) ? 2 * g / (h + signed_root) : signed_root - h;
+      return at_peak(p.lo, std::clamp(y, 0.0, p.hi - p.lo));
     }
     case Held::cruise:
       break;
@@ -262,30 +269,33 @@ double Extremals::cruise_velocity(double t, double d) const noexcept {
 }
 
 bool Extremals::cruising(double t, double d, double slack, Extremal& out) const noexcept {
-  // Of the peak velocity: the distance, whose slope is (z1 + z2)/(2 jd) plus the time at cruise.
-  const auto at = [&](double vp) {
-    Extremal e = at_peak(vp);
+  // By how much the peak velocity is above the natural one: the distance, whose slope is (z1 + z2)/(2 jd)
+  // plus the time at cruise.
+  const auto at = [&](double above) {
+    Extremal e = at_peak(natural_, above);
     e.cruise = t - duration(e);
     return e;
   };
-  const auto f = [&](double vp, double& sign) {
-    const Extremal e = at(vp);
+  const auto f = [&](double above, double& sign) {
+    const Extremal e = at(above);
     sign = distance(e) - d;
     return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
   };
   double sign = 0;
-  if (const double guess = cruise_velocity(t, d); guess > natural_) {
+  if (const double guess = cruise_velocity(t, d) - natural_; guess > 0) {
     const double step = f(guess, sign);
-    const double vp = guess - step;
-    if (std::abs(step) <= 1e-9 * vp && vp >= natural_ && vp <= vmax_) {
-      out = at(vp);
+    const double above = guess - step;
+    if (std::abs(step) <= 1e-8 * above && natural_ + above <= vmax_) {
+      out = at(above);
       if (out.cruise >= 0) return true;
     }
   }
   const Extremal farthest = lasting(Branch::main, t);
   if (distance(farthest) < d - slack) return false;
   // Without the time that the ramps take, the mean velocity would do.
-  out = at(zero(f, natural_, farthest.vp, true, d / t));
+  out = at(zero(f, 0, farthest.vp - natural_, true, d / t - natural_));
+  // Beside the farthest rounding of the peak velocity may leave no time to cruise.
+  if (!(out.cruise > 0)) out = farthest;
   return true;
 }
 

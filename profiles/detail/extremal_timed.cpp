@@ -16,7 +16,8 @@
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
-// unless s1 + s2 <= 0: then the rises take as long as whole ramps do, and keep their digits.
+// unless s1 + s2 is far below zero: then the rises take as long as whole ramps do, and keep their digits.
+// The same holds for jerks that are not apart while the acceleration keeps its sign.
 // While one half holds z = L, x of the other runs, and dT/dx = k jp (1 + z/L).
 //
 // **Otherwise** digits are lost only where the acceleration keeps its sign: one half holds L, the
@@ -28,14 +29,21 @@ namespace jounce::detail {
 
 bool Extremals::is_timed(const Stretch& p) const noexcept {
   if (p.held == Stretch::Held::one) return rises_slowly_ || p.hi <= 0;
-  return p.held == Stretch::Held::none && rises_slowly_ && half_[0].s + half_[1].s > 0;
+  if (p.held != Stretch::Held::none) return false;
+  const double s0 = half_[0].s;
+  const double s1 = half_[1].s;
+  if (!(uneven * (s0 + s1) > -(std::abs(s0) + std::abs(s1)))) return false;
+  if (rises_slowly_) return true;
+  // Where the acceleration keeps its sign, it may last long beside the change: then, too.
+  const bool keeps_sign = p.hi * p.hi <= q_ * (1 + rounding);
+  return keeps_sign && (s0 + s1 >= 0 || ijd_ <= uneven * ijp_);
 }
 
 Extremal Extremals::timed_none(double x) const noexcept {
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
   const double sum = s0 + s1 + x / ijp_;
-  const double apart = (-2 * excess_ * ijp_ * ik_ + (s1 - s0) * x) / sum;
+  const double apart = sum > 0 ? (-2 * excess_ * ijp_ * ik_ + (s1 - s0) * x) / sum : 0;
   Extremal e;
   e.rise = {(x + apart) / 2, (x - apart) / 2};
   e.z = {s0 + e.rise[0] / ijp_, s1 + e.rise[1] / ijp_};
@@ -90,7 +98,8 @@ double Extremals::time_lasting(const Stretch& p, double t) const noexcept {
 }
 
 Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const noexcept {
-  const double rate = k_ / (rises_slowly_ ? ijp_ : ijd_);  // dT/dx, but for what is held
+  const bool by_rise = rises_slowly_ || p.held == Stretch::Held::none;
+  const double rate = k_ / (by_rise ? ijp_ : ijd_);  // dT/dx, but for what is held
   const auto f = [&](double x, double& sign) {
     const Extremal e = timed(p, x);
     sign = distance(e) - d;
@@ -100,9 +109,12 @@ Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const no
     const double v = h.v + e.rise[0] * (h.s + e.z[0]) / 2 + e.z[0] * e.hold[0];
     return newton(sign, (v + e.z[0] * e.fall / 2) * rate * held, rising);  // (4)
   };
-  // The ends of the stretch are known no better than the accelerations that they are made of.
-  const double slack = rounding * std::max(ijp_, ijd_) *
-                       (std::abs(half_[0].s) + std::abs(half_[1].s) + std::abs(p.lo));
+  // The ends of the stretch are known no better than the accelerations that they are made of, or, of
+  // slow rises, than the velocities c.
+  double terms = std::abs(half_[0].s) + std::abs(half_[1].s) + std::abs(p.lo);
+  if (rises_slowly_ && p.lo != 0)
+    terms += ik_ * (std::abs(half_[0].c) + std::abs(half_[1].c)) / std::abs(p.lo);
+  const double slack = rounding * std::max(ijp_, ijd_) * terms;
   const double lo = time_of(p, p.lo) - slack;
   double hi = time_of(p, p.hi) + slack;
   if (p.hi == inf) {

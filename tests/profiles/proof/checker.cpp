@@ -261,11 +261,19 @@ void Check::limits(Real sign, const Side& side) {
 }
 
 /// Outside, it returns at full jerk.
+///
+/// Where the start's acceleration is held first, the return may begin within the last digits of that hold:
+/// a phase is a double, and the hold h may be thousands of times the return that follows, r = (a0 - a)/j.
+/// Half an ulp of h at full jerk is 2^-53 h/r of the change: of h/r = 2e4 on, more than `tolerance`, so
+/// that no double is within both sides of the exact envelope. The instant is therefore resolved as a
+/// bound is. Without a hold, nothing is added.
 void Check::acceleration(Real sign, const Side& side) {
   const Real start = sign * c_.from.acceleration;
   const Real bound = magnitude(b_.acceleration_min, b_.acceleration_max, start);
+  const Real instant = bound_ulps * hold_;
+  const Real held = hold_ - instant;
   const auto envelope = [&](Real t) {
-    return t < hold_ ? start : std::max(side.a_max, start - side.fall * (t - hold_));
+    return t < held ? start : std::max(side.a_max, start - side.fall * (t - hold_ - instant));
   };
   const Real inside = hold_ + (start - side.a_max) / side.fall;
   Real begin = 0;
@@ -276,8 +284,8 @@ void Check::acceleration(Real sign, const Side& side) {
     };
     const Real length = pieces_[i].length;
     if (inside > begin && inside < begin + length) compare(inside - begin);
-    if (hold_ > begin && hold_ <= begin + length)
-      below(sign * pieces_[i].at(hold_ - begin).a, start, scale, "acceleration");
+    if (held > begin && held <= begin + length)
+      below(sign * pieces_[i].at(held - begin).a, start, scale, "acceleration");
     compare(length);
     begin += length;
   }

@@ -70,7 +70,7 @@ constexpr double tolerance = 1e-12;
 /// - from a start outside, acceleration and velocity keep their envelopes instead (envelope.hpp): an
 ///   acceleration returns at full jerk, a velocity is at no instant beyond that of the fastest level
 ///   return. A start that brakes towards the target harder than its limit may go on so only as far as
-///   that keeps it from passing the target (`in_force`).
+///   that keeps it from passing the target (`in_force`); the end of such a hold is resolved to 4 ulp.
 Verdict check(const Profile& profile, const Case& c);
 
 }  // namespace jounce::proof

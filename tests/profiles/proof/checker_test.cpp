@@ -263,6 +263,25 @@ TEST(Checker, HoldsABrakingThatPassesTheTargetAnyway) {
   EXPECT_THAT(judged({{1, 1}}), HasSubstr("acceleration_max"));
 }
 
+TEST(Checker, ResolvesTheEndOfALongHoldToItsLastDigits) {
+  // Held for 168 s, returned in 2 ms: the last digit of the hold is 1.2e-12 of the acceleration.
+  const Case c{{0x1.9d721716a1236p+1, 0x1.57ebc3b1dab39p+4, -0x1.061c993f20363p-3},
+               {0x1.f95cb2badbacp+2, 0, 0},
+               within(0x1.b79e34aa624f6p+3, 0x1.b3e334ba54e26p-4, 0x1.6bf3c2cc06a3ap+3)};
+  const Profile f = move_to(c.from, c.to, c.bounds).profile;
+  ASSERT_GT(f.phase(0).duration, 167);
+  const auto judged = [&](double factor) {
+    Phases phases{{f.phase(0).duration * factor, 0}};
+    for (std::size_t i = 1; i < f.phases(); ++i) phases.push_back(f.phase(i));
+    return fault(c, 3, phases);
+  };
+  EXPECT_EQ(judged(1), "");
+  EXPECT_EQ(judged(1 - 0x1p-53), "");
+  EXPECT_EQ(judged(1 + 0x1p-52), "");
+  EXPECT_THAT(judged(1 - 0x1p-48), HasSubstr("acceleration_max"));
+  EXPECT_THAT(judged(1 + 0x1p-48), HasSubstr("acceleration_min"));
+}
+
 TEST(Checker, PrintsALineThatAsksAgain) {
   Case c = rest_to_rest;
   c.duration = 4;

@@ -216,6 +216,31 @@ Case extremes(Random& r) {
   return with_ratio(r, 1e6);
 }
 
+/// Every limit on its own over `decades`, states in proportion to those of their direction.
+Case of_unequal_limits(Random& r, double decades) {
+  const double far = std::pow(10.0, decades / 2);
+  const auto limit = [&r, far] { return r.log_uniform(1 / far, far); };
+  const auto between = [&r](double min, double max) {
+    const int kind = r.below(4);
+    if (kind == 0) return 0.0;
+    if (kind == 1) return r.below(2) == 0 ? min : max;
+    return r.uniform(0, 1) * (r.below(2) == 0 ? min : max);
+  };
+  Case c;
+  Bounds& b = c.bounds;
+  b = {-limit(), limit(), -limit(), limit(), -limit(), limit()};
+  for (MotionState* s : {&c.from, &c.to})
+    *s = {r.uniform(-1, 1) * limit(), between(b.velocity_min, b.velocity_max),
+          between(b.acceleration_min, b.acceleration_max)};
+  return c;
+}
+Case unequal(Random& random) {
+  for (;;)
+    if (const Case c = reachable_case(random, [](Random& r) { return of_unequal_limits(r, 4); });
+        safe_start(c.from, c.bounds))
+      return c;
+}
+
 /// From rest to rest, each direction on its own or not.
 Case resting(Random& r) {
   Case c = r.below(2) == 0 ? bench(r) : directional(r);
@@ -235,9 +260,10 @@ MotionState driven(const MotionState& s, const Bounds& b, double t, double share
 
 /// Starts that run out of the velocity limit, upwards, and targets that may be met before: now and then
 /// beside it.
-Case leaving(Random& random) {
-  return reachable_case(random, [](Random& r) {
-    Case c = directional(r);
+template <class F>
+Case leaving_from(Random& random, F base) {
+  return reachable_case(random, [base](Random& r) {
+    Case c = base(r);
     const Bounds& b = c.bounds;
     c.from.acceleration = b.acceleration_max * (r.below(8) == 0 ? r.uniform(1, 2) : r.uniform(0, 1));
     const double out = c.from.acceleration * c.from.acceleration / (2 * -b.jerk_min);
@@ -251,6 +277,13 @@ Case leaving(Random& random) {
     if (r.below(4) == 0) c.to.position += normal(r, 0.1);
     return c;
   });
+}
+Case leaving(Random& random) {
+  return leaving_from(random, directional);
+}
+/// The same with limits that lie far from each other.
+Case leaving_unequal(Random& random) {
+  return leaving_from(random, [](Random& r) { return of_unequal_limits(r, 4); });
 }
 
 Case second(Random& random) {
@@ -310,6 +343,8 @@ constexpr Draw all[] = {
     {"extremes", "jerk in one direction up to a million times that in the other", extremes, true},
     {"resting", "from rest to rest", resting},
     {"leaving", "starts that run out of the limit, and targets that do", leaving, true},
+    {"unequal", "every limit on its own over four decades", unequal, true},
+    {"leaving-unequal", "the same, starts and targets that run out of the limit", leaving_unequal, true},
     {"unlimited", "no limit of velocity, of acceleration, or of both", unlimited},
     {"second", "no limit of jerk", second},
     {"first", "no limit of acceleration", first},

@@ -88,4 +88,9 @@ Case any(Random& r) {
       return d.draw(r);
 }
 
+Case far_apart(Random& r) {
+  const char* const kinds[] = {"unequal", "leaving", "leaving-unequal", "ratios", "extremes"};
+  return draw(kinds[r.below(5)], r);
+}
+
 }  // namespace jounce::proof

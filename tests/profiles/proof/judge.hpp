@@ -38,21 +38,30 @@ void compare(Real is, const Reference& reference, const Case& c, Tally& tally);
 
 /// A case of any draw but those for themselves.
 Case any(Random& r);
+/// A case whose limits lie far apart from each other, or of a start that runs out of them.
+Case far_apart(Random& r);
 
 /// 17 digits.
 std::string text(Real x);
 
 // The experiments; each draws a case of its own.
 void optimality(Random& r, Tally& tally);
+void optimality_unequal(Random& r, Tally& tally);
 void blocks(Random& r, Tally& tally);
+void blocks_unequal(Random& r, Tally& tally);
 void exact(Random& r, Tally& tally);
+void exact_unequal(Random& r, Tally& tally);
 void velocity(Random& r, Tally& tally);
 void stops(Random& r, Tally& tally);
 void overshoot(Random& r, Tally& tally);
 void invariance(Random& r, Tally& tally);
 void replan_rest(Random& r, Tally& tally);
+void replan_unequal(Random& r, Tally& tally);
 void replan_moving(Random& r, Tally& tally);
 void walls(Random& r, Tally& tally);
+void relations(Random& r, Tally& tally);
+void driven_one(Random& r, Tally& tally);
+void driven_together(Random& r, Tally& tally);
 void certified(Random& r, Tally& tally);
 void certified_velocity(Random& r, Tally& tally);
 void sync_time(Random& r, Tally& tally);

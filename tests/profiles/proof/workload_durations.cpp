@@ -9,15 +9,26 @@
 
 namespace jounce::proof {
 
-void optimality(Random& r, Tally& tally) {
-  const char* const own[] = {"lowered", "leaving"};
-  const int kind = r.below(16);
-  const Case c = kind < 2 ? draw(own[kind], r) : any(r);
+namespace {
+
+void expect_shortest(const Case& c, Tally& tally) {
   const Solved s = solve(c, tally);
   if (!s) return;
   compare(
       s.verdict.duration, [&](Real share) { return minimum(reachable(c, s.verdict, share)); }, c,
       tally);
+}
+
+}  // namespace
+
+void optimality(Random& r, Tally& tally) {
+  const char* const own[] = {"lowered", "leaving"};
+  const int kind = r.below(16);
+  expect_shortest(kind < 2 ? draw(own[kind], r) : any(r), tally);
+}
+
+void optimality_unequal(Random& r, Tally& tally) {
+  expect_shortest(far_apart(r), tally);
 }
 
 namespace {
@@ -62,10 +73,7 @@ void ask_edge(Case c, double T, int side, const Verdict& shortest, Tally& tally)
     tally.fail(std::string("an edge is refused: ") + explain(move.status), c);
 }
 
-}  // namespace
-
-void exact(Random& r, Tally& tally) {
-  const Case c = any(r);
+void ask_durations(const Case& c, Random& r, Tally& tally) {
   const Durations d = durations(c.from, c.to, c.bounds);
   const Move move = move_to(c.from, c.to, c.bounds);
   if (d.status != MoveStatus::ok || !move) return tally.fail("refused", c);
@@ -82,8 +90,19 @@ void exact(Random& r, Tally& tally) {
   }
 }
 
-void blocks(Random& r, Tally& tally) {
-  const Case c = any(r);
+}  // namespace
+
+void exact(Random& r, Tally& tally) {
+  ask_durations(any(r), r, tally);
+}
+
+void exact_unequal(Random& r, Tally& tally) {
+  ask_durations(far_apart(r), r, tally);
+}
+
+namespace {
+
+void expect_blocked(const Case& c, Tally& tally) {
   ++tally.cases;
   const Durations d = durations(c.from, c.to, c.bounds);
   const Move move = move_to(c.from, c.to, c.bounds);
@@ -105,6 +124,16 @@ void blocks(Random& r, Tally& tally) {
           d.allows(static_cast<double>(T)))
         tally.fail("impossible, but allowed: " + text(T), c);
   }
+}
+
+}  // namespace
+
+void blocks(Random& r, Tally& tally) {
+  expect_blocked(any(r), tally);
+}
+
+void blocks_unequal(Random& r, Tally& tally) {
+  expect_blocked(far_apart(r), tally);
 }
 
 namespace {

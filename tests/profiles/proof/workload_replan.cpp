@@ -58,6 +58,10 @@ void replan_moving(Random& r, Tally& tally) {
   replan(journey(r), r, tally);
 }
 
+void replan_unequal(Random& r, Tally& tally) {
+  replan(far_apart(r), r, tally);
+}
+
 namespace {
 
 Case in_units(const Case& c, double length, double time) {
