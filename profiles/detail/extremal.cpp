@@ -285,7 +285,10 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
       }
       case Stretch::Held::both: {
         e = member(p, p.lo);
-        x = (t - duration(e)) / (1 / half_[0].limit + 1 / half_[1].limit);
+        const double per_velocity = 1 / half_[0].limit + 1 / half_[1].limit;
+        x = (t - duration(e)) / per_velocity;
+        if (std::min(e.rise[0], e.rise[1]) <= 0)  // a hold may have been taken as none
+          x += (t - duration(at_peak(p.lo, x))) / per_velocity;
         return at_peak(p.lo, std::clamp(x, 0.0, p.hi - p.lo));
       }
       case Stretch::Held::cruise:

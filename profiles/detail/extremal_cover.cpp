@@ -96,7 +96,12 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const double r = root(h * h + 2 * g);
       const double signed_root = rising ? r : -r;
       const double y = rising == (h > 0) ? 2 * g / (h + signed_root) : signed_root - h;
-      return at_peak(p.lo, std::clamp(y, 0.0, p.hi - p.lo));
+      const Extremal found = at_peak(p.lo, std::clamp(y, 0.0, p.hi - p.lo));
+      if (std::min(e.rise[0], e.rise[1]) > 0) return found;
+      // At the begin a hold may have been taken as none for the last digits: one step more.
+      const double less = (distance(found) - d) /
+                          (slope(found) * (1 / half_[0].limit + 1 / half_[1].limit));
+      return at_peak(p.lo, std::clamp(y - less, 0.0, p.hi - p.lo));
     }
     case Held::cruise:
       break;

@@ -111,6 +111,15 @@ TEST(FarApart, TheEdgesOfBlockedIntervals) {
                       0x1.70e6ab4854166p-7, -0x1.52790af03765bp+2, 0x1.bb0d4d0f58293p+4});
 }
 
+TEST(FarApart, AHoldFromTheFirstInstantOn) {
+  // The edge was off by 2e-12 of its value: the start is at its limit of acceleration, and the last digits of
+  // the peak velocity were no hold at the begin of a stretch and one behind it.
+  expect_right_edges({0x1.3aba01b41f4e8p-5, -0x1.1a2bf4f0bcdd6p+6, 0x1.8c29c0712fae8p-6},
+                     {-0x1.1cd3fa1f89ed5p+2, -0x1.1a2bf4f0bcdd6p+6, -0x1.e9a6c07c120f8p-7},
+                     {-0x1.1a2bf4f0bcdd6p+6, 0x1.5a02785f8a891p+1, -0x1.e9a6c07c120f8p-7,
+                      0x1.8c29c0712fae8p-6, -0x1.4d0544e4786bep+2, 0x1.978b43fb6bbc4p+3});
+}
+
 TEST(FarApart, ADipOfAFewMillionthsOfTheVelocity) {
   // Ended off by 2e-12 and 3e-12 of the scale: the cruise was looked for to 1e-9 of the velocity itself,
   // and beside the longest motion rounding of the peak velocity left less than no time to cruise.
