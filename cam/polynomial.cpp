@@ -3,8 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/QR>
-
+#include "jounce/cam/detail/pivoted_qr.hpp"
 #include "jounce/profiles/error.hpp"
 
 // With t = 2 u / L - 1 in [-1, 1] and T_n the Chebyshev polynomials, f = sum of b_n T_n(t) and
@@ -84,7 +83,7 @@ Segment polynomial(double length, std::span<const Condition> conditions) {
     rows.row(i) = full.transpose() / scale;
     values[i] = c.value * std::pow(length / 2, c.order) / scale;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(rows);
+  const detail::PivotedQr solver(rows);
   if (solver.rank() < size)
     throw InputError("conditions", static_cast<double>(conditions.size()),
                      "contradict each other or leave the polynomial open: no place may have two "

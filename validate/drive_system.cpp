@@ -21,7 +21,7 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/LU>
+#include "jounce/validate/detail/dense.hpp"
 
 namespace jounce::detail {
 namespace {
@@ -224,7 +224,7 @@ LinearSystem watched_drive(const Drive& drive) {
 Eigen::VectorXd equilibrium(const LinearSystem& system) {
   const Eigen::VectorXd pull = system.b.col(LinearSystem::one);
   if (pull.isZero(0)) return pull;
-  return system.a.fullPivLu().solve(-pull);
+  return solve_full(system.a, -pull);
 }
 
 OpenRest open_rest(const Drive& drive) {

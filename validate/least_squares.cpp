@@ -16,6 +16,8 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "jounce/cam/detail/pivoted_qr.hpp"
+
 namespace jounce::detail {
 namespace {
 
@@ -39,7 +41,7 @@ VectorXd damped_step(const Linearised& at, double damping) {
   a << at.jacobian, MatrixXd::Identity(n, n) * damping;
   VectorXd b = VectorXd::Zero(m + n);
   b.head(m) = -at.residual;
-  return a.colPivHouseholderQr().solve(b);  // (1)
+  return PivotedQr(a).solve(b);  // (1)
 }
 
 /// Damped as much as it takes to be no longer than that: what hardly acts must not run away, nor hold

@@ -7,9 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/detail/dense.hpp"
 #include "jounce/validate/detail/drive_system.hpp"
 #include "jounce/validate/detail/exact_path.hpp"
 #include "jounce/validate/detail/periodic.hpp"
@@ -90,13 +89,10 @@ DriveMode mode_of(std::complex<double> eigenvalue) {
 /// x(t) = sum of v_k (V^-1 x)_k exp(l_k t): a pair of conjugates swings with twice the size of one.
 std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorXd& state,
                                 double unit) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.a);
-  const Eigen::VectorXcd values = solver.eigenvalues();
-  const Eigen::MatrixXcd vectors = solver.eigenvectors();
-  const auto inverse = vectors.fullPivLu();
+  const auto [values, vectors] = detail::eigenpairs(system.a);
+  const auto [share, rcond] = detail::solve_full(vectors, state.cast<std::complex<double>>());
   // Vectors nearly alike: what is left of each is a difference of large numbers.
-  const bool apart = inverse.rcond() > 1e-6;
-  const Eigen::VectorXcd share = inverse.solve(state.cast<std::complex<double>>());
+  const bool apart = rcond > 1e-6;
   std::vector<DriveMode> found;
   for (Index k = 0; k < values.size(); ++k) {
     if (values(k).imag() < 0) continue;

@@ -22,9 +22,7 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
+#include "jounce/validate/detail/dense.hpp"
 #include "jounce/validate/detail/drive_system.hpp"
 #include "jounce/validate/detail/exponential.hpp"
 
@@ -38,8 +36,8 @@ void drop_dry(Friction& friction) {
   friction.coulomb = friction.breakaway = 0;
 }
 
-std::vector<Complex> eigenvalues(const Eigen::MatrixXd& m) {
-  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(m, false).eigenvalues();
+std::vector<Complex> poles_of(const Eigen::MatrixXd& m) {
+  const Eigen::VectorXcd values = eigenvalues(m);
   return {values.begin(), values.end()};
 }
 
@@ -53,7 +51,7 @@ Complex delayed(Complex s, double delay) {
 Complex first_of(const Eigen::MatrixXd& a, Complex p, const Eigen::VectorXcd& b) {
   const Index n = a.rows();
   const Eigen::MatrixXcd left = p * Eigen::MatrixXcd::Identity(n, n) - a.cast<Complex>();
-  return left.partialPivLu().solve(b)(0);
+  return solve(left, b)(0);
 }
 
 }  // namespace
@@ -149,18 +147,18 @@ std::vector<Complex> OpenLoop::closed_poles(double gain) const {
   if (!sampled()) {
     Drive drive = drive_;
     drive.controller.velocity_gain *= gain;
-    return eigenvalues(balanced(drive_system(drive)).a);
+    return poles_of(balanced(drive_system(drive)).a);
   }
   std::vector<Complex> poles;
   constexpr double gone =
       1e-9;  // within a cycle: no pole of its own, but a step of the chain of delays
-  for (const Complex z : eigenvalues(sampled_matrix(gain)))
+  for (const Complex z : poles_of(sampled_matrix(gain)))
     if (std::abs(z) > gone) poles.push_back(std::log(z) / drive_.controller.cycle);  // (3)
   return poles;
 }
 
 std::vector<Complex> OpenLoop::plant_poles() const {
-  return eigenvalues(plant_);
+  return poles_of(plant_);
 }
 
 double OpenLoop::highest() const {

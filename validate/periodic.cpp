@@ -15,9 +15,8 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/detail/dense.hpp"
 #include "jounce/validate/detail/drive_system.hpp"
 #include "jounce/validate/detail/exponential.hpp"
 #include "jounce/validate/linear_drive.hpp"
@@ -63,11 +62,11 @@ void require_steady(const Drive& drive) {
 VectorXd periodic_start(const LinearSystem& system, const Trajectory& period, const Drive& drive) {
   require_calm(drive);
   const Index n = system.states();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> left(Eigen::MatrixXd::Identity(n, n) -
-                                                  exponential(system.a * period.length()));
+  const Eigen::MatrixXd left =
+      Eigen::MatrixXd::Identity(n, n) - exponential(system.a * period.length());
   VectorXd x = VectorXd::Zero(n);
   for (int round = 0; round < 2; ++round)
-    x += left.solve(after_a_period(system, period, x) - x);  // (2)
+    x += solve(left, after_a_period(system, period, x) - x);  // (2)
   return x;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 // Between two knots at distance h the polynomial of degree 2m - 1 is fixed by the m states at both
 // ends, u = (p0, v0, a0, p1, v1, a1), and its energy, the integral of the square of the m-th

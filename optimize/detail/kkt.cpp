@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <Eigen/LU>
+
 // With equalities K is indefinite. With a little on its diagonal, plus where x is and minus where the
 // multipliers are, it is quasidefinite, so that L D L' exists in any order (Vanderbei 1995) and the order
 // can be chosen for sparsity alone. What was added is taken out again by iterative refinement.
@@ -64,9 +66,10 @@ Kkt::Kkt(const ConvexProgram& p, double regular)
       rows_(g_),
       q_(Eigen::Map<const Vector>(p.slope.data(), static_cast<Eigen::Index>(p.slope.size()))),
       h_(-constants_of(all_constraints(p))),
-      b_(-constants_of(p.equalities)) {
+      b_(-constants_of(p.equalities)),
+      factor_(a_.rows() > 0 && regular == 0 ? SparseFactor::Method::pivoting
+                                            : SparseFactor::Method::cholesky) {
   q_ += 2 * (f_.transpose() * constants_of(p.squares));
-  pivoting_ = a_.rows() > 0 && regular == 0;
   find_pattern(a_.rows() > 0 ? regular : 0);
 }
 
@@ -97,10 +100,7 @@ void Kkt::find_pattern(double added) {
     each_product(rows_, k, [&](Eigen::Index i, Eigen::Index j, double) {
       place_.push_back(std::lower_bound(inner + outer[j], inner + outer[j + 1], i) - inner);
     });
-  if (pivoting_)
-    pivoted_.analyzePattern(Matrix(k_.selfadjointView<Eigen::Lower>()));
-  else
-    factor_.analyzePattern(k_);
+  factor_.find_pattern(k_);
 }
 
 bool Kkt::factorise(const ConeScaling& w) {
@@ -114,11 +114,7 @@ bool Kkt::factorise(const ConeScaling& w) {
   std::size_t next = 0;
   for (Eigen::Index k = 0; k < rows_.rows(); ++k)
     each_product(rows_, k, [&](Eigen::Index, Eigen::Index, double v) { add(next, v * d[k]); });
-  if (pivoting_)
-    pivoted_.factorize(Matrix(k_.selfadjointView<Eigen::Lower>()));
-  else
-    factor_.factorize(k_);
-  if ((pivoting_ ? pivoted_.info() : factor_.info()) != Eigen::Success) return false;
+  if (!factor_.factorise(k_)) return false;
   factorise_rank_ones();
   return true;
 }
@@ -127,7 +123,7 @@ void Kkt::factorise_rank_ones() {
   const auto n = static_cast<Eigen::Index>(u_.size());
   solved_u_.resize(k_.rows(), n);
   for (Eigen::Index i = 0; i < n; ++i)
-    solved_u_.col(i) = unmodified(u_[static_cast<std::size_t>(i)]);
+    solved_u_.col(i) = factor_.solve(u_[static_cast<std::size_t>(i)]);
   Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     small.row(i) += u_[static_cast<std::size_t>(i)].transpose() * solved_u_;
@@ -140,13 +136,8 @@ Kkt::Vector Kkt::times(const Vector& v) const {
   return all;
 }
 
-Kkt::Vector Kkt::unmodified(const Vector& r) const {
-  if (pivoting_) return pivoted_.solve(r);
-  return factor_.solve(r);
-}
-
 Kkt::Vector Kkt::back(const Vector& r) const {
-  Vector v = unmodified(r);
+  Vector v = factor_.solve(r);
   if (u_.empty()) return v;
   Vector along(static_cast<Eigen::Index>(u_.size()));
   for (Eigen::Index i = 0; i < along.size(); ++i) along[i] = u_[static_cast<std::size_t>(i)].dot(v);

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include "jounce/optimize/detail/cone_scaling.hpp"
 #include "jounce/optimize/detail/interior_point.hpp"
+#include "jounce/optimize/detail/sparse_factor.hpp"
 
 namespace jounce::optimizer {
 
@@ -43,7 +43,6 @@ class Kkt {
   void add(std::size_t& next, double value) { k_.valuePtr()[place_[next++]] += value; }
   [[nodiscard]] Vector times(const Vector& v) const;
   [[nodiscard]] Vector back(const Vector& r) const;
-  [[nodiscard]] Vector unmodified(const Vector& r) const;  ///< without u_
 
   void factorise_rank_ones();
 
@@ -57,9 +56,7 @@ class Kkt {
   std::vector<Vector> u_;            ///< K = (what is factorised) + sum u u'
   Eigen::MatrixXd solved_u_;         ///< (what is factorised)^-1 u, side by side
   Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
-  bool pivoting_ = false;
-  Eigen::SimplicialLDLT<Matrix> factor_;
-  Eigen::SparseLU<Matrix> pivoted_;
+  SparseFactor factor_;
 };
 
 }  // namespace jounce::optimizer

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-#include <Eigen/SparseCholesky>
+#include "jounce/cam/detail/pivoted_qr.hpp"
+#include "jounce/optimize/detail/sparse_factor.hpp"
 
 // Rows R over the coordinates z of a spline (spline_space.hpp) say what many instants, or many modes, make
 // of it: y = y(0) + R z. One coordinate at a time is no spline, but pieces apart: what that costs, jumps of
@@ -63,19 +63,20 @@ MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
   Eigen::SparseMatrix<double> e(static_cast<Index>(joints.size()), rows.cols());
   e.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseMatrix<double> square = e * e.transpose();
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(square);
+  SparseFactor solver(SparseFactor::Method::cholesky);
+  solver.find_pattern(square);
+  solver.factorise(square);
   MatrixXd left = rows.transpose();
-  for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(e * left);
+  for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(MatrixXd(e * left));
   return left.transpose();
 }
 
 /// (2).
 Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows) {
   const double unit = unit_of(lift, rows);
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(y.factor);
-  qr.setThreshold(noise);
+  const jounce::detail::PivotedQr qr(y.factor, noise);
   const Index rank = qr.rank();
-  const MatrixXd q = qr.householderQ() * MatrixXd::Identity(y.factor.rows(), rank);
+  const MatrixXd q = qr.q(rank);
   const MatrixXd t = q.transpose() * y.factor;
   const VectorXd c = q.transpose() * y.constant;
   for (Index k = 0; k < rank; ++k) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/cam/detail/pivoted_qr.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
@@ -40,15 +42,14 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
                            const Coordinates& near) {
   const auto n = static_cast<Index>(space.size());
   const MatrixXd a = rows_of(equalities, space.size());
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(a.transpose());
-  qr.setThreshold(1e-11);
+  const jounce::detail::PivotedQr qr(a.transpose(), 1e-11);
   const Index rank = qr.rank();
-  const MatrixXd q = qr.householderQ() * MatrixXd::Identity(n, n);
+  const MatrixXd q = qr.q(n);
   const VectorXd start = Eigen::Map<const VectorXd>(near.data(), n);
   // A z = -b with A' P = Q R: R' (Q' z) = -P' b; the rest of Q' z is that of `near`.
   VectorXd turned = q.transpose() * start;
-  const VectorXd wanted = qr.colsPermutation().transpose() * -constants_of(equalities);
-  const MatrixXd r = qr.matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>();
+  const VectorXd wanted = qr.permutation().transpose() * -constants_of(equalities);
+  const MatrixXd r = qr.r();
   turned.head(rank) =
       r.transpose().template triangularView<Eigen::Lower>().solve(wanted.head(rank));
   z0_ = q * turned;
@@ -58,12 +59,10 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   inverse_ = MatrixXd::Zero(0, n);
   if (free.cols() == 0) return;  // the ends leave nothing free
   // N' M N = L L' without forming it, which would square its condition; what moves nothing is left out.
-  Eigen::ColPivHouseholderQR<MatrixXd> half(measure(space) * free);
-  half.setThreshold(1e-13);
+  const jounce::detail::PivotedQr half(measure(space) * free, 1e-13);
   const Index moving = half.rank();
-  const MatrixXd turned_free = (free * half.colsPermutation()).leftCols(moving);
-  const MatrixXd upper =
-      half.matrixR().topLeftCorner(moving, moving).template triangularView<Eigen::Upper>();
+  const MatrixXd turned_free = (free * half.permutation()).leftCols(moving);
+  const MatrixXd upper = half.r();
   basis_ = upper.template triangularView<Eigen::Upper>()
                .transpose()
                .solve(turned_free.transpose())

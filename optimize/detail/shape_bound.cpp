@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include "jounce/optimize/bound.hpp"
 #include "jounce/optimize/detail/shape_report.hpp"
