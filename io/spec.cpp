@@ -217,6 +217,13 @@ Spec parse_spec(std::string text, std::string name) {
   return spec;
 }
 
+Spec::Spec() = default;
+Spec::Spec(const Spec& other) = default;
+Spec::Spec(Spec&& other) noexcept = default;
+Spec& Spec::operator=(const Spec& other) = default;
+Spec& Spec::operator=(Spec&& other) noexcept = default;
+Spec::~Spec() = default;
+
 std::optional<double> Spec::master_period() const {
   if (const auto* sync = std::get_if<SyncSpec>(&subject)) return jounce::master_period(*sync);
   const auto* cam = std::get_if<CamSpec>(&subject);

@@ -179,6 +179,14 @@ struct Spec {
   bool himc = false;  ///< himc of kind "pvt": for HIMC's MovePVT
   Report fill;  ///< fill of kind "pvt": what filling in its velocities could not do
 
+  // Defined in spec.cpp: inline, they take seconds to compile in each file that copies a spec.
+  Spec();
+  Spec(const Spec& other);
+  Spec(Spec&& other) noexcept;
+  Spec& operator=(const Spec& other);
+  Spec& operator=(Spec&& other) noexcept;
+  ~Spec();
+
   /// The axes: those of kind "axes", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
