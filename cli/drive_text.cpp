@@ -56,7 +56,8 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
     text += fmt::format("  {:<12} {}\n", text.empty() ? "drive" : "", says);
   };
   if (!d.integration.ok()) {
-    line("BROKEN: not integrated to its end");
+    line("BROKEN: not integrated to its end: " + d.integration.reason);
+    if (const auto loop = loop_of(drive)) line("loop " + loop_text(*loop));
     return text;
   }
   line(fmt::format("{}: torque {} N m peak at {} s, {} N m rms", d.report.ok() ? "ok" : "BROKEN",

@@ -107,7 +107,6 @@ Finding periodic_of(const SignalView& period, const Drive& drive, const std::vec
 
 /// The run of one period of the steady state, with its own finding.
 DriveResult run_periodic(const SignalView& period, const Drive& drive, DriveOptions options) {
-  detail::require_steady(drive);
   const std::optional<Trajectory> segments = period.trajectory();
   if (!segments)
     throw InputError(
@@ -138,6 +137,10 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
   if (reference.over_master())
     throw InputError("axis", "master", "a drive follows a motion over time");
   detail::require_within(options, reference.start(), reference.end());
+  if (options.periodic) {
+    detail::require_steady(drive);
+    if (auto unstable = detail::without_steady_state(drive, reference.start())) return *unstable;
+  }
   DriveResult result = options.periodic ? run_periodic(reference, drive, options)
                                         : run_once(reference, drive, options);
   if (const auto exact =

@@ -11,7 +11,10 @@ std::optional<DriveResult> exact_through(const Trajectory& reference, const Driv
   require_valid(drive);
   require_valid(options, drive);
   detail::require_within(options, reference.start(), reference.end());
-  if (options.periodic) detail::require_steady(drive);
+  if (options.periodic) {
+    detail::require_steady(drive);
+    if (auto unstable = detail::without_steady_state(drive, reference.start())) return unstable;
+  }
   if (nonlinearity(drive) || drive.controller.cycle > 0) return std::nullopt;
   std::optional<DriveResult> result = detail::exact_figures(reference, drive, options);
   if (!result) return std::nullopt;

@@ -59,6 +59,17 @@ void require_steady(const Drive& drive) {
                      "must be 0: the periodic steady state is that of a continuous controller");
 }
 
+std::optional<DriveResult> without_steady_state(const Drive& drive, double start) {
+  const auto unstable = unstable_loop(drive);
+  if (!unstable) return std::nullopt;
+  DriveResult result;
+  result.integration = {Ended::failed, start, 0, 0,
+                        "the loop is unstable at " + number(unstable->where) +
+                            " Hz: it has no periodic steady state"};
+  result.report.findings.push_back(*unstable);
+  return result;
+}
+
 VectorXd periodic_start(const LinearSystem& system, const Trajectory& period, const Drive& drive) {
   require_calm(drive);
   const Index n = system.states();

@@ -282,6 +282,17 @@ TEST_F(Cli, AnUnstableLoopIsAFinding) {
       EXPECT_THAT(drawn.out, StartsWith("<svg"));
     }
   }
+  std::string periodic = delayed_drive(1.1);
+  periodic.replace(periodic.find("settle = 0.3"), 12, "periodic = true");
+  write("periodic.toml", periodic);  // a finding too, though it has no steady state to integrate
+  for (const char* verb : {"validate", "check"}) {
+    const Result found = run(std::string(verb) + " periodic.toml");
+    EXPECT_EQ(found.status, 1) << verb << found.err;
+    EXPECT_THAT(found.out, HasSubstr("the loop is unstable at 278.632 Hz"));
+    EXPECT_THAT(found.out, HasSubstr("-> lower controller.velocity_gain from 0.05 to less than"));
+  }
+  EXPECT_THAT(run("validate periodic.toml").out, HasSubstr("loop unstable at 278.6 Hz, gain margin"));
+  EXPECT_EQ(run("report periodic.toml -o page.html").status, 1);
   write("stable.toml", delayed_drive(0.1));
   const Result calm = run("validate stable.toml");
   EXPECT_EQ(calm.status, 0) << calm.out;
@@ -735,7 +746,8 @@ TEST_F(Cli, WhatIsNotLimitedIsNamedBesideTheLimitsThatHold) {
   const Result checked = run("check better.toml");
   EXPECT_THAT(checked.out, HasSubstr("all limits hold; the closest: "));
   EXPECT_THAT(checked.out, HasSubstr("; not limited: geo_jerk (up to "));
-  EXPECT_THAT(run("design better.toml -o better.csv").out, HasSubstr("\nnot limited: geo_jerk (up to "));
+  EXPECT_THAT(run("design better.toml -o better.csv").out,
+              HasSubstr("\nnot limited: geo_jerk (up to "));
   const json design = json::parse(run("design --json better.toml -o better.csv").out);
   EXPECT_EQ(design["not_limited"][0]["quantity"], "geo_jerk");
   const json report = json::parse(run("check --json better.toml").out);
@@ -781,7 +793,8 @@ TEST_F(Cli, CheckJudgesTheTorqueOfALoad) {
 
 TEST_F(Cli, CheckNamesTheErrorByWhichHimcRefusesATable) {
   write("pvt.toml",
-        "jounce = 1\nkind = \"pvt\"\ncontroller = \"himc\"\nunits = { position = \"mm\", time = \"s\" }\n"
+        "jounce = 1\nkind = \"pvt\"\ncontroller = \"himc\"\nunits = { position = \"mm\", time = "
+        "\"s\" }\n"
         "knot = [{time = 0, position = 0, velocity = 0}, {time = 1, position = 10, velocity = 0}]\n"
         "[limits]\nvelocity = 12\nacceleration = 50\n");
   const Result result = run("check pvt.toml");

@@ -7,6 +7,7 @@
 #include "jounce/cam/followed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
+#include "jounce/validate/loop.hpp"
 
 #include "validate/references.hpp"
 
@@ -141,6 +142,27 @@ TEST(PeriodicDrive, SaysSoWhereTheTorqueMeetsItsLimit) {
   EXPECT_FALSE(exact_through(to_and_fro(), weak, {.periodic = true}));
 }
 
+/// The same finding as without `periodic`, and no run: there is no steady state.
+TEST(PeriodicDrive, ReportsAnUnstableLoop) {
+  Drive drive = strong();
+  drive.motor.current_lag = 5e-3;
+  drive.controller.position_gain = 1e4;
+  const Finding expected = unstable_loop(drive).value();
+  const DriveResult run = drive_through(to_and_fro(), drive, {.samples = 11, .periodic = true});
+  const DriveResult exact = exact_through(to_and_fro(), drive, {.periodic = true}).value();
+  for (const DriveResult& each : {run, exact}) {
+    EXPECT_FALSE(each.integration.ok());
+    EXPECT_NE(each.integration.reason.find("no periodic steady state"), std::string::npos);
+    ASSERT_EQ(each.report.findings.size(), 1U);
+    EXPECT_TRUE(each.report.findings[0].broken);
+    EXPECT_EQ(each.report.findings[0].rule, "drive/stability");
+    EXPECT_EQ(each.report.findings[0].where, expected.where);
+    EXPECT_EQ(each.report.findings[0].value, expected.value);
+  }
+  const std::vector<double> start{2};  // the exact solution itself has nothing to return
+  EXPECT_THROW(exact_period(to_and_fro(), drive, start), InputError);
+}
+
 template <class Change>
 std::string refused(Change change) {
   Drive drive = strong();
@@ -156,11 +178,6 @@ std::string refused(Change change) {
 TEST(PeriodicDrive, RefusesWhatHasNoKnownSteadyState) {
   EXPECT_EQ(refused([](Drive& d) { d.motor.friction.coulomb = 0.1; }), "motor.friction.coulomb");
   EXPECT_EQ(refused([](Drive& d) { d.controller.cycle = 1e-3; }), "controller.cycle");
-  EXPECT_EQ(refused([](Drive& d) {
-              d.motor.current_lag = 5e-3;
-              d.controller.position_gain = 1e4;
-            }),
-            "controller.velocity_gain");
   EXPECT_EQ(refused([](Drive&) {}), "nothing");
   const std::vector<double> late{2, 99};
   EXPECT_THROW(exact_period(to_and_fro(), strong(), late), InputError);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,6 +22,10 @@ PathStart path_start(const LinearSystem& system, const Trajectory& reference, co
 /// Throws InputError, with what is in the way, for a drive whose steady state is not known: one that is not
 /// linear, or whose controller has a cycle.
 void require_steady(const Drive& drive);
+
+/// A result without a run where the loop is unstable: it has no steady state. Its report has the finding
+/// "drive/stability" alone.
+std::optional<DriveResult> without_steady_state(const Drive& drive, double start);
 
 /// The same start as the states of DriveModel.
 std::vector<double> periodic_model_start(const Trajectory& period, const Drive& drive);
