@@ -1,6 +1,7 @@
 #include "jounce/study/against.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -25,7 +26,10 @@
 //
 //   (2)  d <- (d_old + d_new) / 2
 //
-// A figure is known between the instants, too, once it is integrated. A ceiling C that the integrated
+// Of a linear drive peaks between the instants count as well: where a peak of the response, found on a grid 64 times as
+// close, is above what the program saw, it becomes an instant, and all is solved again, until there is none.
+//
+// Every figure is known by integration at the end. A ceiling C that the integrated
 // figure F exceeds is lowered to C C / F, and all is solved again.
 
 namespace jounce {
@@ -34,9 +38,14 @@ namespace {
 using detail::DrivenCam;
 using Lists = DrivenCam::Lists;
 using Status = Outcome::Status;
+using Clock = std::chrono::steady_clock;
 
 constexpr double worth_a_round = 1e-3;  ///< relative gain
 constexpr double rounding = 1e-9;       ///< of a ceiling
+constexpr double new_peak =
+    1e-6;  ///< of a figure: a peak that is higher by more becomes an instant
+constexpr double floor_of_peaks = 1e-9;  ///< of the given figure: below it is rounding
+constexpr int max_exchanges = 12;        ///< of instants, for one solution
 
 /// What a drive has beside its linear twin, at a cam.
 struct Correction {
@@ -152,7 +161,7 @@ class Search {
 
   /// One solution and its run; whether another may be better.
   bool round() {
-    CamShapeOutcome found = optimize_cam_shapes(prepared_.with(correction_, at_most_), watched());
+    CamShapeOutcome found = solved();
     if (!found.usable()) {
       if (!have_) out_.shapes = std::move(found);
       return false;
@@ -163,12 +172,47 @@ class Search {
     const double before = best_.score;
     const CamSpec cam = found.best;
     const bool excess = lower_ceilings(run);
-    if (!run.saturation.empty()) exact_ = false;
+    if (!run.saturation.empty()) {
+      exact_ = false;
+      driven_.forget_peaks();
+    }
     const bool better = take(std::move(found), std::move(run), excess);
     if (stopped) return false;
     if (exact_) return excess;
     return correct(cam, better) &&
            (excess || !better || before - best_.score > worth_a_round * before);
+  }
+
+  /// The shapes of one convex problem, with the peaks of a linear drive where they are.
+  CamShapeOutcome solved() {
+    for (int k = 0;; ++k) {
+      CamShapeOutcome found = optimize_cam_shapes(prepared_.with(correction_, at_most_), watched());
+      const bool done = !exact_ || !found.usable() || found.status == Status::cancelled ||
+                        k == max_exchanges || out_of_time();
+      if (done || add_peaks(found) == 0) return found;
+    }
+  }
+
+  [[nodiscard]] bool out_of_time() const {
+    const std::chrono::duration<double> gone = Clock::now() - begin_;
+    return problem_.seconds && gone.count() >= *problem_.seconds;
+  }
+
+  /// How many peaks of the drive's figures stand out of the instants that were looked at.
+  std::size_t add_peaks(const CamShapeOutcome& found) {
+    std::size_t added = 0;
+    auto figure = found.runs.front().figures.begin();
+    const auto look = [&](const ShapeFigure& of, double level) {
+      if (const auto drive = drive_figure(of))
+        added += driven_.add_peaks(*drive, found.best,
+                                   level * (1 + new_peak) + floor_of_peaks * figure->given);
+      ++figure;
+    };
+    for (const auto& stage : problem_.minimize)
+      for (const WeightedFigure& m : stage) look(m.figure, figure->reached);
+    for (std::size_t i = 0; i < at_most_.size(); ++i)
+      look(problem_.ceilings[i].figure, at_most_[i]);
+    return added;
   }
 
   bool correct(const CamSpec& cam, bool better) {
@@ -287,6 +331,7 @@ class Search {
   Correction correction_;
   std::vector<double> at_most_;
   bool exact_ = true;  ///< the linear drive is the drive
+  Clock::time_point begin_ = Clock::now();
   bool have_ = false;
   Standing best_;  ///< of the given cam to begin with
   Standing told_;  ///< of `out_`

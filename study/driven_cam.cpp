@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t moving = 500;         ///< steps along the cam
 constexpr std::size_t most_settling = 500;  ///< steps of standstill after it
+constexpr std::size_t closer = 8;           ///< times, twice, is where a peak is looked for
+constexpr double same_instant = 1e-6;       ///< of a step
 
 void make_linear(Friction& friction) {
   friction.coulomb = 0;
@@ -74,10 +76,68 @@ Trajectory DrivenCam::over_time(const CamSpec& cam) const {
   return Trajectory(std::move(segments));
 }
 
-std::vector<double> DrivenCam::times() const {
+std::vector<double> DrivenCam::even_times() const {
   std::vector<double> times(moving + settling_ + 1);
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = step_ * static_cast<double>(i);
   return times;
+}
+
+std::vector<double> DrivenCam::times() const {
+  std::vector<double> times = even_times();
+  times.insert(times.end(), peaks_.begin(), peaks_.end());
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+std::vector<double> DrivenCam::magnitudes(DriveFigure figure, const Trajectory& motion,
+                                          const std::vector<double>& at) const {
+  std::vector<double> all;
+  for (const DriveSample& s : samples(motion, at))
+    all.push_back(std::abs(figure == DriveFigure::torque            ? s.torque
+                           : figure == DriveFigure::following_error ? s.following_error
+                                                                    : s.load - s.reference));
+  return all;
+}
+
+std::vector<double> DrivenCam::peaks_of(DriveFigure figure, const Trajectory& motion,
+                                        double level) const {
+  const std::size_t first = figure == DriveFigure::residual ? moving : 0;
+  const double begin = step_ * static_cast<double>(first);
+  std::vector<double> at;
+  for (std::size_t i = 0; i <= closer * (moving + settling_ - first); ++i)
+    at.push_back(begin + step_ / closer * static_cast<double>(i));
+  at.back() = step_ * static_cast<double>(moving + settling_);
+  std::vector<double> closely;  // about each peak, once more as close
+  const std::vector<double> y = magnitudes(figure, motion, at);
+  for (std::size_t i = 1; i + 1 < at.size(); ++i)
+    if (y[i] > y[i - 1] && y[i] >= y[i + 1])
+      for (std::size_t k = 0; k < 2 * closer; ++k)
+        closely.push_back(at[i - 1] + step_ / (closer * closer) * static_cast<double>(k));
+  std::vector<double> found;
+  if (closely.empty()) return found;
+  const std::vector<double> z = magnitudes(figure, motion, closely);
+  for (std::size_t i = 1; i + 1 < closely.size(); ++i) {
+    const double bend = z[i - 1] - 2 * z[i] + z[i + 1];
+    if (z[i] <= z[i - 1] || z[i] < z[i + 1] || !(bend < 0)) continue;
+    const double off = std::clamp((z[i - 1] - z[i + 1]) / (2 * bend), -1.0, 1.0);
+    if (z[i] - (z[i - 1] - z[i + 1]) * off / 4 > level)
+      found.push_back(closely[i] + off * step_ / (closer * closer));
+  }
+  return found;
+}
+
+std::size_t DrivenCam::add_peaks(DriveFigure figure, const CamSpec& cam, double level) {
+  if (figure == DriveFigure::rms_torque || figure == DriveFigure::end_following_error) return 0;
+  const std::vector<double> known = times();
+  const std::size_t before = peaks_.size();
+  for (const double t : peaks_of(figure, over_time(cam), level)) {
+    const auto after = std::lower_bound(known.begin(), known.end(), t);
+    const double near = same_instant * step_;
+    if (after != known.end() && *after - t < near) continue;
+    if (after != known.begin() && t - *std::prev(after) < near) continue;
+    peaks_.push_back(t);
+  }
+  return peaks_.size() - before;
 }
 
 std::vector<DriveSample> DrivenCam::samples(const Trajectory& motion,
@@ -106,18 +166,24 @@ std::vector<double> DrivenCam::weight_slopes(const CamSpec& cam) const {
 std::vector<double> DrivenCam::list(DriveFigure figure, const std::vector<DriveSample>& samples,
                                     const std::vector<double>& slopes) const {
   std::vector<double> y;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const DriveSample& s = samples[i];
-    const double torque = s.torque + (slopes.empty() ? 0 : slopes[i] * s.reference);
+  const std::vector<double> at = times();
+  const std::vector<double> all = even_times();
+  std::size_t i = 0;  // of the next equally spaced instant
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const DriveSample& s = samples[k];
+    const bool even = i < all.size() && at[k] == all[i];
+    const double torque = s.torque + (slopes.empty() ? 0 : slopes[k] * s.reference);
     if (figure == DriveFigure::torque) y.push_back(torque);
     if (figure == DriveFigure::following_error) y.push_back(s.following_error);
-    if (figure == DriveFigure::rms_torque && i <= moving) {
+    if (figure == DriveFigure::rms_torque && even && i <= moving) {
       // The mean of the squares is the trapezoidal rule: half of both ends, over one interval less.
       const double share = (i == 0 || i == moving ? 0.5 : 1.0) * (moving + 1.0) / moving;
       y.push_back(std::sqrt(share) * torque);
     }
-    if (figure == DriveFigure::residual && i >= moving) y.push_back(s.load - s.reference);
-    if (figure == DriveFigure::end_following_error && i == moving) y.push_back(s.following_error);
+    if (figure == DriveFigure::residual && at[k] >= all[moving]) y.push_back(s.load - s.reference);
+    if (figure == DriveFigure::end_following_error && even && i == moving)
+      y.push_back(s.following_error);
+    if (even) ++i;
   }
   return y;
 }

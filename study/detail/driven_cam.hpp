@@ -7,7 +7,8 @@
 
 #include "jounce/study/against.hpp"
 
-/// A cam as a drive that follows it once sees it, of which one run of segments changes.
+/// A cam as a drive that follows it once sees it, of which one run of segments changes. The drive is looked at at
+/// equally spaced instants, and at the peaks that add_peaks() found between them.
 namespace jounce::detail {
 
 class DrivenCam {
@@ -17,6 +18,13 @@ class DrivenCam {
 
   /// What a figure is made of, at the instants that are looked at.
   using Lists = std::map<DriveFigure, std::vector<double>>;
+
+  /// Adds an instant at each peak of a figure along a cam that is above a level and lies between the instants that are
+  /// looked at; how many. For a linear drive.
+  std::size_t add_peaks(DriveFigure figure, const CamSpec& cam, double level);
+
+  /// Looks at the equally spaced instants alone again.
+  void forget_peaks() { peaks_.clear(); }
 
   /// How the torque that an arm's weight asks for grows with the reference, N m/u, at these instants
   /// along a cam; none without an arm.
@@ -37,7 +45,15 @@ class DrivenCam {
 
  private:
   [[nodiscard]] Trajectory over_time(const CamSpec& cam) const;
+  /// Where a figure's peaks are between the instants, s: of magnitudes above the level.
+  [[nodiscard]] std::vector<double> peaks_of(DriveFigure figure, const Trajectory& motion,
+                                             double level) const;
+  /// The magnitudes of a figure whose peak counts, along a motion.
+  [[nodiscard]] std::vector<double> magnitudes(DriveFigure figure, const Trajectory& motion,
+                                               const std::vector<double>& at) const;
+  /// The instants that are looked at, ascending.
   [[nodiscard]] std::vector<double> times() const;
+  [[nodiscard]] std::vector<double> even_times() const;
   [[nodiscard]] std::vector<DriveSample> samples(const Trajectory& motion,
                                                  const std::vector<double>& at) const;
   [[nodiscard]] std::vector<double> list(DriveFigure figure,
@@ -50,6 +66,7 @@ class DrivenCam {
   std::vector<Segment> before_, after_;  ///< after of the cam, over time
   double step_ = 0;                      ///< s
   std::size_t settling_ = 0;             ///< steps
+  std::vector<double> peaks_;            ///< instants beside the equally spaced ones, s
 };
 
 /// The number that a run has for a figure.
