@@ -5,6 +5,7 @@
 
 #include "jounce/optimize/detail/cam_run.hpp"
 #include "jounce/optimize/detail/not_convex.hpp"
+#include "jounce/optimize/detail/optimized_from.hpp"
 #include "jounce/optimize/detail/shape_report.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -70,8 +71,8 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
     watch.progress.stage = stage;
     run.minimize = problem.minimize[stage];
     run.ceilings = kept(problem, stages);
-    ShapeOutcome found =
-        optimize_shape(run, [&](int round, double value) { return watch(round, value); });
+    ShapeOutcome found = optimizer::optimized_from(
+        run, best.segments, [&](int round, double value) { return watch(round, value); });
     if (stage > 0 && !found.usable()) {
       best.status = found.status == Status::cancelled ? found.status : Status::stalled;
       best.reason = name(problem.minimize[stage].front().figure) +
@@ -129,9 +130,42 @@ bool CamShapeOutcome::usable() const {
 
 namespace {
 
+/// Whether a segment that begins at x keeps a corridor, to the digits that `check` forgives.
+bool keeps(const Corridor& corridor, const Segment& segment, double x) {
+  if (corridor.from == corridor.to || x + segment.length > corridor.to * (1 + rounding) ||
+      x < corridor.from * (1 - rounding))
+    return true;
+  const Range range =
+      segment_range(optimizer::quantity_of(corridor.quantity, segment), x, x + segment.length, 0);
+  const auto flat = [](const std::optional<Edge>& edge) {
+    return edge && edge->at_from == edge->at_to;
+  };
+  constexpr double forgiven = 1e-12;
+  return !(flat(corridor.upper) &&
+           range.max.value >
+               corridor.upper->at_from + forgiven * std::abs(corridor.upper->at_from)) &&
+         !(flat(corridor.lower) &&
+           range.min.value <
+               corridor.lower->at_from - forgiven * std::abs(corridor.lower->at_from));
+}
+
+/// Whether the segments of a run keep the corridors of derivatives as designed.
+bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
+                     const CamRunOf& run) {
+  const CamDesign made = design(cam);
+  for (const Corridor& corridor : corridors)
+    for (std::size_t i = 0; i < made.origin.size(); ++i)
+      if (corridor.quantity.by[0] == 0 &&
+          std::count(run.segments.begin(), run.segments.end(), made.origin[i]) > 0 &&
+          !keeps(corridor, made.cam.segments()[i], made.cam.breaks()[i]))
+        return false;
+  return true;
+}
+
 /// Whether the segments of a run keep the limits as designed.
-bool keeps_limits(const CamSpec& cam, const Limits& limits, const CamRunOf& run) {
-  const Report report = limits_of(cam, limits);
+bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamRunOf& run) {
+  if (!keeps_corridors(cam, problem.corridors, run)) return false;
+  const Report report = limits_of(cam, problem.limits);
   return std::none_of(report.findings.begin(), report.findings.end(), [&](const Finding& f) {
     return f.broken && f.segment &&
            std::count(run.segments.begin(), run.segments.end(), *f.segment) > 0;
@@ -145,13 +179,13 @@ void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
   const double parts = static_cast<double>(watch.progress.runs * watch.progress.stages);
   CamRunOutcome found;
   CamSpec best = outcome.best;
-  for (const double accuracy : {rounding, joints}) {
+  for (const double accuracy : {rounding, joints, 100 * joints}) {
     ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
     if (problem.seconds) shape.seconds = *problem.seconds / parts;
     found = optimized(problem, run, shape, watch);
     if (found.shape.segments.empty()) break;
     best = detail::with_shape(outcome.best, run, shape, found.shape.segments);
-    if (!found.shape.usable() || keeps_limits(best, problem.limits, run)) break;
+    if (!found.shape.usable() || keeps_limits(best, problem, run)) break;
   }
   outcome.best = std::move(best);
   outcome.runs.push_back(std::move(found));

@@ -6,6 +6,7 @@
 
 #include "jounce/optimize/detail/findings.hpp"
 #include "jounce/optimize/detail/not_convex.hpp"
+#include "jounce/optimize/detail/optimized_from.hpp"
 #include "jounce/optimize/detail/shape_exchange.hpp"
 #include "jounce/optimize/detail/shape_report.hpp"
 
@@ -15,7 +16,12 @@
 //
 //   (1)  s = (b - c) / (a - c)
 //
-// of its length. A knot there, and the next optimum has less to average.
+// of its length. A knot there, and the next optimum has less to average. A piece with a mean b beyond both neighbours, or at an
+// end, holds a shorter stretch at a limit l of that derivative (its peak, or an edge of a corridor), and beside it the value a of a neighbour:
+//
+//   (2)  share of the stretch = (b - a) / (l - a)
+//
+// next to the neighbour that is like b, else in the middle.
 
 namespace jounce {
 namespace {
@@ -31,34 +37,105 @@ constexpr int max_refinements = 12;
 constexpr std::size_t most_new_knots = 24;
 constexpr double shortest_piece = 1e-7;  ///< of the shape
 
-/// Where (1) wants knots; the largest steps first.
-std::vector<double> switches(const ShapeModel& model, const Coordinates& z) {
-  struct Switch {
-    double weight = 0;
-    double x = 0;
-  };
-  const auto& space = model.space;
-  const auto top = [&](std::size_t i) {
-    return z[space.index(i, space.degree())] * space.unit(i, space.degree());
-  };
-  const double shortest = shortest_piece * (space.knots().back() - space.knots().front());
-  double largest = 0;
-  for (std::size_t i = 0; i < space.pieces(); ++i) largest = std::max(largest, std::abs(top(i)));
-  std::vector<Switch> found;
-  for (std::size_t i = 1; i + 1 < space.pieces(); ++i) {
-    const double a = top(i - 1), b = top(i), c = top(i + 1);
-    if ((b - a) * (c - b) <= 0) continue;
-    const double s = (b - c) / (a - c);
-    const double least = std::min(s, 1 - s);
-    if (least * space.length(i) < shortest || std::abs(c - a) < 1e-6 * largest) continue;
-    found.push_back(
-        {std::abs(c - a) * least * space.length(i), space.knots()[i] + s * space.length(i)});
+/// A place for a knot.
+struct KnotPlace {
+  double weight = 0;  ///< step times distance to the next knot
+  double x = 0;
+};
+
+/// What the highest derivative may be on a piece.
+struct TopRange {
+  double lower = -HUGE_VAL;
+  double upper = HUGE_VAL;
+};
+
+/// Finds where (1) and (2) want knots.
+class Switches {
+ public:
+  Switches(const ShapeProblem& problem, const ShapeModel& model, const Coordinates& z)
+      : problem_(problem), space_(model.space) {
+    for (std::size_t i = 0; i < space_.pieces(); ++i) {
+      top_.push_back(z[space_.index(i, space_.degree())] * space_.unit(i, space_.degree()));
+      largest_ = std::max(largest_, std::abs(top_.back()));
+    }
   }
-  std::sort(found.begin(), found.end(), [](auto& a, auto& b) { return a.weight > b.weight; });
-  std::vector<double> x;
-  for (std::size_t i = 0; i < std::min(found.size(), most_new_knots); ++i) x.push_back(found[i].x);
-  return x;
-}
+
+  /// The largest steps first.
+  std::vector<double> places() {
+    for (std::size_t i = 0; i < top_.size(); ++i) look(i);
+    std::sort(found_.begin(), found_.end(), [](auto& a, auto& b) { return a.weight > b.weight; });
+    std::vector<double> x;
+    for (std::size_t i = 0; i < std::min(found_.size(), most_new_knots); ++i)
+      x.push_back(found_[i].x);
+    return x;
+  }
+
+ private:
+  [[nodiscard]] bool differ(double a, double b) const { return std::abs(a - b) >= 1e-6 * largest_; }
+
+  void look(std::size_t i) {
+    const double b = top_[i];
+    const double a = i > 0 ? top_[i - 1] : b;
+    const double c = i + 1 < top_.size() ? top_[i + 1] : b;
+    if ((b - a) * (c - b) > 0) return add(i, (b - c) / (a - c), c - a);
+    const bool before = differ(a, b);
+    const bool after = differ(c, b);
+    if (!before && !after) return;
+    const double beside = before && after ? (a + c) / 2 : before ? a : c;
+    const TopRange range = range_of(i);
+    const double limit = b > beside ? range.upper : range.lower;
+    if (!std::isfinite(limit) || !differ(limit, b)) return;
+    const double share = (b - beside) / (limit - beside);  // (2)
+    if (before && after) {
+      add(i, (1 - share) / 2, limit - beside);
+      add(i, (1 + share) / 2, limit - beside);
+    } else {
+      add(i, before ? 1 - share : share, limit - beside);
+    }
+  }
+
+  void add(std::size_t i, double s, double step) {
+    const double h = space_.length(i);
+    const double least = std::min(s, 1 - s);
+    const double shortest = shortest_piece * (space_.knots().back() - space_.knots().front());
+    if (least * h < shortest || !differ(step, 0)) return;
+    found_.push_back({std::abs(step) * least * h, space_.knots()[i] + s * h});
+  }
+
+  [[nodiscard]] bool is_top(const LinearQuantity& q) const {
+    const auto order = static_cast<std::size_t>(space_.degree());
+    return order < q.by.size() && q.by[order] != 0 &&
+           std::count_if(q.by.begin(), q.by.end(), [](double by) { return by != 0; }) == 1;
+  }
+
+  /// By corridors, and by the peak that is minimised.
+  [[nodiscard]] TopRange range_of(std::size_t i) const {
+    TopRange range;
+    const double x = space_.knots()[i] + space_.length(i) / 2;
+    for (const WeightedFigure& m : problem_.minimize)
+      if (const auto* peak = std::get_if<PeakOf>(&m.figure); peak && is_top(peak->quantity))
+        range = {-largest_, largest_};
+    for (const Corridor& corridor : problem_.corridors) {
+      if (!is_top(corridor.quantity) || x < corridor.from || x > corridor.to) continue;
+      const LinearQuantity& q = corridor.quantity;
+      const double by = q.by[static_cast<std::size_t>(space_.degree())];
+      const auto at = [&](const Edge& edge) {
+        return (optimizer::edge_at(corridor, edge, x) - q.constant) / by;
+      };
+      const auto& upper = by > 0 ? corridor.upper : corridor.lower;
+      const auto& lower = by > 0 ? corridor.lower : corridor.upper;
+      if (upper) range.upper = std::min(range.upper, at(*upper));
+      if (lower) range.lower = std::max(range.lower, at(*lower));
+    }
+    return range;
+  }
+
+  const ShapeProblem& problem_;
+  const optimizer::SplineSpace& space_;
+  std::vector<double> top_;  ///< the highest derivative of each piece
+  double largest_ = 0;
+  std::vector<KnotPlace> found_;
+};
 
 /// Of a response and of its rms, which is not above it: planes hold what is next to nothing, a
 /// multiplier does not.
@@ -69,23 +146,31 @@ ShapeFigure peak_of(const ShapeFigure& figure) {
 
 class ShapeSearch {
  public:
-  ShapeSearch(const ShapeProblem& problem, const ShapeKeepGoing& keep_going)
+  /// `start`: a shape to begin with; none: the given one.
+  ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start,
+              const ShapeKeepGoing& keep_going)
       : problem_(problem),
         keep_going_(keep_going),
         begin_(Clock::now()),
-        given_(optimizer::given_shape(problem)) {}
+        given_(optimizer::given_shape(problem)),
+        start_(std::move(start)) {
+    if (start_.empty()) return;
+    const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
+    const double sum = optimizer::weighted_sum(model, start_);
+    if (std::isfinite(sum) && sum > 1e-6) scale_ = sum;
+  }
 
   ShapeOutcome run() {
     std::vector<double> knots = optimizer::first_knots(problem_);
-    std::vector<Segment> from = given_;
+    std::vector<Segment> from = start_.empty() ? given_ : start_;
     for (int k = 0;; ++k) {
-      const ShapeModel model(problem_, knots, given_, true);
+      const ShapeModel model(problem_, knots, given_, true, scale_);
       ShapeSolution found = improve(model, from);
       const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
       if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
       if (near_bound() || before - out_.value < problem_.tolerance / 100 * out_.value) break;
-      const std::vector<double> more = switches(model, found.z);
+      const std::vector<double> more = Switches(problem_, model, found.z).places();
       if (more.empty()) break;
       knots.insert(knots.end(), more.begin(), more.end());
       std::sort(knots.begin(), knots.end());
@@ -116,7 +201,7 @@ class ShapeSearch {
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k)
       calm.ceilings.push_back({peak_of(problem_.minimize[k].figure), nothing_of_[k]});
     if (problem_.seconds) calm.seconds = std::max(*problem_.seconds - elapsed(), 1e-3);
-    const ShapeOutcome found = ShapeSearch(calm, keep_going_).run();
+    const ShapeOutcome found = ShapeSearch(calm, {}, keep_going_).run();
     out_.rounds += found.rounds;
     out_.evaluations += found.evaluations;
     if (found.status == Outcome::Status::cancelled)
@@ -137,7 +222,7 @@ class ShapeSearch {
   ShapeSolution improve(const ShapeModel& model, const std::vector<Segment>& from) {
     const auto go_on = [&](int round, double value) {
       out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
-      return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value));
+      return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value * scale_));
     };
     const double tolerance = problem_.tolerance;
     return optimizer::minimised(model, model.space.coordinates(from), tolerance,
@@ -165,7 +250,7 @@ class ShapeSearch {
     optimizer::make_exact(problem_, shape);
     out_.rounds += found.rounds;
     out_.evaluations += found.iterations;
-    const double value = optimizer::weighted_sum(model, shape);
+    const double value = optimizer::weighted_sum(model, shape) * model.scale;
     Report limits = optimizer::checked(problem_, model, shape);
     const bool first = out_.segments.empty();
     if (!first && (found.end != End::solved || !limits.ok() || value > out_.value)) {
@@ -176,12 +261,13 @@ class ShapeSearch {
     out_.value = value;
     out_.limits = std::move(limits);
     out_.spline_bound = found.bound;
-    if (found.bound) out_.spline_bound = std::max(*found.bound, 0.0);  // no figure is below 0
+    if (found.bound)  // no figure is below 0
+      out_.spline_bound = std::max(*found.bound * model.scale, 0.0);
     nothing_ = 0;
     nothing_of_.clear();
     for (const auto& term : model.terms) {
       nothing_of_.push_back(term.rows.nothing * term.rows.natural);
-      nothing_ += term.weight * nothing_of_.back() / term.unit;
+      nothing_ += term.weight * nothing_of_.back() / term.unit * model.scale;
     }
     if (out_.value <= nothing_ && out_.spline_bound) out_.spline_bound = 0;
     fill_figures(model);
@@ -223,6 +309,8 @@ class ShapeSearch {
   const ShapeKeepGoing& keep_going_;
   Clock::time_point begin_;
   std::vector<Segment> given_;
+  std::vector<Segment> start_;
+  double scale_ = 1;  ///< of the model
   ShapeOutcome out_;
   bool out_of_time_ = false;
   double nothing_ = 0;              ///< a sum that is only rounding
@@ -232,9 +320,14 @@ class ShapeSearch {
 }  // namespace
 
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+  return optimizer::optimized_from(problem, {}, keep_going);
+}
+
+ShapeOutcome optimizer::optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
+                                       const ShapeKeepGoing& keep_going) {
   require_valid(problem);
-  if (optimizer::needs_search(problem)) return optimizer::searched(problem, keep_going);
-  return ShapeSearch(problem, keep_going).run();
+  if (needs_search(problem)) return searched(problem, keep_going);
+  return ShapeSearch(problem, std::move(start), keep_going).run();
 }
 
 }  // namespace jounce

@@ -84,6 +84,22 @@ void add_limits(const CamShapeProblem& problem, const CamRunOf& run, double accu
     if (rates[k]) add(k + 1, -*rates[k], rates[k]);
 }
 
+/// A corridor of a derivative over a stretch, with what the positions' accuracy takes off both its edges.
+Corridor narrowed(Corridor c, const CamShapeProblem& problem, const CamRunOf& run,
+                  double accuracy) {
+  double room = 0;
+  for (std::size_t k = 1; k < names.size(); ++k)
+    room += std::abs(c.quantity.by[k]) * worth(problem, run, accuracy, k);
+  if (c.from == c.to) return c;
+  if (c.lower && c.upper)
+    for (const double width :
+         {c.upper->at_from - c.lower->at_from, c.upper->at_to - c.lower->at_to})
+      if (width < 4 * room) return c;  // kept exactly, or nearly so
+  if (c.lower) c.lower = Edge{c.lower->at_from + room, c.lower->at_to + room};
+  if (c.upper) c.upper = Edge{c.upper->at_from - room, c.upper->at_to - room};
+  return c;
+}
+
 void add_monotone(const CamShapeProblem& problem, const CamRunOf& run, std::vector<Corridor>& all) {
   const auto resolved = resolved_knots(problem.cam);
   for (std::size_t r = 0; r < run.segments.size(); ++r) {
@@ -151,7 +167,8 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, 
     add_knot(run.knots[r], r > 0 && r + 1 < run.knots.size(), p.corridors);
   add_limits(problem, run, accuracy, p.corridors);
   add_monotone(problem, run, p.corridors);
-  for (const Corridor& corridor : problem.corridors) cut(corridor, run, p.corridors);
+  for (const Corridor& corridor : problem.corridors)
+    cut(narrowed(corridor, problem, run, accuracy), run, p.corridors);
   p.ceilings = problem.ceilings;
   p.seed = problem.seed;
   p.max_evaluations = problem.max_evaluations;

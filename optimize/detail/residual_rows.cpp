@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "jounce/optimize/detail/band_peaks.hpp"
 #include "jounce/optimize/detail/lifted.hpp"
 #include "jounce/optimize/detail/nodes.hpp"
 #include "jounce/profiles/vibration_band.hpp"
@@ -16,8 +17,8 @@
 //   (2)  |R| is the highest of the planes Re(e^(-i t) R) over all directions t
 //
 // The worst of a band is the highest of the planes of all its modes: convex. To begin with a few modes
-// have four planes each; then each part of the band adds the plane that touches where it is worst, if
-// that exceeds the level.
+// have four planes each; then each part of the band, and each local peak, adds the plane that touches where it is
+// worst, if that exceeds the level.
 
 namespace jounce::optimizer {
 namespace {
@@ -169,6 +170,13 @@ Plane planes_of(const SplineSpace& space, const ModeBand& band, const Lift* lift
   return [few](const Mode& mode, Complex direction) { return few->plane(mode, direction); };
 }
 
+/// The worst mode of the band as far as worst_residual() proves it, and every local peak.
+double residual_of(const Trajectory& motion, const ModeBand& band) {
+  double most = worst_residual(motion, band).residual;
+  for (const WorstMode& peak : band_peaks(motion, band)) most = std::max(most, peak.residual);
+  return most;
+}
+
 std::vector<Form> planes_to_begin_with(const ModeBand& band, const Plane& plane) {
   constexpr std::array directions{Complex(1, 0), Complex(-1, 0), Complex(0, 1), Complex(0, -1)};
   std::vector<Form> planes;
@@ -184,7 +192,7 @@ FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lif
   const ModeBand band = band_of(figure);
   const double begin = space.knots().front();
   FigureRows rows{.name = name(figure), .value = [band, begin](const auto& shape) {
-                    return worst_residual(Trajectory(shape, begin), band).residual;
+                    return residual_of(Trajectory(shape, begin), band);
                   }};
   rows.natural = space.natural(derivative_of_shape(0));
   const Plane plane = planes_of(space, band, lift, rows);
@@ -192,12 +200,13 @@ FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lif
   rows.cuts = [band, begin, plane](const std::vector<Segment>& shape, double level) {
     const Trajectory motion(shape, begin);
     std::vector<Form> planes;
-    for (const ModeBand& part : parts_of(band)) {
-      const WorstMode worst = worst_residual(motion, part, search_tolerance);
-      if (!(worst.residual > level)) continue;
+    const auto cut = [&](const WorstMode& worst) {
+      if (!(worst.residual > level)) return;
       const Complex at = residual_phasor(motion, worst.mode);
       planes.push_back(plane(worst.mode, at / std::abs(at)));
-    }
+    };
+    for (const ModeBand& part : parts_of(band)) cut(worst_residual(motion, part, search_tolerance));
+    for (const WorstMode& peak : band_peaks(motion, band)) cut(peak);
     return planes;
   };
   return rows;

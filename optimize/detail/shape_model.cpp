@@ -87,12 +87,13 @@ bool is_silence(const Ceiling& c, double natural) {
 }  // namespace
 
 ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-                       const std::vector<Segment>& given, bool lift)
+                       const std::vector<Segment>& given, bool lift, double counted_in)
     : space([&] {
         const Size size = size_of(problem, given);
         return SplineSpace(std::move(knots), problem.degree, order_in(problem), size.unit,
                            size.offset);
-      }()) {
+      }()),
+      scale(counted_in) {
   equalities = space.joints();
   for (Form& f : space.ends(problem.from, problem.to, problem.periodic))
     equalities.push_back(std::move(f));
@@ -126,7 +127,7 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
     FigureRows rows = rows_of(m.figure, {}, false);
     const double value = rows.value(given);
     const double unit = std::abs(value) > 1e-9 * rows.natural ? std::abs(value) : rows.natural;
-    terms.push_back({std::move(rows), m.weight, unit, order_in(m.figure)});
+    terms.push_back({std::move(rows), m.weight, unit * scale, order_in(m.figure)});
   }
 }
 

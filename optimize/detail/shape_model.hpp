@@ -29,15 +29,16 @@ struct RoundCeiling {
 
 struct ShapeModel {
   /// `given`: a shape over the whole interval. Every figure must have rows. `lift`: responses have
-  /// unknowns of their own.
+  /// unknowns of their own. `scale`: about what the weighted sum will be, for given shapes are 1; the solver counts in it.
   ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-             const std::vector<Segment>& given, bool lift = false);
+             const std::vector<Segment>& given, bool lift = false, double scale = 1);
   ShapeModel(const ShapeModel&) = delete;
   ShapeModel& operator=(const ShapeModel&) = delete;
 
   SplineSpace space;
   std::vector<Form> equalities;  ///< joints, ends, stretches in step: of size one
   std::vector<bool> fixed;       ///< coordinates that these alone determine
+  double scale = 1;              ///< that all units of terms have as a factor
   std::vector<Term> terms;
   std::vector<Wall> walls;
   std::vector<RoundCeiling> round;
@@ -55,7 +56,7 @@ struct ShapeModel {
   [[nodiscard]] double freedom(const Form& form) const;
 };
 
-/// sum of weight * figure / unit.
+/// sum of weight * figure / unit: in the model's scale.
 double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape);
 
 /// `pieces` equal pieces, with knots where corridors begin and end.

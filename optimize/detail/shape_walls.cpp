@@ -8,6 +8,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double most_off = 1e-2;
+constexpr double planes_off = 1e-8;  ///< of a figure's ceiling: planes 1e-7 apart count as one
 
 bool is_within(const SplineSpace& space, const Corridor& c, std::size_t piece) {
   const double near = same_knot * space.length(piece);
@@ -147,8 +148,9 @@ void add_exact(const SplineSpace& space, const Corridor& c, std::vector<Form>& e
 
 Wall wall_of(FigureRows rows, double at_most) {
   Wall wall{"limit/" + rows.name, at_most > 0 ? at_most : rows.natural};
+  wall.off = planes_off;
   if (rows.accuracy > 0)
-    wall.off = std::clamp(rows.accuracy * rows.natural / wall.scale, margin, most_off);
+    wall.off = std::clamp(rows.accuracy * rows.natural / wall.scale, planes_off, most_off);
   for (const Form& f : rows.start) wall.start.push_back(minus(f, at_most));
   wall.beyond = [rows = std::move(rows), at_most, scale = wall.scale](
                     const std::vector<Segment>& shape, double slack) {
