@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/io/make.hpp"
+#include "jounce/io/ramped_limits.hpp"
 #include "jounce/io/report_text.hpp"
 #include "jounce/io/spec_edit.hpp"
 #include "jounce/io/units.hpp"
@@ -43,10 +44,13 @@ void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
   fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
   fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
              "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
-  for (const auto& r : outcome.objectives)
-    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>9.2f} %   {}\n", name(r.objective),
-               rounded(r.given), rounded(r.reached), rounded(r.bound), 100 * r.gap(),
+  for (const auto& r : outcome.objectives) {
+    const bool known = r.bound > 0 || r.reached == 0;
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>11}   {}\n", name(r.objective),
+               rounded(r.given), rounded(r.reached), known ? rounded(r.bound) : "-",
+               known ? fmt::format("{:.2f} %", 100 * r.gap()) : "-",
                objective_unit(r.objective, labels.units));
+  }
   if (outcome.usable())
     for (const auto& finding : outcome.active)
       fmt::print(out, "  - {}\n", active_sentence(finding, labels));
@@ -85,12 +89,13 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
 
 int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
   const CamProblem problem = make_problem(spec);
+  const RampedLimits ramped = ramped_limits(spec);
   const Labels labels = labels_of(spec);
   Outcome outcome;
   {
     Progress progress("optimising");
     const Interrupt interrupt;
-    outcome = optimize(problem, [&](const OptimizeProgress& p) {
+    outcome = optimize(problem, ramped, [&](const OptimizeProgress& p) {
       const double stages = static_cast<double>(problem.minimize.size());
       const double done =
           static_cast<double>(p.objective) +

@@ -9,6 +9,7 @@
 #include "jounce/cam/polydyne.hpp"
 #include "jounce/io/detail/cam_of.hpp"
 #include "jounce/io/detail/motion.hpp"
+#include "jounce/io/ramped_limits.hpp"
 #include "jounce/io/table_target.hpp"
 #include "jounce/io/units.hpp"
 #include "jounce/optimize/least_peak.hpp"
@@ -349,6 +350,12 @@ Limits all_limits(const Spec& spec) {
 }
 
 }  // namespace
+
+RampedLimits ramped_limits(const Spec& spec) {
+  if (!spec.master) return {};
+  const double w = spec.master->velocity;
+  return {spec.master->acceleration.value_or(0) / (w * w), slave_limits_by_master(spec)};
+}
 
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);

@@ -186,7 +186,8 @@ std::string Labels::unit_of(const std::string& quantity) const {
   if (quantity == "time") return units.x;
   const auto& names = over_master ? OverMaster::names : OverTime::names;
   for (std::size_t k = 0; k < names.size(); ++k)
-    if (quantity == names[k] || quantity == std::string("step of ") + names[k])
+    if (quantity == names[k] || quantity == std::string("step of ") + names[k] ||
+        quantity.starts_with(std::string(names[k]) + " while "))
       return rate_unit(units.position, units.x, static_cast<int>(k));
   return "";
 }

@@ -40,10 +40,10 @@
 // Square of acceleration: the cubic solves f'''' = 0, natural for the integral of f''^2:
 //     (11) 4 (v0^2 + v0 v1 + v1^2) / L - 12 d (v0 + v1) / L^2 + 12 d^2 / L^3
 //
-// A place to pass inside a stretch, its velocity open: what Taylor's polynomial from an end leaves there,
+// A place to pass inside a stretch, its velocity open, its slave within bounds: what Taylor's polynomial from an end leaves there at least,
 //     (12) n2 = |d - v0 L|,   n3 = |d - v0 L - a0 L^2 / 2|,
 //          A >= 2 n2 / L^2,   J >= 6 n3 / L^3,   integral of f''^2 >= 3 n2^2 / L^3
-// Where its master is free within bounds, the bounds are cut into cells; over a cell n is least and L
+// (of the slaves that are allowed, the nearest). Where its master is free within bounds, the bounds are cut into cells; over a cell n is least and L
 // greatest, and the least of all cells holds.
 
 namespace jounce {
@@ -174,21 +174,21 @@ double bound_of_stretch(const Stretch& s, Objective objective, const Limits& lim
 
 /// A place inside a stretch that the cam passes: how far above the beginning, and how far after it.
 struct Passing {
-  double displacement = 0;
+  Bound displacement;
   Bound after;
 };
 
-/// The least |d - v L - a L^2 / 2| for L between two lengths > 0.
-double least_rest(double d, double v, double a, const Bound& length) {
+/// The least |d - v L - a L^2 / 2| for d, and for L > 0, within their bounds.
+double least_rest(const Bound& d, double v, double a, const Bound& length) {
   const auto between = [](double x, double y) { return std::pair{std::min(x, y), std::max(x, y)}; };
   const auto [v_low, v_high] = between(v * length.lower, v * length.upper);
   const auto [a_low, a_high] =
       between(a * length.lower * length.lower / 2, a * length.upper * length.upper / 2);
-  return std::max({0.0, d - v_high - a_high, v_low + a_low - d});
+  return std::max({0.0, d.lower - v_high - a_high, v_low + a_low - d.upper});
 }
 
 /// (12) from the beginning of a stretch to a place `d` above it.
-double bound_of_side(const Stretch& s, double d, const Bound& length, Objective objective) {
+double bound_of_side(const Stretch& s, const Bound& d, const Bound& length, Objective objective) {
   const double L = length.upper;
   if (!(L > 0)) return 0;
   if (objective == Objective::peak_jerk)
@@ -208,25 +208,29 @@ double bound_through(const Stretch& s, const Passing& place, Objective objective
                      i + 1 == cells ? place.after.upper : place.after.lower + (i + 1) * width};
     const Bound left{s.length - cell.upper, s.length - cell.lower};
     const double before = bound_of_side(s, place.displacement, cell, objective);
-    const double after = bound_of_side(back, place.displacement - s.displacement, left, objective);
+    const Bound behind{place.displacement.lower - s.displacement,
+                       place.displacement.upper - s.displacement};
+    const double after = bound_of_side(back, behind, left, objective);
     least = std::min(
         least, objective == Objective::rms_acceleration ? before + after : std::max(before, after));
   }
   return least;
 }
 
-/// The knots between two others whose slave stays, each with the room of its master.
+/// The knots between two others, each with the room of its master and slave.
 std::vector<Passing> passed(const CamProblem& problem, const std::vector<Knot>& knots,
-                            const std::vector<Freedom>& free, std::size_t from, std::size_t to) {
+                            std::size_t from, std::size_t to) {
   std::vector<Passing> all;
   for (std::size_t i = from + 1; i < to; ++i) {
-    if (free[i][1]) continue;
     Bound master{knots[i][0], knots[i][0]};
-    for (const FreeKnot& each : problem.free)
+    Bound slave{knots[i][1], knots[i][1]};
+    for (const FreeKnot& each : problem.free) {
       if (each.knot == i && each.master) master = *each.master;
+      if (each.knot == i && each.slave) slave = *each.slave;
+    }
     const Bound after{std::max(master.lower, knots[from][0]) - knots[from][0],
                       std::min(master.upper, knots[to][0]) - knots[from][0]};
-    all.push_back({knots[i][1] - knots[from][1], after});
+    all.push_back({{slave.lower - knots[from][1], slave.upper - knots[from][1]}, after});
   }
   return all;
 }
@@ -299,7 +303,7 @@ double lower_bound(const CamProblem& problem, Objective objective) {
       if (!takes_acceleration(segments[*from].law)) s.a0.reset();
       if (!takes_acceleration(segments[i - 1].law)) s.a1.reset();
       double share = bound_of_stretch(s, objective, problem.limits);
-      for (const Passing& place : passed(problem, knots, free, *from, i))
+      for (const Passing& place : passed(problem, knots, *from, i))
         share = std::max(share, bound_through(s, place, objective));
       combine(share);
     }

@@ -8,6 +8,8 @@
 #include "jounce/optimize/detail/attempts.hpp"
 #include "jounce/optimize/detail/convex_bound.hpp"
 #include "jounce/optimize/detail/findings.hpp"
+#include "jounce/optimize/ramped.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
@@ -32,19 +34,19 @@ std::size_t order_of(Objective objective) {
 /// One call of optimize(): starts, one objective after the other, and the answer.
 class Search {
  public:
-  Search(const CamProblem& problem, const KeepGoing& keep_going)
-      : problem_(problem), keep_going_(keep_going), space_(problem) {
+  Search(const CamProblem& problem, const RampedLimits& ramped, const KeepGoing& keep_going)
+      : problem_(problem), ramped_(ramped), keep_going_(keep_going), space_(problem) {
     const CamDesign given = design(problem.cam);
     for (const Objective objective : problem.minimize) {
       const double value = value_of(objective, given.cam);
       outcome_.objectives.push_back({objective, value, value, lower_bound(problem, objective)});
     }
-    for (Finding finding : check(given.cam, problem.limits).findings) {
+    for (Finding finding : optimizer::limits_of(problem.limits, ramped, given.cam).findings) {
       if (!finding.broken || broken_where_fixed_) continue;
       finding.segment = given.origin[*finding.segment];
       if (!space_.moves[*finding.segment]) broken_where_fixed_ = finding;
     }
-    ceilings_ = optimizer::ceilings_of(problem.limits, space_);
+    ceilings_ = optimizer::ceilings_of(problem.limits, ramped, space_);
   }
 
   Outcome run() {
@@ -183,7 +185,7 @@ class Search {
     outcome_.best = optimizer::spec_at(space_, z);
     const CamDesign made = design(outcome_.best);
     for (ObjectiveResult& r : outcome_.objectives) r.reached = value_of(r.objective, made.cam);
-    outcome_.limits = check(made.cam, problem_.limits);
+    outcome_.limits = optimizer::limits_of(problem_.limits, ramped_, made.cam);
     for (Finding& finding : outcome_.limits.findings)
       if (finding.segment) finding.segment = made.origin[*finding.segment];
     if (feasible() && space_.convex()) prove(z);
@@ -227,9 +229,17 @@ class Search {
   }
 
   [[nodiscard]] std::string why_converged() const {
-    const ObjectiveResult& first = outcome_.objectives.front();
-    const std::string gap = "at most " + brief(100 * first.gap()) + " % of " +
-                            name(first.objective) + " could still be saved";
+    std::size_t open = 0;  // the first objective that is above its bound
+    while (open + 1 < outcome_.objectives.size() &&
+           at_bound(open, outcome_.objectives[open].reached))
+      ++open;
+    const ObjectiveResult& r = outcome_.objectives[open];
+    const std::string gap =
+        r.bound > 0 ? "at most " + brief(100 * r.gap()) + " % of " + name(r.objective) +
+                          " could still be saved"
+                    : std::string("no bound above 0 is known for ") + name(r.objective) +
+                          (space_.convex() ? "" : ": free masters make the problem not convex") +
+                          ", and the fixed knots alone force none";
     if (space_.convex())
       return "no other choice of the free quantities is better (the problem is convex); " + gap;
     return "none of " + std::to_string(outcome_.starts) + " starts led further; " + gap;
@@ -259,6 +269,7 @@ class Search {
   }
 
   const CamProblem& problem_;
+  const RampedLimits& ramped_;
   const KeepGoing& keep_going_;
   Space space_;
   std::vector<Ceiling> ceilings_;
@@ -297,8 +308,15 @@ const char* name(Outcome::Status status) {
 }
 
 Outcome optimize(const CamProblem& problem, const KeepGoing& keep_going) {
+  return optimize(problem, RampedLimits{}, keep_going);
+}
+
+Outcome optimize(const CamProblem& problem, const RampedLimits& ramped,
+                 const KeepGoing& keep_going) {
   require_valid(problem);
-  return Search(problem, keep_going).run();
+  require_not_negative("ramp", ramped.ramp);
+  require_valid(ramped.limits);
+  return Search(problem, ramped, keep_going).run();
 }
 
 }  // namespace jounce

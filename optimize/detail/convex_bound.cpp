@@ -68,19 +68,18 @@ class Tangent {
   void add_piece(const Shape& shape, std::size_t piece, int count) {
     const auto peak = peak_order(stage_.objective);
     for (const Ceiling& c : stage_.ceilings)
-      for (const double s : places_of(shape, piece, c.order, count))
-        add({sample(stage_.space.pieces, piece, c.order, s), c.sign / c.scale, c.limit / c.scale,
-             false});
+      for (const double s : places_of(shape, piece, shape.range(piece, c), count))
+        add({sample(stage_.space.pieces, piece, c.order, s, c.lower), c.sign / c.scale,
+             c.limit / c.scale, false});
     if (!peak) return;
-    for (const double s : places_of(shape, piece, *peak, count))
+    for (const double s : places_of(shape, piece, shape.ranges[piece][*peak], count))
       for (const double sign : {1.0, -1.0})
         add({sample(stage_.space.pieces, piece, *peak, s), sign / reference_, 0, true});
   }
 
-  static std::vector<double> places_of(const Shape& shape, std::size_t piece, std::size_t order,
+  static std::vector<double> places_of(const Shape& shape, std::size_t piece, const Range& range,
                                        int count) {
-    std::vector<double> all{shape.place(piece, shape.ranges[piece][order].min),
-                            shape.place(piece, shape.ranges[piece][order].max)};
+    std::vector<double> all{shape.place(piece, range.min), shape.place(piece, range.max)};
     for (int k = 0; k < count; ++k)
       all.push_back((1 - std::cos(std::numbers::pi * k / (count - 1))) / 2);
     return all;

@@ -41,9 +41,10 @@ int Exchange::exchange(const Shape& shape, const Point& z, double t) {
     if (!space.moves[space.pieces[i].segment]) continue;
     const Ranges& range = shape.ranges[i];
     for (const Ceiling& c : stage_.ceilings) {
-      const double excess = excess_of(c, range[c.order]) - (stage_.objective ? 0 : t);
+      const Range limited = shape.range(i, c);
+      const double excess = excess_of(c, limited) - (stage_.objective ? 0 : t);
       if (excess > rounding)
-        added += exclude(c, i, shape.place(i, worst(range[c.order], c.sign)), z, excess);
+        added += exclude(c, i, shape.place(i, worst(limited, c.sign)), z, excess);
     }
     if (const auto order = peak_order(stage_.objective))
       for (const double sign : signs)
@@ -93,8 +94,8 @@ bool Exchange::add(const Row& row, const Point& z) {
 
 /// Near a fixed knot a row can hardly be changed: the margin shrinks with its slope.
 Row Exchange::row_of(const Ceiling& ceiling, std::size_t piece, double s, const Point& z) const {
-  Row row{sample(stage_.space.pieces, piece, ceiling.order, s), ceiling.sign / ceiling.scale,
-          ceiling.limit / ceiling.scale, !stage_.objective};
+  Row row{sample(stage_.space.pieces, piece, ceiling.order, s, ceiling.lower),
+          ceiling.sign / ceiling.scale, ceiling.limit / ceiling.scale, !stage_.objective};
   row.offset -= margin_ * std::min(1.0, largest_slope(row, z));
   return row;
 }
@@ -111,8 +112,9 @@ Row* Exchange::find(const Row& row) {
   const auto& at = std::get<Sample>(row.f);
   for (Row& other : rows_) {
     const auto* b = std::get_if<Sample>(&other.f);
-    if (b && b->piece == at.piece && b->order == at.order && other.factor == row.factor &&
-        other.relaxed == row.relaxed && std::abs(b->s - at.s) < same_place)
+    if (b && b->piece == at.piece && b->order == at.order && b->lower == at.lower &&
+        other.factor == row.factor && other.relaxed == row.relaxed &&
+        std::abs(b->s - at.s) < same_place)
       return &other;
   }
   return nullptr;

@@ -3,14 +3,27 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace jounce::optimizer {
 namespace {
 
 constexpr double met = 1e-6;  ///< relative: closer than this is there
 
-Finding at(std::string rule, const char* quantity, const Extremum& e, double limit, double margin,
-           std::size_t segment) {
+/// What a ceiling limits, and its rule.
+std::string quantity_of(const Ceiling& ceiling) {
+  const std::string name = OverMaster::names[ceiling.order];
+  return ceiling.lower == 0 ? name : name + " while the master accelerates";
+}
+
+std::string rule_of(const Ceiling& ceiling) {
+  const char* end = ceiling.order > 0 ? "" : ceiling.sign > 0 ? "_max" : "_min";
+  return std::string(ceiling.lower == 0 ? "limit/" : "limit/ramped_") +
+         OverMaster::names[ceiling.order] + end;
+}
+
+Finding at(std::string rule, const std::string& quantity, const Extremum& e, double limit,
+           double margin, std::size_t segment) {
   return {std::move(rule), "", quantity, e.where, e.value, limit, margin, false, segment, ""};
 }
 
@@ -18,13 +31,11 @@ void add_limits(const Shape& shape, const Space& space, std::span<const Ceiling>
                 std::vector<Finding>& active) {
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
     for (const Ceiling& c : ceilings) {
-      const double excess = excess_of(c, shape.ranges[i][c.order]);
+      const Range range = shape.range(i, c);
+      const double excess = excess_of(c, range);
       if (std::abs(excess) > met) continue;
-      const char* quantity = OverMaster::names[c.order];
-      const char* end = c.order > 0 ? "" : c.sign > 0 ? "_max" : "_min";
-      active.push_back(at(std::string("limit/") + quantity + end, quantity,
-                          worst(shape.ranges[i][c.order], c.sign), c.sign * c.limit, -excess,
-                          space.pieces[i].segment));
+      active.push_back(at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit,
+                          -excess, space.pieces[i].segment));
     }
 }
 
@@ -36,9 +47,8 @@ void add_bounds(const Space& space, const Point& z, std::vector<Finding>& active
     for (const double bound : {v.lower, v.upper}) {
       const double margin = std::abs(here.value - bound) / v.scale;
       if (margin <= met)
-        active.push_back(at(std::string("bound/") + quantity_names[q],
-                            free_key(v.knot, v.quantity).c_str(), here, bound, margin,
-                            v.knot > 0 ? v.knot - 1 : 0));
+        active.push_back(at(std::string("bound/") + quantity_names[q], free_key(v.knot, v.quantity),
+                            here, bound, margin, v.knot > 0 ? v.knot - 1 : 0));
     }
   }
 }
@@ -71,6 +81,24 @@ std::string sentence(const Finding& finding) {
 
 std::string broken_sentence(const Finding& finding) {
   return sentence(finding) + ", passed by " + brief(-finding.margin) + " of it";
+}
+
+Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam) {
+  Report report = check(cam, limits);
+  for (const auto& four : ramped_ceilings(ramped)) {
+    std::optional<Finding> least;
+    for (const Ceiling& c : four)
+      for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+        const Range range = range_of(cam, i, c);
+        const double excess = excess_of(c, range);
+        if (least && least->margin <= -excess) continue;
+        least = at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit, -excess, i);
+        least->broken = excess > rounding;
+      }
+    if (least) report.findings.push_back(*std::move(least));
+  }
+  sort(report);
+  return report;
 }
 
 std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,

@@ -19,6 +19,9 @@ std::string sentence(const Finding& finding);
 /// The same of one that is broken: "..., passed by 2e-08 of it".
 std::string broken_sentence(const Finding& finding);
 
+/// The cam against all limits; segments as the curve has them.
+Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam);
+
 /// Outcome::active for the cam at z.
 std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
                                      const Point& z, std::span<const ObjectiveResult> objectives);

@@ -39,25 +39,35 @@ std::vector<Piece> pieces(const CamSpec& spec) {
   return all;
 }
 
-Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s) {
-  assert(order <= 3 && 0 <= s && s <= 1);
-  Sample at{piece, pieces[piece].segment, order, s, {}};
-  for (std::size_t i = 0; i < 6; ++i) at.weight[i] = evaluate(pieces[piece].shape[i], s)[order];
+Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s,
+              double lower) {
+  assert(order <= 3 && 0 <= s && s <= 1 && (lower == 0 || order > 0));
+  Sample at{piece, pieces[piece].segment, order, s, lower, {}, {}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Jet jet = evaluate(pieces[piece].shape[i], s);
+    at.weight[i] = jet[order];
+    if (lower != 0) at.weight_below[i] = jet[order - 1];
+  }
   return at;
 }
 
 double value(const Sample& sample, std::span<const Knot> knots, KnotGradient& gradient) {
   const Powers length(knots[sample.segment + 1][0] - knots[sample.segment][0]);
+  gradient = {};
   double f = 0;
   double by_length = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const int e = power[i] - static_cast<int>(sample.order);
-    const double q = at_knots(knots, sample.segment, i);
-    const double by_q = length(e) * sample.weight[i];  // (3)
-    gradient[4 * (i / 3) + 1 + i % 3] = by_q;
-    f += q * by_q;                                          // (2)
-    by_length += e * q * length(e - 1) * sample.weight[i];  // (4)
-  }
+  const auto add = [&](std::size_t order, double factor, const std::array<double, 6>& weight) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const int e = power[i] - static_cast<int>(order);
+      const double q = at_knots(knots, sample.segment, i);
+      const double by_q = factor * length(e) * weight[i];  // (3)
+      gradient[4 * (i / 3) + 1 + i % 3] += by_q;
+      f += q * by_q;                                            // (2)
+      by_length += factor * e * q * length(e - 1) * weight[i];  // (4)
+    }
+  };
+  add(sample.order, 1, sample.weight);
+  if (sample.lower != 0) add(sample.order - 1, sample.lower, sample.weight_below);
   gradient[0] = -by_length;
   gradient[4] = by_length;
   return f;

@@ -35,16 +35,19 @@ struct Piece {
 /// In the order of design(spec).cam.segments().
 std::vector<Piece> pieces(const CamSpec& spec);
 
-/// The k-th derivative at a fixed z: B_i^(k)(z) of (2).
+/// The k-th derivative at a fixed z, B_i^(k)(z) of (2); and `lower` times the one below it.
 struct Sample {
   std::size_t piece = 0;
   std::size_t segment = 0;
   std::size_t order = 0;
   double s = 0;  ///< within the piece, [0, 1]
+  double lower = 0;
   std::array<double, 6> weight{};
+  std::array<double, 6> weight_below{};  ///< where lower is not 0
 };
 
-Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s);
+Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s,
+              double lower = 0);
 
 /// (2), with (3) and (4) in `gradient`.
 double value(const Sample& sample, std::span<const Knot> knots, KnotGradient& gradient);

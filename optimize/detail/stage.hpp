@@ -4,21 +4,30 @@
 #include <vector>
 
 #include "jounce/optimize/detail/space.hpp"
+#include "jounce/optimize/ramped.hpp"
 #include "jounce/profiles/extrema.hpp"
 
 /// One objective under ceilings that hold everywhere, not only at sampled points.
 namespace jounce::optimizer {
 
-/// sign * f^(order) <= limit all along the cam; `scale` is what violations are measured in.
+/// sign * (f^(order) + lower * f^(order - 1)) <= limit all along the cam; `scale` is what violations are measured in.
 struct Ceiling {
   std::size_t order = 0;
   double sign = 1;
   double limit = 0;
   double scale = 1;
+  double lower = 0;  ///< 1/m; not 0: order >= 1
 };
 
 /// What limits per master unit ask for, both signs of a rate.
-std::vector<Ceiling> ceilings_of(const Limits& limits, const Space& space);
+std::vector<Ceiling> ceilings_of(const Limits& limits, const RampedLimits& ramped,
+                                 const Space& space);
+
+/// Those of RampedLimits alone: of each limit its four.
+std::vector<std::vector<Ceiling>> ramped_ceilings(const RampedLimits& ramped);
+
+/// The exact extrema of what a ceiling limits, over one segment of a cam.
+Range range_of(const Cam& cam, std::size_t segment, const Ceiling& ceiling);
 
 struct Stage {
   const Space& space;
@@ -44,6 +53,9 @@ struct Shape {
 
   /// Where in its piece an extremum lies, in [0, 1].
   [[nodiscard]] double place(std::size_t piece, const Extremum& e) const;
+
+  /// The exact extrema of what a ceiling limits, over a piece.
+  [[nodiscard]] Range range(std::size_t piece, const Ceiling& ceiling) const;
 
   Cam cam;
   std::vector<Ranges> ranges;

@@ -58,7 +58,7 @@ TEST(Pieces, DerivativesByKnotsAreExact) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
       for (const double s : {0.0, 0.3, 0.8, 1.0}) {
-        const Sample at = sample(all, i, k, s);
+        const Sample at = sample(all, i, k, s, k > 1 ? 0.07 : 0);
         KnotGradient gradient{};
         value(at, given, gradient);
         for (std::size_t side = 0; side < 2; ++side)
