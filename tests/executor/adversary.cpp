@@ -10,8 +10,10 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/driver.hpp"
 #include "jounce/stream/group.hpp"
+#include "jounce/stream/lossy_transport.hpp"
 
 #include "executor/log_judge.hpp"
 #include "executor/log_line.hpp"
@@ -346,6 +349,7 @@ class Episode {
         clients_[axis].push_back(
             std::make_unique<Client>(site_.link, drawn_.axes[axis].receiver.executor,
                                      ClientOptions{.patience = 100ms, .repeat = 1ms}, site_.clock));
+    site_.after = [this] { watch_groups(); };
   }
 
   std::vector<std::string> run(int orders) {
@@ -353,6 +357,7 @@ class Episode {
     site_.advance(500ms);
     site_.dispatcher.close();
     std::vector<std::string> all;
+    judge_groups(all);
     std::string leader;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       std::ifstream file(log_path(axis));
@@ -376,6 +381,7 @@ class Episode {
   std::int64_t ticks = 0;
   std::size_t taken = 0;
   std::size_t homed = 0;  ///< searches that found their home
+  std::size_t together = 0, neither = 0;  ///< groups of both axes that began, and that did not
   bool keep = false;  ///< its logs
 
  private:
@@ -475,13 +481,73 @@ class Episode {
     accepted_[axis].back().what = what;
   }
 
+  /// Both axes at once, over a link that loses packets: the streamer may give up between two starts.
+  void lose_both(std::vector<StreamPlan> plans) {
+    const std::int64_t sent[] = {tick(0), tick(1)};
+    const LossSpec loss{.seed = random_.next(), .lost = random_.uniform(0.05, 0.7)};
+    LossyTransport lossy(site_.link, loss, site_.clock);
+    StreamOptions brief;
+    brief.total = 500ms;
+    static_cast<void>(stream_group(lossy, std::move(plans), {.watch = false}, brief, site_.clock));
+    constexpr std::int64_t at_most = 400;  // ticks: the lead of a start, and what is on its way
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      note(axis, {.what = Accepted::What::moves}, sent[axis], "tables are streamed to both axes, with loss");
+      accepted_[axis].back().answered += at_most;
+      also(axis, Accepted::What::places);
+    }
+  }
+
+  /// The groups in which each axis was armed, and the ticks of their first point (where it stands) and second point.
+  void watch_groups() {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Tick& now = site_.last(axis);
+      if (now.next.group != 0) armed_[axis].insert(now.next.group);
+      if (now.group == 0) continue;
+      const auto first = first_[axis].try_emplace(now.group, now.tick).first;
+      if (now.tick > first->second) second_[axis].try_emplace(now.group, now.tick);
+    }
+  }
+
+  /// A group that was armed on both axes began in one tick, or neither has given out more than its first point.
+  void judge_groups(std::vector<std::string>& findings) {
+    for (const std::int64_t group : armed_[0]) {
+      if (!armed_[1].contains(group)) continue;
+      const auto x = first_[0].find(group), y = first_[1].find(group);
+      const bool none = !second_[0].contains(group) && !second_[1].contains(group);
+      const bool both = x != first_[0].end() && y != first_[1].end() && x->second == y->second;
+      together += both ? 1 : 0;
+      neither += none && !both ? 1 : 0;
+      if (none || both) continue;
+      findings.push_back("a group began at tick " + (x == first_[0].end() ? "-" : std::to_string(x->second)) +
+                         " of the feeder and " + (y == first_[1].end() ? "-" : std::to_string(y->second)) +
+                         " of the knife");
+    }
+  }
+
+  /// Both axes at rest where their tables begin, and free: otherwise both would seldom be armed.
+  void prepare_both() {
+    for (std::size_t axis = 0; axis < 2; ++axis) stop(axis, *clients_[axis][0]);
+    site_.advance(300ms);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      Client& client = *clients_[axis][0];
+      give(axis, client, {.kind = OrderKind::reset});
+      give(axis, client, {.kind = OrderKind::enable});
+      site_.advance(5ms);
+      give(axis, client, {.kind = OrderKind::home, .value = wire::values(OrderKind::home, {0, 37})});
+      static_cast<void>(client.release());
+      static_cast<void>(clients_[axis][1]->release());
+    }
+  }
+
   /// Both axes at once: what one session has started stops together.
   void stream_both() {
+    if (random_.below(4) != 0) prepare_both();
     const std::int64_t sent[] = {tick(0), tick(1)};
     std::vector<StreamPlan> plans;
     for (const ExecutorOptions& axis : drawn_.axes)
       plans.push_back(
           {.executor = axis.receiver.executor, .tables = {{*axis.table->table, {"s", "mm"}}}});
+    if (random_.below(3) != 0) return lose_both(std::move(plans));
     StreamOptions brief;
     brief.total = 500ms;
     const auto outcomes =
@@ -572,6 +638,8 @@ class Episode {
   Site site_;
   std::vector<std::unique_ptr<Client>> clients_[2];
   std::vector<Accepted> accepted_[2];
+  std::set<std::int64_t> armed_[2];  // groups
+  std::map<std::int64_t, std::int64_t> first_[2], second_[2];  // ticks, by group
 };
 
 }  // namespace
@@ -584,7 +652,7 @@ int main(int count, char** arguments) {
   for (int i = 3; i < count; ++i) left_out.emplace_back(arguments[i]);
   std::int64_t ticks = 0;
   std::size_t taken = 0;
-  std::size_t homed = 0;
+  std::size_t homed = 0, together = 0, neither = 0;
   std::size_t findings = 0;
   for (long i = 0; i * orders_each < orders; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
@@ -599,10 +667,13 @@ int main(int count, char** arguments) {
     ticks += episode.ticks;
     taken += episode.taken;
     homed += episode.homed;
+    together += episode.together;
+    neither += episode.neither;
   }
-  std::printf("%ld orders, %zu of them accepted, %zu homings that ended at home, %lld ticks of log; %zu findings\n",
-              orders, taken, homed, static_cast<long long>(ticks), findings);
-  const bool tried = homed > 0 || orders < 10 * orders_each;
-  if (!tried) std::printf("no homing ended at home: nothing was tried\n");
+  std::printf("%ld orders, %zu of them accepted; %zu homings ended at home; of the groups of both axes %zu began and "
+              "%zu did not; %lld ticks of log; %zu findings\n",
+              orders, taken, homed, together, neither, static_cast<long long>(ticks), findings);
+  const bool tried = (homed > 0 && together > 0 && neither > 0) || orders < 10 * orders_each;
+  if (!tried) std::printf("no homing ended at home, or no group began, or all did: too little was tried\n");
   return findings == 0 && tried ? 0 : 1;
 }
