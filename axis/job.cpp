@@ -132,7 +132,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
       cam_(std::move(cam)),
       in_sync_(time_->start()) {
   if (time_->outside() == Outside::advance)
-    throw InputError("outside", "advance", "is for cams: a table over time ends, or wraps");
+    throw InputError("outside", "advance", "is for cams only: a table over time ends, or wraps");
   if (cam_) {
     couple(coupling, position, tick);
   } else {

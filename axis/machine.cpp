@@ -19,7 +19,7 @@ void require_names(const std::vector<MachineAxis>& axes) {
   for (const MachineAxis& axis : axes) {
     if (axis.name.empty()) throw InputError("name", "missing", "an axis of a machine needs a name");
     if (!seen.insert(axis.name).second)
-      throw InputError("name", axis.name, "another axis of the machine has it already");
+      throw InputError("name", axis.name, "is the name of another axis of the machine");
   }
 }
 
@@ -68,9 +68,9 @@ std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes) {
 }
 
 std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t masters) {
-  if (axes.empty()) throw InputError("axes", "", "a machine needs one axis at the least");
+  if (axes.empty()) throw InputError("axes", "", "a machine needs at least one axis");
   if (axes.size() > Machine::most_axes)
-    throw InputError("axes", static_cast<double>(axes.size()), "a machine has 64 axes at the most");
+    throw InputError("axes", static_cast<double>(axes.size()), "a machine has at most 64 axes");
   require_names(axes);
   require_one_period(axes);
   require_leaders(axes, masters);

@@ -11,7 +11,7 @@ namespace jounce {
 TableMaster::TableMaster(std::shared_ptr<const Table> table, double start)
     : table_(std::move(table)), start_(start) {
   if (table_->axis() != Axis::time)
-    throw InputError("axis", name(table_->axis()), "must be time: a master is a function of it");
+    throw InputError("axis", name(table_->axis()), "must be time: a master is a function of time");
   require_finite("start", start);
 }
 

@@ -13,7 +13,8 @@ Outputs::Outputs(const AxisSwitches& switches, const AxisCompare& compare)
       compare_of_(compare.of) {
   if (!compare.list) return;
   if (compare.of == SwitchesOf::master)
-    throw InputError("of", "master", "must be position or actual: a compare is of the axis");
+    throw InputError("of", "master",
+                     "must be position or actual: an axis has no compare of the master");
   compare_.emplace(*compare.list);
 }
 

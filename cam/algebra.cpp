@@ -108,7 +108,7 @@ Cam part(const Cam& f, double from, double to) {
   Segments segments = cut(f, from, to);
   if (segments.empty())
     throw InputError("to", to,
-                     "is so near to " + number(from) + " that nothing is left of the cam");
+                     "is so near to " + number(from) + " that no cam remains between them");
   return Cam(std::move(segments), from);
 }
 
@@ -116,7 +116,7 @@ Cam part(const Cam& f, double from, double to) {
 Cam phased(const Cam& f, double phase) {
   require_finite("phase", phase);
   if (!repeats(f.outside()))
-    throw InputError("phase", phase, "needs a periodic cam; one that is not is moved by `shifted`");
+    throw InputError("phase", phase, "needs a periodic cam: use `shifted` for others");
   const double within = wrapped(phase, 0, f.length());
   const double turns = std::round((phase - within) / f.length());
   const double from = f.end() - within;
@@ -175,10 +175,9 @@ Turns common_turns(const Cam& f, const Cam& g) {
     if (m >= 1 && m <= most_turns && std::abs(whole - m * g.length()) <= 1e-12 * whole)
       return {n, static_cast<int>(m)};
   }
-  throw InputError(
-      "period", number(f.length()) + " and " + number(g.length()),
-      "have no common period within 1000 turns: choose a ratio of whole numbers, or cut "
-      "out the stretch that is needed with `part`");
+  throw InputError("period", number(f.length()) + " and " + number(g.length()),
+                   "have no common period within 1000 turns: choose a ratio of whole numbers, or "
+                   "cut out a part with `part`");
 }
 
 /// Two cams over one interval.
@@ -208,8 +207,8 @@ Pair over_one_interval(const Cam& f, const Cam& g) {
   if (repeats(a) && repeats(b)) return over_common_period(f, g);
   if (a != b)
     throw InputError("period", number(repeats(a) ? f.length() : g.length()),
-                     "is that of one of the cams only: the sum with a cam that holds is not "
-                     "periodic; cut out the stretch that is needed with `part`");
+                     "belongs to one of the cams only: the sum with a cam that holds is not "
+                     "periodic; cut out a part with `part`");
   const double from = std::min(f.start(), g.start());
   const double to = std::max(f.end(), g.end());
   return {over(f, from, to, a), over(g, from, to, a)};

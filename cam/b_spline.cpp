@@ -70,7 +70,7 @@ void require_valid(const BSplineSpec& spec) {
   for (std::size_t i = p + 1; i < spec.control.size(); ++i)
     if (t[i] > t[p] && t[i] < t[spec.control.size()] && t[i] == t[i + p])
       throw InputError(counted("knots", i), t[i],
-                       "stands more than " + std::to_string(p) + " times: the curve would break");
+                       "occurs more than " + std::to_string(p) + " times: the curve would break");
   if (!(t[p] < t[spec.control.size()]))
     throw InputError(
         counted("knots", p), t[p],

@@ -48,8 +48,9 @@ std::vector<Segment> through_points(const Placed& at) {
   }
   for (const CamPoint& point : at.spec->points) {
     if (point.tolerance != 0)
-      throw InputError("points.tolerance", point.tolerance,
-                       "a polynomial goes through its points; `quintic_spline` takes a tolerance");
+      throw InputError(
+          "points.tolerance", point.tolerance,
+          "a polynomial passes through its points exactly: use `quintic_spline` for a tolerance");
     add(point.master, 0, point.slave);
     add(point.master, 1, point.geo_velocity);
     add(point.master, 2, point.geo_acceleration);
@@ -59,17 +60,19 @@ std::vector<Segment> through_points(const Placed& at) {
 }
 
 void require_spline_point(Law law, const CamPoint& point, const std::string& key) {
-  if (!point.slave) throw InputError(key + "slave", "", "is missing: a spline goes through points");
+  if (!point.slave)
+    throw InputError(key + "slave", "", "is missing: a spline needs the position at each point");
   for (const auto& [name, value] : {std::pair{"geo_velocity", point.geo_velocity},
                                     {"geo_acceleration", point.geo_acceleration},
                                     {"geo_jerk", point.geo_jerk}})
     if (value)
       throw InputError(key + name, *value,
-                       "a spline takes positions alone; the law `polynomial` takes this");
+                       "a spline takes positions only: use the law `polynomial` for this");
   require_not_negative((key + "tolerance").c_str(), point.tolerance);
   if (law == Law::cubic_spline && point.tolerance > 0)
-    throw InputError(key + "tolerance", point.tolerance,
-                     "a cubic spline goes through its points; `quintic_spline` takes a tolerance");
+    throw InputError(
+        key + "tolerance", point.tolerance,
+        "a cubic spline passes through its points exactly: use `quintic_spline` for a tolerance");
 }
 
 SplineSpec spline_spec(const Placed& at) {

@@ -38,9 +38,9 @@ void require_track(const CamSwitchSpec& spec, std::size_t i) {
   require_not_negative((at.key + ".hysteresis").c_str(), t.hysteresis);
   const auto same = [&](const auto& other) { return other.track == t.track; };
   if (std::any_of(spec.tracks.begin(), spec.tracks.begin() + static_cast<std::ptrdiff_t>(i), same))
-    at.fail("track", t.track, "has its options already");
+    at.fail("track", t.track, "has its options twice");
   if (std::none_of(spec.switches.begin(), spec.switches.end(), same))
-    at.fail("track", t.track, "has options but no switch");
+    at.fail("track", t.track, "has options, but no switch");
 }
 
 /// How wide the range is, and the gap that a rotary axis leaves.
@@ -54,8 +54,8 @@ void require_range(const CamSwitch& s, const Entry& at, double hysteresis, doubl
   const double width = difference < 0 ? difference + period : difference;
   if (period == 0 && difference < 0)
     at.fail("last_on_position", last,
-            "must be above first_on_position: only a rotary axis (with a period) has ranges "
-            "through its wrap; to be on outside a range, invert the track");
+            "must be above first_on_position: only a rotary axis has ranges across its period; for "
+            "an output that is on outside a range, invert the track");
   if (!(width > 0) || (period > 0 && width > period))
     at.fail("last_on_position", last,
             period > 0 ? "must lie within one period of first_on_position, and not on it"
@@ -75,7 +75,7 @@ void require_duration(const CamSwitch& s, const Entry& at, const SwitchTrack& tr
     at.fail("duration", duration, "must be greater than 0");
   if (!(duration + track.off_compensation - track.on_compensation > 0))
     at.fail("duration", duration,
-            "nothing is left of it: with the compensations of its track it is " +
+            "must be longer: after the compensations of its track it is " +
                 number(duration + track.off_compensation - track.on_compensation));
 }
 
@@ -95,7 +95,7 @@ void require_switch(const CamSwitchSpec& spec, std::size_t i) {
   }
   if (s.last_on_position)
     at.fail("last_on_position", *s.last_on_position, "belongs to mode \"position\"");
-  if (!s.duration) at.fail("duration", 0, "is missing: a switch in time mode is on for a while");
+  if (!s.duration) at.fail("duration", 0, "is missing: a switch in time mode needs a duration");
   require_duration(s, at, track);
 }
 

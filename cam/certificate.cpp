@@ -54,7 +54,7 @@ namespace {
 constexpr double rounding = 1e-7;  // ends that are zero to 1e-9 of the peak move a bound by that
 
 constexpr const char* impossible =
-    "no motion can be below this bound: the data are not what they claim to be";
+    "no motion can be below this bound: the data contradict each other";
 
 /// The integrals over z of a rise in its normalised form.
 struct Integrals {

@@ -256,11 +256,11 @@ struct Words {
 constexpr std::array<Words, 7> statuses{{
     {"ok", "The slave can be coupled."},
     {"not_finite", "A position, velocity or acceleration, or the time, is not a finite number."},
-    {"master_outside_cam", "The master is outside the range of a cam that refuses that."},
+    {"master_outside_cam", "The master is outside the range of a cam that rejects this."},
     {"would_reverse",
      "The slave could reach its cam only against the direction that its start mode allows."},
     {"master_stands",
-     "The slave moves against a cam whose master stands: no distance of the master ends that."},
+     "The slave moves but the master stands, so a ramp over a master distance cannot end."},
     {"no_ramp", "No correction within these limits brings the slave onto its cam."},
     {"window_missed",
      "The master passed the engage position, but in no cycle was it within the window."},

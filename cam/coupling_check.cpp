@@ -30,10 +30,10 @@ void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Repor
   const double end = before ? cam.start() : cam.end();
   const double slope =
       cam.jet(end, before ? Side::right : Side::left)[1] * p.slave_scaling * p.master_scaling;
-  report.findings.push_back(finding(
-      "coupling/enter", "velocity", end, slope * x[1], std::abs(slope) > 1e-9 * coupling.reach()[1],
-      "the slave waits at rest, and its cam moves where the master enters: let it begin at "
-      "rest"));
+  report.findings.push_back(finding("coupling/enter", "velocity", end, slope * x[1],
+                                    std::abs(slope) > 1e-9 * coupling.reach()[1],
+                                    "the slave waits at rest, but the cam moves where the master "
+                                    "enters: let the cam begin at rest"));
 }
 
 /// The largest values of the correction, for what they are: over time after so many s, over the
@@ -84,12 +84,12 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
   for (std::size_t k = 0; k < jumps.size(); ++k)
     report.findings.push_back(finding("coupling/start", OverTime::names[k], X, jumps[k],
                                       std::abs(jumps[k]) > near[k],
-                                      "the slave jumps by so much: start = \"ramp_in\" does not"));
+                                      "the slave jumps by this step: use start = \"ramp_in\""));
   if (coupling.periodic())
-    report.findings.push_back(
-        finding("coupling/period", "position", coupling.cam().end(), coupling.period_jump(),
-                std::abs(coupling.period_jump()) > near[0],
-                "the slave jumps so far at each period's end: slave_absolute = false goes on"));
+    report.findings.push_back(finding(
+        "coupling/period", "position", coupling.cam().end(), coupling.period_jump(),
+        std::abs(coupling.period_jump()) > near[0],
+        "the slave jumps by this step at the end of each period: use slave_absolute = false"));
   else
     for (Finding& f : check_ends(coupling.cam()).findings) report.findings.push_back(std::move(f));
   add_enter(coupling, in.engaged.placement, master, report);

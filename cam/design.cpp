@@ -48,7 +48,8 @@ std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec) {
   for (const camming::Placed& placed : camming::resolve(spec)) {
     if (!has_own_shape(placed.spec->law))
       throw InputError("segment[" + std::to_string(placed.index + 1) + "].law",
-                       name(placed.spec->law), "goes through points: its shape is not its own");
+                       name(placed.spec->law),
+                       "is a spline through points: it has no shape of its own");
     all.push_back(camming::shapes(placed));
   }
   return all;

@@ -99,7 +99,7 @@ Finding finding(std::string rule, std::string quantity, const Extremum& at, doub
   return f;
 }
 
-/// "base_radius = 41.7 would do", rounded up so that it does.
+/// "base_radius = 41.7 is sufficient", rounded up so that it does.
 std::string advice_of(const Disc& disc, const DiscLimits& limits, const std::string& otherwise) {
   const auto base = least_base_radius(disc.lift(), disc.spec(), limits);
   if (!base) return otherwise;
@@ -107,7 +107,7 @@ std::string advice_of(const Disc& disc, const DiscLimits& limits, const std::str
   return "base_radius = " +
          number(std::stod(number(std::ceil(*base / unit)) + "e" +
                           std::to_string(std::lround(std::log10(unit))))) +
-         " would do";
+         " is sufficient";
 }
 
 void add_pressure(Report& report, const Disc& disc, const DiscExtremes& worst,
@@ -119,7 +119,8 @@ void add_pressure(Report& report, const Disc& disc, const DiscExtremes& worst,
   f.unit = "deg";
   if (f.broken)
     f.advice =
-        advice_of(disc, limits, "no base radius would do: take a smoother law, or more master");
+        advice_of(disc, limits,
+                  "no base radius is sufficient: take a smoother law, or a longer master range");
   report.findings.push_back(std::move(f));
 }
 
@@ -147,7 +148,7 @@ void add_cutter(Report& report, const Disc& disc, const DiscExtremes& worst,
   if (!limits.cutter_radius || at.value >= 0) return;
   Finding f = finding("disc/cutter_radius", "hollow profile radius", at,
                       disc.spec().roller_radius - 1 / at.value, *limits.cutter_radius, true);
-  if (f.broken) f.advice = "a cutter of at most that radius gets into the hollow";
+  if (f.broken) f.advice = "use a cutter of at most that radius";
   report.findings.push_back(std::move(f));
 }
 
@@ -171,7 +172,7 @@ void add_corner(Report& report, const Disc& disc) {
   for (Finding& f : corner.findings) {
     if (f.rule != "continuity/geo_velocity" || !f.broken) continue;
     f.rule = "disc/corner";
-    f.advice = "the profile has a corner there: no roller follows it";
+    f.advice = "the profile has a corner there, which no roller can follow";
     report.findings.push_back(std::move(f));
   }
 }

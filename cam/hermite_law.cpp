@@ -11,14 +11,15 @@ namespace jounce::camming {
 namespace {
 
 double required(const std::optional<double>& value, const std::string& key) {
-  if (!value) throw InputError(key, "", "is missing: the law hermite takes it at every point");
+  if (!value) throw InputError(key, "", "is missing: the law hermite needs it at every point");
   return *value;
 }
 
 HermitePoint hermite_point(const CamPoint& point, const std::string& key) {
   if (point.tolerance != 0)
-    throw InputError(key + "tolerance", point.tolerance,
-                     "a hermite law goes through its points; `quintic_spline` takes a tolerance");
+    throw InputError(
+        key + "tolerance", point.tolerance,
+        "a hermite law passes through its points exactly: use `quintic_spline` for a tolerance");
   return {point.master, required(point.slave, key + "slave"),
           required(point.geo_velocity, key + "geo_velocity"),
           required(point.geo_acceleration, key + "geo_acceleration"), point.geo_jerk};

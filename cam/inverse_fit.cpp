@@ -89,8 +89,8 @@ Stroke stroke(const Inverse& g, double from, double to) {
 void require_motion(const Inverse& g, double slave, Side side) {
   if (!std::isfinite(g.at(slave, side).geo_velocity))
     throw InputError("slave", slave,
-                     "is where the slave is at rest: no polynomial has the master's infinite "
-                     "slope there; stay away from it, or take the Inverse itself");
+                     "is where the slave is at rest: the slope of the master is infinite there, "
+                     "which no polynomial can follow. Stay away from it, or use the Inverse");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ void require_smooth(const Cam& f, const char* whose, int order) {
   throw InputError("polydyne", "",
                    std::string(whose) + OverMaster::names[static_cast<std::size_t>(order)] +
                        " would step by " + number(step.step) + " at " + number(step.where) +
-                       ", which no follower can take: the wanted output must come and go with "
+                       ", which no follower can follow: the wanted output must begin and end with "
                        "geo_acceleration and geo_jerk 0, as the laws 56789 and nonic do");
 }
 
@@ -55,8 +55,8 @@ Report warnings_of(const Cam& cam) {
   f.value = std::abs(step.step);
   f.margin = -f.value / std::abs(extrema(cam, 2).peak().value);
   f.advice =
-      "the wanted output's fourth derivative steps there: a smoother output, law 56789 or nonic, "
-      "spares the follower the knock";
+      "the fourth derivative of the wanted output steps there: to avoid the impact, use a smoother "
+      "output, law 56789 or nonic";
   f.severity = Severity::warning;
   f.has_limit = false;
   return {{std::move(f)}};

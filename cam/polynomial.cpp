@@ -36,9 +36,9 @@ Row chebyshev(double t, int order) {
 void require_valid(double length, std::span<const Condition> conditions) {
   require_positive("length", length);
   if (conditions.empty() || conditions.size() > capacity)
-    throw InputError("conditions", static_cast<double>(conditions.size()),
-                     "a polynomial takes 1 to 12 of them (degree 11): position, velocity and "
-                     "acceleration at both ends are 6");
+    throw InputError(
+        "conditions", static_cast<double>(conditions.size()),
+        "must be 1 to 12 (degree 11): position, velocity and acceleration at both ends are 6");
   for (const Condition& c : conditions) {
     require_finite("at", c.at);
     require_finite("value", c.value);
@@ -86,8 +86,8 @@ Segment polynomial(double length, std::span<const Condition> conditions) {
   const detail::PivotedQr solver(rows);
   if (solver.rank() < size)
     throw InputError("conditions", static_cast<double>(conditions.size()),
-                     "contradict each other or leave the polynomial open: no place may have two "
-                     "values, and some place must have a position");
+                     "contradict each other, or do not determine the polynomial: give each "
+                     "derivative at most once a place, and at least one position");
   Eigen::VectorXd b = solver.solve(values);
   b += solver.solve(values - rows * b);  // one step of refinement
   return in_powers(length, b);

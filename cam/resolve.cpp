@@ -114,7 +114,7 @@ void Resolver::require_whole_turns() const {
   require_positive("slave_period", period);
   if (!spec_.periodic)
     throw InputError("slave_period", period,
-                     "is of a periodic cam on a rotary slave; this cam is not periodic");
+                     "needs a periodic cam on a rotary slave; this cam is not periodic");
   const double advance = knots_.back().slave - knots_.front().slave;
   const double turns = std::round(advance / period);
   const double scale = std::max(std::abs(knots_.back().slave), std::abs(knots_.front().slave));
@@ -135,10 +135,10 @@ void Resolver::require_form_and_points(std::size_t i) const {
   }
   const std::string key = "segment[" + std::to_string(i + 1) + "].points";
   if (has_own_shape(segment.law) && !segment.points.empty())
-    throw InputError(key, static_cast<double>(segment.points.size()),
-                     std::string("the law `") + name(segment.law) +
-                         "` does not go through points; polynomial, cubic_spline, "
-                         "quintic_spline and hermite do");
+    throw InputError(
+        key, static_cast<double>(segment.points.size()),
+        std::string("the law `") + name(segment.law) +
+            "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");
   for (std::size_t p = 0; p < segment.points.size(); ++p) {
     const double master = segment.points[p].master;
     const std::string point = key + "[" + std::to_string(p + 1) + "].master";
@@ -210,7 +210,7 @@ void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
   const auto neighbour = beside(i, reversal_first ? -1 : 1);
   if (!neighbour || !rests(*neighbour)) return;
   throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
-                   "turns round at master " + number(knots_[knot].master) + ", where the law `" +
+                   "reverses at master " + number(knots_[knot].master) + ", where the law `" +
                        name(law(*neighbour)) +
                        "` beside it has no acceleration; a law from rest to rest would do");
 }
@@ -223,20 +223,19 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const double stroke = placed.to.slave - placed.from.slave;
   if (stroke == 0)
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
-                     "cannot be: the segment has no stroke");
+                     "must be left out: the segment has no stroke");
   const double unit = (placed.reversed ? 1 : -1) * stroke / (placed.length() * placed.length());
   const double deceleration = *wanted / unit;
   const double least = least_deceleration(placed.spec->law);
   if (!(deceleration > least))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
                      "must be beyond " + number(least * unit) +
-                         ": less would put the inflection "
-                         "of the law `" +
+                         ": a smaller value puts the inflection of the law `" +
                          name(placed.spec->law) + "` outside its segment");
   placed.form.inflection = inflection_for(placed.spec->law, deceleration);
   if (!(*placed.form.inflection < 1))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
-                     "is too much: the inflection of the law `" +
+                     "is too large: the inflection of the law `" +
                          std::string(name(placed.spec->law)) + "` would be at its reversal");
 }
 

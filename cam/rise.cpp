@@ -159,7 +159,7 @@ Rise as_rise(const Cam& law) {
   const Row row(law);
   const double stroke = value(row[row.size() - 1], 1) - value(row[0], 0);
   if (stroke == 0)
-    throw InputError("stroke", stroke, "must not be 0: characteristic values are shares of it");
+    throw InputError("stroke", stroke, "must not be 0: characteristic values are relative to it");
   return made(row, 0, row.size());
 }
 

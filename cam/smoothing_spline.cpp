@@ -16,7 +16,7 @@ void require_valid(const SplineSpec& spec) {
   detail::require_points(spec.points, 3, true);
   detail::require_ends(spec);
   if (spec.ends == SplineEnds::not_a_knot)
-    throw InputError("ends", "not_a_knot", "a smoothing spline has natural or periodic ends");
+    throw InputError("ends", "not_a_knot", "a smoothing spline needs natural or periodic ends");
   const double first = spec.points.front().tolerance;
   const double last = spec.points.back().tolerance;
   if (spec.ends == SplineEnds::periodic && first != last)

@@ -35,7 +35,7 @@ void require_end(const char* which, const SplineEnd& end, bool takes_any) {
 void refuse_acceleration(const char* which, const SplineEnd& end) {
   if (end.geo_acceleration)
     throw InputError(std::string(which) + ".geo_acceleration", *end.geo_acceleration,
-                     "a cubic spline takes geo_velocity alone: take a quintic spline");
+                     "a cubic spline takes geo_velocity only: use a quintic spline");
 }
 
 std::vector<detail::EnergyKnot> knots_of(const SplineSpec& spec) {
@@ -72,7 +72,7 @@ void detail::require_points(const std::vector<SplinePoint>& points, std::size_t 
     require_not_negative(point_key(i, "tolerance").c_str(), p.tolerance);
     if (!tolerances && p.tolerance != 0)
       throw InputError(point_key(i, "tolerance"), p.tolerance,
-                       "a spline through points has none: take a smoothing spline");
+                       "a spline through points has none: use a smoothing spline");
     if (i > 0 && !(p.master > points[i - 1].master))
       throw InputError(
           point_key(i, "master"), p.master,

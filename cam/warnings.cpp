@@ -146,12 +146,12 @@ class Inspection {
   static std::string window(const Group& g) {
     const auto k = slope(g);
     const double h = g.end[0] - g.begin[0];
-    if (!k || !g.quintic || h * *k <= 0) return "move the knots, or take another law";
+    if (!k || !g.quintic || h * *k <= 0) return "move the knots, or use another law";
     const auto from_to = [](double a, double b) {
       return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
     };
     return "rho = " + rounded(*k * g.length / h) +
-           " is not within 5/3 to 5/2: take a master length from " +
+           " is not within 5/3 to 5/2: use a master length from " +
            from_to(rho_least * h / *k, rho_most * h / *k) + ", or a stroke from " +
            from_to(*k * g.length / rho_most, *k * g.length / rho_least);
   }

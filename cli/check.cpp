@@ -146,20 +146,23 @@ void add_check(CommandLine& line) {
   const Verb verb = line.verb("check", "Check exact limits and continuity of a spec or a table",
                               "jounce check cam.toml --limit geo_acceleration=0.02");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
-  verb.option("--limit", options->limits,
-              "KEY=VALUE: a limit beside or over the spec's own; repeatable")
+  verb.option(
+          "--limit", options->limits,
+          "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
       .one_each();
   verb.axis(options->axis);
   verb.option("--continuity", options->continuity,
-              "Highest derivative that must be continuous: 0 position ... 2 acceleration")
+              "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration")
       .check(whole(0, 3))
       .shown();
   verb.option("--slave", options->slave,
-              "Where the slave rests when its coupling begins, else at the cam's first value");
-  verb.option("--master", options->master, "Where the master is then, else where the cam begins");
+              "Rest position of the slave at the start of the coupling; default: the first value "
+              "of the cam");
+  verb.option("--master", options->master,
+              "Position of the master at that time; default: the start of the cam");
   verb.option("--master-velocity", options->master_velocity,
-              "Its velocity per second then, else that of [master]");
-  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+              "Velocity of the master at that time, per second; default: that of [master]");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

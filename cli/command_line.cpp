@@ -92,7 +92,7 @@ std::string stranger(const CLI::App& app, std::span<char*> words) {
         std::find(options.begin(), options.end(), name) != options.end())
       continue;
     const std::string near = name.size() > 2 ? nearest(name, options) : "";
-    return "`" + name + "` is not an option here" +
+    return "`" + name + "` is not an option of this verb" +
            (near.empty() ? "" : ". Did you mean " + near + "?");
   }
   return "";
@@ -127,8 +127,8 @@ CommandLine::CommandLine()
   app_->set_version_flag("--version", made_by());
   app_->require_subcommand(1);
   app_->footer(
-      "Files are named as arguments; - is standard input or output, so verbs pipe.\n"
-      "Exit status: 0 fine, 1 a finding, 2 bad input or usage, 3 a fault of the machine.\n"
+      "Name files as arguments; - is standard input or output.\n"
+      "Exit status: 0 success, 1 a finding, 2 bad input or usage, 3 a fault at run time.\n"
       "jounce VERB --help shows an example of each verb.");
 }
 

@@ -60,8 +60,9 @@ int run(const Options& options) {
   const Disc disc = make_disc(spec, std::get<Cam>(input.curve));
   const Report report = check_disc(spec, std::get<Cam>(input.curve));
   if (cannot_be_cut(report) && !options.output.ends_with(".svg")) {
-    fmt::print("{}: {} is not written: no such plate can be cut (an .svg shows it)\n{}", input.name,
-               printable(options.output), full_text(report, input.labels));
+    fmt::print(
+        "{}: {} is not written: this plate cannot be cut; draw it as .svg to see the cause\n{}",
+        input.name, printable(options.output), full_text(report, input.labels));
     return finding;
   }
   require_other_file(options.spec, options.output);
@@ -77,7 +78,7 @@ int run(const Options& options) {
 
 void add_contour(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb = line.verb("contour", "Draw the plate that a cam with [disc] is cut into",
+  const Verb verb = line.verb("contour", "Draw the contour of a cam plate with [disc]",
                               "jounce contour valve.toml -o valve.dxf");
   verb.option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input").required();
   verb.option("-o,--output", options->output,

@@ -61,8 +61,7 @@ TableFile in_units(TableFile file, const Options& options) {
     return factor;
   };
   for (const auto& unit : {options.master_unit, options.position_unit})
-    if (!unit.empty() && !is_unit(unit))
-      throw InputError("unit", unit, "is not a unit that Jounce knows");
+    if (!unit.empty() && !is_unit(unit)) throw InputError("unit", unit, "is not a known unit");
   if (const double factor = change(file.units.x, options.master_unit); factor != 1)
     file.table = stretched(file.table, factor);
   const double factor = change(file.units.position, options.position_unit);
@@ -120,7 +119,7 @@ Converted convert(const Input& input, const Options& options) {
 std::string samples_of(const TableFile& file, const Options& options) {
   if (format_of(options) || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
-    throw InputError("--every", options.every, "writes samples, as CSV and nothing else");
+    throw InputError("--every", options.every, "writes samples, as CSV only");
   try {
     return samples_csv(file, quantity(options.every, file.units.x));
   } catch (const InputError& error) {
@@ -133,8 +132,7 @@ std::string text_of(const TableFile& file, const Options& options) {
   if (format && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty())
-      throw InputError(option, "", "is missing: the file does not say what it counts in");
+    if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
   if (!options.every.empty()) return samples_of(file, options);
   return options.to == "json"     ? to_json(file)
          : options.to == "csv"    ? to_csv(file)
@@ -157,21 +155,20 @@ std::string left_in(const Spec& spec) {
 void add_losses(std::vector<std::string>& all, Format format, const Table& table) {
   if (format == Format::xyva || format == Format::codesys) return;
   all.emplace_back(format == Format::kollmorgen
-                       ? "positions only: the error is that of a cubic spline through them; how "
-                         "KAS ends its splines is not documented"
+                       ? "positions only: the error is that of a cubic spline through them; "
+                         "Kollmorgen does not document how KAS ends its splines"
                        : "positions only: the error is that of straight lines between them");
   all.emplace_back("units and hash are not in the file");
   if (repeats(table.outside()) && format != Format::kollmorgen)
-    all.emplace_back("that it repeats is not in the file: read it with --periodic");
+    all.emplace_back("the file does not state that the cam repeats: read it with --periodic");
 }
 
 /// Reports the parts of the input that the output does not contain.
 std::vector<std::string> losses(const Options& options, const Input& input, const Table& made) {
   std::vector<std::string> all = input.unread;
-  if (!options.every.empty())
-    all.emplace_back("samples: what lies between them is not in the file");
+  if (!options.every.empty()) all.emplace_back("samples: the file contains no values between them");
   if (options.to == "points")
-    all.emplace_back("points count from the first knot; their types say the rates");
+    all.emplace_back("points count from the first knot; their types define the rates");
   if (input.spec) all.push_back(left_in(*input.spec));
   if (const auto format = format_of(options)) add_losses(all, *format, made);
   return all;
@@ -204,10 +201,10 @@ void print_text(std::FILE* out, const Converted& made, const Options& options, c
              name(made.file.table.rule()));
   const Labels& labels = input.labels;
   if (!made.error)
-    fmt::print(out, "the numbers are those of the table that was given\n");
+    fmt::print(out, "the numbers are unchanged\n");
   else
     fmt::print(
-        out, "error: {} {} at the most (certified), at {} {}; {} {} in the {}\n",
+        out, "error: at most {} {} (certified), at {} {}; {} {} in the {}\n",
         rounded(made.error->position), labels.units.position, rounded(made.error->where),
         labels.units.x, rounded(made.error->velocity),
         labels.unit_of(std::string(labels.over_master ? OverMaster::names[1] : OverTime::names[1])),
@@ -221,7 +218,7 @@ void require_known_ending(const Options& options) {
   if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
       path.ends_with(".json"))
     return;
-  throw InputError("OUT", path, "has no ending that tells the format; --to names it");
+  throw InputError("OUT", path, "has no extension of a known format: name the format with --to");
 }
 
 int run(const Options& options) {
@@ -242,45 +239,42 @@ int run(const Options& options) {
 
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb =
-      line.verb("convert", "Between table formats and controllers, with the stated loss",
-                "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
-                "--position-unit mm");
-  verb.option("IN", options->input,
-              "Table or spec, in any format that is read; - is standard input")
+  const Verb verb = line.verb(
+      "convert", "Convert between formats of tables and controllers, and report the error",
+      "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
+      "--position-unit mm");
+  verb.option("IN", options->input, "Table or spec, in any known format; - is standard input")
       .required();
   verb.option("OUT", options->output,
               "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
               "is standard output");
   std::vector<std::string> formats = format_names();
   formats.insert(formats.begin(), {"csv", "json", "points"});
-  verb.option(
-          "--to", options->to,
-          "Format, where the name of OUT does not tell it: csv, json, xyva, codesys, "
-          "pairs, sew, kollmorgen; points: CSV of segments with their types, for Googol's PT and "
-          "follow mode")
+  verb.option("--to", options->to,
+              "Format, if the extension of OUT does not determine it: csv, json, xyva, codesys, "
+              "pairs, sew, kollmorgen; points: CSV of segments with types, for the PT and follow "
+              "modes of Googol")
       .check(one_of(formats));
   verb.axis(options->axis);
   verb.option("--rule", options->rule,
-              "For csv and json: linear, cubic_hermite, quintic_hermite; by default as it is")
+              "For csv and json: linear, cubic_hermite, quintic_hermite; default: unchanged")
       .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));
   const auto target = add_target_options(verb, options->target);
-  verb.option("--intervals", options->intervals, "New knots: this many equal intervals")
+  verb.option("--intervals", options->intervals,
+              "New knots at equal intervals, this number of them")
       .check(whole(1, 10'000'000))
       .excludes(target);
   verb.option("--every", options->every,
-              "Not a table but its values: position and two derivatives at every step of the "
+              "Write samples instead of a table: position and two derivatives at every step of the "
               "first column, such as \"1 ms\", as CSV");
-  verb.option(
-      "--master-unit", options->master_unit,
-      "Unit of the first column: what a file without units counts in, or what to convert to");
+  verb.option("--master-unit", options->master_unit,
+              "Unit of the first column: that of a file without units, or the unit to convert to");
   verb.option("--position-unit", options->position_unit, "The same for the position");
-  verb.flag(
-      "--periodic", options->periodic,
-      "The cam repeats, and a slave that ends elsewhere goes on from there (advance): where a "
-      "file does not say so");
+  verb.flag("--periodic", options->periodic,
+            "The cam repeats, and the slave advances if it ends at another position; for files "
+            "without this information");
   verb.flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
-  verb.flag("--json", options->json, "Summary for machines");
+  verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run(*options); });
 }
 

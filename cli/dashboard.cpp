@@ -75,7 +75,7 @@ std::vector<Row> dashboard(const std::vector<Watched>& axes, const View& view) {
   rows.push_back({{padded("  axis", 16) + padded("state", 21) + padded("position", 17) +
                        padded("velocity", 17) + "fault",
                    Tone::faint}});
-  if (axes.empty()) rows.push_back({{"  nothing is heard yet", Tone::faint}});
+  if (axes.empty()) rows.push_back({{"  no message yet", Tone::faint}});
   const std::size_t at = index_of(axes, view.chosen);
   const std::vector<Row> chosen = axes.empty() ? std::vector<Row>{} : details(axes[at], view);
   // The list gives way to the details, down to three axes; the chosen one is always among them.

@@ -136,7 +136,7 @@ Row listed(const Watched& axis, const View& view, bool chosen) {
   Row row{{chosen ? "> " : "  ", Tone::strong},
           {padded(axis.name, 14), chosen ? Tone::chosen : Tone::plain}};
   if (!axis.status) {
-    row.push_back({"not heard yet", Tone::faint});
+    row.push_back({"no message yet", Tone::faint});
     return row;
   }
   const wire::Status& s = *axis.status;

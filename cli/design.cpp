@@ -26,8 +26,8 @@ std::string file_of(const std::string& path, const std::string& axis, std::size_
   if (axes == 1 || path.empty()) return path;
   if (path == "-")
     throw InputError("--output", "",
-                     "is missing: several axes need a file each; -o a.csv writes a-" + axis +
-                         ".csv and so on, --axis " + axis + " makes this one alone");
+                     "is missing: each axis needs a file; -o a.csv writes a-" + axis +
+                         ".csv and so on, --axis " + axis + " writes one axis only");
   const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
   const auto dot = path.find_last_of('.');
   const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;
@@ -67,12 +67,13 @@ nlohmann::ordered_json json_of(const Input& input, const Report& report, const s
 std::string fewest_text(const Input& input) {
   const std::string rate = input.labels.over_master ? std::string(OverMaster::names[1])
                                                     : std::string(OverTime::names[1]);
-  const char* why =
-      *input.binding == Binding::none        ? "two knots do"
-      : *input.binding == Binding::most      ? "the least error of so many knots, or near it"
-      : *input.binding == Binding::tolerance ? "the fewest knots for the position's tolerance, or nearly"
-                                             : "the fewest knots for the velocity's tolerance, or nearly";
-  return fmt::format("{}: {} {} at the most (certified); {}", rate, rounded(input.error->velocity),
+  const char* why = *input.binding == Binding::none ? "two knots do"
+                    : *input.binding == Binding::most
+                        ? "the smallest error for this number of knots, or close to it"
+                    : *input.binding == Binding::tolerance
+                        ? "the fewest knots for the tolerance of the position, or close to it"
+                        : "the fewest knots for the tolerance of the velocity, or close to it";
+  return fmt::format("{}: at most {} {} (certified); {}", rate, rounded(input.error->velocity),
                      input.labels.unit_of(rate), why);
 }
 
@@ -82,12 +83,12 @@ void print_text(std::FILE* out, const Input& input, const Report& report) {
   fmt::print(out, "{}: {} knots, {}, from {} to {} {}\n", input.name, table.size(),
              name(table.rule()), rounded(table.start()), rounded(table.end()), units.x);
   if (input.error)
-    fmt::print(out, "error against the exact curve: {} {} at the most (certified), at {} {}\n",
+    fmt::print(out, "error against the exact curve: at most {} {} (certified), at {} {}\n",
                rounded(input.error->position), units.position, rounded(input.error->where),
                units.x);
   if (input.error && input.binding) fmt::print(out, "{}\n", fewest_text(input));
   for (const Residual& r : input.residuals)
-    fmt::print(out, "left swinging at {} Hz, damping {}: {} {}; without {} {} {}\n",
+    fmt::print(out, "residual vibration at {} Hz, damping {}: {} {}; without {} {} {}\n",
                rounded(r.mode.frequency), rounded(r.mode.damping), rounded(r.after), units.position,
                input.spec && input.spec->polydyne ? "[polydyne]" : "the operators",
                rounded(r.before), units.position);
@@ -143,11 +144,11 @@ void add_design(CommandLine& line) {
                               "jounce design cam.toml -o cam.csv --curve cam.curve.json");
   verb.option("SPEC", options->spec, "Spec to make; - is standard input").required();
   verb.option("-o,--output", options->output,
-              "Table to write, CSV or .json; - is standard output. Several axes: a.csv is "
-              "a-NAME.csv for each");
+              "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
+              "becomes a-NAME.csv for each");
   verb.axis(options->axis);
   verb.option("--curve", options->curve, "Also write the exact curve, segment by segment (JSON)");
-  verb.flag("--json", options->json, "Summary for machines");
+  verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run(*options); });
 }
 

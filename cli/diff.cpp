@@ -94,7 +94,7 @@ std::vector<std::pair<Input, Input>> pairs(const Options& options) {
 }
 
 void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
-  if (all.size() > 1) throw InputError("--output", path, "shows one axis: say which with --axis");
+  if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
   write_picture(path, figure_of(all.front().second, all.front().first));
 }
 
@@ -128,19 +128,19 @@ int run(const Options& options) {
 
 void add_diff(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb =
-      line.verb("diff", "What changed between two specs or tables, exactly; exit 1 if anything",
-                "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
+  const Verb verb = line.verb(
+      "diff", "Show the exact differences of two specs or tables; exit status 1 if there are any",
+      "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
   verb.option("A", options->before, "Spec or table; - is standard input").required();
-  verb.option("B", options->after, "Another; numbers are in its units").required();
+  verb.option("B", options->after, "Second spec or table; numbers are in its units").required();
   verb.axis(options->axis);
   verb.option("--tolerance", options->tolerances,
-              "What counts as equal: a share of each range (1e-6), or KEY=VALUE for a quantity "
-              "(position=0.01), repeatable; by default rounding alone")
+              "Tolerance for equal values: a share of each range (1e-6), or KEY=VALUE for a "
+              "quantity (position=0.01), repeatable; default: rounding only")
       .one_each();
   verb.option("-o,--output", options->output,
-              "Also draw B over a paler A: .svg or .png; - is SVG on standard output");
-  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+              "Picture of B over a paler A to write, .svg or .png; - is SVG on standard output");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

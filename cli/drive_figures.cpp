@@ -126,7 +126,7 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
   const double way = travel.max.value - travel.min.value;
   double highest = 12 / motion.length();
   for (const DriveMode& m : own) highest = std::max(highest, 1.3 * m.frequency);
-  Figure figure{.title = "What the motion leaves of a vibration", .x_label = "its frequency [Hz]"};
+  Figure figure{.title = "Residual vibration of the motion", .x_label = "its frequency [Hz]"};
   Panel panel{.y_label = "amplitude left [dB of the way]"};
   for (const double damping : {0.0, 0.05}) {
     Series series{.label = damping == 0 ? "undamped" : fmt::format("damping ratio {}", damping)};
@@ -150,7 +150,7 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
 
 Figure drive_figure(const Input& input, const std::string& which) {
   if (!input.drive)
-    throw InputError("drive", "", "is missing: only a spec with a [drive] has such a picture")
+    throw InputError("drive", "", "is missing: this picture needs a spec with a [drive]")
         .at(input.name);
   const std::string& unit = input.labels.units.position;
   const Reference reference = table_reference(input);
@@ -159,7 +159,7 @@ Figure drive_figure(const Input& input, const std::string& which) {
     const auto motion = view(reference).trajectory();
     if (!motion)
       throw InputError("master", "",
-                       "accelerates: the spectrum is that of a master at one velocity")
+                       "accelerates: the spectrum needs a master at constant velocity")
           .at(input.name);
     figure = spectrum_figure(*motion, input.drive->drive, unit);
   } else {

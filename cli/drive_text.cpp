@@ -25,7 +25,7 @@ std::string motor_text(const DriveResult& d, const Motor& m) {
   std::string text = fmt::format("motor velocity {}", at(d.velocity, "rad/s"));
   if (m.torque_constant > 0)
     text += fmt::format("; current {}, {} A rms", at(d.current, "A"), rounded(d.rms_current));
-  if (m.thermal_time > 0) text += fmt::format("; I2t {} % at the most", rounded(100 * d.i2t.value));
+  if (m.thermal_time > 0) text += fmt::format("; I2t at most {} %", rounded(100 * d.i2t.value));
   return text;
 }
 
@@ -77,7 +77,7 @@ std::string drive_text(const DriveResult& d, const DriveSpec& spec, const std::s
         settling_text(d, spec.limits, u)));
   if (drive.pendulum) line(fmt::format("pendulum swings {}", at(d.swing, u)));
   line(energy_text(d, drive.motor));
-  if (d.impacts > 0) line(fmt::format("backlash: a flank was met {} times", d.impacts));
+  if (d.impacts > 0) line(fmt::format("backlash: {} impacts on a flank", d.impacts));
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, d.saturation.size()); ++i)
     line(saturation_text(d.saturation[i]));

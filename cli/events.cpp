@@ -71,7 +71,7 @@ struct Events {
 Events events_of(const std::string& file) {
   const std::vector<Input> axes = load_axes(file);
   if (!axes.front().spec)
-    throw InputError("FILE", file, "is a table: outputs stand in a spec's [compare] or [[switch]]");
+    throw InputError("FILE", file, "is a table: outputs need a spec with [compare] or [[switch]]");
   const Spec& spec = *axes.front().spec;
   if (spec.compare)
     for (const Input& axis : axes)
@@ -133,7 +133,7 @@ int run(const Options& options) {
 
 void add_events(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb = line.verb("events", "When outputs switch along the motion, exactly",
+  const Verb verb = line.verb("events", "List the exact times at which outputs switch",
                               "jounce events scan.toml -o events.csv");
   verb.option("FILE", options->file,
               "Spec of a motion with [compare], or of a cam with [[switch]] and [master]; "

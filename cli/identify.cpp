@@ -69,7 +69,7 @@ void print_text(std::FILE* out, const Identification& found, const Recording& ru
     fmt::print(out, "  residual of {:<16} {:>12} {:>12} {:>12}   {} rms\n", e.quantity,
                rounded(e.before), rounded(e.after), "", quantity_named(run, e.quantity, u).unit);
   for (const Entangled& e : found.entangled)
-    fmt::print(out, "  - {} and {} can hardly be told apart (correlation {:.4f})\n", e.first,
+    fmt::print(out, "  - {} and {} are hardly distinguishable (correlation {:.4f})\n", e.first,
                e.second, e.correlation);
   for (const std::string& note : found.notes) fmt::print(out, "  - {}\n", note);
 }
@@ -152,7 +152,7 @@ int run(const Options& options) {
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   const Spec spec = read_spec(options.drive);
   if (!spec.drive)
-    throw spec.document.located(InputError("drive", "", "is missing: nothing to fit"));
+    throw spec.document.located(InputError("drive", "", "is missing: the fit needs a [drive]"));
   const std::string& u = spec.units.position;
   const Recording recording = read_recording(options.log, spec.drive->drive, u);
   const Identification found = fitted(recording, spec.drive->drive, options);
@@ -173,7 +173,8 @@ void add_identify(CommandLine& line) {
       line.verb("identify", "Fit numbers of a drive to a recorded run, with confidence intervals",
                 "jounce identify drive.toml --log run.csv --fit "
                 "motor.inertia,mass[1].stiffness -o fitted.toml");
-  verb.option("DRIVE", options->drive, "Spec with a [drive], such as `jounce new drive` writes")
+  verb.option("DRIVE", options->drive,
+              "Spec with a [drive], such as the output of `jounce new drive`")
       .required();
   verb.option("--log", options->log,
               "Recording: CSV with time, command, and feedback, torque, current, ...")
@@ -183,10 +184,10 @@ void add_identify(CommandLine& line) {
       .separated();
   verb.option("-o,--output", options->output, "Drive with the fitted numbers to write");
   verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual");
-  verb.option("--iterations", options->iterations, "At most as many")
+  verb.option("--iterations", options->iterations, "Maximum number of iterations")
       .shown()
       .check(whole(1, 10'000));
-  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

@@ -58,7 +58,7 @@ Input load(const std::string& path, const std::string& axis, bool decimal_comma)
   std::vector<Input> all = load_axes(path, axis, decimal_comma);
   if (all.size() > 1)
     throw InputError("--axis", "",
-                     "is missing: this verb takes one axis at a time, " +
+                     "is missing: this verb works with one axis, " +
                          (path == "-" ? "standard input" : path) + " has " + names_of(all));
   return std::move(all.front());
 }

@@ -49,12 +49,12 @@ nlohmann::ordered_json json_of(const LawInfo& law) {
 
 Law law_of(const std::string& word) {
   const auto law = law_named(word);
-  if (!law) throw InputError("LAW", word, "is no law; `jounce laws` lists them");
+  if (!law) throw InputError("LAW", word, "is not a law: `jounce laws` lists all");
   return *law;
 }
 
 void draw(const Options& options) {
-  if (options.law.empty()) throw InputError("--output", options.output, "draws one law: say which");
+  if (options.law.empty()) throw InputError("--output", options.output, "draws one law: name it");
   const Law law = law_of(options.law);
   const auto rising = rising_laws();
   if (std::find(rising.begin(), rising.end(), law) == rising.end())
@@ -85,12 +85,12 @@ int run(const Options& options) {
 
 void add_laws(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb = line.verb("laws", "List the motion laws of cams, or tell about one",
+  const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
                               "jounce laws modified_sine -o modified_sine.svg");
-  verb.option("LAW", options->law, "One of them, by its word in a spec");
-  verb.option("-o,--output", options->output, "Draw it, .svg or .png");
+  verb.option("LAW", options->law, "Name of a law, as in a spec");
+  verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png");
   verb.flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
-  verb.flag("--json", options->json, "For machines, numbers in full");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

@@ -30,12 +30,14 @@ Nanos nanos(double seconds) {
 
 void add_link_options(const Verb& verb, LinkOptions& options) {
   verb.option("--url", options.url,
-              "Where programs meet: udpm://GROUP:PORT is LCM's multicast, which neither leaves nor enters this "
-              "machine unless ?ttl=1 is added; unix://FOLDER needs no network")
+              "Address of the bus: udpm://GROUP:PORT is LCM multicast, on this machine only unless "
+              "?ttl=1 is added; unix://FOLDER needs no network")
       .shown();
   verb.option("--key", options.key,
-              "File with the key that commands are signed with; see jounce new key");
-  verb.option("--inject-loss", options.inject_loss, "Share of packets to lose, each way").hidden();
+              "File with the key that signs the commands; see jounce new key");
+  verb.option("--inject-loss", options.inject_loss,
+              "For tests: share of packets to lose in each direction")
+      .hidden();
   verb.option("--seed", options.seed, "Of --inject-loss").hidden();
 }
 

@@ -45,8 +45,8 @@ HomingSpec homing_of(const AxisSpec::Homing& spec, double unit) {
 AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
-    throw spec.document.located(InputError(
-        "kind", "", "an executor is configured by a spec of kind \"axis\"; see `jounce new axis`"));
+    throw spec.document.located(
+        InputError("kind", "", "an executor needs a spec of kind \"axis\": see `jounce new axis`"));
   const double unit = seconds_per_unit(spec);
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
@@ -136,12 +136,12 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
   const auto leader = std::find_if(leaders.begin(), leaders.end(),
                                    [&](const Leader& one) { return one.name == name; });
   if (leader == leaders.end() && of_master)
-    refuse("no master of this name is here" +
+    refuse("this machine has no master of this name" +
            meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
   if (leader == leaders.end())
-    refuse("no axis of this name is run here" + meant(name, leaders, ": name its spec too"));
+    refuse("this machine has no axis of this name" + meant(name, leaders, ": name its spec too"));
   if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
-    refuse("it counts in " + leader->unit + ", and this axis's units.master is " +
+    refuse("its unit is " + leader->unit + ", but units.master of this axis is " +
            axis.spec.master_unit);
   Follow follow = leader->follow;
   if (whom.actual) follow.what = Follow::What::actual;

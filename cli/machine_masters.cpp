@@ -45,12 +45,13 @@ std::function<double()> reader_of(const MachineMasterSpec& spec,
   }
   ExecutorOptions* const axis = axis_named(encoder.axis, parts);
   if (axis == nullptr)
-    throw InputError("axis", encoder.axis, "no axis of this name is in the machine");
+    throw InputError("axis", encoder.axis, "this machine has no axis of this name");
   if (!axis->drive)
     throw InputError("axis", encoder.axis,
-                     "has no [drive] that could say where it is; type = \"null\" follows exactly");
+                     "has no [drive], so there is no actual position: add a drive; type = \"null\" "
+                     "follows exactly");
   if (!axis->units.position.empty() && axis->units.position != spec.unit)
-    throw InputError("unit", spec.unit, "the axis counts in " + axis->units.position);
+    throw InputError("unit", spec.unit, "the unit of the axis is " + axis->units.position);
   const auto observed = std::make_shared<ObservedDrive>(axis->drive);
   axis->drive = observed;
   return [observed, reading] { return (*reading)(observed->position()); };
@@ -78,11 +79,11 @@ Follow make(const MachineMasterSpec::Encoder& encoder, const MachineMasterSpec& 
 StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& unit) {
   Tables tables = executor_tables(load(own.file));
   if (tables.master || tables.slave.table.axis() != Axis::time)
-    throw InputError("file", own.file, "must be over time: a master is a function of it");
+    throw InputError("file", own.file, "must be over time: a master is a function of time");
   const Units units = tables.slave.units;
   if (units.position != unit)
     throw InputError("file", own.file,
-                     "it counts in " + units.position + ", this master in " + unit);
+                     "its unit is " + units.position + ", that of this master is " + unit);
   const auto table = std::make_shared<const Table>(std::move(tables.slave.table));
   return {content_hash(*table, units), units, table};
 }
@@ -123,7 +124,7 @@ Follow add_machine_master(const MachineMasterSpec& spec, const Document& documen
                           const MachineOptions& options, MachineParts& parts) {
   if (axis_named(spec.name, parts) != nullptr)
     throw document.located(
-        InputError(spec.key, spec.name, "an axis of this machine has this name already"));
+        InputError(spec.key, spec.name, "is also the name of an axis of this machine"));
   try {
     return std::visit([&](const auto& what) { return make(what, spec, options, parts); },
                       spec.what);

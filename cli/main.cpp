@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   } catch (const jounce::TransportError& error) {
     return complain("", error.what(), fault);
   } catch (const std::bad_alloc&) {
-    return complain("", "there is not enough memory for this", fault);
+    return complain("", "out of memory", fault);
   } catch (const std::system_error& error) {
     return complain("", error.what(), fault);
   } catch (const std::exception& error) {

@@ -56,8 +56,8 @@ CutLimits limits_of(const Spec& spec, const Options& options) {
   const Limits& slave = spec.slave;
   const bool none = !slave.velocity && !slave.acceleration && !slave.jerk;
   if (none && std::isinf(own) && options.line_speed.empty())
-    throw spec.document.located(
-        InputError("limits.slave", "", "is missing: nothing limits the line's speed"));
+    throw spec.document.located(InputError(
+        "limits.slave", "", "is missing: without a limit, the speed of the line is unlimited"));
   return {slave, option("--line-speed", options.line_speed, speed_unit(spec), own)};
 }
 
@@ -97,7 +97,7 @@ std::string finite(double value) {
   return std::isfinite(value) && value > 0 ? number(value) : "";
 }
 
-constexpr const char* needs_dwell = "turns back: needs dwell";
+constexpr const char* needs_dwell = "reverses: needs dwell";
 
 std::string csv_of(const Map& map) {
   const std::string& m = map.spec.units.x;
@@ -225,15 +225,15 @@ int run(const Options& options) {
 void add_map(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb =
-      line.verb("map", "How fast the line may run for each cut length, and what limits it",
+      line.verb("map", "Show the fastest line for each cut length, and the limit that binds",
                 "jounce map knife.toml --from 100 --to 1000 -o map.png");
   verb.option("FILE", options->file, "Spec of a knife or a shear; - is standard input").required();
-  verb.option("--from", options->from, "Shortest cut; by default all that is of interest");
+  verb.option("--from", options->from, "Shortest cut; default: the whole range of interest");
   verb.option("--to", options->to, "Longest cut");
-  verb.option("--steps", options->steps, "Lengths, both ends included").check(whole(2, 100000));
-  verb.option(
-      "--line-speed", options->line_speed,
-      "What the line itself does; by default the velocity of [master], or a shear's line_speed");
+  verb.option("--steps", options->steps, "Number of lengths, both ends included")
+      .check(whole(2, 100000));
+  verb.option("--line-speed", options->line_speed,
+              "Speed of the line; default: the velocity of [master], or line_speed of a shear");
   verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output");
   verb.work([options] { return run(*options); });
 }

@@ -83,7 +83,7 @@ Play play_of(const Options& options) {
   Tables tables = executor_tables(load(options.file, options.axis));
   const Table& table = tables.slave.table;
   if (tables.master || table.axis() != Axis::time)
-    throw InputError("FILE", options.file, "must be over time: a master is a function of it");
+    throw InputError("FILE", options.file, "must be over time: a master is a function of time");
   const bool endless = repeats(table.outside());
   double length = options.before + options.after + table.end() - table.start();
   if (endless) length = std::numeric_limits<double>::infinity();
@@ -181,7 +181,9 @@ void require_alone(Link link, const Options& options) {
     const auto message = next_message(link.transport(), left, rejects, link.key());
     const auto* const heard = message ? std::get_if<wire::Master>(&message->body) : nullptr;
     if (heard != nullptr && heard->valid)
-      throw InputError("--as", options.name, "a master of this name is speaking on this --url");
+      throw InputError(
+          "--as", options.name,
+          "another sender of this --url uses this name: stop it, or choose another name");
   }
 }
 
@@ -200,33 +202,34 @@ int run(const Options& options) {
 void add_master(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb = line.verb(
-      "master", "Say on the bus where a master is, as a line would: to test without it",
+      "master", "Send the positions of a simulated master: for tests without the line",
       "jounce master line.toml --as line\n"
       "jounce master line.csv --as line --noise 20um --resolution 50um\n"
       "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");
   verb.option("FILE", options->file, "Spec or table over time; - is standard input").required();
   verb.axis(options->axis);
   verb.option("--as", options->name, "Name of the master").required();
-  verb.option("--rate", options->rate, "Samples a second").check(within(1.0, 10000.0)).shown();
-  verb.option("--before", options->before, "Seconds for which it stands at the first point")
+  verb.option("--rate", options->rate, "Samples per second").check(within(1.0, 10000.0)).shown();
+  verb.option("--before", options->before, "Seconds at rest at the first point")
       .check(within(0.0, 1e6))
       .shown();
-  verb.option("--after", options->after, "And at the last one, before it leaves")
+  verb.option("--after", options->after, "Seconds at rest at the last point, before it leaves")
       .check(within(0.0, 1e6))
       .shown();
   verb.option("--seconds", options->seconds,
-              "End after so many seconds, wherever it is; a table that repeats has no end")
+              "End after this number of seconds; a table that repeats has no end")
       .check(seconds());
   verb.option("--epoch", options->epoch,
-              "Number of the sender's clock; greater than of any sender before, or nobody "
-              "listens. Not given: seconds since 2020")
+              "Epoch of the sender; executors reject samples unless it is greater than all before. "
+              "Default: seconds since 2020")
       .check(whole(0, std::numeric_limits<std::int32_t>::max()));
   verb.option("--noise", options->noise,
-              "White noise of the encoder, rms: 20um, or a number in the table's unit");
-  verb.option("--resolution", options->resolution, "A count of the encoder, likewise");
-  verb.option("--noise-seed", options->seed, "Of the noise").shown();
+              "White noise of the encoder, rms: 20um, or a number in the unit of the table");
+  verb.option("--resolution", options->resolution,
+              "Size of an encoder count: 50um, or a number in the unit of the table");
+  verb.option("--noise-seed", options->seed, "Seed of the noise").shown();
   add_link_options(verb, options->link);
-  verb.flag("--json", options->json, "Summary for machines");
+  verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run(*options); });
 }
 

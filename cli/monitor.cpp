@@ -110,7 +110,7 @@ class Ear {
     }
   }
 
-  /// What has been silent for too long, in words: an axis that was named, or all; empty: nothing.
+  /// What has sent no message for too long, in words: an axis that was named, or all; empty: nothing.
   [[nodiscard]] std::string silent() const {
     const Nanos now = steady_now();
     Nanos last = begun_;
@@ -146,7 +146,7 @@ class Ear {
 };
 
 int give_up(const std::string& who, const Options& options) {
-  fmt::print(stderr, "jounce: {} has been silent for {} s: {}\n", who, options.silence,
+  fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, options.silence,
              unheard_hint);
   return fault;
 }
@@ -211,23 +211,24 @@ int run(Options options) {
 void add_monitor(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb = line.verb(
-      "monitor", "Show what executors are doing now",
-      "jounce monitor                           all that are heard\n"
+      "monitor", "Show the present state of executors",
+      "jounce monitor                           all executors\n"
       "jounce monitor feeder knife\n"
       "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
       "Keys: up and down choose an axis, h holds, r resumes, s and then y stops it, q quits.\n"
-      "Into a file or a pipe: a line for each status.");
-  verb.option("NAME", options->executors, "Names of executors; otherwise all that are heard");
+      "Output to a file or a pipe has one line for each status.");
+  verb.option("NAME", options->executors, "Names of executors; default: all that send messages");
   verb.option("--seconds", options->seconds,
-              "End after so many seconds; otherwise with q or Ctrl-C")
+              "End after this number of seconds; default: with q or Ctrl-C")
       .check(seconds());
   verb.option("--silence", options->silence,
-              "Give up when nothing is heard for so many seconds; on a terminal, from the start")
+              "End when no message arrives for this number of seconds; on a terminal, only before "
+              "the first message")
       .check(seconds())
       .shown();
   add_link_options(verb, options->link);
-  verb.flag("--ascii", options->ascii, "Bars and plots of ASCII; otherwise as the locale allows");
-  verb.flag("--json", options->json, "A line of JSON for each status");
+  verb.flag("--ascii", options->ascii, "Draw bars and plots in ASCII; default: by the locale");
+  verb.flag("--json", options->json, "One line of JSON for each status");
   verb.work([options] { return run(*options); });
 }
 

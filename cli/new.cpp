@@ -36,18 +36,17 @@ void add_new(CommandLine& line) {
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
   kinds.emplace_back("key");
   verb.option("KIND", options->kind,
-              "cam, gear, follow, knife, shear or indexer over a master; move, queue, axes, "
-              "pvt or pt over time; axis, an executor's; machine, several of them; drive, a "
-              "servo's; or "
-              "key, a secret that executor and streamer share")
+              "cam, gear, follow, knife, shear or indexer (over a master); move, queue, axes, pvt "
+              "or pt (over time); axis (an executor); machine (several axes); drive (a servo "
+              "drive); key (a secret that executor and streamer share)")
       .required()
       .check(one_of(kinds));
   verb.option("-o,--output", options->output, "File to write; - is standard output");
-  verb.flag("--force", options->force, "Replace a file that is there");
+  verb.flag("--force", options->force, "Replace an existing file");
   verb.work([options]() -> int {
     if (options->kind == "key") return make_key(options->output);
     if (!options->force && options->output != "-" && std::filesystem::exists(options->output))
-      throw InputError("--output", options->output, "is there already; --force replaces it");
+      throw InputError("--output", options->output, "exists already: replace it with --force");
     write_file(options->output, templates().at(options->kind));
     return fine;
   });

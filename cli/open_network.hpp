@@ -10,7 +10,7 @@ bool is_open(const LinkOptions& options);
 
 /// Why that is dangerous, and what to do.
 inline constexpr const char* open_warning =
-    "this --url reaches other machines and there is no --key: every machine of that network can move and "
-    "stop these axes. Make a key with `jounce new key -o line.key`";
+    "this --url reaches other machines and there is no --key, so every machine of that network can "
+    "move and stop these axes. Make a key with `jounce new key -o line.key`";
 
 }  // namespace jounce::cli

@@ -28,10 +28,10 @@ int run(const OptimizeOptions& options) {
   if (options.seconds) give_budget(spec, *options.seconds);
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
-                     "compares one axis, and this spec has several: jounce plot draws them");
+                     "compares one axis, but this spec has several: draw them with `jounce plot`");
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
-        InputError("optimize", "", "--against is for cams with segments that are free in shape"));
+        InputError("optimize", "", "--against needs a cam with segments of free shape"));
   if (spec.parameters) return optimize_parameters(options, spec);
   return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
                                             : optimize_shapes(options, spec);
@@ -42,23 +42,25 @@ int run(const OptimizeOptions& options) {
 void add_optimize(CommandLine& line) {
   const auto options = std::make_shared<OptimizeOptions>();
   const Verb verb = line.verb(
-      "optimize", "Give what the spec leaves free its best value or shape within the limits",
+      "optimize",
+      "Find the best values and shapes of the free quantities of a spec, within the limits",
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb.option("SPEC", options->spec,
-              "Spec with [optimize]: knots or shapes of a cam that are `free`, or "
-              "[[optimize.parameter]] of any kind; - is standard input")
+              "Spec with [optimize]: a cam with `free` knots or shapes, or any kind with "
+              "[[optimize.parameter]]; - is standard input")
       .required();
   verb.option("-o,--output", options->output,
-              "Optimised spec to write: the same text, other numbers and points");
-  verb.option("--table", options->table, "Its table to write, CSV or .json");
+              "Optimized spec to write: the same text with new numbers and points");
+  verb.option("--table", options->table, "Table of the optimized spec to write, CSV or .json");
   verb.option("--plot", options->plot,
-              "Picture to write, .svg or .png: the optimised motion over the given one");
+              "Picture to write, .svg or .png: the optimized motion over the given one");
   verb.option("--against", options->against,
-              "Drive to optimise against, a spec of kind \"drive\": for minimize = [\"drive "
+              "Drive to optimize for, a spec of kind \"drive\": for minimize = [\"drive "
               "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
               "error\", \"drive end following error\"");
-  verb.option("--seconds", options->seconds, "Stop after so long, with the best so far");
-  verb.flag("--json", options->json, "Outcome for machines");
+  verb.option("--seconds", options->seconds,
+              "Stop after this number of seconds with the best result so far");
+  verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run(*options); });
 }
 

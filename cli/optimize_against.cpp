@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 Against against_of(const OptimizeOptions& options, const Spec& spec) {
   const Spec file = read_spec(options.against);
   if (!file.drive)
-    throw file.document.located(InputError("drive", "", "is missing: nothing to optimise against"));
+    throw file.document.located(InputError("drive", "", "is missing: --against needs a [drive]"));
   if (!spec.master)
     throw spec.document.located(
-        InputError("master", "", "is missing: how fast the drive must follow"));
+        InputError("master", "", "is missing: it gives the speed of the drive"));
   Against against{
       .drive = file.drive->drive, .settle = file.drive->settle, .periodic = file.drive->periodic};
   against.velocity = spec.master->velocity / conversion(spec.time_unit, "s");
@@ -31,7 +31,7 @@ Against against_of(const OptimizeOptions& options, const Spec& spec) {
   } catch (const InputError&) {
     throw file.document.located(
         InputError("units.position", '"' + file.units.position + '"',
-                   "must measure what the cam's slave does, in " + spec.units.position));
+                   "must be convertible to the unit of the slave, " + spec.units.position));
   }
   return against;
 }
@@ -51,7 +51,7 @@ void print_drive(std::FILE* out, const AgainstOutcome& outcome, const ShapeWords
                unit_of(f, words));
   for (const auto& [whose, run] : {std::pair{"given", &outcome.given}, {"reached", &outcome.best}})
     if (!run->saturation.empty())
-      fmt::print(out, "  - the torque of the {} cam meets its limit {} times\n", whose,
+      fmt::print(out, "  - the torque of the {} cam reaches its limit {} times\n", whose,
                  run->saturation.size());
 }
 

@@ -30,13 +30,13 @@ Labels labels_of(const Spec& spec) {
 
 std::string active_sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.starts_with("bound/"))
-    return fmt::format("{} stands at its bound {}", finding.quantity, rounded(finding.limit));
+    return fmt::format("{} is at its bound {}", finding.quantity, rounded(finding.limit));
   const std::string where =
       fmt::format("{} {} (segment {})", rounded(finding.where), labels.units.x,
                   labels.segments[finding.segment.value_or(0)]);
   if (finding.rule.starts_with("objective/"))
     return fmt::format("{} is attained at {}", finding.rule.substr(10), where);
-  return fmt::format("{} meets its limit {} at {}", finding.quantity, rounded(finding.limit),
+  return fmt::format("{} reaches its limit {} at {}", finding.quantity, rounded(finding.limit),
                      where);
 }
 

@@ -24,7 +24,7 @@ bool passes_check(std::FILE* out, const Spec& spec) {
     const Report report = checked(input);
     if (report.ok()) continue;
     passes = false;
-    fmt::print(out, "nothing is written: `jounce check` finds fault with the result:\n{}",
+    fmt::print(out, "no file is written: the result breaks these checks:\n{}",
                full_text(report, input.labels));
   }
   return passes;

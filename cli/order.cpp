@@ -48,7 +48,7 @@ Units units_of(Transport& link, const Options& options, const std::optional<wire
   const auto message =
       next_status(link, options.executor, std::chrono::seconds(1), steady_now, key);
   if (!message) {
-    throw TransportError("nothing is heard of " + options.executor + ": " + unheard_hint);
+    throw TransportError("no message from " + options.executor + ": " + unheard_hint);
   }
   return std::get<wire::Status>(message->body).units;
 }
@@ -91,14 +91,15 @@ double buffer_mode_of(const Options& options) {
   const std::map<std::string, double> blends{{"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}};
   const std::string& blend = options.named.at("blend");
   if (!blend.empty() && options.buffered)
-    throw InputError("--blend", blend, "does not go with --buffered: a move that blends is one");
+    throw InputError("--blend", blend,
+                     "cannot be combined with --buffered: a move that blends is buffered");
   return !blend.empty() ? blends.at(blend) : options.buffered ? 1 : 0;
 }
 
 void require_unbuffered(const Options& options, const std::string& what) {
   if (buffer_mode_of(options) != 0)
     throw InputError(options.buffered ? "--buffered" : "--blend", what,
-                     "waits for nothing: move --to, move --by and jog do");
+                     "applies to move --to, move --by and jog only");
 }
 
 /// " VALUE relative " as VALUE, --relative.
@@ -211,7 +212,7 @@ double timeout_of(const std::string& text) {
 wire::Order home_of(const Options& options, const Units& units) {
   if (options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
-                     "does not go with home, which waits until the axis is homed");
+                     "cannot be combined with home, which waits until the axis is homed");
   const double distance = quantity_of(options, "distance", units);
   if (distance <= 0)
     throw InputError("--distance", options.named.at("distance"), "must be greater than 0");
@@ -299,7 +300,10 @@ CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
   const wire::Reply reply = operator_command(link.transport(), options.executor, order, link.key());
   if (reply.outcome == wire::Outcome::accepted) return {};
   if (reply.outcome == wire::Outcome::pending)
-    return {StreamError::command_timeout, {}, 0, options.executor + " does not decide"};
+    return {StreamError::command_timeout,
+            {},
+            0,
+            options.executor + " did not accept or reject the command in time"};
   return {StreamError::refused, reply.refusal, reply.cause,
           std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
 }
@@ -336,68 +340,71 @@ int run(const Options& options) {
 
 void add_order(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb = line.verb("order", "Tell an executor's axis one thing to do",
+  const Verb verb = line.verb("order", "Send one command to an axis",
                               "jounce order feeder move --to 120mm --velocity 200mm/s\n"
                               "jounce order feeder move --by 80mm --blend next\n"
                               "jounce order feeder jog -20mm/s --hold-to-run\n"
                               "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
                               "jounce order feeder override 50%\n"
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
-                              "Numbers without a unit are in that of the axis.");
+                              "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->what,
               "enable, disable, reset; hold, resume, override; move, inch, jog, halt; home, "
-              "set-position; gear-in, gear-in-pos, gear-out, cam-out; start, of the table that "
-              "it has of its own")
+              "set-position; gear-in, gear-in-pos, gear-out, cam-out; start (the axis's own table)")
       .required()
       .check(one_of({"enable", "disable", "reset", "hold", "resume", "override", "move", "inch",
                      "jog", "halt", "home", "set-position", "gear-in", "gear-in-pos", "gear-out",
                      "cam-out", "start"}));
   verb.option("VALUE", options->value,
-              "override's factor (50%), inch's distance, jog's velocity (0: to rest), "
-              "set-position's position, "
-              "gear-in's and gear-in-pos's ratio (3:2)");
+              "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
+              "of set-position, ratio of gear-in and gear-in-pos (3:2)");
   const auto add = [&](const std::string& option, const char* help) {
     return verb.option("--" + option, options->named[option], help);
   };
   add("to", "Move to this position");
-  add("by", "Move by this distance from where the axis is commanded to be");
-  add("add", "Move by this distance from where the present motion would end");
+  add("by", "Move by this distance from the commanded position");
+  add("add", "Move by this distance from the end position of the present motion");
   add("on-top", "Move by this distance on top of the present motion");
-  add("velocity", "Greatest velocity of the move; not given: the axis's limit, as all that follow");
+  add("velocity",
+      "Greatest velocity of the move; default: the limit of the axis. The same holds for the next "
+      "options");
   add("acceleration", "Acceleration");
   add("deceleration", "Deceleration");
   add("jerk", "Jerk");
-  add("method", "home: of CiA 402; not given: [homing] of the axis's spec, as all that follow");
-  add("offset", "home: the position that the home position gets");
-  add("search-velocity", "home: on the way to a switch, and off it");
-  add("index-velocity", "home: on the way over the edge of the switch to the index");
-  add("timeout", "home: end it as a fault after so long a time");
-  add("distance", "home: end it as a fault where one search is longer than this");
-  add("direction", "Of a rotary axis on its way --to: shortest, positive, negative")
+  add("method",
+      "home: method of CiA 402; default: [homing] of the spec of the axis. The same holds for the "
+      "next options");
+  add("offset", "home: the position value of the home position");
+  add("search-velocity", "home: velocity of the search for a switch");
+  add("index-velocity", "home: velocity of the search for the edge of the switch and the index");
+  add("timeout", "home: fault after this time");
+  add("distance", "home: fault if one search is longer than this");
+  add("direction", "Direction of a rotary axis with --to: shortest, positive, negative")
       .check(one_of({"shortest", "positive", "negative"}));
   add("blend",
-      "low, previous, next or high: of move --to, --by and jog; pass the target of the move under "
-      "way "
-      "without a stop, at the lower velocity, its own, this one's or the higher")
+      "move --to, --by and jog: pass the target of the present move without a stop, at the "
+      "velocity of: low (the lower one), previous (that move), next (this move), high (the higher "
+      "one)")
       .check(one_of({"low", "previous", "next", "high"}));
-  add("master-sync", "gear-in-pos: where the master is when both run in step");
-  add("slave-sync", "gear-in-pos: where the axis is then");
-  add("start-distance", "gear-in-pos: so far before that the axis begins to move");
+  add("master-sync", "gear-in-pos: master position from which both run in step");
+  add("slave-sync", "gear-in-pos: position of the axis there");
+  add("start-distance", "gear-in-pos: master distance before it, in which the axis engages");
   verb.flag("--avoid-reversal", options->avoid_reversal,
-            "gear-in-pos: refuse to move against the direction of the gear");
+            "gear-in-pos: reject a motion against the direction of the gear");
   verb.flag("--buffered", options->buffered,
-            "Of move --to, --by and jog: begin when the motion under way has ended");
-  verb.flag(
-      "--hold-to-run", options->hold_to_run,
-      "jog only while this command runs: the axis stops when it ends, or falls silent for 0.2 s");
-  verb.option("--seconds", options->seconds, "End a --hold-to-run jog after so many seconds")
+            "move --to, --by and jog: begin when the present motion has ended");
+  verb.flag("--hold-to-run", options->hold_to_run,
+            "jog only while this command runs: the axis stops when it ends, or sends no heartbeat "
+            "for 0.2 s");
+  verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());
-  verb.option("--at", options->at, "Tick of the executor in which to obey; else at once")
+  verb.option("--at", options->at,
+              "Tick of the executor at which the command takes effect; default: at once")
       .check(whole(0, std::numeric_limits<std::int64_t>::max()));
-  verb.flag("--relative", options->relative, "set-position by an offset");
+  verb.flag("--relative", options->relative, "set-position: the value is an offset");
   add_link_options(verb, options->link);
-  verb.flag("--json", options->json, "Outcome for machines");
+  verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run(*options); });
 }
 

@@ -100,13 +100,14 @@ int run(const Options& options) {
 void add_page(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb =
-      line.verb("page", "Serve a live page of some axes; its address lets a browser give orders",
+      line.verb("page", "Serve a live page of axes; its address permits a browser to send orders",
                 "jounce page feeder knife --port 8080\n"
                 "jounce page feeder --url 'udpm://239.255.76.67:7667?ttl=1' --key line.key\n"
                 "`jounce run --web` starts one beside its executor.");
   verb.option("NAME", options->axes, "Names of the executors to show").required();
   verb.option("--port", options->port, "On 127.0.0.1; 0: any free one").check(whole(0, 65535)).shown();
-  verb.option("--seconds", options->seconds, "End after so many seconds; otherwise with Ctrl-C")
+  verb.option("--seconds", options->seconds,
+              "End after this number of seconds; default: with Ctrl-C")
       .check(seconds());
   add_link_options(verb, options->link);
   verb.flag("--of-run", options->of_run, "Started by jounce run").hidden();

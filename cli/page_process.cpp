@@ -155,14 +155,17 @@ struct PageProcess::Impl {
     while (!ends_within(look)) {
       if (!child->has_ended()) continue;
       if (!may_start_again())
-        return say(fmt::format("jounce: the live page has ended {} times within a minute and is not started again; "
-                               "the axes go on without it. `jounce page` serves another one", most_starts));
-      say("jounce: the live page has ended; it is started again, the axes go on");
+        return say(
+            fmt::format("jounce: the live page has ended {} times within a minute and is not "
+                        "started again; the axes continue. Serve another one with `jounce page`",
+                        most_starts));
+      say("jounce: the live page has ended and is started again; the axes continue");
       if (ends_within(pause)) return;
       try {
         child = std::make_unique<Child>(words, listening.descriptor(), token);
       } catch (const std::system_error& error) {
-        return say(fmt::format("jounce: the live page is not started again: {}; the axes go on", error.what()));
+        return say(fmt::format("jounce: the live page is not started again: {}; the axes continue",
+                               error.what()));
       }
     }
   }

@@ -111,7 +111,7 @@ Figure figure_of(const std::vector<Input>& axes) {
     if (axes[i].labels.units.position != axes.front().labels.units.position)
       throw InputError("--axis", "",
                        "is missing: " + axes.front().axis + " and " + axes[i].axis +
-                           " have different units, and do not go into one picture");
+                           " have different units, so one picture cannot show both");
     Figure other = figure_of_axis(axes[i]);
     for (std::size_t k = 0; k < figure.panels.size(); ++k)
       add(figure.panels[k], std::move(other.panels[k]));
@@ -131,7 +131,8 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
       [&]<class Over>(const Curve<Over>& curve) {
         const auto* other = std::get_if<Curve<Over>>(&before->curve);
         if (other == nullptr)
-          throw InputError("--before", before->name, "runs over another axis than " + input.name);
+          throw InputError("--before", before->name,
+                           "has another independent axis than " + input.name);
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       input.curve);
@@ -157,8 +158,9 @@ void write_png(const std::string& path, const std::string& svg) {
       posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
   if (spawned == 0) waitpid(child, &status, 0);
   if (spawned != 0)
-    throw std::system_error(spawned, std::generic_category(),
-                            "PNG needs rsvg-convert (Debian: librsvg2-bin), SVG does not");
+    throw std::system_error(
+        spawned, std::generic_category(),
+        "needs rsvg-convert (Debian: librsvg2-bin); write .svg instead, or install it");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::system_error(EIO, std::generic_category(), "rsvg-convert failed");
   write_file(path, read_file(target));

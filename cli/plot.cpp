@@ -27,13 +27,12 @@ struct Options {
 Drive drive_of(const Options& options) {
   const std::string text = read_file(options.file);
   const std::string name = options.file == "-" ? "standard input" : options.file;
-  const InputError missing("drive", "",
-                           "is missing: only a spec with a [drive] has such a picture");
+  const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
   if (is_table(text) || format_of_text(text)) throw InputError(missing).at(name);
   const Spec spec = parse_spec(text, name);
   const std::vector<AxisPart> parts = spec.parts();
   if (parts.size() > 1 && options.axis.empty())
-    throw InputError("--drive", options.drive, "is of one axis: say which with --axis");
+    throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
   for (const AxisPart& part : parts)
     if (part.drive && (options.axis.empty() || part.name == options.axis)) return part.drive->drive;
   throw spec.document.located(missing);
@@ -55,7 +54,7 @@ Figure figure(const Options& options) {
   std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (!options.drive.empty()) {
     if (inputs.size() > 1)
-      throw InputError("--drive", options.drive, "is of one axis: say which with --axis");
+      throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
   if (options.follower) {  // of a cam: one axis
@@ -70,7 +69,7 @@ Figure figure(const Options& options) {
     for (Input& input : inputs) input = over_time(input);
   if (options.before.empty()) return figure_of(inputs);
   if (inputs.size() > 1)
-    throw InputError("--before", options.before, "compares one axis: say which with --axis");
+    throw InputError("--before", options.before, "compares one axis: name it with --axis");
   const Input before = load_beside(options.before, inputs.front());
   return figure_of(inputs.front(), over ? over_time(before) : before);
 }
@@ -94,20 +93,21 @@ void add_plot(CommandLine& line) {
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
   const Option over =
-      verb.option("--over", options->over,
-                  "A cam over its master, or its slave over time behind the [master] of the spec")
+      verb.option(
+              "--over", options->over,
+              "Draw a cam over its master, or the slave over time with the [master] of the spec")
           .check(one_of({"master", "time"}));
   const Option before =
-      verb.option("--before", options->before, "Another one, drawn paler underneath");
+      verb.option("--before", options->before, "Spec or table to draw paler underneath");
   const Option drive =
       verb.option("--drive", options->drive,
-                  "Of a spec with a [drive]: its response over time, its torque over speed within "
-                  "the motor's envelope, the spectrum of the vibration left, or its loop's "
-                  "frequency response with the margins (bode, nyquist)")
+                  "For a spec with a [drive]: response over time, torque over speed within the "
+                  "envelope of the motor, spectrum of the residual vibration, or frequency "
+                  "response of the loop with the margins (bode, nyquist)")
           .check(one_of({"response", "torque-speed", "spectrum", "bode", "nyquist"}))
           .excludes({over, before});
   verb.flag("--follower", options->follower,
-            "Of a cam with a [follower]: its lift and its contact force over time")
+            "For a cam with a [follower]: lift and contact force over time")
       .excludes({over, before, drive});
   verb.option("-o,--output", options->output,
               "Picture to write, .svg or .png; - is SVG on standard output");

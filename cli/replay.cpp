@@ -93,7 +93,7 @@ RecordedAxis axis_of(const std::string& file, const std::string& wanted) {
   const Replay names = replay(in, file);
   for (const RecordedAxis& axis : names.axes)
     if (wanted.empty() || axis.name == wanted) return axis;
-  throw InputError("--axis", wanted, "is none of the record's axes").at(file);
+  throw InputError("--axis", wanted, "is not an axis of the record").at(file);
 }
 
 /// The name of the axis, or the master, that came out otherwise.
@@ -113,7 +113,7 @@ void print(const Replay& r, const std::string& file) {
                d.of_master ? "master" : "axis", whose(r), d.tick, d.what.field,
                number(d.what.recorded), number(d.what.replayed));
   } else if (r.compared > 0) {
-    fmt::print("replayed: {} cycles, the same to the last bit\n", r.compared);
+    fmt::print("replayed: {} cycles, identical to the last bit\n", r.compared);
   }
   if (!r.shorter.empty()) fmt::print("not replayed to its end: {}\n", r.shorter);
 }
@@ -145,7 +145,7 @@ void require_others(const Options& options) {
 int run(const Options& options) {
   require_others(options);
   std::ifstream in(options.file, std::ios::binary);
-  if (!in) throw InputError("FILE", options.file, "cannot be read: is there such a file?");
+  if (!in) throw InputError("FILE", options.file, "cannot be read: does the file exist?");
   const bool shown = !options.plot.empty();
   const bool listed = !options.csv.empty();
   RecordedAxis axis;
@@ -175,18 +175,18 @@ int run(const Options& options) {
 void add_replay(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb =
-      line.verb("replay", "Execute a recorded run again and compare every cycle to the last bit",
+      line.verb("replay", "Execute a recorded run again and compare every cycle bit for bit",
                 "jounce replay run.lcmlog --plot run.svg --last 2000");
-  verb.option("FILE", options->file, "Of `jounce run --record`, or a black box").required();
-  verb.option("--axis", options->axis,
-              "Name of the axis for --plot and --csv; otherwise the first");
+  verb.option("FILE", options->file, "Record of `jounce run --record`, or a black box").required();
+  verb.option("--axis", options->axis, "Name of the axis for --plot and --csv; default: the first");
   verb.option("--plot", options->plot,
               "Picture of set and actual position, following error and torque (.svg, .png)");
-  verb.option("--csv", options->csv, "The recorded ticks, as the log of `jounce run`");
+  verb.option("--csv", options->csv,
+              "Recorded ticks to write, in the format of `jounce run --log`");
   verb.option("--last", options->last,
-              "Only so many cycles, the last ones (--plot: 5000, --csv: all)")
+              "Number of last cycles to write (default: --plot 5000, --csv all)")
       .check(whole(1, 10'000'000));
-  verb.flag("--json", options->json, "Result for machines");
+  verb.flag("--json", options->json, "Result as JSON");
   verb.work([options] { return run(*options); });
 }
 

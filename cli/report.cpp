@@ -69,7 +69,7 @@ Facts facts(const Input& input) {
   if (input.error)
     f.rows.emplace_back(
         "error against the exact curve",
-        fmt::format("{} {} at the most (certified)", short_number(input.error->position),
+        fmt::format("at most {} {} (certified)", short_number(input.error->position),
                     input.labels.units.position));
   if (!input.table.provenance.spec.empty())
     f.rows.emplace_back("spec", input.table.provenance.spec + ", sha256 " +
@@ -80,29 +80,28 @@ Facts facts(const Input& input) {
 Section proof_section(const Proof& proof, const Input& input) {
   Section section{"Proof", {}};
   section.blocks.emplace_back(
-      Prose{"The witness integrates the jerk alone, three times, with SUNDIALS CVODES, and "
-            "compares what comes out with the position, velocity and acceleration that the curve "
-            "and its table claim. The table is read as the executor reads it."});
+      Prose{"The witness integrates only the jerk, three times, with SUNDIALS CVODES, and compares "
+            "the result with the position, velocity and acceleration of the curve and its table. "
+            "It reads the table as the executor does."});
   DataTable table = findings_table(proof.report, input.labels);
   section.blocks.emplace_back(std::move(table));
   if (proof.drive) {
     section.blocks.emplace_back(
         Chart{response_figure(*proof.drive, *input.drive, input.labels.units.position),
-              "The table driven through the model of its [drive], under a P-PI cascade with "
-              "feed-forward, and held after its end."});
+              "The response of the [drive] to the table, with a P-PI cascade and feed-forward. The "
+              "drive holds the last position after the end."});
     section.blocks.emplace_back(Chart{torque_speed_figure(*proof.drive, input.drive->drive),
-                                      "The same run within what the motor has."});
+                                      "The same run within the envelope of the motor."});
     if (loop_of(input.drive->drive))
       section.blocks.emplace_back(
           Chart{bode_figure(input.drive->drive),
-                "The loop of both controllers, cut where the torque enters the "
-                "motor: where its magnitude passes 0 dB the phase must stay above "
-                "−180 deg."});
+                "The open loop of both controllers, cut at the torque input of the motor: at 0 dB, "
+                "the phase must be above −180 deg."});
   }
   if (proof.follower)
     section.blocks.emplace_back(
         Chart{follower_figure(*proof.follower, *input.spec->follower, input.labels.units.position),
-              "The [follower] on the table as its cam."});
+              "The [follower] with the table as its cam."});
   return section;
 }
 
@@ -151,8 +150,8 @@ void add_report(CommandLine& line) {
                 "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
-  verb.option("--before", options->before, "Another one, drawn paler underneath");
-  verb.option("--log", options->log, "Tick log of an executor, compared with the exact curve");
+  verb.option("--before", options->before, "Spec or table to draw paler underneath");
+  verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
   verb.option("-o,--output", options->output, "Page to write; - is standard output");
   verb.work([options] { return run(*options); });
 }

@@ -49,7 +49,7 @@ std::string within(const Histogram::Counts& counts) {
 void print(const ExecutorSummary& summary) {
   for (const AxisSummary& axis : summary.axes) print(axis, summary.axes.size() == 1);
   const CycleCounts& cycle = summary.cycle;
-  fmt::print("{} ticks, {} late, the latest by {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
+  fmt::print("{} ticks, {} late, by at most {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
              cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
              within(summary.lateness), within(summary.computing));
   if (!summary.realtime.empty()) fmt::print("{}\n", summary.realtime);
@@ -108,7 +108,7 @@ bool has_played(const ExecutorSummary& summary) {
 
 bool record_is_whole(const ExecutorSummary& summary) {
   if (summary.record_trouble.empty() && summary.record_lost == 0) return true;
-  fmt::print(stderr, "jounce: the record is not whole: {}\n",
+  fmt::print(stderr, "jounce: the record is incomplete: {}\n",
              summary.record_trouble.empty()
                  ? std::to_string(summary.record_lost) + " cycles are missing"
                  : printable(summary.record_trouble));
@@ -132,7 +132,7 @@ void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
   for (const auto& axis : axes) names += (names.empty() ? "" : ", ") + axis.receiver.executor;
   const std::string& first = axes.front().receiver.executor;
   fmt::print(stderr, "jounce: {}: up, {}\n", names,
-             enabled ? "enabled" : "disabled until told: jounce order " + first + " enable");
+             enabled ? "enabled" : "disabled; enable it with: jounce order " + first + " enable");
 }
 
 /// A spec is not lost to a log of the same name.
@@ -158,8 +158,8 @@ void require_no_inputs(const Options& options, const std::vector<ExecutorOptions
 bool has_its_names(const ExecutorSummary& summary) {
   if (summary.lost_name.empty()) return true;
   fmt::print(stderr,
-             "jounce: name_taken: another executor on this --url is up as {}: this one has stopped "
-             "its axes and left\n",
+             "jounce: name_taken: another executor on this --url has the name {}: this executor "
+             "stopped its axes and ended\n",
              summary.lost_name);
   return false;
 }
@@ -190,51 +190,52 @@ int run(const Options& options) {
 
 void add_run(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb =
-      line.verb("run", "Run an executor: take tables from a stream and play them, tick by tick",
-                "jounce run axis.toml --enable --log run.csv --once\n"
-                "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
+  const Verb verb = line.verb("run", "Run an executor: receive tables and play them, tick by tick",
+                              "jounce run axis.toml --enable --log run.csv --once\n"
+                              "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
   verb.option("SPEC", options->machine.files,
-              "Of kind \"axis\": limits, cycle, name; several run in one cycle. Or one of kind "
-              "\"machine\", which names them")
+              "Specs of kind \"axis\" (limits, cycle, name), which run in one cycle; or one spec "
+              "of kind \"machine\", which names them")
       .required();
   verb.option("--log", options->machine.log,
-              "CSV of what was commanded in each tick; of several axes run.NAME.csv each");
+              "CSV of the setpoints of each tick; with several axes, run.csv becomes run.NAME.csv "
+              "for each");
   verb.option("--record", options->run.record.log,
-              "LCM log of all that the axes are told, see and say, for `jounce replay`");
+              "LCM log of all inputs and outputs of the axes, for `jounce replay`");
   verb.option("--black-box", options->run.record.black_box,
-              "Where a fault leaves the last cycles before it");
+              "Folder for the last cycles before a fault");
   verb.option("--black-box-cycles", options->run.record.black_box_cycles,
-              "How many cycles of each axis that is")
+              "Number of these cycles for each axis")
       .check(whole(1, 1'000'000))
       .shown();
-  verb.option("--seconds", options->run.seconds, "End after so many seconds").check(seconds());
+  verb.option("--seconds", options->run.seconds, "End after this number of seconds")
+      .check(seconds());
   verb.flag("--once", options->run.once, "End after one motion");
   verb.option("--realtime", options->run.realtime.priority,
-              "SCHED_FIFO priority of the cycle, 1 to 99, where permitted")
+              "SCHED_FIFO priority of the cycle, 1 to 99, if permitted")
       .check(whole(1, 99));
-  verb.option("--cpu", options->run.realtime.cpu,
-              "The only CPU the cycle may run on, counted from 0")
+  verb.option("--cpu", options->run.realtime.cpu, "CPU of the cycle, zero-based")
       .check(whole(0, 1023));
   verb.option("--watchdog", options->watchdog,
-              "Stop all axes where the communication hangs for so many seconds; 0: never; not "
-              "given: what a machine's spec says, or 0.5")
+              "Stop all axes if the communication thread hangs for this number of seconds; 0: "
+              "never; default: the value in the machine spec, or 0.5")
       .check([](const std::string& text) -> std::string {
         const double value = number_in(text).value_or(-1);
         return value == 0 || (value >= 0.01 && value <= 3600) ? "" : "must be 0.01 to 3600, or 0";
       });
   verb.option("--web", options->web,
-              "Serve a live page on this port of 127.0.0.1 (0: any free one), as `jounce page` does, in a "
-              "process of its own")
+              "Serve a live page on this port of 127.0.0.1 (0: any free port), like `jounce page`, "
+              "in a separate process")
       .check(whole(0, 65535));
-  verb.flag("--enable", options->machine.enable,
-            "Enable every axis at the start; otherwise each waits, disabled, for that order");
+  verb.flag(
+      "--enable", options->machine.enable,
+      "Enable every axis at the start; default: each axis is disabled until the command enable");
   verb.flag("--adopt-start", options->machine.adopt_start,
-            "At standstill, a table's first position is where the axis stands");
+            "At standstill, take the first position of a table as the position of the axis");
   verb.flag("--finish-when-silent", options->machine.finish_when_silent,
-            "A table whose streamer falls silent is played to its end; otherwise it is stopped");
+            "Play a table to its end when the heartbeat of its streamer is missing; default: stop");
   add_link_options(verb, options->link);
-  verb.flag("--json", options->json, "Summary for machines");
+  verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run(*options); });
 }
 

@@ -57,7 +57,7 @@ void print_run(std::FILE* out, const CamRunOutcome& run, const ShapeWords& words
                t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
   print_active(out, run, words);
   if (const Finding* next = next_limit(run))
-    fmt::print(out, "  - {} stays {:.0f} % below its limit, closest at {}\n", next->quantity,
+    fmt::print(out, "  - {} is {:.0f} % below its limit, closest at {}\n", next->quantity,
                100 * next->margin, words.at(next->where, run));
 }
 

@@ -47,14 +47,14 @@ int run(const Options& options) {
     const auto state =
         state_at_rest(link.transport(), options.executor, nanos(options.patience), link.key());
     if (!state) {
-      fmt::print(stderr, "jounce: {} confirms, but is not at rest after {} s\n", options.executor,
-                 options.patience);
+      fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
+                 options.executor, options.patience);
       return fault;
     }
     fmt::print("{} is at rest: {}\n", options.executor, name(*state));
     return fine;
   }
-  fmt::print(stderr, "jounce: {} does not confirm: {}\n", options.executor, unheard_hint);
+  fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor, unheard_hint);
   return fault;
 }
 
@@ -62,14 +62,13 @@ int run(const Options& options) {
 
 void add_stop(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  const Verb verb = line.verb("stop", "Bring an executor's axis to rest, whoever owns it",
+  const Verb verb = line.verb("stop", "Stop an axis, also one that another session moves",
                               "jounce stop feeder\n"
                               "jounce stop feeder --abort");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.flag("--abort", options->abort,
-            "The fastest stop that the axis has, path or not; it is then in error_stop");
-  verb.option("--patience", options->patience,
-              "Give up waiting for standstill after so many seconds")
+            "Stop as fast as possible, also off the path; the axis is then in error_stop");
+  verb.option("--patience", options->patience, "Wait at most this number of seconds for standstill")
       .check(seconds())
       .shown();
   add_link_options(verb, options->link);

@@ -61,7 +61,7 @@ bool is_of_tables(const Options& options) {
 int run_rolling(const Options& options) {
   if (is_of_tables(options)) {
     throw InputError("--rolling", "",
-                     "streams one table over time: without --swap, --master, --live and --until");
+                     "streams one table over time: omit --swap, --master, --live and --until");
   }
   return stream_rolling({.file = options.file,
                          .axis = options.axis,
@@ -75,9 +75,8 @@ int run_rolling(const Options& options) {
 
 int run_banks(const Options& options) {
   if (options.rolling || is_of_tables(options)) {
-    throw InputError(
-        "--bank", options.bank,
-        "fills two banks of rows: without --rolling, --swap, --master, --live, --until");
+    throw InputError("--bank", options.bank,
+                     "fills two banks of rows: omit --rolling, --swap, --master, --live, --until");
   }
   return stream_banks({.first = options.file,
                        .second = options.bank,
@@ -93,11 +92,11 @@ int run_banks(const Options& options) {
 void require_live(const Options& options) {
   if (options.live) return;
   if (!options.start_at.empty())
-    throw InputError("--start-at", options.start_at, "is a position of a live master: with --live");
+    throw InputError("--start-at", options.start_at, "is a position of a live master: add --live");
   if (options.at_next_cut)
-    throw InputError("--at-next-cut", "", "is where a cam behind a live master ends: with --live");
+    throw InputError("--at-next-cut", "", "is the end of a cam with a live master: add --live");
   if (options.keep_velocity)
-    throw InputError("--keep-velocity", "", "is of a cam behind a live master: with --live");
+    throw InputError("--keep-velocity", "", "is for a cam with a live master: add --live");
 }
 
 /// Its tables, passes and event are played by the executor's two banks.
@@ -106,8 +105,8 @@ int run_follow(const Input& input, const Options& options) {
                      !options.swaps.empty() || options.until != "start" || !options.master.empty();
   if (other)
     throw InputError("FILE", options.file,
-                     "is a follow spec, which says itself when it begins and how it ends: without "
-                     "--start-at, --at-next-cut, --keep-velocity, --swap, --master and --until");
+                     "is a follow spec, which defines its own start and end: omit --start-at, "
+                     "--at-next-cut, --keep-velocity, --swap, --master and --until");
   return stream_follow(input, {.to = options.to,
                                .relative = options.relative,
                                .wait = !options.no_wait,
@@ -120,7 +119,7 @@ int run(const Options& options) {
   if (!options.at.empty() && (!options.start_at.empty() || options.at_next_cut ||
                               options.rolling || !options.bank.empty()))
     throw InputError("--at", options.at,
-                     "is a tick: without --start-at, --at-next-cut, --rolling and --bank");
+                     "is a tick: omit --start-at, --at-next-cut, --rolling and --bank");
   if (options.to.find(',') != std::string::npos) return stream_group(options);
   require_name_on_bus("--to", options.to);
   if (!options.bank.empty()) return run_banks(options);
@@ -149,12 +148,13 @@ int run(const Options& options) {
 void add_stream(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb = line.verb(
-      "stream", "Send a table to an executor; nothing moves before all of it has arrived",
+      "stream", "Send a table to an executor; the motion starts when the whole table has arrived",
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
-      "jounce stream cam.toml --to knife --live --start-at 250mm behind its live master\n"
-      "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut on\n"
-      "jounce stream xyz.toml --to x,y,z                        several axes: all in one tick, or none\n"
+      "jounce stream cam.toml --to knife --live --start-at 250mm with its live master\n"
+      "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut "
+      "on\n"
+      "jounce stream xyz.toml --to x,y,z                        several axes, in the same tick\n"
       "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
@@ -162,49 +162,47 @@ void add_stream(CommandLine& line) {
   verb.axis(options->axis);
   verb.option("--to", options->to, "Name of the executor").required();
   verb.option("--master", options->master,
-              "Table over time that drives a cam table; a cam spec has its own [master]");
-  verb.flag("--live", options->live,
-            "The cam follows the axis's live master, as its executor is configured");
+              "Table over time of the master of a cam table; a cam spec has its own [master]");
+  verb.flag("--live", options->live, "The cam follows the live master of the axis");
   verb.option("--start-at", options->start_at,
-              "With --live: begin where the master passes this position");
+              "With --live: begin when the master passes this position");
   verb.option("--at", options->at, "Begin at this tick of the executor, or after +SECONDS");
   verb.flag("--at-next-cut", options->at_next_cut,
-            "With --live: a knife or shear takes over where the cam that plays ends its pass");
+            "With --live: a knife or shear begins at the end of the present pass");
   verb.flag("--keep-velocity", options->keep_velocity,
-            "With --live: where the cam ends at a velocity the axis keeps it, instead of braking");
+            "With --live: if the cam ends at a velocity, keep it instead of braking");
   verb.flag("--no-wait", options->no_wait,
-            "Return once the start is accepted, not when it has taken place");
+            "Return when the start is accepted, before the motion begins");
   verb.option("--swap", options->swaps,
-              "Table that takes over where the one before ends, in motion; may be repeated");
-  const Option bank = verb.option(
-      "--bank", options->bank,
-      "Static queue of two banks: FILE fills one, this the other, which follows where FILE ends");
-  verb.option("--loops", options->loops, "With --bank: how often the second bank is played")
+              "Table that continues, in motion, at the end of the table before; repeatable");
+  const Option bank = verb.option("--bank", options->bank,
+                                  "Static queue of two banks: FILE fills the first, this table the "
+                                  "second, which follows at the end of FILE");
+  verb.option("--loops", options->loops, "With --bank: number of passes of the second bank")
       .needs(bank)
       .check(whole(1, 1'000'000'000))
       .shown();
   const Option rolling =
       verb.flag("--rolling", options->rolling,
-                "Send while it plays, to its end: for tables longer than the executor's memory");
-  verb.flag("--resume", options->resume,
-            "With --rolling: go on after the axis had to stop for want of rows")
+                "Send while the axis plays: for tables longer than the memory of the executor");
+  verb.flag("--resume", options->resume, "With --rolling: continue after a buffer underrun")
       .needs(rolling);
   verb.flag("--relative", options->relative,
-            "With --rolling, --bank or a live follow spec: from where the axis stands, wherever the "
-            "table begins");
+            "With --rolling, --bank or a live follow spec: begin at the position of the axis "
+            "instead of that of the table");
   verb.option("--ahead", options->capacity,
-              "With --rolling: rows to begin with; twice as many may wait")
+              "With --rolling: number of rows before the start; the buffer holds twice as many")
       .needs(rolling)
       .check(whole(2, 1 << 20))
       .shown();
-  verb.option("--until", options->until, "How far to go: download, arm or start")
+  verb.option("--until", options->until, "Last step: download, arm or start")
       .check(one_of({"download", "arm", "start"}))
       .shown();
-  verb.option("--patience", options->patience, "Give up after so many seconds")
+  verb.option("--patience", options->patience, "Give up after this number of seconds")
       .check(seconds())
       .shown();
   add_link_options(verb, options->link);
-  verb.flag("--json", options->json, "Outcome for machines");
+  verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run(*options); });
 }
 

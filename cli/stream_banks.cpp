@@ -136,7 +136,7 @@ CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress,
   for (;;) {
     if (interrupt.asked()) return client.stop();
     const auto level = queue.level();
-    if (!level) return {StreamError::contact_lost, {}, 0, "the executor answers no more"};
+    if (!level) return {StreamError::contact_lost, {}, 0, "the executor does not answer any more"};
     progress.show(0, name(level->progress));
     if (const auto end = ended(*level)) return *end;
     if (enough(*level)) return {};

@@ -82,7 +82,7 @@ int stream_group(const StreamVerb& options) {
                      options.until != "start";
   if (alone)
     throw InputError("--to", options.to,
-                     "names several axes: without --rolling, --bank, --swap, --start-at, "
+                     "names several axes: omit --rolling, --bank, --swap, --start-at, "
                      "--at-next-cut, --relative and --until");
   const std::vector<std::string> names = names_of(options.to);
   std::vector<StreamPlan> plans;

@@ -68,7 +68,8 @@ double start_of(const StreamVerb& options, const std::string& unit) {
 
 StreamPlan plan_of(const StreamVerb& options, const std::string& executor, Input input) {
   if (options.live && !options.master.empty())
-    throw InputError("--master", options.master, "with --live the axis has a master of its own");
+    throw InputError("--master", options.master,
+                     "cannot be combined with --live: the axis has its own master");
   StreamPlan plan;
   plan.executor = executor;
   const SwapPlan first = add_input(plan, std::move(input), options);
@@ -114,7 +115,7 @@ std::int64_t tick_of(const StreamVerb& options, Link& link, const std::string& e
   const auto message =
       next_status(link.transport(), executor, std::chrono::seconds(2), steady_now, link.key());
   if (!message)
-    throw TransportError("no status of executor " + executor + " came: " + unheard_hint);
+    throw TransportError("no status of executor " + executor + " arrived: " + unheard_hint);
   const auto& status = std::get<wire::Status>(message->body);
   return status.tick + static_cast<std::int64_t>(std::llround(*number * 1e9)) / status.cycle_ns;
 }
@@ -124,7 +125,7 @@ bool is_live_follow(const Input& input, const StreamVerb& options) {
   const auto* const part = sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
   if (part != nullptr && !options.live && part->start.event == FollowEvent::pass)
     throw InputError("follow.pass", number(part->start.position),
-                     "is a place of a live master: stream it with --live");
+                     "is a position of a live master: stream it with --live");
   return part != nullptr && options.live;
 }
 

@@ -72,8 +72,8 @@ SweepResult worked_through(const SweepSpec& spec, const Options& options, const 
 int stopped(const SweepSpec& spec, const SweepResult& result, const Options& options) {
   const std::string journal = journal_of(options);
   fmt::print(stderr, "jounce: stopped after {} of {} cases; {}\n", result.rows.size(), spec.cases(),
-             journal.empty() ? "with -o, the same command would go on from there"
-                             : "the same command goes on from there (" + journal + ")");
+             journal.empty() ? "with -o, the same command would continue from there"
+                             : "continue with the same command (" + journal + ")");
   return finding;
 }
 
@@ -111,7 +111,7 @@ int run_here(const Options& options) {
 int run_under_mpi(const Options& options) {
   if (options.jobs != 0)
     throw InputError("--jobs", std::to_string(options.jobs),
-                     "is of one process: under mpirun, say how many with -n");
+                     "is for a single process: with mpirun, give the number of processes with -n");
   const MpiWorld world;
   try {
     if (world.size() == 1) return run_here(options);
@@ -148,19 +148,20 @@ int run(const Options& options) {
 void add_sweep(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb = line.verb(
-      "sweep", "Make many variants of a spec and compare them: grids, tolerances, Pareto fronts",
+      "sweep", "Make variants of a spec and compare them: grids, tolerances, Pareto fronts",
       "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
       "  mpirun -n 4 jounce sweep sweep.toml -o results.csv");
-  verb.option("SWEEP", options->file, "Which numbers of which spec take which values").required();
+  verb.option("SWEEP", options->file, "Sweep spec: the base spec, its parameters and their values")
+      .required();
   verb.option("-o,--output", options->output,
-              "Table of all cases to write, CSV. Beside it, a journal is kept until all is done: "
-              "after a kill or Ctrl-C, the same command goes on");
-  verb.option("--npy", options->npy, "The same for NumPy, one structured array");
+              "Table of all cases to write, CSV. A journal beside it permits the same command to "
+              "continue after an interruption");
+  verb.option("--npy", options->npy, "The same as a structured array for NumPy");
   verb.option("--plot", options->plot,
               "Pareto front, distributions, or figures over the parameter: .svg or .png");
-  verb.option("--jobs", options->jobs, "Threads; left out, one for each core")
+  verb.option("--jobs", options->jobs, "Number of threads; default: one for each core")
       .check(whole(1, 4096));
-  verb.flag("--json", options->json, "Summary for machines, numbers in full");
+  verb.flag("--json", options->json, "Summary as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

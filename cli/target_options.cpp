@@ -24,7 +24,7 @@ std::string instead_of_pulses(const std::string& member, const std::string& text
   } catch (const InputError&) {
     return "";
   }
-  return "; say how much a pulse is, such as " + option_of(member) + " \"0.001 " + unit + '"';
+  return "; give the size of a pulse, such as " + option_of(member) + " \"0.001 " + unit + '"';
 }
 
 std::optional<double> number_of(const char* member, const std::string& text,
@@ -54,21 +54,23 @@ std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options)
   for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
   return {
       verb.option("--controller", options.controller,
-                  "New knots, the best that this controller's table holds")
+                  "New knots, the best for a table of this controller")
           .check(one_of(names)),
-      verb.option("--tolerance", options.tolerance,
-                  "New knots, as few as keep the position within this; by default the knots stay"),
+      verb.option(
+          "--tolerance", options.tolerance,
+          "New knots, the fewest that keep the position within this tolerance; default: unchanged"),
       verb.option("--velocity-tolerance", options.velocity_tolerance,
                   "The same for the first derivative"),
       verb.option("--most", options.most,
-                  "At most so many new knots; without a tolerance, the table of the least error, or near it"),
-      verb.option("--spacing", options.spacing, "New knots are at least so far apart"),
+                  "Maximum number of new knots; without a tolerance, the table with the smallest "
+                  "error, or close to it"),
+      verb.option("--spacing", options.spacing, "Least distance of new knots"),
       verb.option("--resolution", options.resolution,
-                  "New knots at whole multiples of this, such as 1ms"),
+                  "New knots at multiples of this, such as 1ms"),
       verb.option("--position-resolution", options.position_resolution,
-                  "Their positions rounded to whole multiples of this, such as 1pulse"),
+                  "Round their positions to multiples of this, such as 1pulse"),
       verb.option("--velocity-resolution", options.velocity_resolution,
-                  "Their velocities likewise")};
+                  "Round their velocities to multiples of this")};
 }
 
 std::optional<Rule> rule_of(const TargetOptions& options) {
@@ -82,10 +84,10 @@ Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units
   if (const ControllerTable* controller = controller_table(options.controller)) {
     if (controller->axis != axis)
       throw InputError("--controller", options.controller,
-                       std::string("is a table over ") + name(controller->axis));
+                       std::string("needs a table over ") + name(controller->axis));
     if (controller->rule != rule)
       throw InputError("--controller", options.controller,
-                       std::string("plays a ") + name(controller->rule) + " table");
+                       std::string("needs a ") + name(controller->rule) + " table");
     target = jounce::target_of(*controller, units, x_step, "--resolution");
   }
   const std::string rate = rate_unit(units.position, units.x, 1);

@@ -58,8 +58,7 @@ void print_text(std::FILE* out, const Proof& proof, const Input& input) {
   fmt::print(out, "{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
              proof_text(proof, input));
   if (!proof.drive)
-    fmt::print(out,
-               "  {:<12} not asked: a spec with a [drive] is also driven through a servo model\n",
+    fmt::print(out, "  {:<12} not checked: only a spec with a [drive] has a servo model\n",
                "drive");
   if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
 }
@@ -71,16 +70,15 @@ void require_signals_of(const Options& options, const std::vector<Input>& inputs
   require_other_file(options.file, options.signals);
   require_folders({{"--signals", options.signals}});
   if (inputs.size() > 1)
-    throw InputError("--signals", options.signals, "is of one axis: say which with --axis");
+    throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
   if (!inputs.front().drive)
-    throw InputError("drive", "", "is missing: --signals writes what a [drive] does")
-        .at(inputs.front().name);
+    throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
 }
 
 int run(const Options& options) {
   const std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (inputs.size() > 1 && !options.log.empty())
-    throw InputError("--log", options.log, "is of one axis: say which with --axis");
+    throw InputError("--log", options.log, "is for one axis: name it with --axis");
   require_signals_of(options, inputs);
   std::FILE* out = options.signals == "-" ? stderr : stdout;
   bool ok = true;
@@ -104,23 +102,23 @@ int run(const Options& options) {
 void add_validate(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   const Verb verb = line.verb(
-      "validate", "Prove it by integration, against a servo model, and against what was played",
+      "validate",
+      "Prove a motion by integration, in a servo model, and against the log of an executor",
       "jounce validate cam.toml --log run.csv");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
-  verb.option(
-      "--log", options->log,
-      "Tick log of an executor: compare every tick with the table, to rounding, and with the exact "
-      "curve, within the tolerance of the table");
+  verb.option("--log", options->log,
+              "Tick log of an executor: compare every tick with the table (to rounding) and with "
+              "the exact curve (within the tolerance of the table)");
   verb.option(
       "--signals", options->signals,
-      "Reference, motor, load, velocity, torque, current of the [drive] over time to write: .csv "
-      "or "
-      ".npy; - is CSV on standard output. The columns are those that `jounce identify` reads");
-  verb.option("--samples", options->samples, "Rows of --signals, equally spaced over the run")
+      "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, velocity, "
+      "torque, current; - is CSV on standard output. `jounce identify` reads these columns");
+  verb.option("--samples", options->samples,
+              "Number of rows of --signals, equally spaced over the run")
       .shown()
       .check(whole(2, 10'000'000));
-  verb.flag("--json", options->json, "Everything for machines, numbers in full");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run(*options); });
 }
 

@@ -189,8 +189,9 @@ Option Verb::flag(const std::string& name, bool& target, const std::string& help
 }
 
 Option Verb::axis(std::string& target) const {
-  return option("--axis", target,
-                "NAME: this axis only, of a spec with several, or this cam of a file with several");
+  return option(
+      "--axis", target,
+      "NAME of the axis in a spec with several axes, or of the cam in a file with several cams");
 }
 
 void Verb::work(Work work) const {
@@ -201,7 +202,7 @@ void require_other_file(const std::string& input, const std::string& output,
                         const std::string& option) {
   std::error_code none;  // a file that is not there is another one
   if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
-    throw InputError(option, output, "is the input: it would be replaced by what is made from it");
+    throw InputError(option, output, "is also the input: choose another name");
 }
 
 }  // namespace jounce::cli

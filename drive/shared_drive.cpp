@@ -40,14 +40,14 @@ SharedMemory::SharedMemory(const std::string& name, Side side)
   try {
     // The lock goes with the process, however it ends: what is left behind without one is free.
     if (maker && flock(file_, LOCK_EX | LOCK_NB) != 0)
-      throw InputError("name", name, "is in use by another executor");
+      throw InputError("name", name, "is used by another executor");
     if (maker && ftruncate(file_, sizeof(SharedProcessData)) != 0)
       fail("cannot size shared memory", path_);
     struct stat status {};
     if (fstat(file_, &status) != 0 ||
         status.st_size < static_cast<off_t>(sizeof(SharedProcessData))) {
       errno = ENODATA;
-      fail("not yet of its size: shared memory", path_);
+      fail("incomplete shared memory", path_);
     }
     void* at =
         mmap(nullptr, sizeof(SharedProcessData), PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
@@ -62,7 +62,7 @@ SharedMemory::SharedMemory(const std::string& name, Side side)
   munmap(data_, sizeof(SharedProcessData));
   close(file_);
   errno = ENODATA;
-  fail("no executor has made shared memory", path_);
+  fail("no executor provides shared memory", path_);
 }
 
 SharedMemory::~SharedMemory() {

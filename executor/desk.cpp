@@ -194,7 +194,7 @@ void Desk::handle(const StopRequested& stop) {
 
 void Desk::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
-  if (silent) notify("the owner has fallen silent");
+  if (silent) notify("the session timed out: no heartbeat from its streamer");
   drop_builds();
   queues_.close();
   // The motion may be that of an owner before, who released it to run on.
@@ -240,7 +240,7 @@ void Desk::handle(const OrderRequested& requested) {
 
 /// The axis's own table, armed and started. It is accepted when it is armed: then nothing is in its way.
 void Desk::start_own(const OrderRequested& requested) {
-  if (!options_.table) return decline(requested, "it has no table of its own: stream one");
+  if (!options_.table) return decline(requested, "the axis has no table of its own: stream one");
   const Request request{requested.session, requested.command, Kind::arm};
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,
@@ -276,9 +276,9 @@ Queues::Record Desk::recorded_rows() const {
 void Desk::handle_queue_order(const OrderRequested& requested) {
   const auto queue = static_cast<std::uint32_t>(requested.value[0]);
   const int bank = requested.value[1] == 0 ? 0 : 1;
-  if (requested.at >= 0) return decline(requested, "orders about queues know no tick");
+  if (requested.at >= 0) return decline(requested, "queue commands take no tick: leave --at out");
   if (requested.kind == wire::OrderKind::queue_end && !queues_.end(queue))
-    return decline(requested, "the queue is no stream, or has no row that ends at rest");
+    return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
   const bool done = requested.kind == wire::OrderKind::queue_end ||
                     (requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
                                                                      : queues_.clear(queue, bank));
@@ -289,7 +289,7 @@ void Desk::handle_queue_order(const OrderRequested& requested) {
 /// Refused where more waits than any streamer needs: the axis takes one command a tick.
 bool Desk::crowded(std::int64_t session, std::int32_t command) {
   if (!outbox_.full()) return false;
-  receiver_.refuse(session, command, "more commands wait already than the axis takes",
+  receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
                    static_cast<std::int32_t>(Cause::no_value));
   return true;
 }
@@ -396,7 +396,7 @@ void Desk::write(const Tick& tick) {
 void Desk::compare(const Tick& tick) {
   const std::string at = " at tick " + std::to_string(tick.tick);
   if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
-  if (tick.dropped) notify("what was armed did not begin" + at + ": " + tick.dropped->text());
+  if (tick.dropped) notify("the armed motion did not start" + at + ": " + tick.dropped->text());
   if (tick.finished > last_.finished) notify("finished" + at);
   if (tick.stopped > last_.stopped) notify("stopped" + at);
   if (tick.fault == last_.fault) return;

@@ -63,8 +63,7 @@ std::optional<LcmEvent> LcmLogReader::next() {
   };
   if (get(bytes, 0, 4) != sync_word)
     fail("sync word", "",
-         "is not LCM's: this is no LCM log, as `jounce run --record` writes it, or it is damaged "
-         "here");
+         "is missing: the file is not an LCM log of `jounce run --record`, or it is damaged here");
   const std::int64_t channel = length(bytes, 20);
   const std::int64_t data = length(bytes, 24);
   if (channel < 1 || channel > most_channel)

@@ -60,7 +60,7 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
     file_.close();
     std::filesystem::remove(temporary_);
     throw InputError("log", path_.string(),
-                     "must be a regular file: it is written under another name and renamed");
+                     "must be a regular file: the log gets this name when it is complete");
   }
   const std::string m = " [" + units.x;
   const std::string u = " [" + units.position;

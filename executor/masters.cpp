@@ -44,9 +44,9 @@ void MasterDesk::refused(One& one, const wire::Master& said) {
   if (!over || one.told_epoch == one.epoch) return;
   one.told_epoch = one.epoch;
   if (options_.notify)
-    options_.notify("master " + one.master.name + " is refused: its epoch, " +
-                    std::to_string(said.clock) + ", is over: " + std::to_string(*one.epoch) +
-                    " was heard, and a sender that begins later must say a greater one");
+    options_.notify("master " + one.master.name + ": samples rejected: epoch " +
+                    std::to_string(said.clock) + " is older than " + std::to_string(*one.epoch) +
+                    ", the newest received; give the sender a greater one with --epoch");
 }
 
 void MasterDesk::turn() {
@@ -58,15 +58,15 @@ void MasterDesk::compare(One& one, const MasterSight& now) {
   one.last = now;
   const bool other_unit = one.intake && !one.intake->other_unit().empty();
   if (other_unit && !one.told_unit && options_.notify)
-    options_.notify("master " + one.master.name + " is refused: it counts in " +
-                    one.intake->other_unit() + ", not in " + one.master.unit);
+    options_.notify("master " + one.master.name + ": samples rejected: their unit is " +
+                    one.intake->other_unit() + ", not " + one.master.unit);
   one.told_unit |= other_unit;
   const bool there = now.tick >= 0 && !now.lost();
   if (there == one.was_there) return;
   one.was_there = there;
   if (options_.notify)
-    options_.notify("master " + one.master.name + (there ? " is there" : " is lost") + " at tick " +
-                    std::to_string(now.tick));
+    options_.notify("master " + one.master.name + (there ? " is present" : " is lost") +
+                    " at tick " + std::to_string(now.tick));
 }
 
 wire::MasterStatus MasterDesk::status(std::size_t master) const {

@@ -34,7 +34,9 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
   const auto it = std::find_if(header.begin(), header.end(), [&](std::string_view cell) {
     return cell.substr(0, cell.find(' ')) == wanted;
   });
-  if (it == header.end()) place.fail(std::string(wanted), "", "is missing: this is not a tick log");
+  if (it == header.end())
+    place.fail(std::string(wanted), "",
+               "is missing: the file is not a tick log of `jounce run --log`");
   return static_cast<std::size_t>(it - header.begin());
 }
 
@@ -104,12 +106,12 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
   const std::int64_t span = ticks.back().tick - ticks.front().tick;
   const double cycle = span > 0 ? ticks.back().time / static_cast<double>(span) : designed.duration;
   add("played/gap", "ticks left out", gap_at, static_cast<double>(gap), 0.1 / cycle,
-      static_cast<double>(gap) * cycle > 0.1, "the log has a hole, or the executor stood still",
-      "ticks");
+      static_cast<double>(gap) * cycle > 0.1,
+      "rows are missing from the log, or the executor was suspended", "ticks");
   // The last tick of a motion may lie one cycle, and what was left out, before its end.
   const double missing = std::max(0.0, designed.duration - ticks.back().time);
   add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
-      missing > cycle * (1 + 1e-9), "the motion was stopped, or the log is cut off", "s");
+      missing > cycle * (1 + 1e-9), "the motion was stopped, or the log ends early", "s");
 }
 
 }  // namespace
@@ -132,8 +134,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   for (std::string row; std::getline(lines, row);) {
     ++place.line;
     const auto row_cells = csv_cells(row);
-    if (row_cells.size() != width)
-      place.fail("row", row, "does not have as many values as the header");
+    if (row_cells.size() != width) place.fail("row", row, "must have as many values as the header");
     const auto tick = static_cast<std::int64_t>(real(row_cells[number_of_tick], "tick", place));
     const double now = real(row_cells[time], "time", place);
     const double at = real(row_cells[position], "position", place);
@@ -144,7 +145,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     current = row_cells[job];
     if (current != "0") ticks.push_back({tick, now - start, at, now});
   }
-  if (ticks.empty()) throw InputError("job", "", "the log holds no motion").at(name);
+  if (ticks.empty()) throw InputError("job", "", "the log contains no motion").at(name);
   return ticks;
 }
 
@@ -162,7 +163,7 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
     Deviation curve = farthest(ticks, [&](const PlayedTick& t) { return designed.curve(at(t)); });
     curve.limit = designed.tolerance + played.table.limit;
     add(played.report, "played/curve", curve,
-        "another table was played, or it strays farther from its curve than its tolerance");
+        "the executor played another table, or the table exceeds its tolerance");
     played.curve = curve;
   }
   add_gap(played.report, ticks, designed);

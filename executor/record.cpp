@@ -32,10 +32,9 @@ RecordEvent event_of(std::string_view channel, std::string_view bytes) {
   Wire w{};
   const bool fits = bytes.size() == static_cast<std::size_t>(w.getEncodedSize());
   if (!fits || w.decode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0)
-    throw InputError(
-        "event", std::string(channel),
-        "is not of the type that this channel has: a record is replayed by the version "
-        "of jounce that wrote it");
+    throw InputError("event", std::string(channel),
+                     "has another type than this channel: replay the record with the version of "
+                     "jounce that wrote it");
   return ours(w);
 }
 

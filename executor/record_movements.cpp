@@ -43,7 +43,7 @@ RecordedTable ours(const table_t& w) {
     throw InputError("knots",
                      std::to_string(w.first) + " and " + std::to_string(w.count) + " of " +
                          std::to_string(w.knots),
-                     "is no part of a table");
+                     "is not a part of a table");
   if (w.columns < 2 || w.columns > 4)
     throw InputError("columns", std::to_string(w.columns), "must be 2, 3 or 4");
   RecordedTable t{.units = {get_text(w.x_unit), get_text(w.position_unit)},
@@ -105,7 +105,7 @@ RecordedGear ours(const gear_t& w) {
                  .position = w.position};
   Get{}("kind", g.kind, w.kind);
   if (g.kind != wire::OrderKind::gear_in && g.kind != wire::OrderKind::gear_in_pos)
-    throw InputError("kind", std::to_string(w.kind), "is no order of a gear");
+    throw InputError("kind", std::to_string(w.kind), "is not a gear command");
   std::copy(std::begin(w.value), std::end(w.value), g.value.begin());
   return g;
 }

@@ -51,7 +51,7 @@ bool apply(const RecordedOutput& part, AxisSwitches& switches, AxisCompare& comp
     compare.list->pulse = part.pulse;
     if (!compare.list->points.empty() &&
         static_cast<std::int64_t>(compare.list->points.size()) >= part.points)
-      throw InputError("points", std::to_string(part.points), "are all there already");
+      throw InputError("points", std::to_string(part.points), "are complete already");
     compare.list->points.insert(compare.list->points.end(), part.some.begin(), part.some.end());
     return static_cast<std::int64_t>(compare.list->points.size()) >= part.points;
   }

@@ -129,7 +129,8 @@ void Recorder::turn() {
   for (Tape::Item item; tape_.items_.pop(item);) {
     now_ = instant_of(item);
     if (item.lost_before > 0) {
-      if (lost_ == 0 && options_.notify) options_.notify("cycles are missing from the record");
+      if (lost_ == 0 && options_.notify)
+        options_.notify("the recorder was too slow: cycles are missing from the record");
       lost_ += item.lost_before;
       write(RecordedLoss{item.lost_before}, now_);
     }

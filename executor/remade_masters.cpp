@@ -40,7 +40,7 @@ void RemadeMasters::add(const RecordedMaster& master) {
 void RemadeMasters::take(const RecordedSample& sample) {
   if (sample.master >= masters_.size())
     throw InputError("master", std::to_string(sample.master + 1),
-                     "was not recorded when the machine started");
+                     "is missing from the start of the record");
   constexpr std::int64_t latest = std::int64_t{1} << 62U;  // their differences are numbers, too
   if (sample.sample.stamp_ns < 0 || sample.sample.stamp_ns > latest)
     throw InputError("stamp_ns", std::to_string(sample.sample.stamp_ns), "must be from 0 to 2^62");
@@ -48,7 +48,7 @@ void RemadeMasters::take(const RecordedSample& sample) {
   if (one.read) one.read->read(sample.sample.received, sample.sample.position);
   if (one.heard && !one.heard->receive(sample.sample))
     throw InputError("sample", std::to_string(sample.master + 1),
-                     "is one of more than a cycle takes");
+                     "exceeds the samples that a cycle can take");
 }
 
 std::optional<TickDifference> RemadeMasters::compare(const RecordedSight& seen, double time) {

@@ -45,7 +45,7 @@ class Replayer {
 
   void take(const RecordedAxis& axis) {
     if (axis.axis != result_.axes.size())
-      throw InputError("axis", std::to_string(axis.axis + 1), "does not follow the ones before");
+      throw InputError("axis", std::to_string(axis.axis + 1), "is out of sequence");
     result_.axes.push_back(axis);
     if (axis.whole) motions_.emplace_back(std::make_unique<MotionAxis>(axis.config));
     if (!axis.whole) end("it is a black box: it begins in the middle of a run");
@@ -62,8 +62,7 @@ class Replayer {
   void take(const RecordedTable& part) {
     Growing& table = growing_[part.hash];
     if (part.first != table.columns.x.size())
-      throw InputError("table", hex(part.hash).substr(0, 16),
-                       "is not there from its first knot on");
+      throw InputError("table", hex(part.hash).substr(0, 16), "does not begin with its first knot");
     table.head = part;
     const auto add = [](std::vector<double>& whole, const std::vector<double>& more) {
       whole.insert(whole.end(), more.begin(), more.end());
@@ -76,7 +75,7 @@ class Replayer {
     auto made =
         std::make_shared<const Table>(part.over, part.rule, part.outside, std::move(table.columns));
     if (content_hash(*made, part.units) != part.hash)
-      throw InputError("table", hex(part.hash).substr(0, 16), "does not have the hash of its name");
+      throw InputError("table", hex(part.hash).substr(0, 16), "does not match its hash");
     tables_[part.hash] = std::move(made);
     growing_.erase(part.hash);
   }
@@ -106,8 +105,7 @@ class Replayer {
 
   void take(const RecordedMaster& master) {
     if (master.master != result_.masters.size())
-      throw InputError("master", std::to_string(master.master + 1),
-                       "does not follow the ones before");
+      throw InputError("master", std::to_string(master.master + 1), "is out of sequence");
     result_.masters.push_back(Replay::Master{master});
     sights_.emplace_back();
     masters_.add(master);
@@ -120,7 +118,7 @@ class Replayer {
   void take(const RecordedSight& seen) {
     if (seen.master >= sights_.size())
       throw InputError("master", std::to_string(seen.master + 1),
-                       "was not recorded when the machine started");
+                       "is missing from the start of the record");
     sights_[seen.master] = seen.sight;
     ++result_.masters[seen.master].cycles;
     result_.masters[seen.master].lost += seen.sight.lost();
@@ -128,7 +126,7 @@ class Replayer {
     if (ended_ || result_.axes.empty()) return;
     const std::int64_t period = result_.axes.front().config.period;
     if (!on_clock(seen.sight.tick, period))
-      throw InputError("tick", std::to_string(seen.sight.tick), "of a master is none of a cycle");
+      throw InputError("tick", std::to_string(seen.sight.tick), "must be the tick of a cycle");
     const double time = static_cast<double>(seen.sight.tick * period) * 1e-9;
     if (const auto what = masters_.compare(seen, time)) {
       result_.difference = Replay::Difference{seen.master, seen.sight.tick, *what, true};
@@ -137,13 +135,13 @@ class Replayer {
   }
 
   void take(const RecordedLoss& loss) {
-    end(std::to_string(loss.cycles) + " cycles found no room on their way into the record" +
-        after());
+    end(std::to_string(loss.cycles) + " cycles are missing: the recorder was too slow" + after());
   }
 
   void take(const RecordedCycle& cycle) {
     if (cycle.axis >= result_.axes.size())
-      throw InputError("axis", std::to_string(cycle.axis + 1), "was not recorded when it started");
+      throw InputError("axis", std::to_string(cycle.axis + 1),
+                       "is missing from the start of the record");
     ++result_.cycles;
     if (!result_.first_tick) result_.first_tick = cycle.tick.tick;
     result_.last_tick = cycle.tick.tick;
@@ -170,8 +168,8 @@ class Replayer {
     if (cycle.movement != 0) {
       command.movement = movement({cycle.axis, cycle.movement});
       if (command.movement == nullptr)
-        return end("the record does not have what movement " + std::to_string(cycle.movement) +
-                   " is made from (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
+        return end("the record lacks parts of movement " + std::to_string(cycle.movement) + " (" +
+                   of_axis(cycle.axis, cycle.tick.tick) + ")");
     }
     const auto [last, first] = last_ticks_.try_emplace(cycle.axis, cycle.tick.tick);
     if (!on_clock(cycle.tick.tick, result_.axes[cycle.axis].config.period) ||
@@ -227,7 +225,7 @@ class Replayer {
 
   [[nodiscard]] const AxisConfig& config(std::size_t axis) const {
     if (axis >= result_.axes.size())
-      throw InputError("axis", std::to_string(axis + 1), "was not recorded when it started");
+      throw InputError("axis", std::to_string(axis + 1), "is missing from the start of the record");
     return result_.axes[axis].config;
   }
 
@@ -238,8 +236,8 @@ class Replayer {
       const HandedOver& next = waiting.front();
       const auto queue = queues_.find({cycle.axis, next.movement});
       if (queue != queues_.end() && queue->second.take(next)) continue;
-      end("the record has something for queue " + std::to_string(next.movement) +
-          " that cannot be handed over to it (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
+      end("the record has rows for queue " + std::to_string(next.movement) +
+          " that the queue cannot take (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
       return false;
     }
     return true;
@@ -248,7 +246,8 @@ class Replayer {
   std::shared_ptr<const Table> table(const Sha256& hash) const {
     const auto it = tables_.find(hash);
     if (it == tables_.end())
-      throw InputError("job", hex(hash).substr(0, 16), "is the hash of a table that is not there");
+      throw InputError("job", hex(hash).substr(0, 16),
+                       "is the hash of a table that the record lacks");
     return it->second;
   }
 
@@ -289,7 +288,7 @@ Replay replay(std::istream& in, const std::string& name,
                  replayer.after());
   Replay result = replayer.finish();
   if (result.axes.empty())
-    throw InputError("record", "", "has no axis: this is not a record of an executor").at(name);
+    throw InputError("record", "", "has no axis: the file is not a record of an executor").at(name);
   return result;
 }
 

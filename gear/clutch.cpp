@@ -77,7 +77,7 @@ Clutch::Clutch(const Gear& from, const Gear& to, std::int64_t distance) : distan
   const Shared ratios(begun(from, to, scale), to);
   if (!ratios.fits(scale))
     throw InputError("distance", std::to_string(distance),
-                     "is too long for exact counts with these ratios: give it a shorter one");
+                     "is too long for exact counts with these ratios: use a shorter one");
   from_ = static_cast<std::int64_t>(ratios.from);
   to_ = static_cast<std::int64_t>(ratios.to);
   common_ = static_cast<std::int64_t>(ratios.common);

@@ -21,9 +21,10 @@ Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave
   f.margin = std::isinf(most.value) ? 1 : most.value > 0 ? 1 - master.velocity / most.value : -1;
   f.broken = master.velocity > most.value * (1 + 1e-12);
   if (!f.broken) return f;
-  f.advice = most.value > 0
-                 ? "let the master run at " + number(most.value) + " at most, or engage more gently"
-                 : "no speed of the master keeps the slave's " + quantity + " limit here";
+  f.advice =
+      most.value > 0
+          ? "slow the master down to " + number(most.value) + ", or engage over a longer distance"
+          : "no speed of the master keeps the " + quantity + " limit of the slave here";
   return f;
 }
 

@@ -47,12 +47,12 @@ void require_valid(const FollowSpec& spec) {
     const std::string key = prefix(spec, i) + "loops";
     if (loops < 1 && i + 1 < spec.tables.size())
       throw InputError(key, std::to_string(loops),
-                       "is for ever: only the last table can be; say after how many passes the "
-                       "next one takes over");
+                       "is endless, which only the last table can be: give the number of passes "
+                       "before the next table");
     const auto passes = static_cast<std::size_t>(std::max<std::int64_t>(loops, 1));
     if (!segments.empty() && passes > (most_segments - total) / segments.size())
       throw InputError(key, std::to_string(loops),
-                       "makes more than 1e6 segments: fewer passes, or 0 for ever");
+                       "makes more than 1e6 segments: use fewer passes, or 0 for an endless table");
     total += passes * segments.size();
   }
 }

@@ -53,7 +53,7 @@ std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, dou
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
     return std::string("its travel of the ") + whose + ", " + rounded(is) + ", is " +
            rounded(std::abs(is) / would_be) + " times the usual " + rounded(would_be) +
-           ": a misprint? With that it would end at the ratio " + rounded(end);
+           ": check it. With the usual travel it would end at the ratio " + rounded(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
@@ -114,7 +114,8 @@ class Inspection {
     if (start) {
       f.severity = Severity::warning;
       f.broken = !detail::repeats(spec_, passes_);
-      f.advice = "the ratio steps " + ratios + " at the start: say start_ratio if it comes so fast";
+      f.advice = "the ratio steps " + ratios +
+                 " at the start: give start_ratio if the slave already moves";
     } else if (i == 0 && pass.again) {
       f.rule = "follow/wrap_step";
       f.advice = wrap_advice(ratios);
@@ -155,8 +156,8 @@ class Inspection {
       Finding f = finding("follow/open_end", first_ - 1, where, ratio);
       f.quantity = "geo_velocity";
       f.advice =
-          "the controller stops the slave dead there, and an axis of Jounce brakes within its "
-          "limits: end with a stop segment, repeat the table, or let another one follow";
+          "the controller stops the slave abruptly there, and an axis of Jounce brakes within its "
+          "limits: end with a stop segment, repeat the table, or add another table";
       return add(std::move(f));
     }
     const auto again = pt_rates<OverMaster>(table.segments, ratio);

@@ -147,7 +147,8 @@ std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, dou
                             " the slave travels " + rounded(g.travel);
   const double least = least_travel(g, plan);
   if (plan.form == FollowForm::table || detail::way(g) * g.travel <= 0)
-    return where + ", against its ratios there: give it the other sign, or a point where it turns";
+    return where +
+           ", against its ratios there: give it the other sign, or add a point where it reverses";
   return where + "; from " + rounded(least) +
          " on it does not turn back: move a point, or let form = \"table\" stand in between";
 }
@@ -166,7 +167,8 @@ void add_whole(Report& report, const FollowPlan& plan) {
   f.margin = -std::abs(f.value - f.limit);
   f.broken = true;
   f.segment = static_cast<std::size_t>(odd - segments.begin());
-  f.advice = "it is no whole number: put points and zones on whole ones, and leave room between";
+  f.advice =
+      "it is not a whole number: put points and zones on whole numbers, with space between them";
   report.findings.push_back(std::move(f));
 }
 

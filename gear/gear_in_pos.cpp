@@ -45,10 +45,10 @@ void require_valid(const GearInPosSpec& spec) {
   require_positive("master_period", spec.master_period.value_or(1));
   if (spec.master_start_distance == 0)
     throw InputError("master_start_distance", "0",
-                     "must not be 0: the slave needs a way to get to the ratio");
+                     "must not be 0: the slave needs a distance to reach the ratio");
   const Ends ends = info(spec.law).ends;
   if (ends != Ends::given && ends != Ends::moving)
-    throw InputError("law", name(spec.law), "must take a velocity at its end: try \"quintic\"");
+    throw InputError("law", name(spec.law), "must accept a velocity at its end: try \"quintic\"");
 }
 
 /// The engagement, from rest at master_start to the ratio at master_sync, whichever lies first.
@@ -110,12 +110,11 @@ const char* explain(GearInPosStatus status) {
     case GearInPosStatus::master_reversed:
       return "The master changed direction while the slave was connecting.";
     case GearInPosStatus::reversal_unavoidable:
-      return "The slave would have to turn back, even with five more turns of it.";
+      return "The slave would have to reverse, even with five more turns.";
     case GearInPosStatus::reversal_on_linear_axis:
-      return "The slave would have to turn back, and a linear axis cannot go a turn further "
-             "instead.";
+      return "The slave would have to reverse, and a linear axis cannot add a turn instead.";
     case GearInPosStatus::start_passed:
-      return "The master has passed the position in which the slave begins to engage.";
+      return "The master has passed the position at which the slave begins to engage.";
   }
   return "";
 }
@@ -149,9 +148,8 @@ EngageWindow engage_window(const GearInPosSpec& spec) {
       h == 0 ? std::numeric_limits<double>::infinity() : k * spec.master_start_distance / h;
   window.exists = window.rho > 0 && h != 0;
   if (!window.exists) {
-    window.advice = h == 0
-                        ? "the slave stands at its sync position: it must turn back to gather way"
-                        : "the slave's way goes against the gear: it must turn back";
+    window.advice = h == 0 ? "the slave stands at its sync position: it must reverse to gain speed"
+                           : "the slave moves against the gear: it must reverse";
     return window;
   }
   window.least = 5.0 / 3 * std::abs(h / k);
@@ -160,7 +158,7 @@ EngageWindow engage_window(const GearInPosSpec& spec) {
   window.advice =
       "a start distance of " + number(window.least) + " to " + number(window.greatest) +
       " instead of " + number(std::abs(spec.master_start_distance)) +
-      (window.rho > 2.5 ? ": the slave turns back" : ": the slave goes faster than the gear");
+      (window.rho > 2.5 ? ": the slave reverses" : ": the slave exceeds the velocity of the gear");
   return window;
 }
 
@@ -176,7 +174,8 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
                          "master_start_distance): begin there, or shorten the start distance to " +
                          number(std::abs(last - from)));
   if (!(to >= last))
-    throw InputError("master_end", to, "must not lie before the engagement's end, " + number(last));
+    throw InputError("master_end", to,
+                     "must not be before the end of the engagement, " + number(last));
   SyncCam made{*gear.curve};
   std::vector<Segment> segments;
   const auto add = [&](double length, double y0, double slope, const char* name) {
@@ -249,7 +248,7 @@ const Cam& engagement(const GearInPos& gear, const Trajectory& master) {
   const double x = master.jet(master.start())[0];
   if (way * (x - gear.master_start) > 0)
     throw InputError("master", x,
-                     "begins behind the engagement's start, " + number(gear.master_start));
+                     "begins after the start of the engagement, " + number(gear.master_start));
   return *gear.curve;
 }
 

@@ -26,7 +26,8 @@ Finding reversal(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f, const
   finding.margin = finding.value / peak;
   finding.broken = finding.value < 0;
   if (finding.broken)
-    finding.advice = "cuts above " + number(f.longest) + " need a stop between them: dwell = true";
+    finding.advice = "cut lengths above " + number(f.longest) +
+                     " need a stop between the cuts: set dwell = true";
   else if (spec.dwell)
     finding.margin = 1;  // it stands where it should: no reason to call that the closest limit
   return finding;

@@ -14,7 +14,7 @@ Trajectory line_follow(const Trajectory& master, double from, double to) {
   const double x0 = master.jet(master.start())[0];
   const double x1 = master.jet(master.end(), Side::left)[0];
   if (x0 == x1)
-    throw InputError("master", x1, "ends where it began: there is no ratio of the ways");
+    throw InputError("master", x1, "ends at its start: the ratio of the distances is undefined");
   const double ratio = (to - from) / (x1 - x0);
   return shifted(scaled(shifted(master, 0, -x0), ratio), 0, from);
 }
@@ -32,7 +32,8 @@ LineFollowed line_follow(const LineFollow& s) {
   const double end_master = s.relative ? s.start_master + s.end_master : s.end_master;
   const double end_slave = s.relative ? s.start_slave + s.end_slave : s.end_slave;
   if (end_master == s.start_master)
-    throw InputError("end_master", s.end_master, "is where the master stands: nothing to follow");
+    throw InputError("end_master", s.end_master,
+                     "is the position of the master: there is no motion to follow");
   Trajectory master = s_curve({.from = s.start_master,
                                .to = end_master,
                                .velocity = s.velocity,

@@ -67,7 +67,7 @@ void require_valid(const Cam& cam, const Registration& registration,
                    std::span<const double> errors) {
   require_repeats(cam);
   require_valid(registration, cam.length());
-  if (errors.empty()) throw InputError("errors", "", "are missing: one a product is wanted");
+  if (errors.empty()) throw InputError("errors", "", "are missing: give one for each product");
 }
 
 }  // namespace
@@ -118,8 +118,8 @@ Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registra
   require_valid(cam, registration, errors);
   if (!(registration.most < registration.window_length))
     throw InputError("most", registration.most,
-                     "must be less than the window is long, " + number(registration.window_length) +
-                         ": the phase must not run back");
+                     "must be less than window_length, " + number(registration.window_length) +
+                         ": the phase must not reverse");
   const Cam correct = phase_correction(cam, registration, errors, state);
   const Cam straight({line(correct.length(), correct.start(), correct.end())}, correct.start());
   return composed_within(cam, sum(straight, correct), tolerance);

@@ -77,7 +77,7 @@ void require_valid(const RotaryKnifeSpec& spec) {
   require_not_negative("thickness", spec.thickness);
   if (!(spec.thickness < spec.diameter / 2))
     throw InputError("thickness", spec.thickness,
-                     "must be less than the knife's radius, " + number(spec.diameter / 2));
+                     "must be less than the radius of the knife, " + number(spec.diameter / 2));
   if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
   if (!is_rise_at_rest(spec.law))
@@ -96,7 +96,7 @@ double contact_angle(const RotaryKnifeSpec& spec) {
 double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
   if (spec.sync_angle && spec.sync_length)
     throw InputError("sync_length", *spec.sync_length,
-                     "says again what sync_angle says: leave one out");
+                     "cannot be combined with sync_angle: leave one out");
   const double radius = spec.diameter / 2;
   if (spec.sync_length) {
     require_positive("sync_length", *spec.sync_length);
@@ -105,7 +105,7 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
     if (!(along < 1))
       throw InputError("sync_length", *spec.sync_length,
                        "must be less than " + number(spec.diameter / spec.speed_ratio) +
-                           ", which the tip covers from one side of the knife to the other");
+                           ", the distance of the tip from one side of the knife to the other");
     return std::asin(along);
   }
   if (spec.sync_angle) {
@@ -113,8 +113,9 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
     return *spec.sync_angle / unit / 2;
   }
   if (!(spec.thickness > 0))
-    throw InputError("sync_angle", "",
-                     "is missing; a thickness instead of it means while they touch");
+    throw InputError(
+        "sync_angle", "",
+        "is missing: give it, or a thickness, to stay in step while knife and web touch");
   return contact_angle(spec);
 }
 
@@ -138,9 +139,9 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
                          ", which must be less than the angle between two blades, " +
                          number(pitch * unit));
   if (spec.matching == KnifeMatching::horizontal && !(half < pi / 2))
-    throw InputError(key, given,
-                     "must end before the blade is level, half a turn in all, with "
-                     "horizontal matching");
+    throw InputError(
+        key, given,
+        "must end before the blade is level, with horizontal matching: at most half a turn");
 }
 
 Knife knife_of(const RotaryKnifeSpec& spec) {

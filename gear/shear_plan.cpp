@@ -171,13 +171,13 @@ void require_numbers(const FlyingShear& spec) {
 
 void require_complete(const FlyingShear& spec) {
   if (spec.sync_time && spec.sync_length)
-    throw InputError("sync_length", *spec.sync_length, "is too much beside sync_time: give one");
+    throw InputError("sync_length", *spec.sync_length,
+                     "cannot be combined with sync_time: give one of them");
   if (longest_sync(spec) && !spec.stroke)
     throw InputError("sync_time", "",
                      "is missing: give sync_time or sync_length, or a stroke to use up");
   if (!spec.acceleration_length && !spec.limits.acceleration && !spec.limits.jerk)
-    throw InputError("acceleration_length", "",
-                     "is missing: give it, or limits.acceleration that it follows from");
+    throw InputError("acceleration_length", "", "is missing: give it, or limits.acceleration");
 }
 
 Worked worked(const FlyingShear& spec) {
@@ -207,7 +207,7 @@ std::string or_slower(const FlyingShear& spec) {
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
           number(least.value) + " at this line_speed" + or_slower(spec) +
           (by_limit ? ": a shorter return breaks " + limit_of(quantity)
-                    : ": no line is left for the return"));
+                    : ": no master distance is left for the return"));
 }
 
 [[noreturn]] void refuse(const Worked& shear, const Cycle& cycle, const std::string& quantity) {
@@ -216,10 +216,10 @@ std::string or_slower(const FlyingShear& spec) {
     throw InputError("line_speed", spec.line_speed,
                      "must be at most " + number(*spec.limits.velocity / shear.ratio) +
                          ": in step the carriage runs at " + number(shear.ratio * spec.line_speed) +
-                         ", beyond limits.velocity");
+                         ", above limits.velocity");
   if (quantity.starts_with("ramp") && !std::isfinite(cycle.ramp.value))
     throw InputError("ramp", name(spec.ramp),
-                     "breaks " + limit_of(quantity) + " at any speed: what is limited steps");
+                     "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (quantity.starts_with("ramp")) {
     const bool up = cycle.accelerate <= cycle.decelerate;
     throw InputError(up ? "acceleration_length" : "deceleration_length",
@@ -237,7 +237,7 @@ std::string or_slower(const FlyingShear& spec) {
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),
-                     "breaks " + limit_of(quantity) + " at any speed: what is limited steps");
+                     "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (spec.return_length && cycle.back.value > *spec.return_length)
     throw InputError("return_length", *spec.return_length,
                      "must be at least " + number(cycle.back.value) + " at this line_speed" +

@@ -13,7 +13,7 @@ namespace {
 const DiscPart& require_disc(const Spec& spec) {
   if (!spec.disc)
     throw spec.document.located(
-        InputError("disc", "", "is missing: base_radius and roller_radius make a cam a plate"));
+        InputError("disc", "", "is missing: give base_radius and roller_radius"));
   return *spec.disc;
 }
 

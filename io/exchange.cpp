@@ -31,8 +31,7 @@ void take_notes(const detail::Exchanged& read, const detail::Place& place, Table
        {std::pair{"master", &file.units.x}, {"position", &file.units.position}})
     if (const auto note = read.notes.find(key); note != read.notes.end()) {
       *target = note->second.value;
-      if (!is_unit(*target))
-        place.fail(note->second.line, key, *target, "is not a unit that Jounce knows");
+      if (!is_unit(*target)) place.fail(note->second.line, key, *target, "is not a known unit");
     }
   if (const auto note = read.notes.find("outside"); note != read.notes.end())
     outside = detail::choice(note->second.value, std::span(detail::policies),
@@ -52,10 +51,9 @@ void require_whole(const detail::Exchanged& read, const detail::Place& place,
   if (note == read.notes.end()) return;
   const std::string actual = hex(content_hash(file.table, file.units));
   if (note->second.value != actual)
-    place.fail(
-        note->second.line, "sha256", note->second.value,
-        "does not match the content, which has " + actual +
-            ": the file was changed after it was made; without this line it is taken as it is");
+    place.fail(note->second.line, "sha256", note->second.value,
+               "does not match the content, whose hash is " + actual +
+                   ": the file was changed after Jounce wrote it; to accept it, remove this line");
 }
 
 Table table_of(detail::Exchanged& read, Outside outside, const detail::Place& place) {
@@ -173,7 +171,7 @@ double Place::number(int line, const std::string& key, std::string_view text) co
   const auto value = csv_number(point);
   if (value && decimal_comma_) return *value;
   fail(line, key, '"' + std::string(text) + '"',
-       value ? "has a decimal comma; write " + point + ", or say that decimal commas are meant"
+       value ? "has a decimal comma: write " + point + ", or use --decimal-comma"
              : "must be a finite number");
 }
 
@@ -237,12 +235,13 @@ std::optional<Format> format_of_text(const std::string& text) {
 
 std::string exchange_text(Format format, const TableFile& file) {
   if (file.table.axis() != Axis::master)
-    throw InputError("axis", name(file.table.axis()),
-                     std::string("the format ") + name(format) + " is one of cams, over a master");
+    throw InputError(
+        "axis", name(file.table.axis()),
+        std::string("the format ") + name(format) + " is for cams: it needs a table over a master");
   if (file.table.rule() != rule_of(format))
     throw InputError(
         "rule", name(file.table.rule()),
-        std::string("the format ") + name(format) + " holds a " + name(rule_of(format)) + " table");
+        std::string("the format ") + name(format) + " needs a " + name(rule_of(format)) + " table");
   return format == Format::codesys ? detail::st_text(file) : detail::columns_text(format, file);
 }
 
@@ -250,9 +249,10 @@ std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std:
                                              bool decimal_comma) {
   const detail::Place place(name, decimal_comma);
   const auto format = format_of_text(text);
-  if (!format) place.fail(1, "", "", "is no cam table in a format that Jounce reads");
+  if (!format) place.fail(1, "", "", "is not a cam table in a known format");
   if (*format == Format::kollmorgen)
-    place.fail(1, "", "", "is a table of KAS, whose splines are not documented: it cannot be read");
+    place.fail(1, "", "",
+               "is a KAS table: Kollmorgen does not document its splines, so it cannot be read");
   const auto lines = detail::lines_of(text);
   if (*format == Format::codesys) return cams_of(detail::parse_st(text, place), lines, place);
   return cams_of({detail::parse_columns(*format, lines, place)}, lines, place);
@@ -263,7 +263,7 @@ TableFile parse_exchange(const std::string& text, const std::string& name, bool 
   if (cams.size() == 1) return std::move(cams.front().file);
   std::string names;
   for (const ExchangeCam& cam : cams) names += (names.empty() ? "" : ", ") + cam.name;
-  throw InputError("", "", "holds several cams: " + names).at(name, 1);
+  throw InputError("", "", "contains several cams; choose one with --axis: " + names).at(name, 1);
 }
 
 }  // namespace jounce

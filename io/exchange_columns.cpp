@@ -40,7 +40,7 @@ std::vector<std::string> header_of(const Line& line, const Place& place) {
                      std::equal(names.begin(), names.end(), editor_columns.begin());
   if (!known)
     place.fail(line.number, "columns", line.text,
-               "must be X Y, or X Y V A, with J and Type if they stand there");
+               "must be X Y or X Y V A, optionally with J and Type");
   return names;
 }
 
@@ -61,7 +61,7 @@ class Rows {
       place_.fail(line.number, "row", std::to_string(cells.size()) + " values",
                   "must have " + std::to_string(columns_) +
                       (cells.size() == 2 * columns_ && line.text.find(',') != std::string_view::npos
-                           ? "; are these decimal commas?"
+                           ? ": if these are decimal commas, use --decimal-comma"
                            : ""));
     const std::array<std::vector<double>*, 4> all{&read_.columns.x, &read_.columns.p,
                                                   &read_.columns.v, &read_.columns.a};
@@ -79,7 +79,7 @@ class Rows {
 
   void require_quintic(const Line& line, const std::string& type) {
     if (type != "poly5" && !(read_.lines.empty() && (type.empty() || type == "-")))
-      place_.fail(line.number, "Type", type, "must be Poly5: no other segment can be read");
+      place_.fail(line.number, "Type", type, "must be Poly5, the only supported segment type");
   }
 
   const Place& place_;
@@ -115,7 +115,7 @@ std::string rows_text(const TableFile& file, char separator, const std::string& 
 std::string kollmorgen_text(const TableFile& file) {
   if (file.table.size() < 5)
     throw InputError("knots", std::to_string(file.table.size()),
-                     "KAS imports four segments or more: five knots");
+                     "must be at least 5: KAS imports four segments or more");
   const bool cyclic = repeats(file.table.outside());
   return std::string("CYCLIC;") + (cyclic ? "YES" : "NO") + ";\nTABLE_BEGIN;;\n" +
          rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
@@ -125,7 +125,7 @@ std::string sew_text(const TableFile& file) {
   constexpr std::size_t most = 16383;  // MOVI-C, curve point table
   if (file.table.size() > most)
     throw InputError("knots", std::to_string(file.table.size()),
-                     "a curve point table of SEW holds at most " + std::to_string(most) +
+                     "an SEW curve point table holds at most " + std::to_string(most) +
                          ": give a tolerance, or fewer intervals");
   return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
 }

@@ -48,7 +48,7 @@ std::array<double, 4> point(StReader& code) {
 
 /// `[(...), (...)]`; in CoDeSys 2.3 without the brackets.
 void read_points(StReader& code, Exchanged& cam) {
-  if (code.peek() == ";") code.fail("points", "", "are missing: the array has no initial values");
+  if (code.peek() == ";") code.fail("points", "", "are missing: give the array initial values");
   code.expect(":=");
   const bool bracket = code.peek() == "[";
   if (bracket) code.expect("[");
@@ -178,7 +178,7 @@ const Exchanged* array_of(const Reference& reference, const Declared& all, const
     if (lower(array.name) == reference.array) return &array;
   if (reference.xyva)
     place.fail(reference.line, reference.name + ".pce", reference.array,
-               "is no array of SMC_CAMXYVA in this file: is the file complete?");
+               "is not an array of SMC_CAMXYVA in this file: is the file complete?");
   return nullptr;
 }
 
@@ -217,7 +217,7 @@ std::vector<std::string> unread(const Reference& reference) {
 std::vector<Exchanged> parse_st(const std::string& text, const Place& place) {
   const Declared all = declared(text, place);
   if (all.arrays.empty())
-    place.fail(1, "", "", "holds no array of SMC_CAMXYVA: is the file complete?");
+    place.fail(1, "", "", "contains no array of SMC_CAMXYVA: is the file complete?");
   std::vector<Exchanged> cams;
   std::vector<const Exchanged*> alone;
   for (const Exchanged& array : all.arrays) alone.push_back(&array);

@@ -168,7 +168,7 @@ void require_not_read(const std::string& path, const std::string& option) {
   if (inputs == nullptr || !id) return;
   const std::lock_guard lock(inputs->files_->mutex);
   if (inputs->files_->read.contains(*id))
-    throw InputError(option, path, "is an input: it would be replaced by what is made from it");
+    throw InputError(option, path, "is also an input: choose another name");
 }
 
 std::string read_file(const std::string& path) {
@@ -191,7 +191,7 @@ void write_files(const std::vector<Output>& files) {
     for (std::size_t k = 0; k < i; ++k)
       if (std::filesystem::weakly_canonical(files[i].path) ==
           std::filesystem::weakly_canonical(files[k].path))
-        throw InputError("output", files[i].path, "two outputs cannot have one name");
+        throw InputError("output", files[i].path, "two outputs need two names");
   std::vector<Temporary> written;
   for (const Output& file : files)
     if (file.path != "-" && !is_special(file.path)) {

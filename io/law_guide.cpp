@@ -66,31 +66,33 @@ std::vector<Row> rows(const Characteristics& c) {
 
 constexpr const char* introduction = R"(# The laws, and how to choose one
 
-This page is printed by `jounce laws --markdown`: names, texts and numbers are those that the program itself uses.
+This page is printed by `jounce laws --markdown`: it has the names, texts and numbers of the program.
 
 A law leads the slave over a stroke h while the master runs a length b. With the master at constant speed ω, the slave's peaks are
 
     velocity Cv h ω / b,   acceleration Ca h (ω / b)²,   jerk Cj h (ω / b)³,   torque of inertia J Cm h² (ω / b)³ / ω
 
-so a law is chosen by what limits the machine:
+so choose a law by the limit of the machine:
 
 | what limits | take |
 |---|---|
-| nothing in particular | `modified_sine`, or `345` where the controller knows polynomials only |
+| nothing in particular | `modified_sine`, or `345` if the controller takes polynomials only |
 | speed of the motor | `modified_sine`; over long strokes `modified_constant_velocity` |
 | torque of the motor (mass) | `modified_trapezoid` |
-| heat of the motor | `345`; `cubic` where its jumps do no harm |
+| heat of the motor | `345`; `cubic` if jumps of the acceleration are permitted |
 | vibration | `inclined_sine`, `4567`; with a known natural frequency look at `jounce validate` |
 | no dwell beside it | `simple_sine` there and back; `harmonic_combination` from a dwell to a reversal |
 | given velocities at the ends | `quintic`; any law whose ends are "R, G" takes velocities, too |
 | measured points | `quintic_spline` with a `tolerance` |
-| a shape of one's own, or the best there is | `hermite`, by `jounce optimize`: see [optimising cams](optimize/cams.md) |
+| your own shape, or an optimized one | `hermite`, by `jounce optimize`: see [optimising cams](optimize/cams.md) |
 
-Ends are told by the letters of VDI 2143: R rest, G constant velocity, U reversal (acceleration without velocity), B both. They are never written into a
-spec: they follow from the knots. What the knots leave out follows from the laws beside them, or from `boundaries`.
+The letters of VDI 2143 describe the ends: R rest, G constant velocity, U reversal (acceleration without velocity), B both.
+Do not write them into a spec: they follow from the knots. A value that a knot leaves out follows from the laws beside it,
+or from `boundaries`.
 
-A law from rest to rest that takes an `inflection` λ (the share of the segment before the velocity peak; 1/2 if left out) keeps its Cv; Ca becomes
-Ca / 2λ, and the deceleration Ca / 2(1 − λ). R-U laws with an inflection find λ from the acceleration that the reversal's knot gives.
+A law from rest to rest that takes an `inflection` λ (the share of the segment before the velocity peak; default 1/2) keeps
+its Cv; Ca becomes Ca / 2λ, and the deceleration Ca / 2(1 − λ). R-U laws with an inflection find λ from the acceleration at
+the knot of the reversal.
 
 )";
 

@@ -82,8 +82,9 @@ std::string numbered(std::size_t i, const std::string& name) {
 /// The mode of [polydyne] in cycles per unit of the master.
 Mode mode_over_master(const Spec& spec) {
   if (!spec.master)
-    throw InputError("polydyne", "",
-                     "is made for one speed: add [master] with velocity and distance");
+    throw InputError(
+        "polydyne", "",
+        "needs the speed for which it is made: add [master] with velocity and distance");
   const double speed = spec.master->velocity / seconds_per_unit(spec);
   return {spec.polydyne->frequency / speed, spec.polydyne->damping};
 }
@@ -223,10 +224,9 @@ std::vector<Made> make_motions(const Spec& spec) {
 
 std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
-    throw InputError("kind", "\"axis\"", "an axis makes no table; it is what `jounce run` takes");
+    throw InputError("kind", "\"axis\"", "an axis has no table: run it with `jounce run`");
   if (std::holds_alternative<DriveAlone>(spec.subject))
-    throw InputError("kind", "\"drive\"",
-                     "a drive makes no table; it is what `jounce identify` takes");
+    throw InputError("kind", "\"drive\"", "a drive has no table: use it with `jounce identify`");
   if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
   all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));
@@ -246,8 +246,7 @@ std::vector<Made> make_axes(const Spec& spec) {
 Made make(const Spec& spec) {
   std::vector<Made> all = make_axes(spec);
   if (all.size() > 1)
-    throw spec.document.located(
-        InputError("axis", std::to_string(all.size()), "are too many: one axis is wanted here"));
+    throw spec.document.located(InputError("axis", std::to_string(all.size()), "must be one axis"));
   return std::move(all.front());
 }
 
@@ -265,9 +264,8 @@ std::pair<double, double> master_range(const Spec& spec) {
 
 Trajectory master_of(const Spec& spec) {
   if (!spec.master)
-    throw InputError(
-        "master", "",
-        "is missing: a cam is played by a master; add [master] with velocity and distance");
+    throw InputError("master", "",
+                     "is missing: a cam needs a master; add [master] with velocity and distance");
   const MasterSpec& master = *spec.master;
   const double unit = seconds_per_unit(spec);
   const double velocity = master.velocity / unit;
@@ -276,10 +274,10 @@ Trajectory master_of(const Spec& spec) {
   // Every period has breaks of its own, and each is integrated.
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
-                     "must be between 1e-9 and 1e4 lengths of the cam, which is " + number(turn));
+                     "must be 1e-9 to 1e4 times the length of the cam, " + number(turn));
   if (master.distance / velocity < 1e-6)
     throw InputError("master.velocity", master.velocity,
-                     "would be through the distance in less than a microsecond");
+                     "must be lower: the master would pass its distance in less than 1 us");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Outside::hold);
@@ -322,7 +320,7 @@ Limits slave_limits_by_master(const Spec& spec) {
                           std::optional<double>& by_master) {
     if (over_time && !spec.master)
       throw InputError(std::string("limits.slave.") + name, *over_time,
-                       "is over time, and so needs the speed of the master: add [master]");
+                       "is a limit over time, which needs the speed of the master: add [master]");
     if (spec.master) power *= spec.master->velocity;
     if (over_time) by_master = *over_time / power;
   };
@@ -361,11 +359,11 @@ CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
     throw InputError("kind", "",
-                     "only a cam has free knots; numbers of any spec: [[optimize.parameter]]")
+                     "only a cam has free knots: for other kinds use [[optimize.parameter]]")
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(
-        "polydyne", "", "is not optimised: the knots then are the load's, not the cam's"));
+        "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   if (spec.optimize.seed) problem.seed = *spec.optimize.seed;

@@ -16,7 +16,7 @@ namespace {
 Trajectory curve_of(const Move& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
-    throw InputError(key, "", "is where the axis is already: there is no move");
+    throw InputError(key, "", "is the start position: there is no move");
   // The states that were asked for, not those of the curve: without bounds of the acceleration the
   // velocity steps, and the axis does stand before.
   const bool moves = move.profile.start().velocity != 0 || move.profile.end().velocity != 0;
@@ -97,7 +97,7 @@ Trajectory made(const AgitoSpec& s) {
 Trajectory made(const AgitoSineSpec& s) {
   const auto stroke = static_cast<std::int32_t>(2 * s.amplitude);
   if (stroke != 2 * s.amplitude)
-    throw InputError("amplitude", s.amplitude, "must make a whole stroke: RelTrgt = 2 amplitude");
+    throw InputError("amplitude", s.amplitude, "must be half of RelTrgt");
   return agito::repetitive(s.from, {.rel_trgt = stroke},
                            agito::quasi_sine(s.amplitude, s.frequency), s.strokes, s.rpt_wait);
 }
@@ -263,7 +263,7 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) throw InputError(key_of(all.axis), "", explain(all.status));
   if (!(all.duration > 0))
-    throw InputError("axis", "", "all are where they shall go: nothing moves");
+    throw InputError("axis", "", "all axes are at their targets: there is no motion");
   std::vector<Trajectory> motions;
   for (std::size_t i = 0; i < profiles.size(); ++i)
     motions.push_back(

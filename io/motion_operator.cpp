@@ -25,9 +25,9 @@ void require_rest_at_ends(const Trajectory& motion) {
   const double peak = std::abs(extrema(motion, 1).peak().value);
   for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
     if (std::abs(v) > 1e-9 * peak)
-      throw InputError(
-          "operator", "",
-          "needs a motion from rest to rest; this one has velocity " + number(v) + " at an end");
+      throw InputError("operator", "",
+                       "needs a motion from rest to rest; this one has the velocity " + number(v) +
+                           " at an end");
 }
 
 template <class Filter>
@@ -76,8 +76,7 @@ Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
 }
 
 void apply(const ChangeSpec& c, const Context&, Motions& motions) {
-  if (motions.size() > 1)
-    throw InputError("operator", "", "changes one axis: it does not keep several together");
+  if (motions.size() > 1) throw InputError("operator", "", "works with a single axis only");
   motions.front() = changed(motions.front(), c);
 }
 

@@ -25,14 +25,15 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
   const auto given = owner.optional_text("points");
   if (!given) return std::nullopt;
   if (owner.has(rows))
-    owner.fail("points", '"' + *given + '"', std::string("goes without [[") + rows + "]]");
+    owner.fail("points", '"' + *given + '"',
+               std::string("cannot be combined with [[") + rows + "]]");
   const std::filesystem::path spec = owner.document().name;
   Points points = read_points((spec.parent_path() / *given).string());
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end()) {
       std::string names;
       for (const auto& name : columns) names += (names.empty() ? "" : ", ") + std::string(name);
-      throw InputError(column.name, "", "is no column here; there may be " + names)
+      throw InputError(column.name, "", "is not a column of this table; possible columns: " + names)
           .at(points.document, 1);
     }
   return points;

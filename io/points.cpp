@@ -72,11 +72,11 @@ class Reader {
 
   void read() {
     read_names();
-    if (!header_) fail("", "", "holds no points: the first line names the columns");
+    if (!header_) fail("", "", "is empty: the first line must name the columns");
     first_row_ = at_;
     reserve();
     while (next_line()) read_row();
-    if (points_.lines.empty()) fail("", "", "holds a header and no points");
+    if (points_.lines.empty()) fail("", "", "has a header but no points");
   }
 
  private:
@@ -140,11 +140,11 @@ class Reader {
             column.name.data())
       fail("header", cell, "must name the columns, with units: time [s], position [mm]");
     if (bracket != cell.npos) {
-      if (cell.back() != ']') fail(column.name, cell, "has a unit without its closing bracket");
+      if (cell.back() != ']') fail(column.name, cell, "needs a closing bracket after its unit");
       column.unit = trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2));
       if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
     }
-    if (points_.find(column.name) != nullptr) fail(column.name, cell, "stands there twice");
+    if (points_.find(column.name) != nullptr) fail(column.name, cell, "occurs twice");
     is_words_.push_back(column.name == "type");
     points_.columns.push_back(std::move(column));
   }
@@ -187,7 +187,7 @@ class Reader {
       column.words.emplace_back(text);
       return to;
     }
-    if (text.empty()) fail(column.name, text, "is empty: every point has a number there");
+    if (text.empty()) fail(column.name, text, "is empty: every point needs a number");
     column.values.push_back(with_comma(column.name, text));
     return to;
   }
@@ -203,7 +203,8 @@ class Reader {
     const char* const end = text.data() + text.size();
     const Number number = number_at(text.data(), end, other);
     if (number.end != end || !std::isfinite(number.value))
-      fail(key, text, "must be a finite number: one decimal comma, and nothing between thousands");
+      fail(key, text,
+           "must be a finite number with one decimal comma and no separator of thousands");
     if (point_ == ',')
       fail(key, text, "has a decimal point where other numbers have a comma");
     if (has_points()) fail(key, text, "has a decimal comma where other numbers have a point");
@@ -228,7 +229,7 @@ class Reader {
     if (cells == wanted) return;
     const bool commas = separator_ == ',' && cells == 2 * wanted;
     fail("row", cell,
-         "stands in a row of " + std::to_string(cells) + " values, the header names " +
+         "is in a row of " + std::to_string(cells) + " values, the header names " +
              std::to_string(wanted) +
              (commas ? ": decimal commas need semicolons between columns" : ""));
   }

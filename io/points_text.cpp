@@ -18,8 +18,7 @@ void require_quadratic(const Columns& c, std::size_t i) {
   if (std::abs(off) <= 1e-12 * size) return;
   throw InputError(
       "knot[" + std::to_string(i + 1) + "].position", c.p[i],
-      "ends a piece that is no parabola: --controller googol_pt or googol_follow makes "
-      "pieces that are");
+      "ends a piece that is not a parabola: use --controller googol_pt or googol_follow");
 }
 
 /// Of the piece that ends at knot i.
@@ -43,10 +42,9 @@ double tidy(double x) {
 
 std::vector<PtPoint> points_of(const Table& table) {
   if (table.rule() == Rule::quintic_hermite)
-    throw InputError(
-        "rule", name(table.rule()),
-        "points are ends of straight lines or parabolas: --rule linear, or --controller "
-        "googol_pt or googol_follow");
+    throw InputError("rule", name(table.rule()),
+                     "points must end straight lines or parabolas: use --rule linear, or "
+                     "--controller googol_pt or googol_follow");
   const Columns& c = table.columns();
   std::vector<PtPoint> points;
   for (std::size_t i = 1; i < table.size(); ++i)

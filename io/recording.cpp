@@ -22,7 +22,7 @@ std::vector<double> column(const Points& points, const char* name, const std::st
   std::vector<double> values = points.in_unit(name, unit);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(std::abs(values[i]) < 1e100))
-      throw InputError(name, values[i], "is beyond any machine")
+      throw InputError(name, values[i], "must be below 1e100 in magnitude")
           .at(points.document, static_cast<int>(points.lines[i]));
   return values;
 }
@@ -31,7 +31,7 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
   if (points.find("torque") != nullptr) return column(points, "torque", "N m");
   if (points.find("current") == nullptr) return {};
   if (drive.motor.torque_constant == 0)
-    throw InputError("current", "", "needs motor.torque_constant in the drive's file")
+    throw InputError("current", "", "needs motor.torque_constant in the drive")
         .at(points.document, 1);
   std::vector<double> values = column(points, "current", "A");
   for (double& value : values) value *= drive.motor.torque_constant;
@@ -49,7 +49,7 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
   recording.time = column(points, "time", "s");
   if (recording.time.size() < 4)
     throw InputError("time", std::to_string(recording.time.size()) + " rows",
-                     "are too few for a recording: four at least")
+                     "are too few: a recording needs at least four")
         .at(points.document);
   require_ascending(points, recording.time);
   recording.command = column(points, "command", position);
@@ -60,7 +60,7 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
   if (recording.position.empty() && recording.velocity.empty() && recording.torque.empty() &&
       recording.load.empty())
     throw InputError("feedback", "",
-                     "is missing, and so are velocity, torque, current and load: one must be there")
+                     "is missing: a recording needs feedback, velocity, torque, current or load")
         .at(points.document, 1);
   return recording;
 }

@@ -42,10 +42,10 @@ std::string verdict(const Finding& finding) {
                        rounded(std::abs(finding.value - finding.limit)));
   if (finding.rule == "follower/contact")  // its margin is no share of the limit
     return finding.broken && finding.limit == 0
-               ? "means that contact is lost"
-               : fmt::format("is {} the least, {}", finding.broken ? "below" : "above", limit);
+               ? "shows that the follower lifts off"
+               : fmt::format("is {} the minimum {}", finding.broken ? "below" : "above", limit);
   if (is_least(finding))
-    return fmt::format("is {} {} the least, {}", percent(finding.margin),
+    return fmt::format("is {} {} the minimum {}", percent(finding.margin),
                        finding.broken ? "below" : "above", limit);
   if (finding.margin < -10)
     return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
@@ -61,13 +61,13 @@ std::string verdict(const Finding& finding) {
 /// How far above what is possible at all.
 std::string of_bound(const Finding& f, const std::string& where) {
   if (f.rule == "bound/duration")
-    return fmt::format("{} = {}: {} {} the whole rise, the most that any motion has", f.quantity,
+    return fmt::format("{} = {}: {} {} the whole rise, the greatest possible value", f.quantity,
                        rounded(f.value), percent(f.margin), f.broken ? "above" : "below");
   if (f.rule.starts_with("identity/"))
     return fmt::format("{} of the rise from {} is {}, of any motion {}", f.quantity, where,
                        rounded(f.value), rounded(f.limit));
   const char* whose = f.rule == "bound/acceleration_for_jerk" ? "for its jerk" : "of any motion";
-  return fmt::format("{} {} at {} is {} {} {}, the least {}", f.quantity, rounded(f.value), where,
+  return fmt::format("{} {} at {} is {} {} {}, the minimum {}", f.quantity, rounded(f.value), where,
                      percent(f.margin), f.broken ? "below" : "above", rounded(f.limit), whose);
 }
 

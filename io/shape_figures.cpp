@@ -67,7 +67,7 @@ const LoadSpec& load_for(TomlReader& reader, const char* key, const std::string&
                          const ShapeWords& words) {
   if (words.load == nullptr)
     reader.fail(key, '"' + name + '"',
-                "needs to know what is moved: add [load] with position_per_rev and inertia");
+                "needs the load: add [load] with position_per_rev and inertia");
   return *words.load;
 }
 
@@ -76,7 +76,7 @@ const LoadSpec& linear_load_for(TomlReader& reader, const char* key, const std::
   const LoadSpec& load = load_for(reader, key, name, words);
   if (!is_linear(load))
     reader.fail(key, '"' + name + '"',
-                "is known of a load without coulomb and lever alone: limit \"peak torque\"");
+                "needs a load without coulomb and lever: limit \"peak torque\"");
   return load;
 }
 
@@ -205,7 +205,7 @@ ShapeFigureSpec read_figure(TomlReader& table, const ShapeWords& words) {
   if (!at) table.fail("at", "", "is missing: the frequency, \"17 Hz\", or a band of two");
   const auto damping = table.optional_range("damping", "1").value_or(std::pair{0., 0.});
   if (!(at->first > 0 && at->first <= at->second))
-    table.fail("at", number(at->first), "must be above 0, and a band must ascend");
+    table.fail("at", number(at->first), "must be greater than 0, and a band must ascend");
   if (!(damping.first >= 0 && damping.first <= damping.second && damping.second < 1))
     table.fail("damping", number(damping.first),
                "must be 0 <= damping < 1, and a band must ascend");

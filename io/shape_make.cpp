@@ -70,14 +70,12 @@ void refuse_figures_of_a_drive(const ShapeSpec& shape) {
   for (const ShapeFigureSpec& figure : shape.figures)
     if (drive_figure(figure.figure))
       throw InputError("minimize", '"' + figure.name + '"',
-                       "is of a drive: give its file with --against drive.toml");
+                       "is a figure of a drive: give its file with --against drive.toml");
 }
 
 CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   const ShapeSpec& shape = spec.optimize.shape;
-  if (spec.polydyne)
-    throw InputError("polydyne", "",
-                     "has no residual already: a cam is either polydyne, or free in shape");
+  if (spec.polydyne) throw InputError("polydyne", "", "cannot be combined with free shapes");
   CamShapeProblem problem;
   problem.cam = detail::cam_of(spec);
   problem.shapes = shape.shapes;
@@ -103,7 +101,7 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive) {
   if (!std::holds_alternative<CamSpec>(spec.subject))
     throw InputError("kind", "",
-                     "only a cam has free shapes; numbers of any spec: [[optimize.parameter]]")
+                     "only a cam has free shapes: for other kinds use [[optimize.parameter]]")
         .at(spec.document.name);
   try {
     return problem_of(spec, against_a_drive);

@@ -100,7 +100,7 @@ void read_axis(TomlReader& top, Spec& spec) {
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
-  if (!spec.drive) top.fail("drive", "", "is missing: a spec of kind drive is a [drive]");
+  if (!spec.drive) top.fail("drive", "", "is missing: a spec of kind drive needs a [drive]");
   spec.subject = DriveAlone{};
 }
 
@@ -145,9 +145,9 @@ constexpr std::array kinds{
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
-    top.fail("kind", "\"machine\"", "is what `jounce run` takes; here give the spec of one of its axes");
+    top.fail("kind", "\"machine\"", "is for `jounce run`: give the spec of one of its axes here");
   if (kind == "sweep")
-    top.fail("kind", "\"sweep\"", "is what `jounce sweep` takes; here give the spec that it varies");
+    top.fail("kind", "\"sweep\"", "is for `jounce sweep`: give the spec that it varies here");
 }
 
 void read_body(TomlReader& top, Spec& spec) {
@@ -191,10 +191,11 @@ toml::table detail::parse_toml(const Document& document) {
     return toml::parse(std::string_view(document.text), std::string_view(document.name));
   } catch (const toml::parse_error& error) {
     if (begins_as_points(document.text))
-      throw InputError("", "",
-                       "is a table of points: name it in a spec, of kind pvt for points over time: "
-                       "points = \"" +
-                           document.name + '"')
+      throw InputError(
+          "", "",
+          "is a table of points: name it in a spec (kind = \"pvt\" for points over time): "
+          "points = \"" +
+              document.name + '"')
           .at(document.name, 1);
     const auto at = error.source().begin;
     throw InputError("", "", "is not TOML: " + std::string(error.description()))

@@ -19,9 +19,9 @@ std::string read_name(TomlReader& axis, std::set<std::string>& taken) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   });
-  if (!fits) axis.fail("name", '"' + name + '"', "must be of letters, digits, - and _");
+  if (!fits) axis.fail("name", '"' + name + '"', "must consist of letters, digits, - and _");
   if (!taken.insert(name).second)
-    axis.fail("name", '"' + name + '"', "is the name of another axis already");
+    axis.fail("name", '"' + name + '"', "is the name of another axis");
   return name;
 }
 
@@ -88,7 +88,7 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
   if (!table) return norm;
   for (const AxisPart& part : parts)
     if (part.units.position != parts.front().units.position)
-      top.fail("norm", "", "is of one vector: all axes must have one unit");
+      top.fail("norm", "", "needs the same unit on all axes");
   const std::vector<std::string> units{rate_units(parts, 1).front(), rate_units(parts, 2).front(),
                                        rate_units(parts, 3).front()};
   norm.velocity = table->optional_number("velocity", units[0]).value_or(norm.velocity);
@@ -124,12 +124,12 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
     const bool end = k == 0 || k + 1 == points.size();
     for (const char* key : {"velocity", "acceleration"})
       if (!end && point.has(key))
-        point.fail(key, "", "is what the motion chooses between the first point and the last");
+        point.fail(key, "", "is free between the first point and the last: leave it out");
     const ViaRates rates{optional_rates(point, "velocity", parts, 1),
                          optional_rates(point, "acceleration", parts, 2)};
     if (end) (k == 0 ? axes.via.start : axes.via.end) = rates;
     if (k == 0 && point.has("limits"))
-      point.fail("limits", "", "are of the way to a point: none leads to the first");
+      point.fail("limits", "", "apply to the way to a point: the first point has none");
     limited = limited || point.has("limits");
     if (k > 0)
       axes.via.stretches.push_back(

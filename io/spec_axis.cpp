@@ -14,8 +14,7 @@ const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
   auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
   if (!is_unit(unit))
-    reader.fail(key, '"' + unit + '"',
-                "is not a unit that Jounce knows, such as mm, deg, rev, pulse, s, ms");
+    reader.fail(key, '"' + unit + '"', "is not a known unit, such as mm, deg, rev, pulse, s, ms");
   return unit;
 }
 
@@ -28,7 +27,7 @@ std::string read_position_unit(TomlReader& reader, const char* key, const char* 
     }
   }
   reader.fail(key, '"' + unit + '"',
-              "does not measure a position: give a length (m mm um cm in), an angle (rad deg rev) or "
+              "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev) or "
               "pulse, count, inc");
 }
 

@@ -22,10 +22,10 @@ Drive read_model_file(TomlReader& table, const Units& units) {
     }
   }();
   if (!std::holds_alternative<DriveAlone>(spec.subject))
-    table.fail("spec", given.string(), "must be a spec of kind \"drive\"; see `jounce new drive`");
+    table.fail("spec", given.string(), "must be a spec of kind \"drive\": see `jounce new drive`");
   if (spec.units.position != units.position)
     table.fail("spec", given.string(),
-               "it counts in " + spec.units.position + ", and this axis in " + units.position);
+               "has the unit " + spec.units.position + ", but this axis has " + units.position);
   return spec.drive->drive;
 }
 

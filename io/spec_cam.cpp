@@ -116,7 +116,7 @@ void read_knot_optimize(TomlReader& table, OptimizeSpec& optimize) {
       table.fail(
           "minimize", '"' + text + '"',
           "must be among \"peak geo_acceleration\", \"peak geo_jerk\", \"rms geo_acceleration\"; "
-          "other figures are of free shapes: free = { shape = 100 } of a segment");
+          "other figures need a free shape: give a segment free = { shape = 100 }");
     minimize.push_back(*objective);
   }
   if (!minimize.empty()) optimize.minimize = std::move(minimize);
@@ -139,11 +139,11 @@ std::optional<double> read_budget(TomlReader& table) {
 void read_optimize(TomlReader& top, Spec& spec) {
   const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
   if (load && (load->limits.torque || load->limits.rms_torque) && !spec.master)
-    top.fail("load", "", "has limits for the torque, which depends on the speed: add [master]");
+    top.fail("load", "", "limits the torque, which depends on the speed: add [master]");
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)
-    top.fail("optimize", "", "is missing: say what is wanted of the free shapes, by `minimize`");
+    top.fail("optimize", "", "is missing: free shapes need `minimize`, the figure to improve");
   if (!table || table->has("parameter")) return;  // the latter: read_parameters()
   if (shapes)
     read_shape_optimize(*table, spec);

@@ -29,8 +29,7 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
   if (mode == CompareMode::linear) {
     const double start = compare.number("start", units.position);
     const double increment = compare.number("increment", units.position);
-    if (increment == 0)
-      compare.fail("increment", "0", "must not be 0: the points would all be one");
+    if (increment == 0) compare.fail("increment", "0", "must not be 0: all points would coincide");
     return evenly(start, increment, static_cast<std::size_t>(count_of(compare)));
   }
   if (mode != CompareMode::fifo_time && mode != CompareMode::fifo_level)
@@ -43,7 +42,7 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
     point.finish();
   }
   if (points.empty())
-    compare.fail("point", "", "is missing: [[compare.point]] with a position each");
+    compare.fail("point", "", "is missing: give each point as [[compare.point]] with a position");
   return points;
 }
 

@@ -33,7 +33,7 @@ std::optional<int> optional_int(TomlReader& reader, const char* key) {
   if (!value) return std::nullopt;
   if (*value < std::numeric_limits<std::int32_t>::min() ||
       *value > std::numeric_limits<std::int32_t>::max())
-    reader.fail(key, std::to_string(*value), "must be a number of 32 bits");
+    reader.fail(key, std::to_string(*value), "must fit 32 bits");
   return static_cast<int>(*value);
 }
 
@@ -168,7 +168,7 @@ MoveSpec read_agito(MotionFields& f) {
   s.strokes = read_strokes(move);
   f.may_in("rpt_wait", "ms", s.rpt_wait);
   if (!s.strokes && move.has("rpt_wait"))
-    move.fail("rpt_wait", number(s.rpt_wait), "goes with strokes, which make the move repetitive");
+    move.fail("rpt_wait", number(s.rpt_wait), "needs strokes, which make the move repetitive");
   return s;
 }
 

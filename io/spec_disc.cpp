@@ -27,8 +27,7 @@ void read_follower(TomlReader& table, const Units& units, DiscPart& disc) {
   if (angle && g.follower == Follower::translating)
     throw InputError(
         "units.position", '"' + units.position + '"',
-        "must be a length (mm) for a translating follower; an oscillating one may have "
-        "an angle");
+        "must be a length (mm) for a translating follower, or an angle for an oscillating one");
   if (!angle && !converts(units.position, "mm"))
     throw InputError("units.position", '"' + units.position + '"',
                      "must be a length (mm), or the angle of an arm, for a cam with [disc]");

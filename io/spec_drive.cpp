@@ -56,18 +56,19 @@ void read_linear(TomlReader& table, const Units& units, const Drive& drive, Mass
     try {
       return drive.position_per_rev * conversion(units.position, "m") / (2 * std::numbers::pi);
     } catch (const InputError&) {
-      table.fail(key, "", "needs a position that is a length, not " + units.position);
+      table.fail(key, "", "needs a position in a unit of length, not " + units.position);
     }
   };
   if (const auto kg = table.optional_number("mass", "kg")) {
-    if (table.has("inertia")) table.fail("mass", "", "stands for inertia: leave one of them out");
+    if (table.has("inertia"))
+      table.fail("mass", "", "cannot be combined with inertia: leave one of them out");
     mass.inertia = *kg * lever("mass") * lever("mass");
   }
   if (const auto newton = table.optional_number("load_force", "N"))
     mass.load_torque += *newton * lever("load_force");
   if (const auto belt = table.optional_number("belt_stiffness", "N/m")) {
     if (table.has("stiffness"))
-      table.fail("belt_stiffness", "", "stands for stiffness: leave one of them out");
+      table.fail("belt_stiffness", "", "cannot be combined with stiffness: leave one of them out");
     const double radius = table.number("pulley_radius", "m");
     mass.stiffness = *belt * radius * radius;
   }
@@ -87,7 +88,7 @@ void read_train(TomlReader& table, const Units& units, Drive& drive) {
 void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
   drive.position_per_rev = table.number("position_per_rev", units.position + "/rev");
   if (drive.position_per_rev == 0)  // before a mass is counted with it
-    table.fail("position_per_rev", "0", "must not be 0: the motor would not turn");
+    table.fail("position_per_rev", "0", "must not be 0");
   for (const char* part : {"motor", "controller"})
     if (auto reader = table.optional_table(part)) {
       read_part(*reader, std::string(part) + ".", drive);

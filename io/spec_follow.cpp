@@ -46,11 +46,12 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
     at.type = static_cast<PtType>(segment.optional_choice("type", types).value_or(0));
     const std::size_t repeat = segment.optional_count("repeat").value_or(1);
     if (segment.has("repeat") && !increments)
-      segment.fail("repeat", std::to_string(repeat), "is for increments: say increments = true");
+      segment.fail("repeat", std::to_string(repeat), "needs increments = true");
     if (increments && !(master > 0))
       segment.fail("master", number(master), "must be greater than 0: it is an increment");
     if (repeat < 1 || repeat > most - points.size())
-      segment.fail("repeat", std::to_string(repeat), "must be from 1 to what makes 1e6 segments");
+      segment.fail("repeat", std::to_string(repeat),
+                   "must be at least 1, and make at most 1e6 segments");
     for (std::size_t i = 0; i < repeat; ++i) {
       at.x = increments ? at.x + master : master;
       at.position = increments ? at.position + slave : slave;
@@ -74,7 +75,7 @@ FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& unit
   read_segments(segments, units, increments, googol, table.segments);
   if (const std::size_t n = table.segments.size(); googol && n > googol::follow_fifo)
     segments.fail(segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
-                  "must be at most 512 in a table: what a FIFO of memory 1 holds");
+                  "must be at most 512 in a table, the size of a FIFO of memory 1");
   return table;
 }
 
@@ -92,7 +93,7 @@ FollowSpec read_tables(TomlReader& top, TomlReader& follow, const Units& units,
   if (one) spec.tables.push_back(read_table(follow, top, units, googol));
   if (one && follow.has("table"))
     top.fail(top.has("segment") ? "segment" : "points", "",
-             "is of one table: with [[follow.table]] put its segments into each");
+             "is for a single table: with [[follow.table]] put the segments into each table");
   for (TomlReader& table : follow.tables("table")) {
     spec.tables.push_back(read_table(table, table, units, googol));
     table.finish();
@@ -118,13 +119,12 @@ Law read_law(TomlReader& follow) {
   const auto text = follow.optional_text("law");
   if (!text) return Law::quintic;
   const auto law = law_named(*text);
-  if (!law) follow.fail("law", '"' + *text + '"', "is no law: `jounce laws` prints them all");
+  if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists all");
   const Ends ends = info(*law).ends;
   if (ends != Ends::given && ends != Ends::moving)
     follow.fail(
         "law", '"' + *text + '"',
-        "must be one that takes a ratio at its ends and has no acceleration there, as quintic "
-        "and modified_sine");
+        "must have a ratio and no acceleration at its ends, as quintic and modified_sine have");
   return *law;
 }
 
@@ -164,7 +164,7 @@ FollowPart read_follow(TomlReader& top, const Units& units) {
   const bool plan = top.has("point") || top.has("zone");
   if (plan && (top.has("segment") || follow.has("table")))
     top.fail(top.has("point") ? "point" : "zone", "",
-             "says what a table is to do: without [[segment]] and [[follow.table]]");
+             "replaces [[segment]] and [[follow.table]]: leave them out");
   if (plan)
     part.slave = read_plan(top, follow, units, ratio);
   else

@@ -30,7 +30,8 @@ FollowerLimits read_follower_limits(TomlReader& limits, const Units& units) {
 std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   auto table = top.optional_table("follower");
   if (!table) return std::nullopt;
-  if (!spec.master) top.fail("follower", "", "needs a [master]: a follower lifts off at a speed");
+  if (!spec.master)
+    top.fail("follower", "", "needs a [master]: the contact force depends on the speed");
   FollowerSpec found;
   SpringFollower& f = found.follower;
   f.mass = table->number("mass", "kg");
@@ -43,8 +44,7 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   try {
     f.metres_per_unit = conversion(spec.units.position, "m");
   } catch (const InputError&) {
-    top.fail("follower", "",
-             "needs a slave that moves along a line, not in " + spec.units.position);
+    top.fail("follower", "", "needs a slave with a unit of length, not " + spec.units.position);
   }
   if (auto limits = table->optional_table("limits"))
     found.limits = read_follower_limits(*limits, spec.units);

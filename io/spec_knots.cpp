@@ -22,8 +22,7 @@ std::optional<double> derivative_of(TomlReader& knot, const char* key, const std
                                     bool may_be_missing) {
   if (!knot.has(key)) knot.refuse_misspelt(key);
   if (!may_be_missing && !knot.has(key))
-    knot.fail(key, "",
-              "is missing: give it, or say at the top how to find it: velocities = \"clamped\"");
+    knot.fail(key, "", "is missing: give it, or set a rule at the top: velocities = \"clamped\"");
   return knot.optional_number(key, unit);
 }
 
@@ -45,9 +44,9 @@ void take_columns(const Points& points, const Units& units, FillSpec& fill, bool
   const auto derivative = [&](const char* name, int order, auto& values) {
     if (points.find(name) == nullptr) {
       if (!may_be_missing)
-        throw InputError(name, "",
-                         "is missing: give the column, or say in the spec how to find "
-                         "it: velocities = \"clamped\"")
+        throw InputError(
+            name, "",
+            "is missing: give the column, or set a rule in the spec: velocities = \"clamped\"")
             .at(points.document, 1);
       values.resize(points.size());
     } else {
@@ -85,7 +84,7 @@ FillSpec read_fill(TomlReader& top, const Units& units, Rule rule,
   else
     read_rows(top, units, fill, filling.has_value());
   if (filling && rule == Rule::linear)
-    top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has none");
+    top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has no velocities");
   return fill;
 }
 
@@ -142,17 +141,16 @@ Table table_of(const Trajectory& spline, Rule rule) {
 }
 
 void refuse_beside_times(TomlReader& reader, const char* key) {
-  if (reader.has(key)) reader.fail(key, "", "is what times = \"shortest\" finds: leave it out");
+  if (reader.has(key)) reader.fail(key, "", "is found by times = \"shortest\": leave it out");
 }
 
 Table shortest_table(TomlReader& top, const Spec& spec, Rule rule) {
   if (rule == Rule::linear)
-    top.fail("times", "\"shortest\"",
-             "are those of a spline: the rule must be cubic_hermite or quintic_hermite");
+    top.fail("times", "\"shortest\"", "needs the rule cubic_hermite or quintic_hermite");
   refuse_beside_times(top, "velocities");
   if (top.has("points"))
     top.fail("points", "",
-             "has times: for times = \"shortest\" give [[knot]] with a position each");
+             "has times: for times = \"shortest\" give each [[knot]] a position only");
   SplineTimesSpec times;
   times.limits = {spec.limits};
   for (TomlReader& knot : top.tables("knot")) {

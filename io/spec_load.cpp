@@ -103,8 +103,8 @@ const std::vector<LoadKey> keys{
 };
 
 std::string instead_of(const LoadKey& key) {
-  if (key.unit == nullptr) return ": an arm turns";
-  return std::string(": say what it is at the motor, as ") +
+  if (key.unit == nullptr) return ": an arm needs a unit of angle";
+  return std::string(": give it at the motor, as ") +
          (key.field == &LoadSpec::mass ? "inertia" : "torque");
 }
 
@@ -114,7 +114,7 @@ void read_key(TomlReader& table, const LoadKey& key, const std::string& slave, L
   const bool straight = measures(slave, "m") && key.unit != nullptr;
   const bool rotary = measures(slave, "rad") && key.rotary_unit != nullptr;
   if (!any && !straight && !rotary)
-    table.fail(key.key, "", "is not of a slave in " + slave + instead_of(key));
+    table.fail(key.key, "", "does not fit a slave in " + slave + instead_of(key));
   const double value = table.number(key.key, any || straight ? key.unit : key.rotary_unit);
   if (value < 0 && !key.may_be_negative) table.fail(key.key, number(value), "must not be negative");
   load.*key.field = value;
@@ -142,11 +142,9 @@ std::optional<LoadSpec> read_load(TomlReader& top, const Units& units) {
   if (!table) return std::nullopt;
   LoadSpec load;
   load.position_per_rev = table->number("position_per_rev", units.position + "/rev");
-  if (load.position_per_rev == 0)
-    table->fail("position_per_rev", "0", "must not be 0: the motor would not turn");
+  if (load.position_per_rev == 0) table->fail("position_per_rev", "0", "must not be 0");
   for (const LoadKey& key : keys) read_key(*table, key, units.position, load);
-  if (load.recovered > 1)
-    table->fail("recovered", number(load.recovered), "must be a share, from 0 to 1");
+  if (load.recovered > 1) table->fail("recovered", number(load.recovered), "must be 0 to 1");
   load.winding_loss = table->optional_number("winding_loss", "W/(N m)^2");
   if (load.winding_loss && !(*load.winding_loss > 0))
     table->fail("winding_loss", number(*load.winding_loss), "must be greater than 0");

@@ -37,7 +37,7 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
 std::optional<double> read_watchdog(TomlReader& top) {
   const auto watchdog = top.optional_number("watchdog", "s");
   if (watchdog && *watchdog != 0 && !(*watchdog >= 0.01 && *watchdog <= 3600))
-    top.fail("watchdog", number(*watchdog), "must be between 10 ms and 1 h, or 0: never");
+    top.fail("watchdog", number(*watchdog), "must be 10 ms to 1 h, or 0 for none");
   return watchdog;
 }
 
@@ -50,7 +50,7 @@ void read_body(TomlReader& top, MachineSpec& machine) {
   for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
   machine.masters = detail::read_masters(top);
   if (machine.axes.empty())
-    top.fail("axis", "", "is missing: a machine has an [[axis]] with a spec for each of its axes");
+    top.fail("axis", "", "is missing: a machine needs an [[axis]] with a spec for each axis");
   top.finish();
 }
 
@@ -61,7 +61,7 @@ std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
   if (!table) return std::nullopt;
   FollowWhom whom;
   if (table->has("axis") == table->has("master"))
-    table->fail("axis", "", "an axis follows either another axis or a master: name one of them");
+    table->fail("axis", "", "an axis follows either an axis or a master: name one of them");
   if (table->has("master")) {
     whom.master = table->text("master");
   } else {

@@ -47,7 +47,8 @@ std::optional<MachineIndex> read_index(TomlReader& machine, const std::string& u
   if (!reader) return std::nullopt;
   MachineIndex index{.period = reader->number("period", unit)};
   if (!(index.period > 0))
-    reader->fail("period", number(index.period), "must be greater than 0: the way of a turn");
+    reader->fail("period", number(index.period),
+                 "must be greater than 0: it is the travel of one turn");
   index.offset = reader->optional_number("offset", unit).value_or(0);
   reader->finish();
   return index;

@@ -26,14 +26,12 @@ void read_jerk(MotionFields& f, SCurveSpec& s) {
   const auto deceleration_jerk = f.optional("deceleration_jerk", 3);
   TomlReader& move = f.reader();
   if (jerk.has_value() == smoothing.has_value())
-    move.fail(
-        "jerk", "",
-        "an s_curve needs either jerk or smoothing (the time in which the acceleration builds up)");
+    move.fail("jerk", "",
+              "an s_curve needs either jerk or smoothing (the rise time of the acceleration)");
   if (smoothing) {
     if (!(*smoothing > 0)) move.fail("smoothing", number(*smoothing), "must be greater than 0");
     if (deceleration_jerk)
-      move.fail("deceleration_jerk", number(*deceleration_jerk),
-                "goes with jerk, not with smoothing");
+      move.fail("deceleration_jerk", number(*deceleration_jerk), "needs jerk instead of smoothing");
     s.jerk = s.acceleration / *smoothing;
     s.deceleration_jerk = (s.deceleration == 0 ? s.acceleration : s.deceleration) / *smoothing;
   } else {
@@ -79,7 +77,7 @@ MoveSpec read_point_to_point(MotionFields& f) {
   if (const auto direction = move.optional_choice("direction", direction_names)) {
     if (!s.period)
       move.fail("direction", '"' + direction_names[*direction] + '"',
-                "needs the period of the axis: only one that comes round again has several ways");
+                "needs the period of the axis: only a modulo axis has a choice of direction");
     s.direction = directions[*direction];
   }
   return s;

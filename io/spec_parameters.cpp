@@ -18,10 +18,11 @@ std::string unit_of(TomlReader& parameter, const std::string& key) {
   std::vector<std::string> known;
   for (const auto& [name, unit] : units) known.push_back(name);
   const std::string hint = nearest(key, known);
-  parameter.fail("key", '"' + key + '"',
-                 "is no number of this spec that could be chosen" +
-                     (hint.empty() ? std::string("; one that it leaves out, write there first")
-                                   : ": did you mean \"" + hint + "\"?"));
+  parameter.fail(
+      "key", '"' + key + '"',
+      "is not a number of this spec" +
+          (hint.empty() ? std::string("; if the spec leaves it out, write it there first")
+                        : ": did you mean \"" + hint + "\"?"));
 }
 
 SpecParameter read_parameter(TomlReader& table) {
@@ -33,7 +34,7 @@ SpecParameter read_parameter(TomlReader& table) {
   std::tie(parameter.lower, parameter.upper) = *range;
   if (parameter.lower >= parameter.upper)
     table.fail("range", number(parameter.lower) + " to " + number(parameter.upper),
-               "must be [least, greatest]: the second above the first");
+               "must be [least, greatest], in this order");
   table.finish();
   return parameter;
 }
@@ -54,7 +55,7 @@ void read_figure(TomlReader& table, ParametersSpec& spec) {
   if (least.has_value() == most.has_value())
     table.fail(
         "minimize", least ? '"' + *least + '"' : "",
-        least ? "cannot be together with maximize"
+        least ? "cannot be combined with maximize"
               : "is missing: minimize or maximize = \"...\", a key figure such as \"duration\"");
   spec.figure = least ? *least : *most;
   spec.maximize = most.has_value();
@@ -89,13 +90,14 @@ std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole
   for (TomlReader& parameter : table.tables("parameter")) {
     if (!whole.optimize.free.empty())
       table.fail("parameter", "",
-                 "cannot be together with `free` knots: optimise one, then the other");
+                 "cannot be combined with `free` knots: optimize one, then the other");
     spec.parameters.push_back(read_parameter(parameter));
     if (!chosen.insert(spec.parameters.back().key).second)
       parameter.fail("key", '"' + spec.parameters.back().key + '"', "is given twice");
   }
   if (spec.parameters.empty())
-    table.fail("parameter", "", "is missing: [[optimize.parameter]] says which numbers may change");
+    table.fail("parameter", "",
+               "is missing: name each number that may change in an [[optimize.parameter]]");
   read_figure(table, spec);
   for (TomlReader& bound : table.tables("require")) spec.require.push_back(read_bound(bound));
   read_options(table, spec.options);

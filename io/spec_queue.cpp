@@ -36,7 +36,7 @@ MotionCommand read_what(MotionFields& f) {
 }
 
 void require_dynamics(MotionFields& f, const QueuedCommand& c) {
-  const char* elsewhere = "is missing: give it here, or for all under [dynamics]";
+  const char* elsewhere = "is missing: give it here, or for all commands under [dynamics]";
   if (c.dynamics.velocity == 0 && !std::holds_alternative<Halt>(c.command))
     f.reader().fail("velocity", "", elsewhere);
   if (c.dynamics.acceleration == 0) f.reader().fail("acceleration", "", elsewhere);

@@ -59,11 +59,11 @@ void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
   const double tolerance = each.optional_number("tolerance", unit).value_or(0);
   if (!(tolerance >= 0)) each.fail("tolerance", number(tolerance), "must not be negative");
   if (!value) {
-    if (tolerance != 0) each.fail("tolerance", number(tolerance), "is of a value: give one");
+    if (tolerance != 0) each.fail("tolerance", number(tolerance), "needs a value");
     return;
   }
   if (corridor.lower || corridor.upper)
-    each.fail("value", "", "either a value, or a lower and an upper bound");
+    each.fail("value", "", "needs either a value, or a lower and an upper bound");
   corridor.lower = Edge{value->at_from - tolerance, value->at_to - tolerance};
   corridor.upper = Edge{value->at_from + tolerance, value->at_to + tolerance};
 }
@@ -75,7 +75,7 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   corridor.quantity = named.quantity;
   if (const auto at = each.optional_number("at", words.units.x)) {
     if (each.has("from") || each.has("to"))
-      each.fail("at", number(*at), "either one place, or from and to");
+      each.fail("at", number(*at), "needs either one place, or from and to");
     corridor.from = corridor.to = *at;
   } else {
     corridor.from = each.number("from", words.units.x);
@@ -83,12 +83,12 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   }
   if (corridor.from > corridor.to)
     each.fail("from", number(corridor.from),
-              "must not be above to; a corridor over the seam of a cam is written as two");
+              "must not be above to: write a corridor over the seam of a cam as two");
   corridor.lower = read_edge(each, "lower", named.unit);
   corridor.upper = read_edge(each, "upper", named.unit);
   read_value(each, named.unit, corridor);
   if (!corridor.lower && !corridor.upper)
-    each.fail("lower", "", "is missing: a corridor has a lower or an upper bound, or a value");
+    each.fail("lower", "", "is missing: a corridor needs a lower bound, an upper bound or a value");
   if (corridor.lower && corridor.upper &&
       (corridor.lower->at_from > corridor.upper->at_from ||
        corridor.lower->at_to > corridor.upper->at_to))
@@ -123,7 +123,7 @@ void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape) {
   const auto pieces = free.optional_count("shape");
   if (!pieces) {
     for (const char* key : {"continuity", "monotone", "ends"})
-      if (free.has(key)) free.fail(key, "", "is of a free shape: add shape = 100");
+      if (free.has(key)) free.fail(key, "", "needs a free shape: add shape = 100");
     return;
   }
   FreeShape found{.segment = segment, .pieces = *pieces};
@@ -132,7 +132,7 @@ void read_free_shape(TomlReader& free, std::size_t segment, ShapeSpec& shape) {
   if (const auto continuity = free.optional_count("continuity")) {
     if (*continuity < 2 || *continuity > 6)
       free.fail("continuity", std::to_string(*continuity),
-                "must be 2 to 6: how many derivatives are continuous inside");
+                "must be 2 to 6, the number of continuous derivatives inside");
     found.continuity = static_cast<int>(*continuity);
   }
   found.monotone = free.optional_flag("monotone").value_or(false);
@@ -149,7 +149,7 @@ void read_shape_optimize(TomlReader& table, Spec& spec) {
     read_ordered(table, words, shape);
   if (shape.minimize.empty() || shape.minimize.front().empty())
     table.fail("minimize", "",
-               "is missing: what is wanted of the free shapes, such as [\"peak geo_jerk\"]");
+               "is missing: name a figure of the free shapes, such as [\"peak geo_jerk\"]");
   read_ceilings(table, words, shape);
   for (TomlReader& each : table.tables("corridor"))
     shape.corridors.push_back(read_corridor(each, words));

@@ -14,8 +14,8 @@ double ratio_of(TomlReader& shear, const Units& units) {
     return conversion(units.x, units.position);
   } catch (const InputError&) {
     shear.fail("ratio", "",
-               "is missing: " + units.x + " is no " + units.position +
-                   "; give the carriage's travel per master unit when in step");
+               "is missing: " + units.x + " is not a " + units.position +
+                   "; give the travel of the carriage per master unit in step");
   }
 }
 

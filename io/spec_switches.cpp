@@ -54,10 +54,10 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
     if (const auto choice = group->optional_choice("of", sources))
       read.of = static_cast<SwitchesOf>(*choice);
     if (read.of == SwitchesOf::master && !spec.over_master() && spec.master_unit.empty())
-      group->fail("of", "\"master\"", "needs units.master: the axis has no master otherwise");
+      group->fail("of", "\"master\"", "needs units.master");
   }
   if (read.of == SwitchesOf::actual && spec.over_master())
-    group->fail("of", "\"actual\"", "is for an axis: a cam has no drive");
+    group->fail("of", "\"actual\"", "is for axes only: a cam has no drive");
   const bool of_master = read.of == SwitchesOf::master;
   const std::string& unit = !of_master           ? spec.units.position
                             : spec.over_master() ? spec.units.x

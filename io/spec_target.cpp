@@ -26,9 +26,9 @@ Target read_controller(TomlReader& table, const Units& units, Axis axis, TableOp
   const ControllerTable& controller = controller_tables()[*choice];
   const std::string word = '"' + names[*choice] + '"';
   if (controller.axis != axis)
-    table.fail("controller", word, std::string("is a table over ") + name(controller.axis));
+    table.fail("controller", word, std::string("needs a table over ") + name(controller.axis));
   if (options.rule.value_or(controller.rule) != controller.rule)
-    table.fail("controller", word, std::string("plays a ") + name(controller.rule) + " table");
+    table.fail("controller", word, std::string("needs a ") + name(controller.rule) + " table");
   options.rule = controller.rule;
   try {
     return target_of(controller, units, x_step, resolution);
@@ -54,11 +54,10 @@ void read_target(TomlReader& table, const Units& units, Axis axis, TableOptions&
   target.p_step = positive(table, key("p_step"), units.position).value_or(0);
   target.v_step = positive(table, key("v_step"), rate).value_or(0);
   if (!wanted && knots.value_or(0) == 0) return;
-  if (knots == std::size_t{0})
-    table.fail("knots", "\"even\"", "these keys are for \"fewest\" knots");
+  if (knots == std::size_t{0}) table.fail("knots", "\"even\"", "needs knots = \"fewest\"");
   if (options.intervals)
     table.fail("intervals", std::to_string(*options.intervals),
-               "either equal intervals or the fewest knots, not both");
+               "give either equal intervals or the fewest knots, not both");
   options.target = target;
 }
 

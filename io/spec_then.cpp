@@ -131,10 +131,12 @@ Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
     s.table.axes.push_back(
         {reference.number("base", grid), reference.number("interval", grid), count_of(reference)});
     points *= s.table.axes.back().count;
-    if (points > 1'000'000) then.fail("reference", "", "makes a grid of more than 1e6 points");
+    if (points > 1'000'000)
+      then.fail("reference", "", "makes a grid of more than 1e6 points, the limit");
     reference.finish();
   }
-  if (s.references.empty()) then.fail("reference", "", "is missing: the grid's axes, one to three");
+  if (s.references.empty())
+    then.fail("reference", "", "is missing: a grid has one to three reference axes");
   s.table.values = then.numbers("values", std::vector<std::string>(points, unit));
   return s;
 }

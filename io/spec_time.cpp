@@ -29,7 +29,7 @@ void read_patience(TomlReader& axis, AxisSpec& spec) {
   if (const auto gap = axis.optional_number("longest_gap", "s")) {
     if (!(*gap >= spec.cycle && *gap <= 1e6 * spec.cycle))
       axis.fail("longest_gap", jounce::number(*gap),
-                "must be between one cycle, " + jounce::number(spec.cycle) + " s, and a million");
+                "must be 1 to 1e6 cycles of " + jounce::number(spec.cycle) + " s");
     spec.longest_gap = *gap;
   }
   spec.session_timeout =

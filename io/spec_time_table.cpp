@@ -54,7 +54,8 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
   spec.googol = googol;
   const bool increments = pt.optional_flag("increments").value_or(false);
   const std::int64_t loops = pt.optional_whole("loops").value_or(1);
-  if (loops < 0) pt.fail("loops", std::to_string(loops), "must be at least 1, or 0: without end");
+  if (loops < 0)
+    pt.fail("loops", std::to_string(loops), "must be at least 1, or 0 for an endless table");
   spec.loops = static_cast<std::size_t>(loops);
   std::span<const std::string> permitted = types;
   if (googol) {
@@ -64,7 +65,7 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
         pt.optional_number("start_velocity", rate_unit(units.position, units.x, 1)).value_or(0);
   }
   if (spec.loops == 0 && pt.has("outside"))
-    pt.fail("outside", "", "goes with an end: loops = 0 has none");
+    pt.fail("outside", "", "needs a table with an end: loops = 0 has none");
   spec.outside = read_outside(pt, false);
   if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
     return with_points(std::move(spec), *file, units, increments, permitted);
@@ -84,7 +85,7 @@ bool is_whole_ms(double t) {
   const bool vanishes = t != 0 && std::round(ms) == 0;
   return !vanishes && std::abs(ms - std::round(ms)) <= 1e-9 * std::max(1.0, std::abs(ms));
 }
-constexpr const char* whole_ms_rule = "must be a whole number of ms, as TIME is";
+constexpr const char* whole_ms_rule = "must be a whole number of ms, the resolution of TIME";
 
 /// A point as `point` has it, its value under the name of the quantity.
 pmc600::ProfilePoint read_profile_point(TomlReader& point, const char* quantity,

@@ -21,10 +21,10 @@ NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
     const std::string meant = nearest(tolerance.key, keys);
     table.fail(
         "key", tolerance.key,
-        "is no number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
+        "is not a number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
   }
   if (!table.has("share") && !table.has("absolute"))
-    table.fail("share", "", "is missing: say share = \"10 %\", or absolute");
+    table.fail("share", "", "is missing: give share = \"10 %\", or absolute");
   tolerance.share = optional_share(table, "share").value_or(0);
   tolerance.absolute = table.optional_number("absolute", number->unit).value_or(0);
   const std::vector<std::string> shapes{"uniform", "normal"};

@@ -38,8 +38,9 @@ Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
   for (Finding& f : report.findings) {
     if (f.rule == "knife/contact") f.unit = spec.units.position;
     if (f.rule == "knife/reversal" && f.broken)
-      f.advice = fmt::format("cuts above {} {} need a stop between them: dwell = true",
-                             rounded(figures(knife).longest), spec.units.x);
+      f.advice =
+          fmt::format("cut lengths above {} {} need a stop between the cuts: set dwell = true",
+                      rounded(figures(knife).longest), spec.units.x);
   }
   return report;
 }
@@ -60,8 +61,8 @@ Report findings_of(const FlyingShear& shear, const Spec& spec) {
   f.margin = f.value / f.limit - 1;
   f.severity = Severity::warning;
   const bool far = plan.stroke >= *shear.stroke * (1 - 1e-9);
-  f.advice = far ? "the stroke leaves no more: lengthen it, or slow the line down"
-                 : "the return leaves no more: cut longer pieces, or slow the line down";
+  f.advice = far ? "the stroke is too short: lengthen it, or slow the line down"
+                 : "the return is too short: cut longer pieces, or slow the line down";
   return f.value < f.limit ? Report{{f}} : Report{};
 }
 
@@ -98,13 +99,14 @@ std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spe
   const std::string& m = spec.units.x;
   const std::string& u = spec.units.position;
   std::vector<SyncFigure> all{
-      {"synchronous length", f.synchronous, m, "where it is a plain gear"},
+      {"synchronous length", f.synchronous, m, "without a correction"},
       {"in step", f.sync_length, m, fmt::format("{} {} of the knife", rounded(f.sync_angle), u)},
       {"recovery", f.recovery_length, m, runs_at(knife, f)},
       {"longest cut", f.longest, m, "without a stop"}};
   if (knife.matching == KnifeMatching::horizontal) all[0].meaning = "at the same mean speeds";
   if (f.contact_angle > 0)
-    all.push_back({"contact angle", f.contact_angle, u, "before the bottom the blade touches"});
+    all.push_back(
+        {"contact angle", f.contact_angle, u, "from the first contact of the blade to the bottom"});
   if (f.dwell > 0) all.push_back({"dwell", f.dwell, m, "while the knife stands"});
   add_speeds(all, spec);
   return all;
@@ -115,7 +117,7 @@ std::string told(const ShearBound& bound) {
   const std::string& q = bound.quantity;
   const std::string limit = "the slave's " + q.substr(q.find(' ') + 1) + " limit";
   if (q == "stroke") return "the stroke";
-  if (q == "cut length" || q == "return length") return "no line is left for the return";
+  if (q == "cut length" || q == "return length") return "no master distance is left for the return";
   if (q.starts_with("sync")) return limit + ", in step";
   return limit + (q.starts_with("ramp") ? ", as it runs up" : ", on its return");
 }
@@ -127,7 +129,7 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
   const std::string& m = spec.units.x;
   const std::string speed = rounded(shear.line_speed) + " " + speed_unit(spec);
   const bool left = !shear.sync_time && !shear.sync_length;
-  const std::string none = left ? "; nothing is left of the sync there" : "";
+  const std::string none = left ? "; no sync remains there" : "";
   std::vector<SyncFigure> all{
       {"in step", plan.sync, m,
        fmt::format("{} {} at {}{}", rounded(plan.sync / shear.line_speed), spec.time_unit, speed,
@@ -137,8 +139,8 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
         {"shortest cut", least.value, m, fmt::format("at {}: {}{}", speed, told(least), none)});
   if (std::isfinite(most.value))
     all.push_back({"fastest line", most.value, speed_unit(spec),
-                   fmt::format("with a table made for it, of {} {}: {}{}",
-                               rounded(shear.cut_length), m, told(most), none)});
+                   fmt::format("with its own table, of {} {}: {}{}", rounded(shear.cut_length), m,
+                               told(most), none)});
   return all;
 }
 
@@ -180,7 +182,7 @@ bool stays_in_gear(const Spec& spec) {
 
 std::string sync_sentence(const Finding& f, const std::string& where) {
   if (f.rule == "shear/sync")
-    return fmt::format("the carriage is in step for {} {} alone, from {}: less than {} {}",
+    return fmt::format("the carriage is in step for only {} {}, from {}: less than {} {}",
                        rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
   if (f.rule == "knife/reversal")
     return f.broken ? fmt::format("the knife turns back at {}", where)
@@ -194,7 +196,7 @@ std::string sync_sentence(const Finding& f, const std::string& where) {
     return fmt::format("the blade is {:.3g} % slower along the web than in step at {}",
                        100 * f.value, where);
   if (f.broken)
-    return fmt::format("the blade is in the web for {} {}, but in step for {} alone",
+    return fmt::format("the blade is in the web for {} {}, but in step for only {}",
                        rounded(f.limit), f.unit, rounded(f.value));
   return fmt::format("the blade is in step for {} {}, in the web for {}", rounded(f.value), f.unit,
                      rounded(f.limit));

@@ -32,7 +32,7 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   if (!t)
     f.advice = "it moves from 0 to " + number(spec.master->distance) + " and never passes " +
                number(start.position) + (start.direction > 0 ? " forwards" : " backwards") +
-               ": the slave waits for ever; the place is absolute, not a distance";
+               ": the slave would wait forever; the position is absolute, not a distance";
   return f;
 }
 

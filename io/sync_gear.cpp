@@ -69,7 +69,7 @@ Report check_gear(const GearCourse& course, const Units& units) {
   f.broken = true;
   f.unit = units.position + "/" + units.x;
   f.advice = "engage over a distance > 0, or with from_ratio = " + number(ratio) +
-             " if the slave is in step already";
+             " if the slave is in step from the start";
   return {{f}};
 }
 
@@ -95,7 +95,7 @@ Report check_gear(const GearInPosPart& part, const Units& units) {
   f.severity = Severity::warning;
   f.advice = engage_window(part.gear).advice + ", here to " + rounded(most) + " " + units.position +
              "; with slave_start between " + rounded(low) + " and " + rounded(high) +
-             " it neither turns back nor goes faster than the gear";
+             " the slave neither reverses nor exceeds the velocity of the gear";
   return {{f}};
 }
 

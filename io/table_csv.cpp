@@ -82,7 +82,7 @@ Head read_head(Lines& lines) {
     const std::string key(line.substr(2, colon - 2));
     const std::string text(line.substr(colon + 2));
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      lines.fail(key, text, "is not a key of a table's head");
+      lines.fail(key, text, "is not a key of the table's head");
     if (!head.emplace(key, HeadEntry{text, lines.line()}).second)
       lines.fail(key, text, "stands twice");
   }

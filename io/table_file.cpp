@@ -25,7 +25,7 @@ std::vector<std::string> column_names(Axis axis, Rule rule) {
 }
 
 std::string take_unit(TableParts& parts, std::size_t column, const std::string& unit) {
-  if (!is_unit(unit)) return "is not a unit that Jounce knows";
+  if (!is_unit(unit)) return "is not a known unit";
   if (column == 0) parts.units.x = unit;
   if (column == 1) parts.units.position = unit;
   if (column < 2) return "";
@@ -52,8 +52,8 @@ TableFile parse_table(const std::string& text, const std::string& name) {
     const std::string actual = hex(content_hash(file.table, file.units));
     if (actual != parts.sha256)
       throw InputError("sha256", parts.sha256,
-                       "does not match the content, which has " + actual +
-                           ": the table was changed after it was made");
+                       "does not match the content, whose hash is " + actual +
+                           ": the file was changed after Jounce wrote it");
     return file;
   } catch (const InputError& error) {
     throw error.at(name, detail::line_of(error, parts));
@@ -75,8 +75,7 @@ std::string table_text(const std::string& path, const TableFile& file) {
        {std::pair{&file.units.x, name(file.table.axis())}, {&file.units.position, "position"}})
     if (unit->empty())
       throw InputError("unit", "",
-                       std::string("is missing: what is the ") + whose +
-                           " counted in? `jounce convert` takes it");
+                       std::string("is missing: give `jounce convert` the unit of the ") + whose);
   return path.ends_with(".json") ? to_json(file) : to_csv(file);
 }
 

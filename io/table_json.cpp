@@ -41,7 +41,7 @@ class JsonReader {
 
   std::string text(const char* key) {
     const Json& value = require(key);
-    if (!value.is_string()) fail(key, value.dump(), "must be a text");
+    if (!value.is_string()) fail(key, value.dump(), "must be a string");
     auto text = value.get<std::string>();
     if (!is_printable(text)) fail(key, printable(text), "must not contain control characters");
     return text;
@@ -68,7 +68,7 @@ class JsonReader {
 
   void finish() const {
     for (const auto& [key, value] : object_.items())
-      if (!known_.contains(key)) fail(key, value.dump(), "is not a key that belongs here");
+      if (!known_.contains(key)) fail(key, value.dump(), "is not a key of this object");
   }
 
  private:

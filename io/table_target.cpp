@@ -45,8 +45,8 @@ Target target_of(const ControllerTable& controller, const Units& units,
     target.x_step = conversion(controller.step, units.x);
   } catch (const InputError&) {
     throw InputError("controller", std::string("\"") + controller.name + '"',
-                     std::string("counts in whole ") + controller.step + ", which are no " +
-                         units.x + "; " + key + " says how much one is, such as \"0.01 " + units.x +
+                     std::string("counts in whole ") + controller.step + ", not in " + units.x +
+                         ": give the size of one with " + key + ", such as \"0.01 " + units.x +
                          '"');
   }
   return target;

@@ -72,7 +72,7 @@ InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
                                const std::string& meant) const {
   const auto at = place(key.source());
   return InputError(path(key.str()), shown(node),
-                    "is not a key that belongs here: did you mean " + meant + "?")
+                    "is not a key of this table: did you mean " + meant + "?")
       .at(document_->name, at.line, at.column);
 }
 
@@ -157,7 +157,7 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::string>();
-  if (!value) fail(key, shown(*node), "must be a text in quotes");
+  if (!value) fail(key, shown(*node), "must be a string in quotes");
   if (!is_printable(*value))
     fail(key, '"' + printable(*value) + '"', "must not contain control characters");
   return value;
@@ -274,11 +274,11 @@ std::vector<std::string> TomlReader::texts(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
-  if (array == nullptr) fail(key, shown(*node), "must be a list of texts");
+  if (array == nullptr) fail(key, shown(*node), "must be a list of strings");
   std::vector<std::string> all;
   for (const auto& element : *array) {
     const auto value = element.value_exact<std::string>();
-    if (!value) fail(key, shown(element), "must be a text in quotes");
+    if (!value) fail(key, shown(element), "must be a string in quotes");
     all.push_back(*value);
   }
   return all;
@@ -292,7 +292,7 @@ void TomlReader::finish() {
       throw unknown(key, node, hint);
     const auto at = place(key.source());
     throw InputError(path(key.str()), shown(node),
-                     "is not a key that belongs here; known: " + join(known))
+                     "is not a key of this table; possible keys: " + join(known))
         .at(document_->name, at.line, at.column);
   }
 }

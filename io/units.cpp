@@ -84,7 +84,7 @@ Unit require_unit(std::string_view text) {
   Unit unit = units().parse(text);
   if (!unit)
     throw InputError("unit", std::string(text),
-                     "is not a unit that Jounce knows (m mm um cm in, rad deg rev, pulse, s ms us ns "
+                     "is not a known unit (m mm um cm in, rad deg rev, pulse, s ms us ns "
                      "min, kg g, N, J, W, Hz kHz MHz, rpm, A V ohm and their products)");
   return unit;
 }
@@ -108,15 +108,13 @@ double conversion(std::string_view from, std::string_view to) {
   const Unit a = require_unit(from);
   const Unit b = require_unit(to);
   if (ut_are_convertible(a.get(), b.get()) == 0)
-    throw InputError("unit", std::string(from),
-                     "does not measure the same thing as " + std::string(to));
+    throw InputError("unit", std::string(from), "cannot be converted to " + std::string(to));
   const std::unique_ptr<cv_converter, decltype(&cv_free)> converter(
       ut_get_converter(a.get(), b.get()), &cv_free);
   // 1/s converts into s by inversion; only a plain factor is a change of unit.
   const double factor = cv_convert_double(converter.get(), 1);
   if (std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) > 1e-12 * std::abs(factor))
-    throw InputError("unit", std::string(from),
-                     "does not measure the same thing as " + std::string(to));
+    throw InputError("unit", std::string(from), "cannot be converted to " + std::string(to));
   return factor;
 }
 
@@ -134,15 +132,15 @@ double quantity(std::string_view text, std::string_view unit) {
       trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())));
   if (given.empty()) return value;
   if (!is_unit(given))
-    throw InputError("", shown,
-                     '"' + std::string(given) + "\" is not a unit; here a value in " +
-                         std::string(unit) + " is expected");
+    throw InputError(
+        "", shown,
+        '"' + std::string(given) + "\" is not a unit; the value must be in " + std::string(unit));
   try {
     return value * conversion(given, unit);
   } catch (const InputError&) {
     throw InputError("", shown,
-                     "the unit " + std::string(given) + " does not fit; here a value in " +
-                         std::string(unit) + " is expected");
+                     "the unit " + std::string(given) + " does not fit; the value must be in " +
+                         std::string(unit));
   }
 }
 

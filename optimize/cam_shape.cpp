@@ -76,7 +76,7 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
     if (stage > 0 && !found.usable()) {
       best.status = found.status == Status::cancelled ? found.status : Status::stalled;
       best.reason = name(problem.minimize[stage].front().figure) +
-                    " was not improved beside what was minimised before: " + found.reason;
+                    " was not improved without a loss of the earlier figures: " + found.reason;
       return best;
     }
     best = std::move(found);

@@ -21,7 +21,7 @@ void require_shapes(const CamShapeProblem& problem) {
     const FreeShape& shape = problem.shapes[i];
     if (shape.segment >= problem.cam.segments.size())
       throw InputError(key_of(shape.segment, "shape"), std::to_string(shape.pieces),
-                       "there is no such segment");
+                       "is not the number of a segment");
     if (i > 0 && shape.segment <= problem.shapes[i - 1].segment)
       throw InputError(key_of(shape.segment, "shape"), std::to_string(shape.pieces),
                        "free segments must ascend");
@@ -38,8 +38,7 @@ void require_shapes(const CamShapeProblem& problem) {
     const double from =
         shape.segment == 0 ? knots.start.slave : knots.segments[shape.segment - 1].end.slave;
     if (shape.monotone && from == knots.segments[shape.segment].end.slave)
-      throw InputError(key_of(shape.segment, "monotone"), "true",
-                       "needs a segment that goes somewhere");
+      throw InputError(key_of(shape.segment, "monotone"), "true", "needs a segment with a stroke");
   }
 }
 
@@ -57,7 +56,7 @@ void require_ends(const CamShapeProblem& problem) {
     };
     if (std::none_of(runs.begin(), runs.end(), at_end))
       throw InputError(key_of(shape.segment, "ends.jerk"), "",
-                       "has no end to hold for: segments beside this one are free too");
+                       "needs an end at a segment that is not free");
     if (shape.end_jerk == EndJerk::zero && shape.continuity < 3)
       throw InputError(key_of(shape.segment, "ends.jerk"), "0", "needs a continuity of 3 or more");
   }
@@ -83,20 +82,20 @@ void require_knots(const CamShapeProblem& problem) {
     const std::string key = knot_key(free.knot);
     if (free.master)
       throw InputError(key + ".master", "",
-                       "cannot be free beside free shapes: free the shape, or the masters of knots "
-                       "between laws, and optimise one after the other");
+                       "cannot be free next to free shapes: free either the shape, or the masters "
+                       "of knots between laws");
     if (free.knot > last || !is_reached(problem, free.knot))
-      throw InputError(key, "", "every segment beside a free knot must have a free shape");
+      throw InputError(key, "", "every segment next to a free knot must have a free shape");
     const bool closed = problem.cam.periodic && problem.shapes.size() == last;
     if (closed && free.knot % last == 0 && free.slave)
       throw InputError(key + ".slave", "",
-                       "cannot be free at the seam of a cam that is free all over");
+                       "cannot be free at the seam of a cam whose segments are all free");
     for (const auto& [name, bound] : {std::pair{".slave", free.slave},
                                       {".geo_velocity", free.geo_velocity},
                                       {".geo_acceleration", free.geo_acceleration}})
       if (bound && !(bound->lower <= bound->upper))
         throw InputError(key + name, number(bound->lower) + " to " + number(bound->upper),
-                         "the lower bound must not be above the upper one");
+                         "the lower bound must not be above the upper bound");
   }
 }
 
@@ -122,11 +121,12 @@ void require_valid(const CamShapeProblem& problem) {
   require_knots(problem);
   require_ends(problem);
   require_valid(problem.limits);
-  if (problem.minimize.empty()) throw InputError("minimize", "none", "there must be an objective");
+  if (problem.minimize.empty())
+    throw InputError("minimize", "none", "must name at least one figure");
   for (const auto& stage : problem.minimize)
     if (stage.empty() || (stage.size() > 1 && problem.minimize.size() > 1))
       throw InputError("minimize", std::to_string(stage.size()),
-                       "either weighted figures, or figures one after another");
+                       "must be either weighted figures, or figures in order of priority");
   require_corridors(problem);
   if (!(problem.concession >= 0 && problem.concession <= 1))
     throw InputError("tolerance", problem.concession, "must be between 0 and 1");

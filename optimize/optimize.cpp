@@ -218,12 +218,13 @@ class Search {
       answer(Outcome::Status::optimal,
              "every objective is at its proven bound, to a relative " + brief(problem_.tolerance));
     else if (out_of_time_)
-      answer(Outcome::Status::stalled, "the " + brief(*problem_.seconds) + " s allowed ran out");
-    else if (exhausted_)
       answer(Outcome::Status::stalled,
-             "the " + std::to_string(problem_.max_evaluations) + " evaluations allowed ran out");
+             "the time limit of " + brief(*problem_.seconds) + " s is reached");
+    else if (exhausted_)
+      answer(Outcome::Status::stalled, "the limit of " + std::to_string(problem_.max_evaluations) +
+                                           " evaluations is reached");
     else if (!converged_)
-      answer(Outcome::Status::stalled, "the solver stopped short of convergence");
+      answer(Outcome::Status::stalled, "the solver stopped before it converged");
     else
       answer(Outcome::Status::converged, why_converged());
   }
@@ -241,14 +242,14 @@ class Search {
                           (space_.convex() ? "" : ": free masters make the problem not convex") +
                           ", and the fixed knots alone force none";
     if (space_.convex())
-      return "no other choice of the free quantities is better (the problem is convex); " + gap;
-    return "none of " + std::to_string(outcome_.starts) + " starts led further; " + gap;
+      return "no other values of the free quantities are better (the problem is convex); " + gap;
+    return "none of " + std::to_string(outcome_.starts) + " starts led to an improvement; " + gap;
   }
 
   [[nodiscard]] std::string why_infeasible() const {
     if (const auto& broken = broken_where_fixed_)
-      return "nothing free changes segment " + std::to_string(*broken->segment + 1) + ", where " +
-             optimizer::sentence(*broken);
+      return "no free quantity changes segment " + std::to_string(*broken->segment + 1) +
+             ", where " + optimizer::sentence(*broken);
     const auto impossible = [&](Objective objective, const std::optional<double>& limit) {
       return limit && lower_bound(problem_, objective) > *limit * (1 + optimizer::rounding);
     };
@@ -261,8 +262,8 @@ class Search {
                " is needed, " + brief(*limit) + " allowed";
     const std::string worst = optimizer::sentence(outcome_.limits.findings.front());
     if (space_.convex())
-      return "no choice of the free quantities was found that meets the limits, and the problem is "
-             "convex: at best " +
+      return "no values of the free quantities meet the limits, and the problem is convex: at "
+             "best " +
              worst;
     return "none of " + std::to_string(outcome_.starts) + " starts met the limits: at best " +
            worst;

@@ -75,11 +75,11 @@ void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity qua
   require_finite((key + ".upper").c_str(), bound->upper);
   const std::string interval = "[" + number(bound->lower) + ", " + number(bound->upper) + "]";
   if (bound->lower > bound->upper)
-    throw InputError(key, interval, "the lower bound must not be above the upper one");
+    throw InputError(key, interval, "the lower bound must not be above the upper bound");
   if (given < bound->lower || given > bound->upper)
     throw InputError(key, interval, "must contain the given value, " + number(given));
   if (quantity == Quantity::master && (free.knot == 0 || free.knot == problem.cam.segments.size()))
-    throw InputError(key, interval, "the cam must begin and end where it does");
+    throw InputError(key, interval, "the first and last knot of the cam cannot be free");
   require_law_leaves_free(problem.cam, free.knot, quantity, key, given);
 }
 
@@ -93,10 +93,11 @@ void require_free(const CamProblem& problem) {
       throw InputError(key, static_cast<double>(free.knot),
                        "the cam has only " + std::to_string(last) + " segments");
     if (named[free.knot])
-      throw InputError(key, static_cast<double>(free.knot),
-                       problem.cam.periodic && (free.knot == 0 || free.knot == last)
-                           ? "start and last knot of a periodic cam are one: name one of them, once"
-                           : "this knot is named twice");
+      throw InputError(
+          key, static_cast<double>(free.knot),
+          problem.cam.periodic && (free.knot == 0 || free.knot == last)
+              ? "start and last knot of a periodic cam are the same knot: name one of them, once"
+              : "names a knot twice");
     named[free.knot] = true;
     if (problem.cam.periodic && (free.knot == 0 || free.knot == last))
       named.front() = named.back() = true;
@@ -105,19 +106,18 @@ void require_free(const CamProblem& problem) {
   }
   const auto freedom = optimizer::freedom(problem);
   if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
-    throw InputError(
-        "free", "nothing",
-        "an optimisation needs at least one free quantity: a knot's free = { slave = [30, "
-        "60] }, a segment's free = { shape = 60 }");
+    throw InputError("free", "nothing",
+                     "an optimization needs a free quantity: free = { slave = [30, 60] } in a "
+                     "knot, or free = { shape = 60 } in a segment");
 }
 
 void require_objectives(const std::vector<Objective>& minimize) {
-  if (minimize.empty()) throw InputError("minimize", "nothing", "name at least one objective");
+  if (minimize.empty()) throw InputError("minimize", "nothing", "must name at least one objective");
   for (std::size_t i = 1; i < minimize.size(); ++i)
     if (std::find(minimize.begin(), minimize.begin() + static_cast<std::ptrdiff_t>(i),
                   minimize[i]) != minimize.begin() + static_cast<std::ptrdiff_t>(i))
       throw InputError("minimize[" + std::to_string(i + 1) + "]", name(minimize[i]),
-                       "is named before");
+                       "is named twice");
 }
 
 double integral_of_square(const Segment& f) {

@@ -35,7 +35,7 @@ void require_valid(const SearchVariable& v, std::size_t i) {
 }
 
 void require_valid(const std::vector<SearchVariable>& variables, const SearchOptions& options) {
-  if (variables.empty()) throw InputError("variable", "", "is missing: there is nothing to choose");
+  if (variables.empty()) throw InputError("variable", "", "is missing: give at least one variable");
   for (std::size_t i = 0; i < variables.size(); ++i) require_valid(variables[i], i);
   if (options.max_evaluations < 1 || options.max_evaluations > 1'000'000)
     throw InputError("max_evaluations", static_cast<double>(options.max_evaluations),
@@ -78,23 +78,23 @@ std::string plural(int count, const std::string& noun) {
 /// What is to be said where nothing meets the constraints.
 std::string missed(const Trials& trials) {
   const Trial& best = trials.best();
-  if (!best.answer.possible) return "no choice that was tried is possible: " + best.answer.why;
+  if (!best.answer.possible) return "no point of the search is possible: " + best.answer.why;
   std::size_t worst = 0;
   const auto share = [&](std::size_t i) {
     return best.answer.constraints[i] / (i < trials.scales().size() ? trials.scales()[i] : 1);
   };
   for (std::size_t i = 0; i < best.answer.constraints.size(); ++i)
     if (share(i) > share(worst)) worst = i;
-  return "no choice that was tried meets every constraint: number " + std::to_string(worst + 1) +
+  return "no point of the search meets every constraint: number " + std::to_string(worst + 1) +
          " is missed by " + brief(best.answer.constraints[worst]);
 }
 
 std::string ending(const Trials& trials) {
   switch (trials.ended()) {
     case Trials::Ended::evaluations:
-      return plural(trials.count(), "evaluation") + " were all that was allowed";
+      return plural(trials.count(), "evaluation") + " were made, the limit";
     case Trials::Ended::seconds:
-      return "the time was over after " + plural(trials.count(), "evaluation");
+      return "the time limit was reached after " + plural(trials.count(), "evaluation");
     case Trials::Ended::cancelled:
       return "stopped after " + plural(trials.count(), "evaluation");
     case Trials::Ended::no:
@@ -104,13 +104,13 @@ std::string ending(const Trials& trials) {
 }
 
 std::string settled_reason(const Trials& trials, const Searched& how) {
-  if (trials.size() == 0) return "every variable is fixed: there was nothing to choose";
+  if (trials.size() == 0) return "every variable is fixed";
   if (trials.size() == 1)
     return "the best over the whole range, looked at in " +
            std::to_string(std::clamp(trials.options().max_evaluations / 4, 8, 256) + 1) +
            " places, edges bisected and dips narrowed down";
-  const std::string local =
-      "no step from the best gains more than " + brief(trials.options().tolerance) + " of it; ";
+  const std::string local = "no step from the best point gains more than " +
+                            brief(trials.options().tolerance) + " of it; ";
   if (!trials.options().global) return local + "one local search, no proof";
   return local + std::to_string(how.roamed.agreeing) + " of " +
          std::to_string(how.roamed.searches) + " local searches" + " led there, no proof";
@@ -155,7 +155,7 @@ void confirm(const SearchFunction& f, SearchOutcome& outcome) {
   for (const double constraint : again.constraints) met = met && constraint <= 0;
   if (outcome.feasible && (!met || again.objective != outcome.answer.objective)) {
     outcome.status = Status::stalled;
-    outcome.reason = "the function answers differently when it is asked the same again";
+    outcome.reason = "the function returns different values for the same point";
   }
   outcome.feasible = met;
   outcome.answer = again;

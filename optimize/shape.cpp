@@ -214,9 +214,9 @@ class ShapeSearch {
     out_.spline_bound = 0;
     fill_figures(model);
     out_.active = optimizer::active(problem_, model, out_.segments);
-    answer(Outcome::Status::optimal,
-           "what is minimised is at the floor of rounding; of all shapes there, the one with the "
-           "least rms geo_jerk");
+    answer(
+        Outcome::Status::optimal,
+        "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
   }
 
   ShapeSolution improve(const ShapeModel& model, const std::vector<Segment>& from) {
@@ -289,11 +289,11 @@ class ShapeSearch {
     using Status = Outcome::Status;
     if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
     if (found.end == End::stopped)
-      return out_of_time_
-                 ? answer(Status::stalled, "the " + brief(*problem_.seconds) + " s allowed ran out")
-                 : answer(Status::cancelled, "stopped by the caller");
+      return out_of_time_ ? answer(Status::stalled, "the time limit of " +
+                                                        brief(*problem_.seconds) + " s is reached")
+                          : answer(Status::cancelled, "stopped by the caller");
     if (!out_.limits.ok())
-      return answer(Status::stalled, "the shape found breaks a limit: " +
+      return answer(Status::stalled, "the shape found exceeds a limit: " +
                                          optimizer::broken_sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");

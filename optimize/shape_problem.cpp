@@ -49,16 +49,14 @@ void require_response(const std::string& key, const ResponseOf& r, const ShapePr
   const auto zero = respond(0, 0), f = respond(u, 0), g = respond(0, u), both = respond(u, u);
   if (zero.empty()) throw InputError(key, r.name, "must give at least one number");
   if (f.size() != zero.size() || g.size() != zero.size() || both.size() != zero.size())
-    throw InputError(key, r.name, "must always give as many numbers");
+    throw InputError(key, r.name, "must always give the same number of values");
   double size = 0;
   double off = 0;
   for (std::size_t i = 0; i < zero.size(); ++i) {
     size = std::max({size, std::abs(f[i]), std::abs(g[i]), std::abs(zero[i])});
     off = std::max(off, std::abs(both[i] + zero[i] - f[i] - g[i]));
   }
-  if (off > 1e-6 * size)
-    throw InputError(key, r.name,
-                     "must be affine in the shape: that of a sum of two is not the sum");
+  if (off > 1e-6 * size) throw InputError(key, r.name, "must be affine in the shape");
 }
 
 void require_figure(const std::string& key, const ShapeFigure& figure, const ShapeProblem& p) {
@@ -95,7 +93,7 @@ void require_place(const ShapeProblem& p) {
   const double far = std::max(std::abs(p.begin), std::abs(p.end));
   require(length / static_cast<double>(p.pieces) >= 1e-12 * far, "pieces",
           static_cast<double>(p.pieces),
-          "must be fewer: at this distance from 0 a double cannot tell their ends apart");
+          "must be fewer: at this distance from 0 a double cannot separate their ends");
 }
 
 /// A periodic shape has one derivative at both ends.
@@ -105,7 +103,7 @@ void require_periodic(const ShapeProblem& p) {
   for (std::size_t k = 1; p.periodic && k < to.size(); ++k)
     if (from[k] && to[k])
       require(*from[k] == *to[k], std::string("to.") + names[k], *to[k],
-              "must be that of from, as the shape is periodic");
+              "must equal that of from, because the shape is periodic");
 }
 
 void require_end(const char* key, const ShapeEnd& end, int degree, double length) {
@@ -116,7 +114,7 @@ void require_end(const char* key, const ShapeEnd& end, int degree, double length
     const std::string field = std::string(key) + "." + names[k];
     require(std::isfinite(*given[k]), field, *given[k], "must be finite");
     require(static_cast<int>(k) < degree, field, *given[k],
-            "can be given only where the degree is above its order");
+            "can be given only if the degree is above its order");
     require(is_in_range(*given[k] * power, 1e60), field, *given[k],
             "times the length to the power of its order must be 0, or 1e-60 to 1e60");
   }
@@ -152,7 +150,7 @@ void require_given(const ShapeProblem& p) {
   if (p.given.empty()) return;
   const Trajectory given(p.given, p.begin);  // throws for a bad segment
   require(std::abs(given.end() - p.end) <= 1e-9 * (p.end - p.begin), "given", given.end(),
-          "must end where the shape does");
+          "must end at the end of the shape");
 }
 
 }  // namespace

@@ -32,19 +32,19 @@ void require_points(const Points& points) {
   constexpr std::size_t most = 60;  // half a minute; the effort grows with the cube
   if (points.size() > most)
     throw InputError("points", std::to_string(points.size()) + " points",
-                     "are too many: times are sought for up to " + std::to_string(most));
+                     "are too many, at most " + std::to_string(most));
   bool moves = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].empty() || points[i].size() != points[0].size())
       throw InputError("points[" + std::to_string(i + 1) + "]",
                        std::to_string(points[i].size()) + " positions",
-                       "must be one a joint, as many in each point");
+                       "must be one for each joint in each point");
     for (std::size_t j = 0; j < points[i].size(); ++j) {
       require_finite(point_key(i, j).c_str(), points[i][j]);
       moves = moves || points[i][j] != points[0][j];
     }
   }
-  if (!moves) throw InputError("points", "all equal", "nothing moves: there is no time to choose");
+  if (!moves) throw InputError("points", "all equal", "all points are equal: there is no motion");
 }
 
 void require_limits(const SplineTimesSpec& spec) {
@@ -53,13 +53,13 @@ void require_limits(const SplineTimesSpec& spec) {
   if (spec.limits.empty() && !shortest) return;
   if (spec.limits.size() != joints)
     throw InputError("limits", std::to_string(spec.limits.size()),
-                     "must be one a joint: there are " + std::to_string(joints));
+                     "must be one for each joint: there are " + std::to_string(joints));
   for (std::size_t j = 0; j < joints; ++j) {
     const Limits& l = spec.limits[j];
     require_valid(l);
     if (shortest && !l.jerk)  // the accelerations at the ends would rise in no time
       throw InputError("limits[" + std::to_string(j + 1) + "].jerk", "",
-                       "is missing: the shortest times of splines are those within a jerk limit");
+                       "is missing: the shortest times of splines need a jerk limit");
   }
 }
 
@@ -71,7 +71,7 @@ void require_valid(const SplineTimesSpec& spec) {
   if (spec.objective != TimeObjective::shortest)
     require_positive("duration", spec.duration);
   else if (spec.duration != 0)
-    throw InputError("duration", spec.duration, "is what the shortest time is sought for");
+    throw InputError("duration", spec.duration, "is found by times = \"shortest\": leave it out");
 }
 
 /// The first: equal intervals, the outer ones a third of the others. The others: each of them times

@@ -66,7 +66,7 @@ Curve<Over> between(const Curve<Over>& f, double from, double to) {
   if (leaves && f.outside() == Outside::refuse)
     throw InputError("interval", number(from) + " to " + number(to),
                      "leaves the curve, which runs from " + number(f.start()) + " to " +
-                         number(f.end()) + " and refuses to be asked outside");
+                         number(f.end()) + " and rejects queries outside");
   Segments pieces;
   if (repeats(f.outside())) {
     append_turns(f, from, to, pieces);

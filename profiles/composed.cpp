@@ -141,7 +141,7 @@ class Places {
     hi += rounding;
     if ((hi - lo) / f_.length() * static_cast<double>(f_.segments().size()) > most_breaks &&
         repeats(f_.outside()))
-      throw InputError("inner", hi - lo, "is a travel over more than 1e6 segments of the outer");
+      throw InputError("inner", hi - lo, "crosses more than 1e6 segments of the outer curve");
     const double last_turn = repeats(f_.outside()) ? turn_of(hi) : 0;
     for (double turn = repeats(f_.outside()) ? turn_of(lo) : 0; turn <= last_turn;
          turn += f_.length()) {
@@ -246,7 +246,7 @@ Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double
 
 [[noreturn]] void refuse(const Piece& p, double where) {
   throw InputError("composed", number(where),
-                   "does not fit there: an outer of degree " + std::to_string(p.outer.degree) +
+                   "does not fit: an outer curve of degree " + std::to_string(p.outer.degree) +
                        " with " + std::to_string(p.outer.sines) + " sines, an inner of degree " +
                        std::to_string(p.inner.degree) + " with " + std::to_string(p.inner.sines) +
                        "; the product of the degrees may be 11, sines need the other to be linear");

@@ -60,7 +60,7 @@ Curve<Over>::Curve(std::vector<Segment> segments, double start, Outside outside)
   breaks_ = running_sum(start, segments_);
   require_finite("end", breaks_.back());
   if (!(breaks_.back() > breaks_.front()))
-    throw InputError("start", start, "is so far out that the curve's length is lost in rounding");
+    throw InputError("start", start, "is so large that rounding absorbs the length of the curve");
   index_ = BreakIndex(breaks_);
 }
 
@@ -79,7 +79,7 @@ Jet Curve<Over>::at_end_or_outside(double x, Side side) const {
     return inside(segments_[i], breaks_[i], at);
   };
   if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
-  assert(outside_ != Outside::refuse && "query outside a curve that refuses it");
+  assert(outside_ != Outside::refuse && "query outside the range of a curve that rejects this");
   if (!repeats(outside_)) {
     const std::size_t i = x < start() ? 0 : segments_.size() - 1;
     return {inside(segments_[i], breaks_[i], x)[0], 0, 0, 0};
@@ -196,8 +196,8 @@ Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
   if (!detail::same_place(f.start(), g.start(), scale) ||
       !detail::same_place(f.end(), g.end(), scale))
     throw InputError("interval", number(g.start()) + " to " + number(g.end()),
-                     "a sum needs one interval; the other curve has " + number(f.start()) + " to " +
-                         number(f.end()));
+                     "a sum needs equal intervals; the other curve has " + number(f.start()) +
+                         " to " + number(f.end()));
   std::vector<Segment> segments;
   detail::for_common_pieces(
       f, g, [&](double x, const Segment& a, std::size_t, const Segment& b, std::size_t) {

@@ -133,8 +133,8 @@ Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after)
       });
   if (!start)
     throw InputError("interval", number(after.start()) + " to " + number(after.end()),
-                     "has nothing in common with that of the other curve, " +
-                         number(before.start()) + " to " + number(before.end()));
+                     "does not overlap the interval of the other curve, " + number(before.start()) +
+                         " to " + number(before.end()));
   return {Curve<Over>(std::move(segments), *start), std::move(rounding)};
 }
 

@@ -99,7 +99,7 @@ void require_valid(const RampKeys& keys, const RampLimits& limits, bool jerk_lim
        {std::pair{keys.jerk_begin, limits.jerk_begin}, {keys.jerk_end, limits.jerk_end}}) {
     require_not_negative(key, jerk);
     if ((jerk > 0) != jerk_limited)
-      throw InputError(key, jerk, "must be limited at both ends of both ramps, or nowhere");
+      throw InputError(key, jerk, "must be limited at both ends of both ramps, or at none");
   }
 }
 
@@ -110,8 +110,9 @@ void require_valid(const RampLimits& up, const RampLimits& down) {
   const bool same_ends = up.jerk_begin == up.jerk_end && down.jerk_begin == down.jerk_end;
   const bool same_ramps = up.jerk_begin == down.jerk_begin && up.jerk_end == down.jerk_end;
   if (!same_ends && !same_ramps)
-    throw InputError("down.jerk_end", down.jerk_end,
-                     "may differ from jerk_begin, or from that of speeding up, but not from both");
+    throw InputError(
+        "down.jerk_end", down.jerk_end,
+        "may differ from jerk_begin or from the jerk of the acceleration ramp, but not from both");
 }
 
 double fall_alone(double a0, const RampLimits& limits) {  // (1)
@@ -283,7 +284,7 @@ Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits
   add_change(motion, velocity, up, down);
   if (!std::isfinite(motion.now().position) || !std::isfinite(motion.finished().duration()))
     throw InputError("velocity", velocity,
-                     "cannot be reached: time or position would not be finite");
+                     "cannot be reached: the time or the position would not be finite");
   return motion.finished();
 }
 

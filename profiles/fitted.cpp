@@ -97,13 +97,14 @@ Jet hermite_error(double length, double twelfth) {
 void require_tolerance(double tolerance, double magnitude) {
   require_positive("tolerance", tolerance);
   if (tolerance < 1e-14 * magnitude)
-    throw InputError("tolerance", tolerance,
-                     "must be at least " + number(1e-14 * magnitude) + ", which rounding takes up");
+    throw InputError(
+        "tolerance", tolerance,
+        "must be at least " + number(1e-14 * magnitude) + ", the rounding error of the curve");
 }
 
 void require_fitting(std::size_t pieces) {
   if (pieces > 1'000'000)
-    throw InputError("tolerance", "too small", "needs more than 1e6 pieces; allow more");
+    throw InputError("tolerance", "too small", "needs more than 1e6 pieces: increase it");
 }
 
 }  // namespace detail

@@ -179,8 +179,8 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
   if (!(total > 0)) throw InputError("to", spec.to, "is too close to `from` for a move");
   if (plan.half.phases[0].duration <= dust * total)
     throw InputError("jounce", spec.jounce,
-                     "is so high that its phases vanish beside the move, which takes " +
-                         number(total) + ": take an S-curve");
+                     "is so high that its phases vanish in the duration of the move, " +
+                         number(total) + " s: use an S-curve");
   return curve(plan, spec.velocity, total, spec.from, spec.to);
 }
 

@@ -170,14 +170,12 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::position_limit:
       return "no motion between the two keeps the position limits";
     case MoveStatus::too_short:
-      return "the move takes longer than that";
+      return "the move takes longer than the given duration";
     case MoveStatus::blocked:
-      return "a shorter and a longer duration are possible, this one is not: the axis would have "
-             "to "
-             "go back";
+      return "a shorter and a longer duration are possible, but this one needs a reversal";
     case MoveStatus::not_straight:
-      return "velocities and accelerations of start and target do not lie on the line between "
-             "them, or on that line an axis would pass its velocity limit";
+      return "the velocities and accelerations of start and target are not along the line between "
+             "them, or an axis would exceed its velocity limit on this line";
   }
   return "";
 }

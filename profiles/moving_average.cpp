@@ -40,7 +40,7 @@ void require_window(double window, double length) {
   if (window < shortest * length)
     throw InputError("window", window,
                      "must be at least 1e-5 of the curve's length, " + number(shortest * length) +
-                         ": a shorter one drowns in rounding");
+                         ": rounding dominates a shorter one");
   if (window > longest * length)
     throw InputError(
         "window", window,

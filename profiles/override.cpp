@@ -44,7 +44,7 @@ void require_kept(const std::string& key, const Trajectory& axis, const Limits& 
   if (report.ok()) return;
   const Finding& worst = report.findings.front();
   throw InputError(key + ".limits." + worst.quantity, worst.limit,
-                   "is broken before any override: the plan has " + number(worst.value) + " at " +
+                   "is exceeded before any override: the plan has " + number(worst.value) + " at " +
                        number(worst.where));
 }
 
@@ -67,10 +67,11 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
     path.acceleration = std::min(path.acceleration, *limits[i].acceleration / v);
     path.jerk = std::min(path.jerk, *limits[i].jerk / v);
   }
-  if (!std::isfinite(path.acceleration)) throw InputError("axes", "", "all stand still");
+  if (!std::isfinite(path.acceleration)) throw InputError("axes", "", "do not move");
   if (factor > 1 && factor > path.room(path.start()) * (1 + 1e-12))
-    throw InputError("factor", factor,
-                     "breaks a limit: there is room for " + number(path.room(path.start())));
+    throw InputError(
+        "factor", factor,
+        "exceeds a limit: the greatest possible factor is " + number(path.room(path.start())));
   return path;
 }
 
@@ -78,8 +79,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
 Trajectory finished(const Clock& clock, double path_end) {
   const double end = clock.reaches(path_end);
   if (std::isfinite(end)) return clock.until(end);
-  if (clock.pieces.empty())
-    throw InputError("factor", 0, "needs a request that sets the motion going");
+  if (clock.pieces.empty()) throw InputError("factor", 0, "needs a request that starts the motion");
   return clock.until(clock.end());
 }
 

@@ -94,8 +94,8 @@ double swept(double duration, double total) {
 /// A ramp that vanishes beside the move would have no length in doubles.
 [[gnu::cold]] void refuse_jerk(double jerk, double total) {
   throw InputError("jerk", jerk,
-                   "is so high that its ramps vanish beside the move, which takes " +
-                       number(total) + ": take a trapezoid");
+                   "is so high that its ramps vanish in the duration of the move, " +
+                       number(total) + " s: use a trapezoid");
 }
 
 [[gnu::cold]] void refuse(double from, double to, double velocity, double acceleration,

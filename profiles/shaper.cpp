@@ -34,7 +34,7 @@ std::vector<double> weights(const ShaperSpec& spec, double K) {
   if (!(V > 0 && V < 1)) throw InputError("tolerance", V, "must be greater than 0 and less than 1");
   const double q = (2 * K * K - V * (1 + K * K)) / (K * (K + V));  // (3)
   if (!(q > 0))
-    throw InputError("tolerance", V, "is met by the mode's own damping: there is nothing to shape");
+    throw InputError("tolerance", V, "is met without a shaper, by the damping of the mode");
   return {1, q, 1};
 }
 
@@ -49,7 +49,7 @@ void require_shaper(std::span<const Impulse> impulses) {
     total += impulses[i].amplitude;
   }
   if (std::abs(total - 1) > 1e-12)
-    throw InputError("impulses", total, "is the sum of their amplitudes, which must be 1");
+    throw InputError("impulses", total, "is the sum of the amplitudes, which must be 1");
 }
 
 }  // namespace

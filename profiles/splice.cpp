@@ -130,7 +130,7 @@ Trajectory spliced(const Trajectory& running, double t, std::span<const Profile>
     const Trajectory curve = profile.curve();
     result = result ? concatenated(*result, curve) : shifted(curve, t);
   }
-  if (!result) throw InputError("t", t, "nothing moves: neither before it nor after");
+  if (!result) throw InputError("t", t, "there is no motion before or after this time");
   return with_end(*result);
 }
 

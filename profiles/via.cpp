@@ -178,7 +178,7 @@ double stopping_duration(const ViaSpec& spec, const detail::StretchBounds& bound
     if (all.status != MoveStatus::ok)
       throw InputError("axes[" + std::to_string(all.axis + 1) + "]", "", explain(all.status));
     if (!(all.duration > 0))
-      throw InputError("axes", "", "must bound the motion: it takes no time");
+      throw InputError("axes", "", "must limit the motion: without limits it takes no time");
     total += detail::stretch(bounds[k], knots[k], knots[k + 1]).duration;
   }
   return total;
@@ -257,9 +257,10 @@ std::vector<Knot> feasible(const detail::StretchBounds& bounds, std::vector<Knot
       if (fits()) return knots;
       if (last < 2) break;
     }
-  throw InputError("start", "",
-                   "no motion was found that keeps the bounds and does not turn back: begin and end "
-                   "slower, within the limits of the stretch, or move the points beside apart");
+  throw InputError(
+      "start", "",
+      "no motion was found that keeps the bounds without a reversal: begin and end slower, within "
+      "the limits of the stretch, or move the neighbouring points apart");
 }
 
 }  // namespace

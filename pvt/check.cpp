@@ -60,7 +60,7 @@ void refuse(const Table& table) {
   else
     (void)table.curve<OverMaster>();
   throw InputError("knots", std::to_string(table.size()),
-                   "have values and derivatives too large for a double");
+                   "have values or derivatives too large for a double");
 }
 
 /// visit(index of what is sought, range, interval) for every interval that matters to it; visit

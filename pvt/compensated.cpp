@@ -124,8 +124,7 @@ void require_one_pass(const Trajectory& motion, const std::string& key) {
   if (motion.outside() == Outside::advance)
     throw InputError(
         key, name(motion.outside()),
-        "goes on from pass to pass, which the grid does not: take as many passes as it "
-        "runs");
+        "advances from pass to pass, but the grid does not: use as many passes as the axis runs");
 }
 
 void require_references(const Trajectory& motion, const Compensation& compensation,

@@ -29,15 +29,16 @@ void require_axis(const GridAxis& axis, const std::string& key) {
   if (axis.count < 2)
     throw InputError(key + ".count", std::to_string(axis.count), "must be at least 2");
   if (!std::isfinite(axis.end()))
-    throw InputError(key + ".interval", axis.interval, "leads out of all numbers");
+    throw InputError(key + ".interval", axis.interval, "leads beyond the range of a double");
 }
 
 void require_valid(const CompensationSpec& spec) {
   const std::size_t n = spec.axes.size();
   if (n < 1 || n > Compensation::most_references)
-    throw InputError("axes", std::to_string(n), "a correction has one, two or three references");
+    throw InputError("axes", std::to_string(n), "must be one, two or three references");
   if (spec.rule == GridRule::cubic && n == 3)
-    throw InputError("rule", "cubic", "is for one or two references; three are read linearly");
+    throw InputError("rule", "cubic",
+                     "is for one or two references: three are interpolated linearly");
   std::size_t points = 1;
   for (std::size_t j = 0; j < n; ++j) {
     require_axis(spec.axes[j], "axes[" + std::to_string(j + 1) + "]");
@@ -51,7 +52,7 @@ void require_valid(const CompensationSpec& spec) {
     require_finite(key.c_str(), spec.values[i]);
     if (std::abs(spec.values[i]) > spec.most)
       throw InputError(key, spec.values[i],
-                       "is beyond the greatest correction, " + number(spec.most));
+                       "exceeds the greatest correction, " + number(spec.most));
   }
 }
 

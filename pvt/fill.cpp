@@ -33,9 +33,9 @@ void require_given(const FillSpec& spec, const Given& given, std::size_t order) 
   if (given.empty()) return;
   const char* word = order == 1 ? "v" : "a";
   if (given.size() != spec.x.size())
-    throw InputError(
-        word, std::to_string(given.size()) + " values",
-        "must be one a knot, or none: there are " + std::to_string(spec.x.size()) + " knots");
+    throw InputError(word, std::to_string(given.size()) + " values",
+                     "must be one for each knot, or none: there are " +
+                         std::to_string(spec.x.size()) + " knots");
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (!given[i]) continue;
     if (order == 2 && spec.rule != Rule::quintic_hermite)
@@ -56,8 +56,8 @@ bool looks_across(const FillSpec& spec) {
 void require_equal_ends(const FillSpec& spec, const Given& given, std::size_t order) {
   if (given.empty() || !given.front() || !given.back() || *given.front() == *given.back()) return;
   throw InputError(key_of(spec, given.size() - 1, order), *given.back(),
-                   "must be that of the first knot, " + number(*given.front()) +
-                       ", because the table goes on there");
+                   "must equal that of the first knot, " + number(*given.front()) +
+                       ", where the table continues");
 }
 
 void require_seam(const FillSpec& spec) {
@@ -71,13 +71,12 @@ void require_seam(const FillSpec& spec) {
 }
 
 void require_method(const FillSpec& spec) {
-  if (spec.rule == Rule::linear)
-    throw InputError("rule", name(spec.rule), "has no velocities to fill in");
+  if (spec.rule == Rule::linear) throw InputError("rule", name(spec.rule), "has no velocities");
   const bool of_shape =
       spec.filling == Filling::monotone || spec.filling == Filling::shape_preserving;
   if (of_shape && spec.rule != Rule::cubic_hermite)
     throw InputError("rule", name(spec.rule),
-                     std::string(name(spec.filling)) + " velocities are for cubic_hermite alone");
+                     std::string(name(spec.filling)) + " velocities need cubic_hermite");
   if (spec.filling != Filling::within_limits) return;
   require_valid(spec.limits);
   if (!spec.limits.velocity && !spec.limits.acceleration && !spec.limits.jerk)
@@ -219,7 +218,7 @@ void report_turning_back(const FillSpec& spec, const Pieces& pieces, std::span<c
     if (detail::is_monotone(d, v[i], v[i + 1])) continue;
     const double worse = std::abs(v[i] - d) > std::abs(v[i + 1] - d) ? v[i] : v[i + 1];
     add(report, spec, "fill/monotone", i, worse, 3 * d, false,
-        "between 0 and the limit at both knots there is room");
+        "the velocities at both knots may be between 0 and this limit");
   }
 }
 
@@ -256,8 +255,7 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   const detail::Corridor way = detail::corridor(std::move(gaps), demand);
   detail::follow(way, demand, v);
   for (const std::size_t i : way.closed)
-    add(report, spec, "fill/convex", i, v[i], pieces.chord[i], false,
-        "a knot more in this piece would make room");
+    add(report, spec, "fill/convex", i, v[i], pieces.chord[i], false, "add a knot in this piece");
   if (any_given(given)) report_turning_back(spec, pieces, v, report);
 }
 
@@ -272,7 +270,7 @@ double far_beyond(const FillSpec& spec, const Pieces& pieces) {
 std::string advice_for(double stretch, double length) {
   return std::isfinite(stretch)
              ? "give the piece a length of " + number(stretch * length) + " at least"
-             : "no time is enough: other velocities must be given";
+             : "no length is sufficient: give other velocities";
 }
 
 /// The limits less what the rounding of a piece's positions makes of its acceleration and jerk.

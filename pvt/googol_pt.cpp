@@ -14,7 +14,7 @@ const char* explain(Refusal refusal) {
     case Refusal::none:
       return "done";
     case Refusal::bad_argument:
-      return "an argument is out of range, or the segment does not end after the one before";
+      return "an argument is out of range, or the segment does not end after the segment before";
     case Refusal::wrong_mode:
       return "the axis is in another mode: set this one first, at rest";
     case Refusal::moving:
@@ -22,7 +22,7 @@ const char* explain(Refusal refusal) {
     case Refusal::not_moving:
       return "the axis is not moving: start it first";
     case Refusal::in_use:
-      return "the FIFO is being played: take the other one, or stop the axis";
+      return "the FIFO is being played: use the other one, or stop the axis";
     case Refusal::full:
       return "the FIFO is full: wait until it has space";
     case Refusal::empty:

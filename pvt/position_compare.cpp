@@ -30,13 +30,13 @@ void require_valid(const PositionCompare& compare) {
   if (compare.points.empty()) throw InputError("points", "0", "at least one is needed");
   if (holds(compare.mode) && compare.points.size() > 1)
     throw InputError("points", std::to_string(compare.points.size()),
-                     "this mode compares with one position");
+                     "must be one: this mode compares with one position");
   for (std::size_t i = 0; i < compare.points.size(); ++i)
     require_finite(key_of(i, "position").c_str(), compare.points[i].position);
   if (pulses(compare.mode))
     require_positive("pulse", compare.pulse);
   else if (compare.pulse != 0)
-    throw InputError("pulse", compare.pulse, "goes with pulses: this mode sets a level");
+    throw InputError("pulse", compare.pulse, "needs a mode with pulses: this mode sets a level");
 }
 
 namespace {
@@ -44,7 +44,7 @@ namespace {
 void require_one_pass(const Trajectory& motion) {
   if (repeats(motion.outside()))
     throw InputError("motion", name(motion.outside()),
-                     "has no last pass: compare over as many passes as it runs");
+                     "has no last pass: use as many passes as the axis runs");
 }
 
 /// A walk along a motion that only goes forward: from one point's instant to the next one's.
@@ -135,7 +135,7 @@ std::vector<ComparePoint> evenly(double start, double increment, std::size_t cou
   require_finite("start", start);
   require_finite("increment", increment);
   if (increment == 0 && count > 1)
-    throw InputError("increment", increment, "must not be 0: the points would all be one");
+    throw InputError("increment", increment, "must not be 0: all points would coincide");
   std::vector<ComparePoint> points;
   for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i)
     points.push_back({start + static_cast<double>(i) * increment, true});
@@ -195,7 +195,7 @@ std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory
   require_valid(compare);
   if (std::abs(x.start() - y.start()) + std::abs(x.end() - y.end()) > 1e-12 * x.length())
     throw InputError("y", number(y.start()) + " to " + number(y.end()),
-                     "must span what x does, " + number(x.start()) + " to " + number(x.end()));
+                     "must span the range of x, " + number(x.start()) + " to " + number(x.end()));
   const double end = std::min(x.end(), y.end());
   constexpr double rounding = 1e-12;
   std::vector<CompareEvent> events;
@@ -247,7 +247,7 @@ PositionCompare random_trigger(std::span<const double> positions, const std::vec
     throw InputError("PosArray", std::to_string(n), "must hold 1 to 256 positions");
   if (states.size() != n)
     throw InputError("StateArray", std::to_string(states.size()),
-                     "must hold a state for each of the " + std::to_string(n) + " positions");
+                     "needs a state for each of the " + std::to_string(n) + " positions");
   if (start_index >= n)
     throw InputError("StartIndex", std::to_string(start_index),
                      "is beyond the last position, " + std::to_string(n - 1));

@@ -53,7 +53,7 @@ Finding missed(const PositionCompare& compare, std::size_t fired, const Trajecto
       .broken = broken,
       .segment = {},
       .advice = broken ? point(fired) + " at " + number(compare.points[fired].position) +
-                             " is not passed after the one before, and holds up those behind it"
+                             " is not passed after the one before, and blocks those after it"
                        : "",
       .unit = "1"};
 }

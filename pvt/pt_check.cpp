@@ -65,8 +65,8 @@ Finding finding_of(const Swing& run, std::span<const PtPoint> points,
   found.advice =
       "up and down from segment " + std::to_string(run.first + 1) + " to " +
       std::to_string(run.last + 1) +
-      ": a normal segment hands on an error of its increment with the sign reversed; give "
-      "the first one the increment of a start from rest, and do not round the others";
+      ": a normal segment passes an error of its increment on, with its sign reversed: give the "
+      "first one the increment of a start from rest, and do not round the others";
   return found;
 }
 
@@ -76,8 +76,8 @@ const char* advice_to(PtType type) {
       return "an even segment runs at P/T from its first instant, which needs an infinite "
              "acceleration: reach P/T before it, or make it normal";
     case PtType::stop:
-      return "a stop segment begins at 2P/T whatever was before, which needs an infinite "
-             "acceleration: choose its increment so that 2P/T is the velocity before";
+      return "a stop segment always begins at 2P/T, which needs an infinite acceleration: choose "
+             "its increment so that 2P/T equals the velocity before";
     case PtType::normal:
     case PtType::continued:
       break;

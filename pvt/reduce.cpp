@@ -308,22 +308,20 @@ class Reduction {
                        (enough.reaches ? count + (any ? " within the tolerance" : "") +
                                              (scale > 0 ? "" : lines())
                                        : "are too few knots") +
-                           (scale > 0 ? "; so many do with " + tolerances_times(scale) : ""));
+                           (scale > 0 ? "; they suffice with " + tolerances_times(scale) : ""));
     }
     if (!target_.tolerance && !target_.velocity_tolerance)
-      throw InputError(
-          "most", std::to_string(target_.most.value_or(many)),
-          table + " with such knots stops" + where +
-              ": the curve steps there, or spacing or resolution leave no place for a knot");
+      throw InputError("most", std::to_string(target_.most.value_or(many)),
+                       table + " with such knots ends" + where +
+                           ": the curve steps there, or the spacing or resolution permits no knot");
     const double scale = scale_for(most_ends());
     const bool position = target_.tolerance.has_value();
     throw InputError(
         position ? "tolerance" : "velocity_tolerance", position ? asked_.position : asked_.velocity,
         "cannot be kept by " + table + where +
-            (scale > 0
-                 ? ", where the curve steps or spacing and resolution leave no place for a knot; " +
-                       tolerances_times(scale) + " can"
-                 : ": the curve steps there"));
+            (scale > 0 ? ", where the curve steps or the spacing and resolution permit no knot; " +
+                             tolerances_times(scale) + " can"
+                       : ": the curve steps there"));
   }
 
   const Curve<Over>& f_;
@@ -346,10 +344,9 @@ void require_valid(const Target& target) {
     throw InputError("rule", name(target.rule), "must be cubic_hermite for quadratic pieces");
   for (const auto& [key, step] : {std::pair{"p_step", target.p_step}, {"v_step", target.v_step}})
     if (target.quadratic && step != 0)
-      throw InputError(
-          key, step,
-          "cannot be kept by quadratic pieces: each hands the rounding of its end on with "
-          "its sign turned; leave it out, or take straight lines");
+      throw InputError(key, step,
+                       "cannot be used with quadratic pieces, because each passes the rounding of "
+                       "its end on with its sign reversed: leave it out, or use straight lines");
   require_not_negative("spacing", target.spacing);
   require_not_negative("x_step", target.x_step);
   require_not_negative("p_step", target.p_step);
@@ -362,17 +359,18 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
   const double x_step = target.x_step;
   const auto whole = [&](double x) { return x_step == 0 || detail::is_whole(x, x_step); };
   if (!whole(f.start()))
-    throw InputError("x_step", x_step,
-                     "the curve begins at " + number(f.start()) + ", which is no multiple of it");
+    throw InputError(
+        "x_step", x_step,
+        "the curve begins at " + number(f.start()) + ", which is not a multiple of it");
   if (target.p_step > 0 && !detail::is_whole(f.advance(), target.p_step))
     throw InputError("p_step", target.p_step,
-                     "a period goes on by " + number(f.advance()) +
-                         ", which is no multiple of it: the slave would drift");
+                     "a period advances by " + number(f.advance()) +
+                         ", which is not a multiple of it: the slave would drift");
   if (whole(f.end())) return f;
   if (f.outside() != Outside::hold)
     throw InputError("x_step", x_step,
                      (repeats(f.outside()) ? "the period ends at " : "the curve ends at ") +
-                         number(f.end()) + ", which is no multiple of it");
+                         number(f.end()) + ", which is not a multiple of it");
   std::vector<Segment> segments(f.segments().begin(), f.segments().end());
   const double last = value(segments.back(), 1);
   const double end = detail::steps(std::ceil(f.end() / x_step), x_step);

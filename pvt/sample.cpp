@@ -200,8 +200,7 @@ void require_certifiable(const Curve<Over>& f, const char* key, double tolerance
   const double least = std::max(1e-14 * std::abs(extrema(f, 0).peak().value), 1e-15 * largest);
   if (tolerance < least)
     throw InputError(key, tolerance,
-                     "must be at least " + number(least) +
-                         ": the rounding of such positions hides smaller errors");
+                     "must be at least " + number(least) + ": rounding hides smaller errors");
 }
 
 template <class Over>

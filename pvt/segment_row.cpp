@@ -72,19 +72,19 @@ const char* name(RowRule rule) {
 
 const char* explain(RowRule rule) {
   constexpr std::array sentences{
-      "Nothing is wrong.",
-      "There is no space for the row: wait until some comes back.",
+      "The row is accepted.",
+      "The FIFO is full: wait until it has space.",
       "A number of the row is not finite.",
       "The row's degree is not 1, 2, 3 or 5.",
-      "The row does not end after the one before it.",
-      "The row's two rates do not lead from its start to its end: leave one of them open.",
-      "The row is faster than the axis may be.",
-      "The row accelerates more than the axis may.",
-      "The row's jerk is more than the axis may have.",
-      "The rate steps where the row begins, by more than the axis can take in a tick.",
-      "The stream has had its last row.",
-      "The FIFO is played, and will be emptied when the switch comes: take the other one.",
-      "The row leads out of the range of the axis."};
+      "The row does not end after the row before.",
+      "The two rates of the row do not lead from its start to its end: leave one of them open.",
+      "The row exceeds the velocity limit of the axis.",
+      "The row exceeds the acceleration limit of the axis.",
+      "The row exceeds the jerk limit of the axis.",
+      "The rate steps at the start of the row by more than the axis permits in one tick.",
+      "The stream has ended: it accepts no more rows.",
+      "The FIFO is played, and emptied at the switch: use the other FIFO.",
+      "The row leaves the position range of the axis."};
   return sentences[static_cast<std::size_t>(rule)];
 }
 

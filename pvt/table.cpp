@@ -123,7 +123,7 @@ Jet Table::jet(double x, Side side) const {
 Jet Table::at_end_or_outside(double x, Side side) const {
   const auto within = [&](double at) { return inside(index_.find(columns_.x, at, side), at); };
   if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
-  assert(outside_ != Outside::refuse && "query outside a table that refuses it");
+  assert(outside_ != Outside::refuse && "query outside the range of a table that rejects this");
   if (!repeats(outside_)) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
   const auto [at, turns] = in_period(x, side, start(), end());
   Jet f = within(at);
@@ -159,8 +159,7 @@ template <class Over>
 Curve<Over> Table::curve() const {
   constexpr Axis wanted = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
   if (axis_ != wanted)
-    throw InputError("axis", name(axis_),
-                     std::string("a table over ") + name(wanted) + " is needed here");
+    throw InputError("axis", name(axis_), std::string("must be ") + name(wanted));
   std::vector<Segment> segments;
   segments.reserve(size() - 1);
   for (std::size_t i = 0; i + 1 < size(); ++i) segments.push_back(segment(i));

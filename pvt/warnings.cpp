@@ -87,10 +87,10 @@ Finding end_of(const Curve<Over>& f, double velocity, double scale) {
   Finding found = step_of<Over>("pt/end_velocity", f.end(), velocity, scale, last);
   const std::string moving = "the table ends moving: ";
   if (f.outside() == Outside::hold) {
-    found.advice = moving + "the axis is stopped dead there; let the last segment end at rest";
+    found.advice = moving + "the axis stops abruptly there: let the last segment end at rest";
   } else {
     found.severity = Severity::note;
-    found.advice = moving + "another motion has to take over at this velocity";
+    found.advice = moving + "another motion must continue at this velocity";
   }
   found.quantity = Over::names[1];
   return found;
@@ -137,7 +137,7 @@ Report velocity_steps(const Curve<Over>& f, double tolerance) {
   const double last = end(pieces.size() - 1);
   if (repeats(f.outside()))
     add("pt/wrap", f.end(), begin(0) - last, 0,
-        "from each pass to the next: let the table end with the velocity it begins with");
+        "from each pass to the next: let the table end at the velocity of its start");
   else if (is_step(last))
     report.findings.push_back(end_of(f, last, scale));
   sort(report);

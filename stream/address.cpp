@@ -36,7 +36,7 @@ void read_option(const std::string& url, std::string_view option, MulticastAddre
   else if (name == "interface" && !value.empty())
     address.interface = value;
   else
-    refuse(url, "its options are ttl=N, interface=NAME and recv_buf_size=BYTES");
+    refuse(url, "the options are ttl=N, interface=NAME and recv_buf_size=BYTES");
 }
 
 /// Takes the text up to the next `end`, and the mark itself, off `rest`.
@@ -62,7 +62,7 @@ MulticastAddress multicast_address(const std::string& url) {
     refuse(url, "needs a multicast group, 224.0.0.0 to 239.255.255.255, as in udpm://239.255.76.67:7667");
   while (!rest.empty()) read_option(url, taken(rest, '&'), address);
   if (address.is_local() && !address.interface.empty())
-    refuse(url, "names an interface, which needs ttl=1 too: without it packets stay on this machine");
+    refuse(url, "an interface needs ttl=1 too: without it, packets stay on this machine");
   return address;
 }
 

@@ -46,14 +46,15 @@ CallOutcome Client::ask(const wire::Body& body) {
     const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
     return {StreamError::no_answer, Refusal::none, 0,
             "no answer from executor " + executor_ +
-                (foreign ? ", but messages that another key signed, or none" : "")};
+                (foreign ? "; its messages are unsigned, or signed with another key" : "")};
   }
   if (slot_.number() > 1 && reply->boot != boot_)
     return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
   boot_ = reply->boot;
   if (reply->outcome == wire::Outcome::refused) return refused(*reply);
   if (reply->outcome == wire::Outcome::accepted) return {};
-  return {StreamError::command_timeout, Refusal::none, 0, "the axis does not decide"};
+  return {StreamError::command_timeout, Refusal::none, 0,
+          "the executor received the command, but the axis did not accept or reject it in time"};
 }
 
 void Client::send(wire::Body body) {

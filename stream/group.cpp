@@ -9,7 +9,7 @@
 namespace jounce {
 namespace {
 
-// Why a motion ended, in the axis's numbers (docs/executor.md): it was not the table's own end.
+// Why a motion ended, in the axis's numbers (docs/executor/axis.md): it was not the table's own end.
 constexpr std::int32_t stopped = 80;
 constexpr std::int32_t halted = 81;
 constexpr std::int32_t group_stopped = 85;
@@ -19,8 +19,9 @@ std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
   std::set<std::string> names;
   for (StreamPlan& plan : plans) {
     if (!names.insert(plan.executor).second)
-      throw InputError("axes", plan.executor, "is named twice");
-    if (!plan.swaps.empty()) throw InputError("swaps", plan.executor, "are for one axis alone");
+      throw InputError("axes", plan.executor, "names an axis twice");
+    if (!plan.swaps.empty())
+      throw InputError("swaps", plan.executor, "work with a single axis only");
     plan.goal = StreamGoal::arm;
     plan.when = wire::StartAt::tick;
     plan.await = true;
@@ -140,8 +141,9 @@ void Group::watch() {
 void Group::leave_broken(Axis& axis) {
   const wire::Status& status = *axis.status;
   const std::int32_t cause = status.last_error != 0 ? status.last_error : status.reason;
-  axis.sender.fail(StreamError::stopped, "the axis came to rest before its end, by cause " +
-                                             std::to_string(cause) + " (docs/executor.md)");
+  axis.sender.fail(StreamError::stopped,
+                   "the axis came to rest before the end of its motion: cause " +
+                       std::to_string(cause) + " (docs/executor/axis.md)");
   leave(axis);
 }
 
@@ -153,8 +155,8 @@ void Group::leave(const Axis& because) {
     if (axis.sender.ended()) continue;
     axis.own = axis.sender.outcome();
     axis.own->error = StreamError::stopped;
-    axis.own->reason = (moves ? "was stopped, because " : "was not started, because ") +
-                       because.name + (moves ? " did not start or has stopped" : " refuses");
+    axis.own->reason = (moves ? "stopped, because " : "not started, because ") + because.name +
+                       (moves ? " did not start or has stopped" : " rejected its start");
     if (moves)
       axis.sender.stop(wire::StopMode::stop);
     else

@@ -45,7 +45,7 @@ std::string private_text(const std::filesystem::path& path) {
     refuse(path, std::string("cannot be read: ") + std::strerror(errno));
   if (!S_ISREG(about.st_mode)) refuse(path, "must be a file");
   if ((about.st_mode & 077U) != 0)
-    refuse(path, "must be its owner's alone: chmod 600 " + path.string());
+    refuse(path, "must be readable by its owner only: chmod 600 " + path.string());
   std::string text(most_bytes + 1, '\0');
   const ssize_t size = read(file.get(), text.data(), text.size());
   if (size < 0) refuse(path, std::string("cannot be read: ") + std::strerror(errno));
@@ -79,7 +79,7 @@ void write_new_key(const std::filesystem::path& path) {
   text[digits] = '\n';
   const File file(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
   if (file.get() < 0 && errno == EEXIST)
-    refuse(path, "exists already; a key is never overwritten: remove it first");
+    refuse(path, "exists already, and a key is never overwritten: remove it first");
   if (file.get() < 0 ||
       write(file.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
       fsync(file.get()) != 0)

@@ -102,7 +102,7 @@ std::string contradiction(const Order& order) {
   for (std::size_t i = 0; i < order.value.size(); ++i) {
     const double value = order.value[i];
     if (i >= count && value != 0)
-      return std::string(means.name) + " has " + std::to_string(count) + " values, not more";
+      return std::string(means.name) + " takes " + std::to_string(count) + " values at most";
     const char* const rule = i < count ? broken(means.values[i], value) : "";
     if (*rule != 0) return std::string(means.words[i]) + " " + rule;
   }

@@ -53,9 +53,10 @@ void Receiver::take(const wire::Arm& arm) {
   const bool with_master = arm.mode == wire::ArmMode::follow_table;
   const auto master = with_master ? store_.find(arm.master) : std::nullopt;
   if (!slave || (with_master && !master)) {
-    return settle(command_, {wire::Refusal::table_missing,
-                             std::string(slave ? "the master" : "the slave") + " table " +
-                                 hex(slave ? arm.master : arm.slave) + " is not complete here"});
+    return settle(command_,
+                  {wire::Refusal::table_missing,
+                   std::string(slave ? "the master" : "the slave") + " table " +
+                       hex(slave ? arm.master : arm.slave) + " has not arrived completely"});
   }
   std::optional<TableInUnits> driver;
   if (master) driver.emplace(TableInUnits{*master->table, master->units});
@@ -83,7 +84,8 @@ void Receiver::take(const wire::Start& start) {
     const OpenQueue* const queue = open_queue(index);
     if (queue == nullptr || !queue->intake.filled(bank)) {
       return settle(command_, {wire::Refusal::prefill_missing,
-                               "queue " + std::to_string(index) + " has too few rows yet"});
+                               "queue " + std::to_string(index) +
+                                   " has fewer rows than its prefill: send more rows first"});
     }
   }
   events_.emplace_back(
@@ -172,15 +174,16 @@ void Receiver::take(const wire::Queue& queue) {
     open->ack_due = true;
     if (open->intake.queue() == queue) return;
     return refuse_queue_of(session_, queue.queue,
-                           {wire::Refusal::bad_queue, "this index has another queue already"});
+                           {wire::Refusal::bad_queue, "the index belongs to another open queue"});
   }
   Refused refused{wire::Refusal::bad_queue, wire::contradiction(queue)};
   if (refused.reason.empty()) refused.refusal = wire::Refusal::none;
   if (!refused && queue.axis == Axis::time && queue.units.x != "s")
-    refused = {wire::Refusal::wrong_unit, "a queue over time is over s, not " + queue.units.x};
+    refused = {wire::Refusal::wrong_unit,
+               "a queue over time must have the unit s, not " + queue.units.x};
   if (!refused && queue.capacity > options_.most_rows) {
     refused = {wire::Refusal::too_large,
-               "a bank holds at most " + std::to_string(options_.most_rows) + " rows here"};
+               "a bank holds at most " + std::to_string(options_.most_rows) + " rows"};
   }
   if (!refused && queues_.size() >= options_.most_queues) {
     refused = {wire::Refusal::out_of_memory,

@@ -32,7 +32,7 @@ void Receiver::take(const wire::Header& header) {
     slot->second.ack_due = true;
   } else {
     refuse_table(session_, header.table,
-                 {wire::Refusal::bad_header, "this index has another table already"});
+                 {wire::Refusal::bad_header, "the index belongs to another table"});
   }
 }
 

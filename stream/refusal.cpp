@@ -33,7 +33,7 @@ Refused contradiction(const wire::Header& header) {
                std::to_string(header.per_chunk));
   }
   if (const std::uint32_t chunks = wire::cut(header).chunks; header.chunks != chunks) {
-    return bad(std::to_string(header.knots) + " knots are " + std::to_string(chunks) +
+    return bad(std::to_string(header.knots) + " knots make " + std::to_string(chunks) +
                " chunks, not " + std::to_string(header.chunks));
   }
   return {};

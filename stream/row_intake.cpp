@@ -62,18 +62,18 @@ void RowIntake::advance(Bank& bank) {
 /// Refuses the queue where a message does not go on where the one before it ended.
 bool RowIntake::is_sound(const Bank& bank, const wire::Rows& rows) {
   if (rows.first_row != bank.rows) {
-    refuse({wire::Refusal::bad_rows, "message " + std::to_string(rows.seq) + " says that " +
-                                         std::to_string(rows.first_row) + " rows are before it, " +
-                                         std::to_string(bank.rows) + " are"});
+    refuse({wire::Refusal::bad_rows, "message " + std::to_string(rows.seq) + " states that " +
+                                         std::to_string(rows.first_row) + " rows precede it, but " +
+                                         std::to_string(bank.rows) + " have arrived"});
     return false;
   }
   double x = bank.x;
   bool ended = bank.ended;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
     const wire::Row& row = rows.rows[i];
-    const char* const rule = ended              ? "comes after the last one"
+    const char* const rule = ended              ? "follows the last row"
                              : !is_finite(row)  ? "has a value that is not finite"
-                             : !(row.x_end > x) ? "does not end behind the one before"
+                             : !(row.x_end > x) ? "does not end after the row before"
                                                 : nullptr;
     if (rule != nullptr) {
       const std::uint64_t number = bank.rows + i;

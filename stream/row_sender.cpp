@@ -14,7 +14,7 @@ void require_valid(const RowPlan& plan, std::int64_t session) {
   if (const std::string rule = contradiction(plan.queue); !rule.empty())
     throw InputError("queue", std::to_string(plan.queue.queue), rule);
   if (plan.queue.mode != wire::QueueMode::dynamic)
-    throw InputError("queue", "static", "must be dynamic: a static one is filled before it plays");
+    throw InputError("queue", "static", "must be dynamic: use StaticQueue for a static queue");
   if (plan.queue.axis == Axis::time && plan.queue.units.x != "s")
     throw InputError("unit of x", plan.queue.units.x, "must be s over time");
   if (plan.start_tick < -1)
@@ -114,16 +114,17 @@ void RowSender::check_patience(Nanos now) {
   const bool silent = now - heard_ > options_.patience;
   const bool late = command_.is_older(now, options_.command_patience);
   if (stage_ == Stage::releasing && (silent || late)) {
-    outcome_.reason = "the release was not confirmed";
+    outcome_.reason = "the executor did not confirm the release";
     stage_ = Stage::ended;
   } else if (silent) {
     fail(boot_ == 0 ? StreamError::no_answer : StreamError::contact_lost,
          "no answer from executor " + plan_.executor);
   } else if (late) {
-    fail(StreamError::command_timeout, "the axis does not decide");
+    fail(StreamError::command_timeout,
+         "the executor received the command, but the axis did not accept or reject it in time");
   } else if (waits_for_rows() && now - progressed_ > options_.progress_patience) {
     fail(starving_ ? StreamError::underrun : StreamError::stalled,
-         "no more rows came, though the axis waits for them");
+         "the source returned no more rows, but the axis waits for rows");
   }
 }
 
@@ -176,11 +177,12 @@ void RowSender::watch(const wire::QueueAck& ack) {
   if (!progress.started || stage_ >= Stage::stopping) return;
   if (ack.progress == wire::Progress::done) progress.finished = true;
   if (ack.progress == wire::Progress::broken)
-    return fail(StreamError::stopped, "the axis was stopped, and does not go on with its rows");
+    return fail(StreamError::stopped, "the axis was stopped; it plays no more rows");
   if (ack.progress != wire::Progress::starving || starving_) return;
   ++progress.underruns;
   if (!plan_.resume) {
-    fail(StreamError::underrun, "the rows came too slowly: the axis has stopped on its path");
+    fail(StreamError::underrun,
+         "buffer underrun: rows arrived too slowly, and the axis stopped on its path");
     return;
   }
   starving_ = true;
@@ -229,8 +231,9 @@ void RowSender::refused(wire::Refusal refusal, const std::string& reason, std::i
   outcome_.refusal = refusal;
   outcome_.cause = cause;
   if (refusal == wire::Refusal::session_ended && outcome_.progress.started)
-    return fail(StreamError::stopped,
-                "the session was ended: by an operator's stop, or by silence");
+    return fail(
+        StreamError::stopped,
+        "the executor ended the session: an operator stopped the axis, or heartbeats were missing");
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 

@@ -124,19 +124,19 @@ void Sender::check_patience(Nanos now) {
   const bool silent = now - heard_ > options_.patience;
   const bool late = command_.is_older(now, options_.command_patience);
   if (stage() == StreamStage::releasing && (silent || late)) {
-    outcome_.reason = "the release was not confirmed";
+    outcome_.reason = "the executor did not confirm the release";
     return enter(StreamStage::released);
   }
   if (silent) {
     fail(boots_.empty() ? StreamError::no_answer : StreamError::contact_lost,
          "no answer from executor " + plan_.executor + " for " + milliseconds(options_.patience));
   } else if (late) {
-    fail(StreamError::command_timeout,
-         "no outcome within " + milliseconds(options_.command_patience));
+    fail(StreamError::command_timeout, "the executor did not accept or reject the command within " +
+                                           milliseconds(options_.command_patience));
   } else if (stage() == StreamStage::downloading &&
              now - progressed_ > options_.progress_patience) {
     fail(StreamError::stalled,
-         "no chunk got through for " + milliseconds(options_.progress_patience));
+         "the executor confirmed no chunk for " + milliseconds(options_.progress_patience));
   }
 }
 
@@ -347,7 +347,7 @@ void Sender::await_start(const wire::Status& status) {
 void Sender::be_over(const wire::Status& status) {
   outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
   if (outcome_.cause == 0) return pursue();
-  fail(StreamError::stopped, "the axis came to rest before the swap, by cause " +
+  fail(StreamError::stopped, "the axis came to rest before the swap: cause " +
                                  std::to_string(outcome_.cause) + " (docs/executor/axis.md)");
 }
 
@@ -382,7 +382,7 @@ void Sender::fail(StreamError error, std::string reason) {
   if (ended()) return;
   // What waits is not taken back: a stop would end the motion under way, too.
   if (stage() == StreamStage::waiting && error != StreamError::dropped)
-    reason += "; the start that was accepted still waits in the axis: a stop takes it back";
+    reason += "; the accepted start still waits in the axis: cancel it with a stop";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
   // Whether an unanswered start took place is not known: what may move is stopped.

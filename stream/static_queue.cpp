@@ -13,7 +13,7 @@ wire::Queue checked(wire::Queue queue) {
   if (const std::string rule = contradiction(queue); !rule.empty())
     throw InputError("queue", std::to_string(queue.queue), rule);
   if (queue.mode != wire::QueueMode::static_)
-    throw InputError("queue", "dynamic", "must be static: RowSender fills a dynamic one");
+    throw InputError("queue", "dynamic", "must be static: use RowSender for a dynamic queue");
   return queue;
 }
 
@@ -90,8 +90,8 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
       }
       if (window.idle() && next == rows.size()) return {};
       if (window.idle() && window.wants() == 0) {
-        return stalled("bank " + std::to_string(bank) + " has no room for " +
-                       std::to_string(rows.size() - next) + " of the rows");
+        return stalled("bank " + std::to_string(bank) + " has no space for " +
+                       std::to_string(rows.size() - next) + " rows");
       }
     } else if (client_.clock_() - asked >= client_.options_.repeat) {
       asked = client_.clock_();
@@ -106,7 +106,7 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
     for (wire::Rows& each : window.due(client_.clock_())) client_.send(std::move(each));
   }
   if (!heard) return unanswered();
-  return stalled("bank " + std::to_string(bank) + " has taken no more rows for " +
+  return stalled("bank " + std::to_string(bank) + " accepted no more rows for " +
                  milliseconds(client_.options_.patience));
 }
 

@@ -18,7 +18,8 @@ TableInUnits in_units(const StreamPlan::Item& item) {
 void require_fit(const StreamPlan& plan, const SwapPlan& leg) {
   require_valid(leg.coupling);
   if (leg.mode == wire::ArmMode::queue)
-    throw InputError("mode", name(leg.mode), "must play tables: a queue has a sender of its own");
+    throw InputError("mode", name(leg.mode),
+                     "must play tables: use RowSender or StaticQueue for a queue");
   std::optional<TableInUnits> master;
   if (leg.master < plan.tables.size()) master.emplace(in_units(plan.tables[leg.master]));
   const Refused refused =
@@ -30,7 +31,7 @@ void require_armable(const StreamPlan& plan) {
   if (plan.goal == StreamGoal::download) return;
   for (const SwapPlan& leg : legs_of(plan)) {
     if (leg.slave >= plan.tables.size())
-      throw InputError("swap", std::to_string(leg.slave + 1), "there is no such table");
+      throw InputError("swap", std::to_string(leg.slave + 1), "is not the number of a table");
     require_fit(plan, leg);
     if (!std::isfinite(leg.position))
       throw InputError("swap position", std::to_string(leg.position), "must be finite");

@@ -45,7 +45,7 @@ class UdpTransport::Socket {
  public:
   explicit Socket(const MulticastAddress& address)
       : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    if (fd_ < 0) throw TransportError(trouble("a socket of UDP"));
+    if (fd_ < 0) throw TransportError(trouble("cannot open a UDP socket"));
     try {
       set_up(address);
     } catch (...) {
@@ -78,7 +78,7 @@ class UdpTransport::Socket {
     if (errno == ECONNREFUSED || errno == EHOSTUNREACH || errno == ENETUNREACH ||
         errno == ENETDOWN)
       return std::size_t{0};
-    throw TransportError(trouble("the socket of UDP cannot receive"));
+    throw TransportError(trouble("the UDP socket cannot receive"));
   }
 
   /// Whether something has come.
@@ -88,7 +88,7 @@ class UdpTransport::Socket {
     const timespec limit{static_cast<time_t>(seconds.count()),
                          static_cast<long>((timeout - seconds).count())};
     const int ready = ppoll(&descriptor, 1, &limit, nullptr);
-    if (ready < 0 && errno != EINTR) throw TransportError(trouble("the socket of UDP"));
+    if (ready < 0 && errno != EINTR) throw TransportError(trouble("the UDP socket failed"));
     return ready > 0;
   }
 
@@ -132,7 +132,7 @@ class UdpTransport::Socket {
   template <class Value>
   void set(int level, int option, const Value& value) const {
     if (setsockopt(fd_, level, option, &value, sizeof value) != 0)
-      throw TransportError(trouble("an option of the socket of UDP"));
+      throw TransportError(trouble("cannot set an option of the UDP socket"));
   }
 
   int fd_;

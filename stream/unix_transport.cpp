@@ -29,8 +29,9 @@ std::string usable(const std::string& folder) {
     throw TransportError(fmt::format("cannot use the folder {}: {}", folder, std::strerror(errno)));
   if (!S_ISDIR(about.st_mode)) refuse(folder, "must be a folder");
   if ((about.st_mode & S_IWOTH) != 0)
-    refuse(folder, "must not be writable for all users of this machine, who could move the axes: name "
-                   "a folder of your own, or chmod o-w this one");
+    refuse(folder,
+           "must not be writable for all users of this machine, because they could move the axes: "
+           "name another folder, or chmod o-w this one");
   return folder;
 }
 
@@ -40,8 +41,8 @@ struct UnixTransport::Impl {
   explicit Impl(const std::string& name) : peers(usable(name)) {
     peers.refresh();
     if (peers.size() >= detail::most_peers)
-      throw TransportError(fmt::format("{}: {} programs use it already, and no more can", name,
-                                       detail::most_peers));
+      throw TransportError(fmt::format("{}: {} programs use it already, the most that it serves",
+                                       name, detail::most_peers));
     inbox.emplace(name);
   }
 

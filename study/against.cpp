@@ -153,8 +153,8 @@ class Search {
  private:
   AgainstOutcome failed() {
     out_.shapes.status = Status::infeasible;
-    out_.shapes.reason =
-        "the given cam could not be integrated through the drive: " + out_.given.integration.reason;
+    out_.shapes.reason = "the drive model could not be integrated with the given cam: " +
+                         out_.given.integration.reason;
     out_.shapes.best = problem_.cam;
     return out_;
   }
@@ -294,9 +294,9 @@ class Search {
     out_.real = !told_.excess && improved;
     if (!exact_) without_bounds();
     if (told_.excess)
-      out_.shapes.reason = "by integration, a ceiling of the drive is exceeded";
+      out_.shapes.reason = "by integration, a limit of the drive is exceeded";
     else if (!improved)
-      out_.shapes.reason = "by integration, the drive does no better than with the given cam";
+      out_.shapes.reason = "by integration, the given cam is at least as good for the drive";
     if (!out_.real) out_.shapes.status = Status::stalled;
     return out_;
   }
@@ -318,7 +318,7 @@ class Search {
       for (FigureResult& figure : run.figures) figure.bound.reset();
     }
     if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
-    out_.shapes.reason = "the drive is not linear: better by its own runs, not proven best (" +
+    out_.shapes.reason = "the drive is not linear: better in its own runs, but not proven best (" +
                          std::to_string(out_.rounds) + " rounds tried)";
   }
 
@@ -349,17 +349,16 @@ void require_valid(const CamShapeProblem& problem, const Against& against) {
     asked = asked || drive;
     if (against.periodic && drive == DriveFigure::residual)
       throw InputError("minimize", '"' + name(*drive) + '"',
-                       "is of a standstill after the cam, which a periodic one has not");
+                       "needs a standstill after the cam, which a periodic cam does not have");
   };
   for (const auto& stage : problem.minimize)
     for (const WeightedFigure& m : stage) look(m.figure);
   for (const Ceiling& c : problem.ceilings) look(c.figure);
   if (!asked)
     throw InputError("minimize", "",
-                     "names no figure of the drive, such as \"drive rms torque\": there is nothing "
-                     "to ask it");
+                     "must name a figure of the drive, such as \"drive rms torque\"");
   if (problem.shapes.empty())
-    throw InputError("shapes", "none", "must name a segment that is free in shape");
+    throw InputError("shapes", "none", "must name a segment with a free shape");
 }
 
 }  // namespace

@@ -43,11 +43,10 @@ void require_one_run(const CamShapeProblem& problem) {
   const auto& shapes = problem.shapes;
   for (std::size_t i = 1; i < shapes.size(); ++i)
     if (shapes[i].segment != shapes[i - 1].segment + 1)
-      throw InputError(
-          "segment[" + std::to_string(shapes[i].segment + 1) + "].free.shape",
-          static_cast<double>(shapes[i].pieces),
-          "against a drive, free segments must follow one another: free those between, "
-          "too, with a corridor that holds them where they must be");
+      throw InputError("segment[" + std::to_string(shapes[i].segment + 1) + "].free.shape",
+                       static_cast<double>(shapes[i].pieces),
+                       "against a drive, free segments must be adjacent: free the segments between "
+                       "too, and hold them with a corridor");
 }
 
 }  // namespace

@@ -141,10 +141,11 @@ void explain_end(Finding& end, const Spec& spec, const EngageState& at) {
     end.advice = fmt::format("at the master's {} {} the slave moves at {} {} there; ",
                              rounded(speed), rate_unit(spec.units.x, "s", 1), rounded(slave),
                              rate_unit(spec.units.position, "s", 1));
-  end.advice += stays_in_gear(spec)
-                    ? "behind a live master it stays in gear beyond its table"
-                    : "behind a live master it brakes there within its axis's limits, or keeps its "
-                      "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
+  end.advice +=
+      stays_in_gear(spec)
+          ? "with a live master, it stays in gear after the end of its table"
+          : "with a live master, it brakes there within the limits of its axis, or keeps its "
+            "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
   if (!stays_in_gear(spec)) end.severity = Severity::warning;
 }
 

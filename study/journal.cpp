@@ -37,7 +37,7 @@ Journal::Journal(const std::string& path, const std::string& identity) : path_(p
   try {
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) fail("cannot lock " + path);
-      throw InputError("", "", "is being written by another run").at(path);
+      throw InputError("", "", "is used by another run").at(path);
     }
     read(identity);
   } catch (...) {
@@ -57,10 +57,10 @@ void Journal::read(const std::string& identity) {
   const bool begun = first.starts_with(text);  // killed while it made its first line
   if (!begun && !text.starts_with(first)) {
     const bool ours = text.starts_with("# jounce journal ");
-    throw InputError("", "",
-                     ours
-                         ? "is of another sweep, spec or version of Jounce: delete it to begin anew"
-                         : "is no journal of a sweep")
+    throw InputError(
+        "", "",
+        ours ? "belongs to another sweep, spec or version of Jounce: delete it to start again"
+             : "is not the journal of a sweep")
         .at(path_);
   }
   if (ftruncate(file_, begun ? 0 : static_cast<off_t>(whole)) != 0) fail("cannot write " + path_);

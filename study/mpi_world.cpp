@@ -36,8 +36,7 @@ const MpiCalls* load() {
     const auto entry = reinterpret_cast<Entry>(dlsym(module, detail::mpi_entry));
     if (entry != nullptr) return entry();
   }
-  throw InputError("mpirun", "",
-                   "needs a Jounce that was built with MPI: jounce_mpi.so is missing");
+  throw InputError("mpirun", "", "needs a Jounce built with MPI: jounce_mpi.so is missing");
 }
 
 /// How many cases a worker may hold: so many that it never waits for the next order, but no more than it makes within

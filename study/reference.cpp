@@ -19,7 +19,7 @@ Trajectory master_of(const Input& input) {
   if (!input.spec)
     throw InputError(
         "master", "",
-        "a cam table does not say how its master runs: give the spec, or a master table")
+        "a cam table does not contain the motion of its master: give the spec, or a master table")
         .at(input.name);
   return make_master(*input.spec);
 }

@@ -93,14 +93,13 @@ SpecNumbers::SpecNumbers(Document document) : document_(std::move(document)) {
 const SpecNumbers::Place& SpecNumbers::place(const std::string& key) const {
   if (const auto it = numbers_.find(key); it != numbers_.end()) return it->second;
   if (const auto it = others_.find(key); it != others_.end())
-    throw InputError(key, "", "is no number, so it cannot be changed as one")
-        .at(document_.name, it->second);
+    throw InputError(key, "", "is not a number").at(document_.name, it->second);
   std::vector<std::string> known;
   for (const auto& [name, place] : numbers_) known.push_back(name);
   const std::string hint = nearest(key, known);
   throw InputError(key, "",
-                   "is no number of this file" +
-                       (hint.empty() ? "; one that it leaves out must be written there first"
+                   "is not a number of this file" +
+                       (hint.empty() ? "; if the file leaves it out, write it there first"
                                      : ": did you mean " + hint + "?"))
       .at(document_.name);
 }

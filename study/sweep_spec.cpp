@@ -28,8 +28,7 @@ auto read_in(const std::string& unit, const Read& read) -> decltype(read("")) {
     return read("1");
   } catch (const InputError& error) {
     if (!error.value().starts_with('"')) throw;
-    throw InputError(error.key(), error.value(),
-                     "must be a bare number: the spec writes this one without a unit")
+    throw InputError(error.key(), error.value(), "must be a number without a unit, as in the spec")
         .at(error.document(), error.line(), error.column());
   }
 }
@@ -38,7 +37,7 @@ Values read_grid(TomlReader& table, const std::string& unit) {
   const double from = read_in(unit, [&](const auto& u) { return table.number("from", u); });
   const double to = read_in(unit, [&](const auto& u) { return table.number("to", u); });
   const auto count = table.optional_count("count");
-  if (!count) table.fail("count", "", "is missing: how many values there are, both ends included");
+  if (!count) table.fail("count", "", "is missing: give the number of values, both ends included");
   if (*count < 2) table.fail("count", std::to_string(*count), "must be at least 2");
   if (*count > SweepSpec::most_cases)
     table.fail("count", std::to_string(*count), "makes more cases than 10000000");
@@ -52,7 +51,7 @@ Values read_grid(TomlReader& table, const std::string& unit) {
 
 Values read_list(TomlReader& table, const std::string& unit) {
   Values values{read_in(unit, [&](const auto& u) { return table.number_list("values", u); })};
-  if (values.all.empty()) table.fail("values", "", "is empty: there would be no case");
+  if (values.all.empty()) table.fail("values", "", "is empty: give at least one value");
   return values;
 }
 
@@ -85,7 +84,7 @@ UniformSpread read_tolerance(TomlReader& table, double given) {
                "must be a share such as \"5 %\" or 0.05, greater than 0");
   if (given == 0)
     table.fail("tolerance", number(share),
-               "is a share of the number in the spec, which is 0: give uniform = { from, to }");
+               "is relative to the number in the spec, which is 0: use uniform = { from, to }");
   const double width = share * std::abs(given);
   return {given - width, given + width};
 }
@@ -106,7 +105,7 @@ SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
     if (table.has(way)) named.push_back(way);
   if (named.size() != 1)
     table.fail("key", '"' + p.key + '"',
-               "takes one of: values = [...]; from, to and count; tolerance; uniform; normal");
+               "needs one of: values = [...]; from, to and count; tolerance; uniform; normal");
   const std::string way = named.front();
   if (way == "values") p.how = read_list(table, p.unit);
   if (way == "from") p.how = read_grid(table, p.unit);
@@ -151,8 +150,7 @@ void read_monte_carlo(TomlReader& top, SweepSpec& spec) {
              "is missing: a parameter is random; add [monte_carlo] with samples = 1000");
   if (!table) return;
   if (!spec.random())
-    top.fail("monte_carlo", "",
-             "has nothing to do: no parameter has a tolerance, uniform or normal");
+    top.fail("monte_carlo", "", "needs a parameter with tolerance, uniform or normal");
   const auto samples = table->optional_count("samples");
   if (!samples) table->fail("samples", "", "is missing");
   spec.samples = *samples;

@@ -89,9 +89,9 @@ std::string front_lines(const SweepSpec& spec, const SweepResult& result, const 
   for (const SweepObjective& o : spec.objectives)
     wanted +=
         (wanted.empty() ? "" : ", ") + std::string(o.greatest ? "most " : "least ") + o.figure;
-  if (s.front.empty()) return "\n  no case within all limits, so none is best: " + wanted + "\n";
+  if (s.front.empty()) return "\n  no case is within all limits: " + wanted + "\n";
   std::string text = fmt::format(
-      "\n  {} that no other surpasses ({}):\n",
+      "\n  {} that no other case dominates ({}):\n",
       s.front.size() == 1 ? "the one case" : fmt::format("{} cases", s.front.size()), wanted);
   const std::size_t shown = std::min(most_designs, s.front.size());
   for (std::size_t i = 0; i < shown; ++i) {

@@ -89,9 +89,10 @@ class Tuned {
     const double own = written.empty() ? 1 : conversion(written, p.unit);
     const double start = numbers_.value(p.key);
     if (start * own < p.lower || start * own > p.upper)
-      throw spec_.document.located(InputError(
-          parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper),
-          "must hold what the spec gives, " + number(start * own) + ": the search begins there"));
+      throw spec_.document.located(
+          InputError(parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper),
+                     "must contain the value in the spec, " + number(start * own) +
+                         ", the start of the search"));
     units_.push_back(written.empty() ? p.unit : written);
     variables_.push_back(
         {p.key, std::min(p.lower / own, start), std::max(p.upper / own, start), start});
@@ -195,9 +196,9 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
   std::vector<std::string> required;
   for (const TunedFigure& f : outcome.figures) {
     if (f.at_least)
-      required.push_back(f.name + " is at its least, " + number(*f.at_least) + " " + f.unit);
+      required.push_back(f.name + " is at its minimum, " + number(*f.at_least) + " " + f.unit);
     if (f.at_most)
-      required.push_back(f.name + " is at its most, " + number(*f.at_most) + " " + f.unit);
+      required.push_back(f.name + " is at its maximum, " + number(*f.at_most) + " " + f.unit);
   }
   const std::size_t rules = tuned.rules().size();
   for (const std::size_t i : outcome.search.active) {
@@ -208,10 +209,10 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
   }
   for (const TunedNumber& n : outcome.numbers)
     if (n.at_bound)
-      all.push_back(n.key + " stands at its bound " + number(n.reached) +
+      all.push_back(n.key + " is at its bound " + number(n.reached) +
                     (n.unit == "1" ? "" : " " + n.unit));
   if (!outcome.search.beyond.empty())
-    all.push_back("a little further is refused: " + outcome.search.beyond);
+    all.push_back("a step beyond is rejected: " + outcome.search.beyond);
   return all;
 }
 
@@ -252,7 +253,7 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
 TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress&)>& keep_going) {
   if (!spec.parameters)
     throw InputError("optimize.parameter", "",
-                     "is missing: [[optimize.parameter]] says which numbers may change")
+                     "is missing: name each number that may change in an [[optimize.parameter]]")
         .at(spec.document.name);
   Tuned tuned(spec);
   const std::vector<TunedFigure> given = given_figures(tuned);
@@ -269,7 +270,7 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
   if (!outcome.usable()) {
     if (outcome.search.status == Outcome::Status::infeasible)
-      outcome.search.reason = "none of the numbers that were tried hold everything";
+      outcome.search.reason = "no values tried keep all limits";
     outcome.active = missed_of(outcome.figures);
     return outcome;
   }

@@ -57,8 +57,9 @@ void require_options(const DriveOptions& options) {
   if (options.periodic)
     for (const Limit& limit : of_standstill)
       if (const auto& value = options.limits.*limit.value)
-        throw InputError(std::string("limits.") + limit.key, *value,
-                         "is of a standstill after the motion, which a periodic one has not");
+        throw InputError(
+            std::string("limits.") + limit.key, *value,
+            "needs a standstill after the motion, which a periodic motion does not have");
   for (const Interval& sync : options.sync)
     if (!(sync.from < sync.to))
       throw InputError("sync.to", sync.to, "must be greater than from = " + number(sync.from));
@@ -100,8 +101,8 @@ Finding periodic_of(const SignalView& period, const Drive& drive, const std::vec
   finding.broken = !(finding.value <= finding.limit);
   if (finding.broken)
     finding.advice =
-        "a period does not end as it began: where the torque meets its limit, the steady state is "
-        "another";
+        "a period does not end in the state of its start: with torque at its limit, there is no "
+        "such steady state";
   return finding;
 }
 
@@ -109,9 +110,8 @@ Finding periodic_of(const SignalView& period, const Drive& drive, const std::vec
 DriveResult run_periodic(const SignalView& period, const Drive& drive, DriveOptions options) {
   const std::optional<Trajectory> segments = period.trajectory();
   if (!segments)
-    throw InputError(
-        "periodic", "true",
-        "needs a motion made of segments: a cam behind a master at a constant velocity");
+    throw InputError("periodic", "true",
+                     "needs a motion of segments: a cam with a master at constant velocity");
   options.settle = 0;
   const std::vector<double> start = detail::periodic_model_start(*segments, drive);
   detail::DriveRun run = detail::run(period, drive, options, start);
@@ -135,7 +135,7 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
   require_valid(drive);
   require_valid(options, drive);
   if (reference.over_master())
-    throw InputError("axis", "master", "a drive follows a motion over time");
+    throw InputError("axis", "master", "must be time: a drive follows a motion over time");
   detail::require_within(options, reference.start(), reference.end());
   if (options.periodic) {
     detail::require_steady(drive);

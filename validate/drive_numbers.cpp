@@ -101,7 +101,7 @@ void require(const DriveNumber& number) {
 void require_valid(const std::string& part, const Friction& f) {
   if (f.breakaway != 0 && f.breakaway < f.coulomb)
     throw InputError(part + "friction.breakaway", f.breakaway,
-                     "must not be less than coulomb; 0 is the same as coulomb");
+                     "must not be less than coulomb; 0 means equal to coulomb");
 }
 
 /// What one number demands of another.
@@ -120,7 +120,7 @@ void require_valid(const Mass& m, const std::string& part) {
   if (m.stiffness > 0) return;
   const auto need_shaft = [&](const char* key, double value, double none) {
     if (value != none)
-      throw InputError(part + key, value, "needs a stiffness: without one the mass is rigid");
+      throw InputError(part + key, value, "needs a stiffness: without one, the mass is rigid");
   };
   need_shaft("damping", m.damping, 0);
   need_shaft("backlash", m.backlash, 0);
@@ -147,12 +147,13 @@ void require_valid(const Drive& drive) {
   for (std::size_t i = 0; i < drive.train.size(); ++i)
     require_valid(drive.train[i], "mass[" + std::to_string(i + 1) + "].");
   if (drive.pendulum && drive.train.empty())
-    throw InputError("pendulum.share", drive.pendulum->share, "needs a mass to hang from");
+    throw InputError("pendulum.share", drive.pendulum->share,
+                     "needs a mass from which the pendulum hangs");
   if (drive.pendulum && drive.pendulum->share == 1)
     throw InputError("pendulum.share", 1, "must be less than 1");
   if (drive.controller.encoder_counts != 0 && drive.controller.cycle == 0)
     throw InputError("controller.encoder_counts", drive.controller.encoder_counts,
-                     "needs a cycle: only a sampled controller counts");
+                     "needs a cycle: only a sampled controller has encoder counts");
 }
 
 Drive wittenstein_premo_2d() {

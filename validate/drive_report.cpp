@@ -35,11 +35,11 @@ Finding settling_of(const DriveResult& result, const DriveOptions& options, doub
   const double limit = *options.limits.settling_time;
   const double time = result.settling_time.value_or(options.settle);
   Finding finding = peak_finding("drive/settling_time", "settling time", {time, end + time}, limit,
-                                 "take a smoother law, or a shaper for the residual frequency");
+                                 "use a smoother law, or a shaper for the residual frequency");
   if (result.settling_time) return finding;
   finding.broken = true;
   finding.margin = std::min(finding.margin, 0.0);
-  finding.advice = "it did not settle within the standstill that was watched";
+  finding.advice = "it did not settle within the simulated standstill";
   return finding;
 }
 
@@ -55,8 +55,8 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
   };
   const auto given = [](double limit) { return limit > 0 ? std::optional(limit) : std::nullopt; };
   const char* gentler = "lower the acceleration or the inertia";
-  const char* rest = "lower the acceleration, or let the axis rest longer";
-  const char* slower = "lower the velocity, or choose another ratio of gear";
+  const char* rest = "lower the acceleration, or lengthen the rest";
+  const char* slower = "lower the velocity, or choose another gear ratio";
   const char* follow = "raise the feed-forward or the gains, or lower the jerk";
   check("drive/torque", "torque", result.torque, limits.torque, gentler);
   check("drive/rms_torque", "rms torque", {result.rms_torque, 0}, limits.rms_torque, rest);
@@ -74,7 +74,7 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
   check("drive/sync_following_error", "following error in sync", result.sync_following_error,
         limits.sync_following_error, follow);
   check("drive/residual", "residual vibration", result.residual, limits.residual,
-        "take a smoother law, or a shaper for the residual frequency");
+        "use a smoother law, or a shaper for the residual frequency");
   if (limits.settling_time && result.integration.ok())
     report.findings.push_back(settling_of(result, options, end));
   report.findings.push_back(saturation_of(result, drive.motor.torque_limit));

@@ -82,7 +82,7 @@ class Run {
     answer_.integration.reached = origin_ + solver_.time();
     if (answer_.integration.ok() && next_ < spec_.times.size()) {
       answer_.integration.ended = Ended::failed;
-      answer_.integration.reason = "the solver stopped short of the end";
+      answer_.integration.reason = "the solver stopped before the end";
     }
     return std::move(answer_);
   }

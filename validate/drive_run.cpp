@@ -179,9 +179,9 @@ class Run {
     if (!integration.ok()) return;
     const double end = end_ + options_.settle;
     if (std::abs(integration.reached - end) > 2 * closest_) {
-      integration.reason = "the solver stopped short of the end";
+      integration.reason = "the solver stopped before the end";
     } else if (integration.steps < 2 * static_cast<long>(pieces_.size())) {
-      integration.reason = "fewer steps than two an interval";
+      integration.reason = "fewer than two steps in each interval";
     }
     if (!integration.reason.empty()) integration.ended = Ended::failed;
     if (integration.ok()) integration.reached = end;

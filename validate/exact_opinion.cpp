@@ -85,7 +85,8 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
   if (finding.broken && unstable_loop(drive))
     return std::nullopt;  // rounding grows as the motion does
   if (finding.broken)
-    finding.advice = "the integration and the exact solution disagree: please report it";
+    finding.advice =
+        "the integration and the exact solution disagree: please report this as a defect";
   return finding;
 }
 

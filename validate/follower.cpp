@@ -44,8 +44,8 @@ Finding contact_of(const FollowerResult& result, double limit) {
   if (!result.flights.empty()) {
     finding.where = result.flights.front().from;
     finding.advice =
-        "the follower leaves the cam: raise the preload, or lower the speed, the mass "
-        "or the deceleration of the lift";
+        "the follower leaves the cam: raise the preload, or lower the speed, the mass or the "
+        "deceleration of the lift";
   } else if (finding.broken) {
     finding.advice = "raise the preload, or lower the speed";
   }
@@ -73,7 +73,7 @@ Report report_of(const FollowerResult& result, const FollowerLimits& limits) {
   if (limits.residual)
     report.findings.push_back(at_most("follower/residual", "residual vibration", "",
                                       result.residual, *limits.residual,
-                                      "take a smoother law, or a polydyne one"));
+                                      "use a smoother law, or a polydyne cam"));
   if (!result.integration.ok()) {
     Finding finding;
     finding.rule = "follower/integration";
@@ -101,14 +101,15 @@ void require_valid(const SpringFollower& f) {
   require_positive("metres_per_unit", f.metres_per_unit);
   if (f.preload == 0 && f.spring_stiffness == 0)
     throw InputError("preload", f.preload,
-                     "must be greater than 0, where no spring_stiffness presses on the cam");
+                     "must be greater than 0, because no spring_stiffness presses on the cam");
 }
 
 FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options) {
   require_valid(follower);
   require_valid(options);
-  if (lift.over_master()) throw InputError("axis", "master", "a follower follows a lift over time");
+  if (lift.over_master())
+    throw InputError("axis", "master", "must be time: a follower follows a lift over time");
   FollowerResult result = detail::run(lift, follower, options);
   result.report = report_of(result, options.limits);
   return result;

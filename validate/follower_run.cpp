@@ -141,7 +141,7 @@ class Run {
     const double e = model_.rest(model_.lift(before_)[0]);
     if (!(e > 0))
       throw InputError("preload", follower_.preload,
-                       "must press the follower on the cam where the lift begins");
+                       "must press the follower on the cam at the start of the lift");
     return {e, 0, 0};
   }
 

@@ -37,7 +37,7 @@ Identification identify(const Recording& recording, const SignalView& reference,
   detail::require_valid(recording);
   detail::require_valid(spec);
   if (reference.over_master())
-    throw InputError("axis", "master", "a drive follows a motion over time");
+    throw InputError("axis", "master", "must be time: a drive follows a motion over time");
   if (recording.time.front() < reference.start())
     throw InputError("time[1]", recording.time.front(),
                      "must not be before the motion's start at " + number(reference.start()));

@@ -84,10 +84,10 @@ std::vector<std::string> doubts(const Explained& e) {
   std::vector<std::string> all;
   const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
     if (test.failed())
-      all.push_back(fmt::format(
-          "the residuals of {} {} ({} {:.4g}, limit {:.4g} at 0.1 %): the model misses something, "
-          "and the intervals are too narrow",
-          e.quantity, what, statistic, test.value, test.limit));
+      all.push_back(
+          fmt::format("the residuals of {} {} ({} {:.4g}, limit {:.4g} at 0.1 %): the model is "
+                      "incomplete, and the intervals are too narrow",
+                      e.quantity, what, statistic, test.value, test.limit));
   };
   doubt(e.white, "are not white", "Ljung-Box Q");
   doubt(e.growth, "grow along the recording", "Goldfeld-Quandt F");
@@ -116,21 +116,21 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
 void note(const IdentifySpec& spec, Identification& answer) {
   if (spec.drive.controller.cycle > 0)
     answer.notes.push_back(
-        "the sampled controller was taken for a continuous one that is a cycle later");
+        "the model replaces the sampled controller by a continuous one, one cycle later");
   const double before = spec.drive.controller.torque_feed_forward;
   const double after = answer.drive.controller.torque_feed_forward;
   if (before != after)
-    answer.notes.push_back(fmt::format(
-        "controller.torque_feed_forward is {:.4g} of the fitted inertia: what the controller was "
-        "set to, {:.4g} of {:.4g} kg m^2, has not changed",
-        after, before, before == 0 ? 0 : inertia(spec.drive)));
+    answer.notes.push_back(
+        fmt::format("controller.torque_feed_forward is {:.4g} of the fitted inertia: the setting "
+                    "of the controller, {:.4g} of {:.4g} kg m^2, has not changed",
+                    after, before, before == 0 ? 0 : inertia(spec.drive)));
 }
 
 std::string not_told(const std::string& unknown, const Identification& answer) {
-  if (answer.entangled.empty()) return "this recording does not tell " + unknown;
+  if (answer.entangled.empty()) return "this recording does not determine " + unknown;
   const Entangled& e = answer.entangled.front();
   return fmt::format(
-      "this recording does not tell {}; {} and {} cannot be told apart "
+      "this recording does not determine {}; {} and {} cannot be told apart "
       "(correlation {:.4f})",
       unknown, e.first, e.second, e.correlation);
 }
@@ -145,9 +145,10 @@ void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& un
     return end(Status::cancelled, "stopped on request; the numbers are the best so far");
   if (!unknown.empty()) return end(Status::not_identifiable, not_told(unknown, answer));
   if (fit.found.status != LeastSquares::Status::converged)
-    return end(Status::stalled,
-               fmt::format("no convergence within {} iterations: start nearer, or fit less",
-                           spec.max_iterations));
+    return end(
+        Status::stalled,
+        fmt::format("no convergence within {} iterations: start closer, or fit fewer numbers",
+                    spec.max_iterations));
   for (const Explained& e : answer.explained)
     if (const auto all = doubts(e); !all.empty()) return end(Status::misfit, all.front());
   end(Status::converged,

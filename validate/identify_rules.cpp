@@ -24,7 +24,7 @@ bool of_friction(const std::string& key) {
 
 void require_can_fit(const Drive& drive, const DriveNumber& number) {
   if (number.key.starts_with("controller.") || number.key == "position_per_rev")
-    throw InputError("fit", number.key, "is set, not measured: fit numbers of the machine");
+    throw InputError("fit", number.key, "is a setting: fit numbers of the machine");
   if (*number.value == 0)
     throw InputError(number.key, 0,
                      "cannot be fitted from 0: give a start of the right order of magnitude");
@@ -44,7 +44,7 @@ const std::vector<double>& recorded(const Recording& recording, std::size_t outp
 void require_times(const Recording& recording) {
   const std::vector<double>& t = recording.time;
   if (t.size() < 4)
-    throw InputError("time", std::to_string(t.size()) + " samples", "four at least");
+    throw InputError("time", std::to_string(t.size()) + " samples", "must be at least four");
   require_column("time", t, t.size());
   require_column("command", recording.command, t.size());
   for (std::size_t i = 1; i < t.size(); ++i)
@@ -64,7 +64,7 @@ void require_valid(const Recording& recording) {
   }
   if (!any)
     throw InputError("position", "none",
-                     "must be recorded, or velocity, torque, load: what to fit to");
+                     "is missing: a fit needs position, velocity, torque or load");
 }
 
 DriveNumber numbered(Drive& drive, const std::string& key) {
@@ -73,12 +73,12 @@ DriveNumber numbered(Drive& drive, const std::string& key) {
     if (number.key == key) return number;
     all += (all.empty() ? "" : ", ") + number.key;
   }
-  throw InputError("fit", key, "is no number of this drive; there are " + all);
+  throw InputError("fit", key, "is not a number of this drive; possible numbers: " + all);
 }
 
 void require_valid(const IdentifySpec& spec) {
   jounce::require_valid(spec.drive);
-  if (spec.fit.empty()) throw InputError("fit", "", "must name one number at least");
+  if (spec.fit.empty()) throw InputError("fit", "", "must name at least one number");
   if (spec.max_iterations < 1)
     throw InputError("max_iterations", std::to_string(spec.max_iterations), "must be at least 1");
   if (!(spec.tolerance >= 1e-12 && spec.tolerance <= 1e-3))

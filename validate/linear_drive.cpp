@@ -25,14 +25,14 @@ using Eigen::Index;
 void require_linear(const Drive& drive) {
   require_valid(drive);
   if (const auto key = nonlinearity(drive))
-    throw InputError(*key, "not 0", "makes the drive nonlinear: it has no exact solution");
+    throw InputError(*key, "not 0", "makes the drive nonlinear, without an exact solution");
 }
 
 void require_times(std::span<const double> times, double start) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!(times[i] >= (i == 0 ? start : times[i - 1])) || !std::isfinite(times[i]))
       throw InputError("times[" + std::to_string(i + 1) + "]", times[i],
-                       i == 0 ? "must not lie before the reference's start " + number(start)
+                       i == 0 ? "must not be before the start of the reference, " + number(start)
                               : "must not be less than the time before, " + number(times[i - 1]));
   }
 }
@@ -113,7 +113,7 @@ void require_continuous(const Drive& drive) {
   require_linear(drive);
   if (drive.controller.cycle > 0)
     throw InputError("controller.cycle", drive.controller.cycle,
-                     "must be 0: the modes are those of a continuous controller");
+                     "must be 0: only a continuous controller has modes");
 }
 
 const char* nonlinear(const Friction& f) {
@@ -163,7 +163,7 @@ ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<co
 
 ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times) {
   if (reference.axis() == Axis::master)
-    throw InputError("axis", "master", "a drive follows a motion over time");
+    throw InputError("axis", "master", "must be time: a drive follows a motion over time");
   return exact_run(reference.curve<OverTime>(), drive, times);
 }
 
@@ -174,7 +174,7 @@ ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<co
   const double end = period.end();
   if (!times.empty() && times.back() > end + 1e-12 * period.length())
     throw InputError("times[" + std::to_string(times.size()) + "]", times.back(),
-                     "must not lie after the period's end " + number(end));
+                     "must not be after the end of the period, " + number(end));
   std::vector<double> within(times.begin(), times.end());
   for (double& t : within) t = std::min(t, std::nextafter(end, period.start()));
   ExactRun run = continuous_run(period, drive, within, true);

@@ -36,8 +36,8 @@ void require_calm(const Drive& drive) {
   const std::vector<LoopPole> poles = loop_poles(drive);
   if (poles.front().growth >= 0)
     throw InputError("controller.velocity_gain", drive.controller.velocity_gain,
-                     "makes a loop that is unstable at " + number(poles.front().frequency) +
-                         " Hz: it has no periodic steady state");
+                     "makes the loop unstable at " + number(poles.front().frequency) +
+                         " Hz: there is no periodic steady state");
 }
 
 /// What a period makes of a state, the wrap included.
@@ -53,10 +53,10 @@ VectorXd after_a_period(const LinearSystem& system, const Trajectory& period, co
 void require_steady(const Drive& drive) {
   if (const auto key = nonlinearity(drive))
     throw InputError(*key, "not 0",
-                     "makes the drive nonlinear: its periodic steady state is not known");
+                     "makes the drive nonlinear: its periodic steady state has no closed form");
   if (drive.controller.cycle > 0)
     throw InputError("controller.cycle", drive.controller.cycle,
-                     "must be 0: the periodic steady state is that of a continuous controller");
+                     "must be 0: the periodic steady state needs a continuous controller");
 }
 
 std::optional<DriveResult> without_steady_state(const Drive& drive, double start) {

@@ -14,7 +14,7 @@ namespace {
 void require_breaks(const SignalView& signal, std::span<const double> breaks) {
   if (breaks.size() < 2 || breaks.front() != signal.start() || breaks.back() != signal.end()) {
     throw InputError("breaks", std::to_string(breaks.size()) + " of them",
-                     "must begin at the signal's start and end at its end");
+                     "must begin at the start of the signal and end at its end");
   }
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     if (!(breaks[i] > breaks[i - 1])) {

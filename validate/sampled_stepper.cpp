@@ -32,8 +32,8 @@ int cycles_of(const Drive& drive, double period) {
   const double cycles = std::nearbyint(period / cycle);
   if (!(cycles >= 1 && cycles <= most_cycles && std::abs(cycles * cycle - period) <= same * cycle))
     throw InputError("controller.cycle", cycle,
-                     "must divide the axis's cycle of " + number(period) +
-                         " s into at most 1000 whole ones, to be simulated");
+                     "must divide the cycle of the axis, " + number(period) +
+                         " s, into at most 1000 whole cycles");
   return static_cast<int>(cycles);
 }
 
@@ -53,8 +53,7 @@ SampledStepper::SampledStepper(const Drive& drive, double period)
   const double whole = std::floor(drive.controller.delay / cycle + same);  // (5)
   const double left = std::max(0.0, drive.controller.delay - whole * cycle);
   if (!(whole <= most_cycles))
-    throw InputError("controller.delay", drive.controller.delay,
-                     "must be at most 1000 cycles, to be simulated");
+    throw InputError("controller.delay", drive.controller.delay, "must be at most 1000 cycles");
   split_ = left > same * cycle;
   const LinearSystem s = balanced(open_drive(drive));
   states_ = static_cast<std::size_t>(s.states());

@@ -47,7 +47,7 @@ class Draw {
 double& number_of(Drive& drive, const std::string& key) {
   for (const DriveNumber& n : numbers(drive))
     if (n.key == key) return *n.value;
-  throw InputError("tolerances.key", key, "is no number of this drive");
+  throw InputError("tolerances.key", key, "is not a number of this drive");
 }
 
 /// What varies: middle and half width of each number.
@@ -258,7 +258,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
     if (finding.broken) finding.margin = std::min(finding.margin, 0.0);
     if (finding.broken)
       finding.advice = std::to_string(s.beyond) + " of " + std::to_string(result.cases) +
-                       " cases are over; " + where(s.worst);
+                       " cases exceed it; " + where(s.worst);
     report.findings.push_back(std::move(finding));
   }
   if (result.failed > 0) {
@@ -267,7 +267,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
     finding.quantity = "cases";
     finding.value = static_cast<double>(result.failed);
     finding.broken = true;
-    finding.advice = "cases whose integration did not end well are in no figure";
+    finding.advice = "cases without a complete integration are excluded from the figures";
     report.findings.push_back(std::move(finding));
   }
   if (result.unstable > 0) {
@@ -288,7 +288,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
 
 void require_valid(const ToleranceSpec& spec) {
   if (spec.numbers.empty())
-    throw InputError("tolerances.number", "none", "name at least one number that varies");
+    throw InputError("tolerances.number", "none", "must name at least one number");
   if (spec.cases < 1 || spec.cases > 10'000'000)
     throw InputError("tolerances.cases", std::to_string(spec.cases),
                      "must be between 1 and 10000000");

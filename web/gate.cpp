@@ -22,9 +22,9 @@ std::string objection(const Origin& origin, std::uint16_t port) {
     return "Host must be 127.0.0.1:" + std::to_string(port) +
            " or localhost:" + std::to_string(port);
   if (!origin.origin.empty() && !is_from_here(origin.origin, port))
-    return "a page of another origin asks";
+    return "the request comes from a page of another origin";
   if (!origin.site.empty() && origin.site != "same-origin" && origin.site != "none")
-    return "another site asks";
+    return "the request comes from another site";
   return {};
 }
 

@@ -40,7 +40,7 @@ const Word* word_of(std::string_view what) {
 std::string text_of(const json& object, const char* key) {
   const auto at = object.find(key);
   if (at == object.end() || !at->is_string())
-    throw InputError(key, at == object.end() ? "" : at->dump(), "must be a text");
+    throw InputError(key, at == object.end() ? "" : at->dump(), "must be a string");
   return at->get<std::string>();
 }
 
@@ -70,7 +70,10 @@ wire::Order order_of(const Instruction& instruction, const Word& word) {
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& axis) {
   if (reply.outcome == wire::Outcome::accepted) return {};
   if (reply.outcome == wire::Outcome::pending)
-    return {StreamError::command_timeout, {}, 0, axis + " does not decide"};
+    return {StreamError::command_timeout,
+            {},
+            0,
+            axis + " did not accept or reject the command in time"};
   return {StreamError::refused, reply.refusal, reply.cause,
           std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
 }
@@ -82,7 +85,8 @@ Instruction read_instruction(std::string_view text) {
   if (!object.is_object()) throw InputError("order", "", "must be a JSON object");
   for (const auto& [key, value] : object.items())
     if (key != "axis" && key != "what" && key != "value" && key != "hold")
-      throw InputError(key, value.dump(), "is no key of an order: axis, what, value, hold are");
+      throw InputError(key, value.dump(),
+                       "is not a key of an order: the keys are axis, what, value, hold");
   Instruction instruction{.axis = text_of(object, "axis"), .what = text_of(object, "what")};
   const Word* const word = word_of(instruction.what);
   if (word == nullptr && instruction.what != "stop")
@@ -90,11 +94,11 @@ Instruction read_instruction(std::string_view text) {
                      "must be stop, hold, resume, override, enable, disable, reset, move, jog or release");
   const bool takes_hold = word != nullptr && word->takes_hold;
   if (!takes_hold && object.contains("hold"))
-    throw InputError("hold", object["hold"].dump(), instruction.what + " takes none");
+    throw InputError("hold", object["hold"].dump(), instruction.what + " takes no hold");
   if (takes_hold) instruction.hold = hold_of(object);
   const bool takes_value = word != nullptr && word->takes_value;
   if (!takes_value && object.contains("value"))
-    throw InputError("value", object["value"].dump(), instruction.what + " takes none");
+    throw InputError("value", object["value"].dump(), instruction.what + " takes no value");
   if (!takes_value) return instruction;
   instruction.value = value_of(object);
   if (const std::string rule = contradiction(order_of(instruction, *word)); !rule.empty())

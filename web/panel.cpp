@@ -97,7 +97,7 @@ struct Panel::Impl {
     try {
       const Instruction instruction = read_instruction(body);
       if (!board.has(instruction.axis))
-        throw InputError("axis", instruction.axis, "is none of this page's axes");
+        throw InputError("axis", instruction.axis, "is not an axis of this page");
       const CallOutcome outcome = outcome_of(instruction);
       return answer(outcome.ok()                            ? 200
                     : outcome.error == StreamError::refused ? 409

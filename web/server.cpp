@@ -108,7 +108,8 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     http::async_read_header(stream_, buffer_, parser_,
                             [self = shared_from_this()](error_code error, std::size_t /*size*/) {
                               if (error == http::error::header_limit)
-                                return self->answer(431, "the head of a request has 8 KB at most\n");
+                                return self->answer(431,
+                                                    "the head of a request must not exceed 8 KB\n");
                               if (!error) self->route();
                             });
   }
@@ -144,10 +145,10 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   // ---- an order ---------------------------------------------------------------------------------
 
   void order() {
-    if (!trusted_)
-      return answer(403, "open the address that jounce printed, to give orders\n");
-    if (!parser_.content_length()) return answer(411, "an order gives its Content-Length\n");
-    if (*parser_.content_length() > most_body) return answer(413, "an order has 1 KB at most\n");
+    if (!trusted_) return answer(403, "to send orders, open the address that jounce printed\n");
+    if (!parser_.content_length()) return answer(411, "an order needs a Content-Length\n");
+    if (*parser_.content_length() > most_body)
+      return answer(413, "an order must not exceed 1 KB\n");
     body_.emplace(std::move(parser_));
     body_->body_limit(most_body);
     http::async_read(stream_, buffer_, *body_,

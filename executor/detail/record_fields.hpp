@@ -256,7 +256,7 @@ struct Get {
   void operator()(const char* name, Ours& ours, const Theirs& theirs) const {
     if constexpr (std::is_enum_v<Ours>)
       if (theirs < (std::is_same_v<Ours, Direction> ? -1 : 0) || theirs >= count_of<Ours>)
-        throw InputError(name, std::to_string(theirs), "is no value of this field");
+        throw InputError(name, std::to_string(theirs), "is not a value of this field");
     ours = static_cast<Ours>(theirs);
   }
   void operator()(const char* /*name*/, std::optional<double>& ours, double theirs) const {

@@ -96,7 +96,7 @@ TEST(Part, GoesOnAsTheCamDoesOutsideItsInterval) {
   EXPECT_EQ(complaint([&] { return part(cam, 0, 1e9); }),
             "to = 1e+09: is more than 1e6 segments away from 0");
   EXPECT_EQ(complaint([&] { return part(cam, 360, 360 + 1e-12); }),
-            "to = 360.000000000001: is so near to 360 that nothing is left of the cam");
+            "to = 360.000000000001: is so near to 360 that no cam remains between them");
 }
 
 TEST(Part, AndTheRestAreTheWhole) {
@@ -126,7 +126,7 @@ TEST(Phased, IsLaterByThePhase) {
   EXPECT_EQ(phased(cam, 180).segments().size(), cam.segments().size())
       << "the wrap of the new one is a break of the old";
   EXPECT_EQ(complaint([&] { return phased(with(cam, Outside::hold), 10); }),
-            "phase = 10: needs a periodic cam; one that is not is moved by `shifted`");
+            "phase = 10: needs a periodic cam: use `shifted` for others");
 }
 
 TEST(Phased, KeepsThePeriodToTheLastDigit) {
@@ -253,13 +253,12 @@ TEST(Superimposed, NamesWhatHasNoPeriod) {
   EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 360.5, 1)); }),
             "no error")
       << "721 turns of one are 720 of the other";
-  EXPECT_EQ(
-      complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 100 * pi, 1)); }),
-      "period = 360 and 314.1592653589793: have no common period within 1000 turns: choose a ratio "
-      "of whole numbers, or cut out the stretch that is needed with `part`");
+  EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 100 * pi, 1)); }),
+            "period = 360 and 314.1592653589793: have no common period within 1000 turns: choose a "
+            "ratio of whole numbers, or cut out a part with `part`");
   EXPECT_EQ(complaint([&] { return superimposed(f, with(f, Outside::hold)); }),
-            "period = 360: is that of one of the cams only: the sum with a cam that holds is not "
-            "periodic; cut out the stretch that is needed with `part`");
+            "period = 360: belongs to one of the cams only: the sum with a cam that holds is not "
+            "periodic; cut out a part with `part`");
 }
 
 /// A Fourier cam of three harmonics.

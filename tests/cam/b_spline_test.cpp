@@ -150,7 +150,7 @@ TEST(BSpline, NamesWhatItRefuses) {
   EXPECT_EQ(of({1, {0, 0, 2, 1}, {0, 1}}),
             "knots[4] = 1: must not be less than 2, the knot before");
   EXPECT_EQ(of({1, {0, 0, 1, 1, 2, 2}, {0, 1, 2, 3}}),
-            "knots[3] = 1: stands more than 1 times: the curve would break");
+            "knots[3] = 1: occurs more than 1 times: the curve would break");
   EXPECT_EQ(of({1, {0, 1, 1, 2}, {0, 1}}),
             "knots[2] = 1: must be less than knots[3], where the curve ends");
   EXPECT_EQ(complaint([] {

@@ -268,7 +268,7 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
   expect_refused(with({s}, {.on_compensation = NAN}), "track[1].on_compensation", "finite");
   expect_refused(with({s}, {.track = 2}), "track[1].track", "no switch");
   expect_refused(with({s}, {.track = 33}), "track[1].track", "1 to 32");
-  expect_refused({.switches = {s}, .tracks = {{}, {}}}, "track[2].track", "already");
+  expect_refused({.switches = {s}, .tracks = {{}, {}}}, "track[2].track", "twice");
   expect_refused({.switches = {s}, .period = 0}, "period", "greater than 0");
   s.track = 0;
   expect_refused({.switches = {s}}, "switch[1].track", "1 to 32");
@@ -284,7 +284,7 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
   expect_refused({.switches = {s}}, "switch[1].duration", "missing");
   expect_refused({.switches = {pulse(1, 0)}}, "switch[1].duration", "greater than 0");
   expect_refused({.switches = {pulse(1, 1)}, .tracks = {{.on_compensation = 1}}},
-                 "switch[1].duration", "nothing is left");
+                 "switch[1].duration", "must be longer");
 }
 
 }  // namespace

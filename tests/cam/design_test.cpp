@@ -255,10 +255,9 @@ TEST(Design, NamesWhatContradictsItself) {
   EXPECT_EQ(complaint(spec), "segment[1].end.slave = 50: a dwell must stay at 0");
 
   spec.segments = {{Law::harmonic_combination, {100, 50}}, {Law::dwell, {200, 50}}};
-  EXPECT_EQ(
-      complaint(spec),
-      "segment[1].law = harmonic_combination: turns round at master 100, where the law `dwell` "
-      "beside it has no acceleration; a law from rest to rest would do");
+  EXPECT_EQ(complaint(spec),
+            "segment[1].law = harmonic_combination: reverses at master 100, where the law `dwell` "
+            "beside it has no acceleration; a law from rest to rest would do");
 
   spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
   EXPECT_EQ(complaint(spec).substr(0, 67),
@@ -275,10 +274,9 @@ TEST(Design, NamesWhatContradictsItself) {
 
   spec.segments = {{Law::modified_sine, {100, 50}}};
   spec.segments[0].points = {{.master = 50, .slave = 3}};
-  EXPECT_EQ(
-      complaint(spec),
-      "segment[1].points = 1: the law `modified_sine` does not go through points; polynomial, "
-      "cubic_spline, quintic_spline and hermite do");
+  EXPECT_EQ(complaint(spec),
+            "segment[1].points = 1: the law `modified_sine` takes no points: use polynomial, "
+            "cubic_spline, quintic_spline or hermite");
 
   spec.segments = {{Law::quintic, {100, std::nan(""), {}, {}}, ""}};
   EXPECT_EQ(complaint(spec), "segment[1].end.slave = nan: must be a finite number");

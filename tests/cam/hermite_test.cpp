@@ -78,7 +78,7 @@ TEST(Hermite, LawNamesWhatIsMissingOrContradicts) {
   spec.segments[0].points[0].geo_velocity.reset();
   EXPECT_EQ(
       complaint(spec),
-      "segment[1].points[1].geo_velocity: is missing: the law hermite takes it at every point");
+      "segment[1].points[1].geo_velocity: is missing: the law hermite needs it at every point");
 
   spec = rise_and_fall();
   spec.segments[0].end.geo_velocity = 0.2;
@@ -94,8 +94,8 @@ TEST(Hermite, LawNamesWhatIsMissingOrContradicts) {
   spec = rise_and_fall();
   spec.segments[0].points[0].tolerance = 0.1;
   EXPECT_EQ(complaint(spec),
-            "segment[1].points[1].tolerance = 0.1: a hermite law goes through its points; "
-            "`quintic_spline` takes a tolerance");
+            "segment[1].points[1].tolerance = 0.1: a hermite law passes through its points "
+            "exactly: use `quintic_spline` for a tolerance");
   EXPECT_THROW((void)hermite(std::vector<HermitePoint>{{0, 0}}), InputError);
   EXPECT_THROW((void)hermite(std::vector<HermitePoint>{{0, 0}, {0, 1}}), InputError);
   EXPECT_THROW((void)hermite(std::vector<HermitePoint>{{0, 0}, {1, std::nan("")}}), InputError);

@@ -195,7 +195,7 @@ TEST(SmoothingSpline, NamesWhatItRefuses) {
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1, -1}, {2, 0}}}),
             "points[2].tolerance = -1: must not be negative");
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1}, {2, 0}}, .ends = SplineEnds::not_a_knot}),
-            "ends = not_a_knot: a smoothing spline has natural or periodic ends");
+            "ends = not_a_knot: a smoothing spline needs natural or periodic ends");
   EXPECT_EQ(complaint({.points = {{0, 0, 1}, {1, 1}, {2, 0, 0.5}}, .ends = SplineEnds::periodic}),
             "points[3].tolerance = 0.5: must be 1: the first and the last point of a periodic "
             "table are one");

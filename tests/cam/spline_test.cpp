@@ -328,10 +328,10 @@ TEST(Spline, NamesWhatItRefuses) {
   EXPECT_EQ(complaint(quintic_spline, {.points = {{0, 0}, {1, NAN}}}),
             "points[2].slave = nan: must be a finite number");
   EXPECT_EQ(complaint(quintic_spline, {.points = {{0, 0}, {1, 1, 0.5}}}),
-            "points[2].tolerance = 0.5: a spline through points has none: take a smoothing spline");
+            "points[2].tolerance = 0.5: a spline through points has none: use a smoothing spline");
   EXPECT_EQ(
       complaint(cubic_spline, {.points = {{0, 0}, {1, 1}}, .start = {{}, 1}}),
-      "start.geo_acceleration = 1: a cubic spline takes geo_velocity alone: take a quintic spline");
+      "start.geo_acceleration = 1: a cubic spline takes geo_velocity only: use a quintic spline");
   EXPECT_EQ(complaint(quintic_spline,
                       {.points = {{0, 0}, {1, 1}}, .ends = SplineEnds::periodic, .end = {1, {}}}),
             "end.geo_velocity = 1: only natural ends take a derivative: leave it out");

@@ -97,10 +97,10 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
             "jounce: `chek` is not a verb. Did you mean check? (jounce --help shows all)\n");
   const Result option = run("check --limt x");
   EXPECT_EQ(option.status, 2);
-  EXPECT_EQ(
-      option.err,
-      "jounce: `--limt` is not an option here. Did you mean --limit? (jounce check --help shows "
-      "all)\n");
+  EXPECT_EQ(option.err,
+            "jounce: `--limt` is not an option of this verb. Did you mean --limit? (jounce check "
+            "--help shows "
+            "all)\n");
   EXPECT_EQ(run("check nothing.toml").status, 2);
 }
 
@@ -120,7 +120,7 @@ TEST_F(Cli, AValueThatDoesNotFitItsOptionIsToldWithItsRule) {
             "jounce: --over = tiem: must be one of master, time; did you mean time?\n");
   EXPECT_EQ(told("stop a --patience nan"),
             "jounce: --patience = nan: must be a number of seconds, 0.001 to 1e12\n");
-  EXPECT_EQ(told("-x"), "jounce: `-x` is not an option here (jounce --help shows all)\n");
+  EXPECT_EQ(told("-x"), "jounce: `-x` is not an option of this verb (jounce --help shows all)\n");
   EXPECT_EQ(told("design " + cam + " -o"),
             "jounce: --output: 1 required value missing (jounce design --help shows all)\n");
 }
@@ -131,7 +131,7 @@ TEST_F(Cli, AValueThatIsLeftOutIsNotTheNextWord) {
   EXPECT_EQ(run("run --log= a.toml a.toml --url memq:// --seconds 0.1").err,
             "jounce: --log: has no value behind its =\n");
   EXPECT_THAT(run("run a.toml --log a.toml --url memq:// --seconds 0.1").err,
-              HasSubstr("--log = a.toml: is the input"));
+              HasSubstr("--log = a.toml: is also the input"));
   EXPECT_THAT(slurp(folder / "a.toml"), HasSubstr("kind = \"axis\""));
 }
 
@@ -178,8 +178,7 @@ TEST_F(Cli, AMissingFolderIsRefusedBeforeTheWorkThatItWouldHold) {
     const Result missing = run(verb + " " + option + " nowhere/x.svg");
     EXPECT_EQ(missing.status, 2) << verb;
     EXPECT_EQ(missing.err, "jounce: " + option +
-                               " = nowhere/x.svg: cannot be written: there is no "
-                               "folder nowhere\n");
+                               " = nowhere/x.svg: cannot be written: missing folder nowhere\n");
     EXPECT_THAT(run(verb + " " + option + " .").err, HasSubstr(option + " = .: is a folder"));
   }
   EXPECT_THAT(files(), ::testing::IsEmpty());
@@ -227,8 +226,8 @@ TEST_F(Cli, IdentifyFindsTheInertiaThatWasRecorded) {
   EXPECT_THAT(slurp(folder / "fit.svg"), StartsWith("<svg"));
   EXPECT_EQ(run(identify + " --plot fit.png").status, 0);
   EXPECT_EQ(slurp(folder / "fit.png").substr(1, 3), "PNG");  // not SVG by another name
-  EXPECT_THAT(run(identify + " -o drive.toml").err, HasSubstr("is the input"));
-  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("is the input"));
+  EXPECT_THAT(run(identify + " -o drive.toml").err, HasSubstr("is also the input"));
+  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("is also the input"));
   EXPECT_EQ(run("identify drive.toml --log run.csv --fit mass[1].inertai").status, 2);
 }
 
@@ -306,7 +305,7 @@ TEST_F(Cli, TheLoopOfADriveAloneIsDrawn) {
   EXPECT_EQ(slurp(folder / "n.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("plot gear.toml --drive bode").err,
-              HasSubstr("drive: is missing: only a spec with a [drive] has such a picture"));
+              HasSubstr("drive: is missing: this picture needs a spec with a [drive]"));
 }
 
 /// What the model does is a recording that `identify` reads.
@@ -498,8 +497,9 @@ TEST_F(Cli, CheckTellsTheRampOfAScaledCoupling) {
 TEST_F(Cli, CheckNamesAnEndThatMoves) {
   const Result gear = run("check " + examples + "pmc600-gear-in-pos/gear.toml");
   EXPECT_THAT(gear.out, HasSubstr("coupling/end"));
-  EXPECT_THAT(gear.out, HasSubstr("at the master's 10000 pulse/s the slave moves at 5000 pulse/s "
-                                  "there; behind a live master it stays in gear beyond its table"));
+  EXPECT_THAT(gear.out,
+              HasSubstr("at the master's 10000 pulse/s the slave moves at 5000 pulse/s "
+                        "there; with a live master, it stays in gear after the end of its table"));
   const std::string once =
       "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
       "start = { master = 0, slave = 0 }\n[[segment]]\nlaw = \"quintic\"\n"
@@ -509,7 +509,7 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
   const Result cam_once = run("check once.toml");
   EXPECT_EQ(cam_once.status, 1) << "held at its end it stops dead";
   EXPECT_THAT(cam_once.out, HasSubstr("at the master's 180 deg/s the slave moves at 90 mm/s there; "
-                                      "behind a live master it brakes there"));
+                                      "with a live master, it brakes there"));
   EXPECT_THAT(cam_once.out, HasSubstr("warn   coupling/end"));
   write("scaled.toml", once + "[coupling]\nstart = \"absolute\"\nslave_scaling = 2\n");
   EXPECT_THAT(run("check scaled.toml").out, HasSubstr("the slave moves at 180 mm/s there"));
@@ -575,11 +575,11 @@ TEST_F(Cli, MapShowsWhereAKnifeWithoutADwellTurnsBack) {
   write("knife.toml", knife);
   const Result map = run("map knife.toml --from 5 --to 25 --steps 3");
   EXPECT_EQ(map.status, 0) << map.err;
-  EXPECT_THAT(map.out, HasSubstr("# reversal: turns back: needs dwell\n"));
+  EXPECT_THAT(map.out, HasSubstr("# reversal: reverses: needs dwell\n"));
   EXPECT_THAT(map.out, HasSubstr("# from 19.8967534727"));
   EXPECT_THAT(map.out, HasSubstr("\n25,,,reversal\n"));
   EXPECT_EQ(run("map knife.toml -o map.svg").status, 0);
-  EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("turns back: needs dwell"));
+  EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("reverses: needs dwell"));
 }
 
 TEST_F(Cli, MapAndCheckOfAShearAgree) {
@@ -661,8 +661,7 @@ TEST_F(Cli, LimitsFromTheCommandLineTakeUnits) {
   EXPECT_EQ(run("check " + cam + " --limit geo_velocity=4 --limit geo_acceleration=0.2").status, 0);
   const Result wrong = run("check " + cam + " --limit geo_velocity='4 mm'");
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(wrong.err,
-              HasSubstr("the unit mm does not fit; here a value in pulse/pulse is expected"));
+  EXPECT_THAT(wrong.err, HasSubstr("the unit mm does not fit; the value must be in pulse/pulse"));
   EXPECT_EQ(run("check " + cam + " --limit velocity=4").status, 2);
   EXPECT_EQ(run("check " + cam + " --limit geo_velocity=nan").status, 2);
 }
@@ -953,8 +952,10 @@ TEST_F(Cli, AMissingRendererIsAFaultOfTheMachineThatNamesIt) {
   const Result result =
       run("laws > /dev/null; PATH=/nowhere " JOUNCE_EXE " plot " + cam + " -o cam.png");
   EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.err,
-              StartsWith("jounce: PNG needs rsvg-convert (Debian: librsvg2-bin), SVG does not"));
+  EXPECT_THAT(
+      result.err,
+      StartsWith(
+          "jounce: needs rsvg-convert (Debian: librsvg2-bin); write .svg instead, or install it"));
   EXPECT_TRUE(files().empty());
 }
 
@@ -967,7 +968,7 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
        {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear", "report p.toml -o p.csv"}) {
     const Result result = run(verb);
     EXPECT_EQ(result.status, 2) << verb;
-    EXPECT_THAT(result.err, HasSubstr("p.csv: is an input")) << verb;
+    EXPECT_THAT(result.err, HasSubstr("p.csv: is also an input")) << verb;
     EXPECT_EQ(slurp(folder / "p.csv"), points) << verb;
   }
   EXPECT_EQ(run("design p.toml -o table.csv").status, 0);
@@ -976,10 +977,10 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
   write("a.toml", "jounce = 1\nkind = \"machine\"\n");
   EXPECT_THAT(run("check a.toml").err,
-              HasSubstr("a.toml:2:8: kind = \"machine\": is what `jounce run` takes"));
+              HasSubstr("a.toml:2:8: kind = \"machine\": is for `jounce run`"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
   EXPECT_THAT(run("check a.toml").err,
-              HasSubstr("a.toml:2:8: kind = \"sweep\": is what `jounce sweep` takes"));
+              HasSubstr("a.toml:2:8: kind = \"sweep\": is for `jounce sweep`"));
 }
 
 TEST_F(Cli, AnEnergyIsNoPosition) {
@@ -989,7 +990,7 @@ TEST_F(Cli, AnEnergyIsNoPosition) {
   text.replace(at, text.find('"', at + 12) + 1 - at, "position = \"J\"");
   write("move.toml", text);
   EXPECT_THAT(run("check move.toml").err,
-              HasSubstr("units.position = \"J\": does not measure a position"));
+              HasSubstr("units.position = \"J\": is not a unit of position"));
 }
 
 const std::string via = examples + "generators/08-via.toml";
@@ -1019,8 +1020,8 @@ TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
   const Result piped = run("design " + via);
   EXPECT_EQ(piped.status, 2);
   EXPECT_EQ(piped.err,
-            "jounce: --output: is missing: several axes need a file each; -o a.csv writes a-x.csv "
-            "and so on, --axis x makes this one alone\n");
+            "jounce: --output: is missing: each axis needs a file; -o a.csv writes a-x.csv "
+            "and so on, --axis x writes one axis only\n");
   EXPECT_EQ(piped.out, "");
   const Result other = run("design --axis z " + via);
   EXPECT_EQ(other.status, 2);
@@ -1030,8 +1031,8 @@ TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
   for (const std::string verb : {"report ", "stream --to feeder --url memq:// "}) {
     const Result result = run(verb + via);
     EXPECT_EQ(result.status, 2) << verb;
-    EXPECT_EQ(result.err, "jounce: --axis: is missing: this verb takes one axis at a time, " + via +
-                              " has x, y\n");
+    EXPECT_EQ(result.err,
+              "jounce: --axis: is missing: this verb works with one axis, " + via + " has x, y\n");
   }
   EXPECT_EQ(run("report --axis x " + via + " -o x.html").status, 0);
   EXPECT_EQ(run("plot " + via + " --before " + via).status, 2);
@@ -1085,8 +1086,8 @@ TEST_F(Cli, PlotDrawsAllAxesOfOneUnit) {
   spec.replace(spec.find("name = \"y\""), 10, "name = \"y\"\nunit = \"deg\"");
   write("mixed.toml", spec);
   EXPECT_EQ(run("plot mixed.toml").err,
-            "jounce: --axis: is missing: x and y have different units, and do not go into one "
-            "picture\n");
+            "jounce: --axis: is missing: x and y have different units, so one picture cannot show "
+            "both\n");
   EXPECT_THAT(run("plot mixed.toml --axis y").out, HasSubstr("deg"));
 }
 
@@ -1205,8 +1206,8 @@ TEST_F(Cli, ConvertJudgesSplinesAsSplines) {
   EXPECT_LT(splines["error"].get<double>(), lines["error"].get<double>() / 100);
   EXPECT_THAT(slurp(folder / "a.csv"), StartsWith("CYCLIC;YES;"));
   EXPECT_THAT(splines["losses"].dump(), HasSubstr("cubic spline"));
-  EXPECT_THAT(splines["losses"].dump(), Not(HasSubstr("that it repeats")));
-  EXPECT_THAT(lines["losses"].dump(), HasSubstr("that it repeats"));
+  EXPECT_THAT(splines["losses"].dump(), Not(HasSubstr("that the cam repeats")));
+  EXPECT_THAT(lines["losses"].dump(), HasSubstr("that the cam repeats"));
   const json knots =
       json::parse(run("convert a.toml b.csv --to kollmorgen --intervals 6 --json").out);
   EXPECT_GT(knots["error"].get<double>(), 1e3 * splines["error"].get<double>());
@@ -1222,9 +1223,8 @@ TEST_F(Cli, TakesOneOfTheCamsOfADeclaration) {
   write("both.st", both);
   const Result asked = run("convert both.st c.xyva");
   EXPECT_EQ(asked.status, 2);
-  EXPECT_EQ(
-      asked.err,
-      "jounce: --axis: is missing: this verb takes one axis at a time, both.st has Cam, Other\n");
+  EXPECT_EQ(asked.err,
+            "jounce: --axis: is missing: this verb works with one axis, both.st has Cam, Other\n");
   EXPECT_EQ(run("convert both.st c.xyva --axis Other").status, 0);
   EXPECT_EQ(run("diff c.xyva A.csv").status, 0);
   EXPECT_EQ(run("check both.st").status, 0);
@@ -1260,20 +1260,20 @@ TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
       run("convert m.toml q.csv --controller googol_pt --position-resolution 1pulse");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err,
-              HasSubstr("--position-resolution = 1: cannot be kept by quadratic pieces"));
+              HasSubstr("--position-resolution = 1: cannot be used with quadratic pieces"));
   EXPECT_THAT(run("convert m.toml q.csv --to points --rule cubic_hermite").err,
-              HasSubstr("is no parabola"));
+              HasSubstr("is not a parabola"));
 }
 
 TEST_F(Cli, ConvertSaysWhatToDoWithPulses) {
   EXPECT_EQ(run("new cam -o a.toml").status, 0);  // deg and mm
   const Result position = run("convert a.toml a.csv --most 32 --position-resolution 1pulse");
   EXPECT_EQ(position.status, 2);
-  EXPECT_THAT(position.err, HasSubstr("say how much a pulse is, such as --position-resolution "
+  EXPECT_THAT(position.err, HasSubstr("give the size of a pulse, such as --position-resolution "
                                       "\"0.001 mm\""));
   const Result controller = run("convert a.toml a.csv --controller googol_follow");
   EXPECT_EQ(controller.status, 2);
-  EXPECT_THAT(controller.err, HasSubstr("--resolution says how much one is"));
+  EXPECT_THAT(controller.err, HasSubstr("give the size of one with --resolution"));
   EXPECT_EQ(run("convert a.toml a.csv --controller googol_follow --resolution 0.01deg").status, 0);
 }
 
@@ -1359,7 +1359,7 @@ end = { master = 360, slave = 360 }
   EXPECT_THAT(result.out, HasSubstr("(2 warnings)"));
   EXPECT_THAT(result.out,
               HasSubstr("warn   warning/velocity_overshoot geo_velocity 1.512 deg/deg"));
-  EXPECT_THAT(result.out, HasSubstr("take a master length from 200 to 300"));
+  EXPECT_THAT(result.out, HasSubstr("use a master length from 200 to 300"));
 }
 
 // A terminal obeys an escape sequence wherever it comes from.

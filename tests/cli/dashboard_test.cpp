@@ -162,8 +162,8 @@ TEST(Dashboard, SaysThatAnAxisIsSilentInPlaceOfItsState) {
 }
 
 TEST(Dashboard, SaysThatNothingIsHeard) {
-  EXPECT_THAT(screen({}, {}), HasSubstr("nothing is heard yet"));
-  EXPECT_THAT(screen({{.name = "feeder"}}, {}), HasSubstr("not heard yet"));
+  EXPECT_THAT(screen({}, {}), HasSubstr("no message yet"));
+  EXPECT_THAT(screen({{.name = "feeder"}}, {}), HasSubstr("no message yet"));
 }
 
 TEST(Dashboard, HasAMarkForOneLateCycleAmongMillions) {

@@ -116,7 +116,7 @@ try:
 
     monitor = Monitor("nobody", "--silence", "1")
     expect(monitor.end() == 3, "nobody is heard, and that is fine")
-    expect(b"nobody has been silent for 1 s" in monitor.out, "it does not say who is silent")
+    expect(b"nobody has sent no message for 1 s" in monitor.out, "it does not say who is silent")
 finally:
     executor.terminate()
     executor.wait()

@@ -128,7 +128,7 @@ stands_at x 160
 
 # Several axes: all or none, all reasons, one tick.
 refused "one of two stands elsewhere" 'x: refused.*start_position' 0-80.toml --to y,x
-grep -q 'y: .*not started, because x refuses' out.txt || fail "y is not named: $(cat out.txt)"
+grep -q 'y: .*not started, because x rejected its start' out.txt || fail "y is not named: $(cat out.txt)"
 stands_at y 0
 stream 200-280.toml --to x --rolling --ahead 2 --relative || fail "to 240: $(cat out.txt)"
 refused "two reasons" 'x: refused.*start_position' 200-280.toml --to x,y
@@ -175,7 +175,7 @@ sleep 4
 stream 7-6.toml --to carr --live || fail "7-6: $(cat out.txt)"
 stream gip.toml --to gear --live || fail "GearInPos: $(cat out.txt)"
 stream 7-7.toml --to carr && fail "pass without a live master"
-grep -q 'follow.pass = 50000: is a place of a live master: stream it with --live' out.txt || fail "says $(cat out.txt)"
+grep -q 'follow.pass = 50000: is a position of a live master: stream it with --live' out.txt || fail "says $(cat out.txt)"
 "$jounce" order line jog 10000 --acceleration 20000 > /dev/null
 sleep 3
 "$jounce" order line halt --deceleration 20000 > /dev/null

@@ -334,7 +334,7 @@ TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
   Site site({feeder()});
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
   EXPECT_EQ(flood(site, owner, 100, 150), "");
-  EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("more commands wait"));
+  EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("too many commands are waiting"));
   site.advance(100ms);  // of which one a tick is obeyed
   EXPECT_EQ(site.last().fault, Cause::none);
   EXPECT_EQ(flood(site, owner, 2000, 2001), "");

@@ -117,11 +117,13 @@ std::string complaint(const std::string& csv) {
 }
 
 TEST(Played, RefusesWhatIsNoLog) {
-  EXPECT_EQ(complaint(""), "run.csv:1: tick: is missing: this is not a tick log");
-  EXPECT_EQ(complaint("a,b\n1,2\n"), "run.csv:1: tick: is missing: this is not a tick log");
-  EXPECT_EQ(complaint(header), "run.csv: job: the log holds no motion");
+  EXPECT_EQ(complaint(""),
+            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+  EXPECT_EQ(complaint("a,b\n1,2\n"),
+            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+  EXPECT_EQ(complaint(header), "run.csv: job: the log contains no motion");
   EXPECT_EQ(complaint(header + "0,0,standstill,0,0,0,none\n1,0.1,discr"),
-            "run.csv:3: row = 1,0.1,discr: does not have as many values as the header");
+            "run.csv:3: row = 1,0.1,discr: must have as many values as the header");
   EXPECT_EQ(complaint(header + "0,0,discrete_motion,0,nan,1,none\n"),
             "run.csv:2: position = nan: must be a finite number");
 }

@@ -319,7 +319,7 @@ TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
       FAIL();
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("JOUNCE.cycle"));
-      EXPECT_THAT(error.what(), HasSubstr("by the version of jounce that wrote it"));
+      EXPECT_THAT(error.what(), HasSubstr("with the version of jounce that wrote it"));
     }
   }
 }
@@ -344,7 +344,7 @@ TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
     replayed(bytes);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("does not have the hash"));
+    EXPECT_THAT(error.what(), HasSubstr("does not match its hash"));
   }
 }
 
@@ -382,7 +382,7 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
   EXPECT_EQ(result.compared, static_cast<std::int64_t>(Tape::capacity));
   EXPECT_EQ(result.cycles, static_cast<std::int64_t>(Tape::capacity) + 10);
-  EXPECT_THAT(result.shorter, HasSubstr("100 cycles found no room"));
+  EXPECT_THAT(result.shorter, HasSubstr("100 cycles are missing"));
 }
 
 TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {

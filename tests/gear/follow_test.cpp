@@ -163,7 +163,7 @@ TEST(Follow, Example79MisprintIsNamed) {
   EXPECT_EQ(f->segment, 5U) << "the third segment of table 2";
   EXPECT_EQ(f->where, 60000 + 260000);
   EXPECT_NEAR(f->value, -0.85454545454545, 1e-12);
-  EXPECT_THAT(f->advice, HasSubstr("220000, is 11 times the usual 20000: a misprint?"));
+  EXPECT_THAT(f->advice, HasSubstr("220000, is 11 times the usual 20000: check it"));
   EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "what follows from it is not told";
 }
 
@@ -248,7 +248,7 @@ TEST(Follow, RefusesWhatCannotBePlayed) {
             "segment[2].master = 100: must be greater than 100, the point before");
   EXPECT_EQ(text({{example_7_8(), {{{100, NAN}}}}}),
             "table[2].segment[1].slave = nan: must be a finite number");
-  EXPECT_THAT(text({{example_7_7(), example_7_7()}}), HasSubstr("table[1].loops = 0: is for ever"));
+  EXPECT_THAT(text({{example_7_7(), example_7_7()}}), HasSubstr("table[1].loops = 0: is endless"));
   FollowTable many = example_7_7();
   many.loops = 1'000'000;
   EXPECT_THAT(text({{many}}), HasSubstr("more than 1e6 segments"));

@@ -131,7 +131,7 @@ TEST(Feasibility, NamesTheLimitThePlaceAndTheFastestMaster) {
   EXPECT_EQ(f.rule, "feasible/acceleration");
   EXPECT_NEAR(f.limit, std::sqrt(0.02 / 5e-6), 1e-9);
   EXPECT_LE(f.where, 100000);
-  EXPECT_NE(f.advice.find("let the master run at 63.24"), std::string::npos) << f.advice;
+  EXPECT_NE(f.advice.find("slow the master down to 63.24"), std::string::npos) << f.advice;
   EXPECT_FALSE(report.findings[1].broken);
   EXPECT_NEAR(report.findings[1].limit, 120, 1e-9);
   EXPECT_TRUE(feasibility(made.cam, slave, {.velocity = 63}).ok());
@@ -148,7 +148,7 @@ TEST(Feasibility, OfAGearAtOnceSaysThatNoSpeedIsSlowEnough) {
   ASSERT_EQ(report.broken(), 1U);
   EXPECT_EQ(report.findings[0].where, 10);
   EXPECT_EQ(report.findings[0].advice,
-            "no speed of the master keeps the slave's acceleration limit here");
+            "no speed of the master keeps the acceleration limit of the slave here");
 }
 
 }  // namespace

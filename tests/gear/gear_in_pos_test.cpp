@@ -184,14 +184,14 @@ TEST(EngageWindow, SaysWhichDistancesWouldDo) {
   EXPECT_EQ(window.rho, 1);
   EXPECT_NEAR(window.least, 20000 / 3.0, 1e-9);
   EXPECT_NEAR(window.greatest, 10000, 1e-9);
-  EXPECT_NE(window.advice.find("to 10000 instead of 4000: the slave goes faster than the gear"),
-            std::string::npos)
+  EXPECT_NE(
+      window.advice.find("to 10000 instead of 4000: the slave exceeds the velocity of the gear"),
+      std::string::npos)
       << window.advice;
   GearInPosSpec against = example_62();
   against.slave_start = 3000;
   EXPECT_FALSE(engage_window(against).exists);
-  EXPECT_EQ(engage_window(against).advice,
-            "the slave's way goes against the gear: it must turn back");
+  EXPECT_EQ(engage_window(against).advice, "the slave moves against the gear: it must reverse");
 }
 
 TEST(AvoidReversal, TakesAModuloSlaveTurnsFurther) {

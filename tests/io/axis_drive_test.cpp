@@ -77,7 +77,7 @@ TEST(AxisDriveSpec, TakesAModelFromAFileBesideItsOwn) {
   const std::string name = (folder / "a.toml").string();
   std::ofstream(name) << head;
   EXPECT_EQ(read("[drive]\nspec = \"deg.toml\"\n", name)->model->motor.inertia, 7e-5);
-  EXPECT_THAT(complaint("[drive]\nspec = \"mm.toml\"\n", name), HasSubstr("it counts in mm"));
+  EXPECT_THAT(complaint("[drive]\nspec = \"mm.toml\"\n", name), HasSubstr("has the unit mm"));
   EXPECT_THAT(complaint("[drive]\nspec = \"a.toml\"\n", name), HasSubstr("of kind \"drive\""));
   EXPECT_NE(complaint("[drive]\nspec = \"none.toml\"\n", name), "");
   std::filesystem::remove_all(folder);

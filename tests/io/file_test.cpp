@@ -55,9 +55,11 @@ TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
     (void)read_file(in("points.csv"));
     for (const char* name : {"points.csv", "link.csv"})
       EXPECT_THAT(why([&] { write_file(in(name), "made"); }),
-                  HasSubstr(std::string(name) + ": is an input"));
-    EXPECT_THAT(why([&] { write_files({{in("new.csv"), ""}, {in("points.csv"), ""}}); }),
-                HasSubstr("is an input"));
+                  HasSubstr(std::string(name) + ": is also an input"));
+    EXPECT_THAT(why([&] {
+                  write_files({{in("new.csv"), ""}, {in("points.csv"), ""}});
+                }),
+                HasSubstr("is also an input"));
     EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
     write_file(in("other.csv"), "made");
   }

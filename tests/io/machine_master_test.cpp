@@ -95,7 +95,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
               HasSubstr("1 to 23 of A-Z a-z 0-9 _ -"));
   EXPECT_THAT(complaint("[master.a]\nkind = \"encoder\"\nunit = \"mm\"\nvelocity = 1\n"
                         "acceleration = 2\n"),
-              HasSubstr("either an axis or a drive"));
+              HasSubstr("an axis or of a drive"));
   EXPECT_THAT(complaint("[master]\nline = 3\n"), HasSubstr("must be a table"));
 }
 

@@ -495,7 +495,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "agito_quasi_sine, agito_jog, pmc600, pmc600_ls, pmc600_ls_velocity, "
                   "pmc600_position_to_velocity, pmc600_inch, pmc600_jog"},
         BadMotion{move_spec(point + "jrek = 3"),
-                  "a.toml:9:1: move.jrek = 3: is not a key that belongs here: did you mean jerk?"},
+                  "a.toml:9:1: move.jrek = 3: is not a key of this table: did you mean jerk?"},
         BadMotion{move_spec(point + "jerk = -3"),
                   "a.toml:9:8: move.jerk = -3: must be greater than 0"},
         BadMotion{move_spec(point + "velocity_down = 0"),
@@ -503,11 +503,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(point + "duration = 0"),
                   "a.toml:9:12: move.duration = 0: must be greater than 0"},
         BadMotion{move_spec(point + "duration = 5"),
-                  "a.toml:9:12: move.duration = 5: the move takes longer than that; the next "
+                  "a.toml:9:12: move.duration = 5: the move takes longer than the given duration; "
+                  "the next "
                   "possible one is 5.5"},
         BadMotion{move_spec(point + "direction = \"shortest\""),
                   "a.toml:9:13: move.direction = \"shortest\": needs the period of the axis: only "
-                  "one that comes round again has several ways"},
+                  "a modulo axis has a choice of direction"},
         BadMotion{move_spec(point + "period = -360"),
                   "a.toml:9:10: move.period = -360: must be greater than 0"},
         BadMotion{move_spec(point + "to_velocity = 11"),
@@ -518,15 +519,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(point + "position_min = 60\nposition_max = 40"),
                   "a.toml:9:16: move.position_min = 60: must be below position_max"},
         BadMotion{move_spec(point + "from = 50"),
-                  "a.toml:6:6: move.to: is where the axis is already: there is no move"},
+                  "a.toml:6:6: move.to: is the start position: there is no move"},
         BadMotion{move_spec("profile = \"velocity\"\nto_velocity = 0\nacceleration = 1"),
-                  "a.toml:6:15: move.to_velocity: is where the axis is already: there is no move"},
+                  "a.toml:6:15: move.to_velocity: is the start position: there is no move"},
         BadMotion{move_spec("profile = \"velocity\"\nacceleration = 1"),
                   "a.toml:4:1: move.to_velocity: is missing"},
         BadMotion{move_spec("profile = \"fourth_order\"\nto = 1\nvelocity = 1\nacceleration = 1\n"
                             "jerk = 1\njounce = \"1 mm/s^3\""),
-                  "a.toml:10:10: move.jounce = \"1 mm/s^3\": the unit mm/s^3 does not fit; here a "
-                  "value in mm/s^4 is expected"},
+                  "a.toml:10:10: move.jounce = \"1 mm/s^3\": the unit mm/s^3 does not fit; the "
+                  "value must be in mm/s^4"},
         BadMotion{move_spec(trap),
                   "a.toml:3:22: units.position = \"mm\": must be pulse for the profiles of Googol"},
         BadMotion{move_spec(trap, "", "position = \"pulse\""),
@@ -545,13 +546,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(agito_lines + "jerk = 10"),
                   "a.toml:9:8: move.jerk = 10: must be between 0 and 9"},
         BadMotion{move_spec(agito_lines + "rpt_wait = 10"),
-                  "a.toml:9:12: move.rpt_wait = 10: goes with strokes, which make the move "
-                  "repetitive"},
+                  "a.toml:9:12: move.rpt_wait = 10: needs strokes, which make the move repetitive"},
         BadMotion{move_spec(with(agito_lines, "2000", "3000000000")),
-                  "a.toml:6:12: move.abs_trgt = 3000000000: must be a number of 32 bits"},
+                  "a.toml:6:12: move.abs_trgt = 3000000000: must fit 32 bits"},
         BadMotion{move_spec("profile = \"agito_quasi_sine\"\namplitude = 0.3\nfrequency = 5"),
-                  "a.toml:6:13: move.amplitude = 0.3: must make a whole stroke: RelTrgt = 2 "
-                  "amplitude"},
+                  "a.toml:6:13: move.amplitude = 0.3: must be half of RelTrgt"},
         BadMotion{move_spec(himc_lines + "acceleration_time = 5"),
                   "a.toml:8:16: move.acceleration = 20: must be given, or else acceleration_time, "
                   "not both"},
@@ -567,17 +566,18 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:14:8: command[2].type = \"relativ\": did you mean \"relative\"? It must be "
             "one of absolute, relative, velocity, halt, dwell"},
         BadMotion{with(queue_spec, "velocity = 100\n", ""),
-                  "a.toml:9:1: command[1].velocity: is missing: give it here, or for all under "
-                  "[dynamics]"},
+                  "a.toml:9:1: command[1].velocity: is missing: give it here, or for all commands "
+                  "under [dynamics]"},
         BadMotion{
             with(queue_spec, "issued = 3\n", ""),
             "a.toml:25:1: command[5].issued: an aborting command needs the time at which it is "
             "issued"},
         BadMotion{with(queue_spec, "direction = -1", "direction = 2"),
                   "a.toml:24:13: command[4].direction = 2: must be 1 or -1"},
-        BadMotion{with(queue_spec, "time = \"200 ms\"", "time = \"200 ms\"\nvelocity = 3"),
-                  "a.toml:22:1: command[3].velocity = 3: is not a key that belongs here; known: "
-                  "issued, mode, time, type"},
+        BadMotion{
+            with(queue_spec, "time = \"200 ms\"", "time = \"200 ms\"\nvelocity = 3"),
+            "a.toml:22:1: command[3].velocity = 3: is not a key of this table; possible keys: "
+            "issued, mode, time, type"},
         BadMotion{"jounce = 1\nkind = \"queue\"\nunits = { position = \"mm\" }\n",
                   "a.toml: command = none: a queue needs a command"},
         // Axes.
@@ -585,19 +585,19 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:4:8: sync = \"fase\": did you mean \"phase\"? It must be one of none, "
                   "time, phase, time_if_moving, phase_or_time"},
         BadMotion{with(axes_spec, "\"c\"", "\"x\""),
-                  "a.toml:14:8: axis[2].name = \"x\": is the name of another axis already"},
+                  "a.toml:14:8: axis[2].name = \"x\": is the name of another axis"},
         BadMotion{with(axes_spec, "\"c\"", "\"a/b\""),
-                  "a.toml:14:8: axis[2].name = \"a/b\": must be of letters, digits, - and _"},
+                  "a.toml:14:8: axis[2].name = \"a/b\": must consist of letters, digits, - and _"},
         BadMotion{with(axes_spec, "to = 90\n", ""), "a.toml:13:1: axis[2].to: is missing"},
         BadMotion{
             with(axes_spec, "jerk = 100000\nlimits", "jerk = 100000\nto_velocity = 9\nlimits"),
-            "a.toml:14:1: axis[2]: velocities and accelerations of start and target do not lie "
-            "on the line between them, or on that line an axis would pass its velocity limit"},
+            "a.toml:14:1: axis[2]: the velocities and accelerations of start and target are not "
+            "along the line between them, or an axis would exceed its velocity limit on this line"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n",
                   "a.toml: axis: is missing: give each axis as [[axis]]"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n[limits]\n"
                   "velocity = 1\n[[axis]]\nname = \"x\"\nto = 1\nvelocity = 1\nacceleration = 1\n",
-                  "a.toml:4:2: limits = a table: is not a key that belongs here; known: axis, "
+                  "a.toml:4:2: limits = a table: is not a key of this table; possible keys: axis, "
                   "compare, duration, jounce, kind, name, point, sync, then, units"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
@@ -615,16 +615,17 @@ INSTANTIATE_TEST_SUITE_P(
                   "compensation"},
         BadMotion{move_spec(s_curve_lines, "[[then]]\noperator = \"moving_average\"\nwindow = 0"),
                   "a.toml:13:10: then[1].window = 0: must be greater than 0"},
-        BadMotion{move_spec(s_curve_lines,
-                            "[[then]]\noperator = \"shaper\"\nkind = \"zv\"\n"
-                            "frequency = 5\ntolerance = 0.1"),
-                  "a.toml:15:1: then[1].tolerance = 0.1: is not a key that belongs here; known: "
-                  "controller, damping, frequency, kind, operator"},
+        BadMotion{
+            move_spec(s_curve_lines,
+                      "[[then]]\noperator = \"shaper\"\nkind = \"zv\"\n"
+                      "frequency = 5\ntolerance = 0.1"),
+            "a.toml:15:1: then[1].tolerance = 0.1: is not a key of this table; possible keys: "
+            "controller, damping, frequency, kind, operator"},
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"notch\"\nfrequency = 5\nmode_damping = 2"),
                   "a.toml:14:16: then[1].mode_damping = 2: must be less than damping"},
         BadMotion{move_spec(s_curve_lines, "[[then]]\noperator = \"retime\""),
-                  "a.toml: limits: do not bound the motion: any speed would keep them"},
+                  "a.toml: limits: do not limit the motion: every speed keeps them"},
         BadMotion{
             move_spec(s_curve_lines, "[[then]]\noperator = \"override\"\n[limits]\njerk = 100"),
             "a.toml:13:1: limits: need a velocity, an acceleration and a jerk"},
@@ -641,12 +642,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec("profile = \"velocity\"\nto_velocity = 20\nacceleration = 100",
                             "[[then]]\noperator = \"moving_average\"\nwindow = 1"),
                   "a.toml:9:12: then[1].operator: needs a motion from rest to rest; this one has "
-                  "velocity 20 at an end"},
+                  "the velocity 20 at an end"},
         BadMotion{std::string(axes_spec) +
                       "[[then]]\noperator = \"new_target\"\ntime = 0\nto = 3\nvelocity = 1\n"
                       "acceleration = 1",
-                  "a.toml:24:12: then[1].operator: changes one axis: it does not keep several "
-                  "together"},
+                  "a.toml:24:12: then[1].operator: works with a single axis only"},
         BadMotion{std::string(axes_spec) + "[[then]]\noperator = \"override\"",
                   "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk"}));
 
@@ -792,10 +792,11 @@ TEST(AxesSpec, PointsMayHaveRatesAtTheEndsLimitsOfAStretchAndANorm) {
   EXPECT_NEAR(x.at(1).velocity, 100, 1e-9) << "on the way to 200";
   EXPECT_LE(extrema(x, 1).max.value, 400 * 200 / std::hypot(200, 300) * (1 + 1e-9));
   EXPECT_NEAR(extrema(z, 1).max.value, 400 * 300 / std::hypot(200, 300), 1e-9);
-  EXPECT_EQ(complaint(text("velocity = [150, 0]\n")),
-            "a.toml:16:1: point: no motion was found that keeps the bounds and does not turn back: begin "
-            "and end slower, within the limits of the stretch, or move the points beside apart");
-  EXPECT_NE(complaint(text("limits = { velocity = [1, 1] }\n")).find("none leads to the first"),
+  EXPECT_EQ(
+      complaint(text("velocity = [150, 0]\n")),
+      "a.toml:16:1: point: no motion was found that keeps the bounds without a reversal: begin and "
+      "end slower, within the limits of the stretch, or move the neighbouring points apart");
+  EXPECT_NE(complaint(text("limits = { velocity = [1, 1] }\n")).find("the first point has none"),
             std::string::npos);
 }
 

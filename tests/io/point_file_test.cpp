@@ -62,17 +62,18 @@ TEST_F(PointFile, MayLeaveOutWhatIsFilledIn) {
   ASSERT_EQ(columns.v.size(), 3U);
   EXPECT_GT(columns.v[1], 0);
   EXPECT_THAT(complaint(pvt, "time [s],position [mm]\n0,0\n1,2\n"),
-              "points.csv:1: velocity: is missing: give the column, or say in the spec how to find "
-              "it: velocities = \"clamped\"");
+              "points.csv:1: velocity: is missing: give the column, or set a rule in the spec: "
+              "velocities = \"clamped\"");
 }
 
 TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
   EXPECT_THAT(complaint(pvt, "time [s],position,velocity\n0,0,0\n\n2,1,0\n1,2,0\n"),
               ::testing::StartsWith("points.csv:5: time = 1: must be greater than 2"));
   EXPECT_THAT(complaint(pvt, "time [s],position,speed\n0,0,0\n"),
-              "points.csv:1: speed: is no column here; there may be time, position, velocity");
+              "points.csv:1: speed: is not a column of this table; possible columns: time, "
+              "position, velocity");
   EXPECT_THAT(complaint(pvt + "knot = []\n", "time,position,velocity\n0,0,0\n"),
-              "spec.toml:4:10: points = \"points.csv\": goes without [[knot]]");
+              "spec.toml:4:10: points = \"points.csv\": cannot be combined with [[knot]]");
   EXPECT_THAT(complaint(pvt, "time [mm],position,velocity\n0,0,0\n1,1,0\n"),
               ::testing::StartsWith("points.csv:1: time = mm:"));
 }
@@ -129,12 +130,13 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
   const auto& curve = std::get<Trajectory>(made.curve);
   EXPECT_EQ(curve.end(), 3);
   EXPECT_EQ(curve.jet(1)[1], 10);
-  EXPECT_EQ(complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
-            "points.csv:3: delta_time = 5e-04: must be a whole number of ms, as TIME is");
+  EXPECT_EQ(
+      complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
+      "points.csv:3: delta_time = 5e-04: must be a whole number of ms, the resolution of TIME");
   EXPECT_THAT(complaint(head, "delta_time,velocity\n1,10\n0,0\n"),
               ::testing::StartsWith("points.csv:3: delta_time = 0: must be greater than 0 (PMC600"));
   EXPECT_THAT(complaint(head, "delta_time,position\n1,10\n"),
-              ::testing::StartsWith("points.csv:1: position: is no column here"));
+              ::testing::StartsWith("points.csv:1: position: is not a column of this table"));
 }
 
 }  // namespace

@@ -46,24 +46,23 @@ TEST(Points, MayHaveTabsAndWords) {
 }
 
 TEST(Points, NameWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint(""), "p.csv: holds no points: the first line names the columns");
-  EXPECT_EQ(complaint("time [s],position [mm]\n"), "p.csv:1: holds a header and no points");
+  EXPECT_EQ(complaint(""), "p.csv: is empty: the first line must name the columns");
+  EXPECT_EQ(complaint("time [s],position [mm]\n"), "p.csv:1: has a header but no points");
   EXPECT_EQ(complaint("0,1\n1,2\n"),
             "p.csv:1: header = 0: must name the columns, with units: time [s], position [mm]");
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
-            "p.csv:1: time = time [s: has a unit without its closing bracket");
+            "p.csv:1: time = time [s: needs a closing bracket after its unit");
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
-  EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: stands there twice");
+  EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: occurs twice");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
-            "p.csv:3: row = 1: stands in a row of 1 values, the header names 2");
+            "p.csv:3: row = 1: is in a row of 1 values, the header names 2");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
-            "p.csv:3: row = 2: stands in a row of 3 values, the header names 2");
-  EXPECT_EQ(
-      complaint("time,position\n0,0\n0,5,1,25\n"),
-      "p.csv:3: row = 5: stands in a row of 4 values, the header names 2: decimal commas need "
-      "semicolons between columns");
+            "p.csv:3: row = 2: is in a row of 3 values, the header names 2");
+  EXPECT_EQ(complaint("time,position\n0,0\n0,5,1,25\n"),
+            "p.csv:3: row = 5: is in a row of 4 values, the header names 2: decimal commas need "
+            "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
-            "p.csv:3: position: is empty: every point has a number there");
+            "p.csv:3: position: is empty: every point needs a number");
   for (const char* bad : {"nan", "inf", "1e999", "0x10", "1 2", "--1", "+", ".", "1e", "1.2.3", "++1", "+-1", "-+1", "\"1"})
     EXPECT_EQ(complaint(std::string("time,position\n0,") + bad + "\n"),
               std::string("p.csv:2: position = ") + bad + ": must be a finite number")
@@ -76,11 +75,11 @@ TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
   EXPECT_EQ(complaint("time;position\n0;1,5\n1;2.5\n"),
             "p.csv:3: position = 2.5: has a decimal point where other numbers have a comma");
   EXPECT_EQ(complaint("time;position\n0;1.234,5\n"),
-            "p.csv:2: position = 1.234,5: must be a finite number: one decimal comma, and nothing "
-            "between thousands");
+            "p.csv:2: position = 1.234,5: must be a finite number with one decimal comma and no "
+            "separator of thousands");
   EXPECT_EQ(complaint("time;position\n0;1,234,5\n"),
-            "p.csv:2: position = 1,234,5: must be a finite number: one decimal comma, and nothing "
-            "between thousands");
+            "p.csv:2: position = 1,234,5: must be a finite number with one decimal comma and no "
+            "separator of thousands");
 }
 
 TEST(Points, AreReadAsSpreadsheetsWriteThem) {

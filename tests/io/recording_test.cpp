@@ -63,15 +63,15 @@ TEST(Recording, CountsACurrentByTheTorqueConstant) {
 
 TEST(Recording, RefusesWhatIsNone) {
   const std::string head = "time,command,feedback\n";
-  EXPECT_THAT(refused(""), HasSubstr("holds no points"));
-  EXPECT_THAT(refused(head), HasSubstr("holds a header and no points"));
+  EXPECT_THAT(refused(""), HasSubstr("is empty"));
+  EXPECT_THAT(refused(head), HasSubstr("has a header but no points"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,2\n"), HasSubstr("3 rows: are too few"));
   EXPECT_THAT(refused("time,feedback,load\n" + rows), HasSubstr("command: is missing"));
   EXPECT_THAT(refused("time,command,other\n" + rows), HasSubstr("feedback: is missing"));
   EXPECT_THAT(refused("time,command [mm],feedback\n" + rows), HasSubstr("command = mm"));
   EXPECT_THAT(refused(head + "0,0,0\n1,nan,1\n2,2,2\n3,3,3\n"), HasSubstr(".csv:3: command = nan"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,1e300\n3,3,3\n"),
-              HasSubstr(".csv:4: feedback = 1e+300: is beyond any machine"));
+              HasSubstr(".csv:4: feedback = 1e+300: must be below 1e100 in magnitude"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1\n2,2,2\n3,3,3\n"), HasSubstr(".csv:3: row"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n1,2,2\n3,3,3\n"),
               HasSubstr(".csv:4: time = 1: must be greater than 1 s"));

@@ -63,7 +63,7 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
   EXPECT_EQ(report.warnings(), 1U);
   EXPECT_EQ(one_line(report, labels), "no limits are given (1 warning)");
   EXPECT_EQ(sentence(note, labels),
-            "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the least for its jerk");
+            "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the minimum for its jerk");
   const std::string text = full_text(report, labels);
   EXPECT_NE(text.find("  warn   warning/velocity_overshoot geo_velocity 1.512 mm/deg at 72 deg is "
                       "beyond 1, at which the segment ends"),

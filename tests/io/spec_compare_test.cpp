@@ -46,8 +46,9 @@ TEST(SpecCompare, NamesWhatIsWrong) {
               ::testing::HasSubstr("compare.axis = \"x\": must name one of the spec's axes"));
   EXPECT_THAT(complaint("[compare]\nmode = \"equal\"\nposition = 1\npulse = 1\n"),
               ::testing::HasSubstr("compare.pulse"));
-  EXPECT_EQ(complaint("[compare]\nmode = \"linear\"\nstart = 1\nincrement = 0\ncount = 2\npulse = 1\n"),
-            "c.toml:12:13: compare.increment = 0: must not be 0: the points would all be one");
+  EXPECT_EQ(
+      complaint("[compare]\nmode = \"linear\"\nstart = 1\nincrement = 0\ncount = 2\npulse = 1\n"),
+      "c.toml:12:13: compare.increment = 0: must not be 0: all points would coincide");
 }
 
 TEST(SpecCompensation, CorrectsTheMotion) {
@@ -119,7 +120,7 @@ TEST(SpecCompensation, NamesWhatIsWrong) {
   };
   EXPECT_THAT(complaint("reference = [{ base = 0, interval = 10, count = 4 }]\n"
                         "values = [0, 0.1, -0.1, 0.2]\nmost = 0.15\n"),
-              ::testing::HasSubstr("= 0.2: is beyond the greatest correction, 0.15"));
+              ::testing::HasSubstr("= 0.2: exceeds the greatest correction, 0.15"));
   EXPECT_THAT(complaint("reference = [{ base = 0, interval = 10, count = 4 }]\nvalues = [0, 1]\n"),
               ::testing::HasSubstr("then[1].values"));
   EXPECT_THAT(complaint("reference = [{ axis = \"y\", base = 0, interval = 10, count = 2 }]\n"

@@ -118,11 +118,11 @@ TEST(DriveSpec, RefusesWithPlaceAndRule) {
   EXPECT_THAT(refused(model + "[drive.limits]\nsettling_time = 1\n"), HasSubstr("settling_band"));
   EXPECT_THAT(refused(model + "[[drive.sync]]\nfrom = 2\nto = 1\n"), HasSubstr("sync"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\nmass = 1\ninertia = 1\n"),
-              HasSubstr("stands for inertia"));
+              HasSubstr("cannot be combined with inertia"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\nbelt_stiffness = 1\n"), HasSubstr("pulley_radius"));
   EXPECT_THAT(
       refused("model = \"servo_400w\"\nposition_per_rev = 10\n[[drive.mass]]\nmass = 1\n", "deg"),
-      HasSubstr("needs a position that is a length"));
+      HasSubstr("needs a position in a unit of length"));
   EXPECT_THAT(refused("model = \"servo_9\"\nposition_per_rev = 1\n"), HasSubstr("servo_400w"));
   EXPECT_THAT(refused("model = \"servo_400w\"\nposition_per_rev = 0\n[[drive.mass]]\nmass = 1\n"),
               HasSubstr("drive.position_per_rev = 0: must not be 0"));

@@ -76,7 +76,7 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
     const Report waits = check_follow(parse_spec(text(never), "f"));
     ASSERT_EQ(waits.findings.size(), 1U) << never;
     EXPECT_TRUE(waits.findings[0].broken);
-    EXPECT_THAT(waits.findings[0].advice, HasSubstr("waits for ever"));
+    EXPECT_THAT(waits.findings[0].advice, HasSubstr("would wait forever"));
   }
   const Report too_short = check_follow(parse_spec(text("{ position = 50000 }", "2000"), "f"));
   ASSERT_EQ(too_short.findings.size(), 1U);
@@ -90,20 +90,20 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
             "f.toml:8:10: segment[2].master = 10: must be greater than 10, the point before");
   EXPECT_EQ(error_of("[[follow.table]]\nloops = 0\nsegment = [{ master = 1, slave = 1 }]\n"
                      "[[follow.table]]\nsegment = [{ master = 1, slave = 1 }]\n"),
-            "f.toml:5:9: follow.table[1].loops = 0: is for ever: only the last table can be; say "
-            "after how many passes the next one takes over");
+            "f.toml:5:9: follow.table[1].loops = 0: is endless, which only the last table can be: "
+            "give the number of passes before the next table");
   EXPECT_EQ(error_of("[[zone]]\nfrom = 5\nto = 4\nratio = 1\n"),
             "f.toml:6:6: zone[1].to = 4: must be greater than 5");
   EXPECT_THAT(error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
                        "ratio = 1\n"),
               HasSubstr("f.toml:5:12: follow.periodic = true: needs the ratio of its start"));
   EXPECT_THAT(error_of("[[segment]]\nmaster = 1\nslave = 1\nrepeat = 3\n"),
-              HasSubstr("is for increments"));
+              HasSubstr("needs increments = true"));
   EXPECT_THAT(error_of("[follow]\nlaw = \"parabola\"\n[[point]]\nmaster = 1\nslave = 1\n"),
               HasSubstr("follow.law"));
   EXPECT_THAT(error_of(""), HasSubstr("segment: is missing"));
   EXPECT_THAT(error_of("[[point]]\nmaster = 1\nslave = 1\n[[segment]]\nmaster = 1\nslave = 1\n"),
-              HasSubstr("without [[segment]]"));
+              HasSubstr("replaces [[segment]]"));
   EXPECT_THAT(error_of("[follow]\npass = { position = 1, direction = 2 }\n[[segment]]\nmaster = "
                        "1\nslave = 1\n"),
               HasSubstr("must be 1 or -1"));
@@ -125,8 +125,8 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
   const std::string googol = "[follow]\ncontroller = \"googol\"\nincrements = true\n[[segment]]\n";
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 512\n"), "");
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 513\n"),
-            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table: what a FIFO of memory "
-            "1 holds");
+            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table, the size of a "
+            "FIFO of memory 1");
   EXPECT_EQ(complaint(googol + "master = 0.5\nslave = 1\n"),
             "f.toml:8:10: segment[1].master = 0.5: must be a whole number of pulses: GT_FollowData "
             "takes a long");

@@ -66,7 +66,7 @@ TEST(FollowerSpec, RefusesWhatCannotBe) {
   EXPECT_THAT(refused(turned), HasSubstr("follower.settle = -0.5: must not be negative"));
   turned = head + master + follower;
   turned.replace(turned.find("\"mm\""), 4, "\"deg\"");
-  EXPECT_THAT(refused(turned), HasSubstr("needs a slave that moves along a line, not in deg"));
+  EXPECT_THAT(refused(turned), HasSubstr("needs a slave with a unit of length, not deg"));
 }
 
 }  // namespace

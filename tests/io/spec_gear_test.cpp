@@ -71,14 +71,14 @@ TEST(GearSpec, AnEngagementThatMustTurnBackIsTold) {
   EXPECT_FALSE(f.broken);
   EXPECT_NEAR(f.where, 2600, 1e-6);  // z = 0.4 of k D (-4 z^3 + 7 z^4 - 3 z^5)
   EXPECT_NEAR(f.value, -0.256, 1e-12);
-  EXPECT_THAT(f.advice, testing::HasSubstr("it must turn back to gather way, here to -395.062 mm"));
-  EXPECT_THAT(f.advice, testing::HasSubstr("with slave_start between -1200 and -800 it"));
+  EXPECT_THAT(f.advice, testing::HasSubstr("it must reverse to gain speed, here to -395.062 mm"));
+  EXPECT_THAT(f.advice, testing::HasSubstr("with slave_start between -1200 and -800 the slave"));
   EXPECT_TRUE(
       checked("numerator = 1\nslave_sync_position = 0\nslave_start = -1000\n").findings.empty());
   const Report against = checked("numerator = -1\nslave_sync_position = 2000\n");  // rho = -1
   ASSERT_EQ(against.findings.size(), 1U);
   EXPECT_GT(against.findings[0].value, 0.5);
-  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("goes against the gear"));
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("moves against the gear"));
   EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("to 2218.73 mm"));
   EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("between 2800 and 3200"));
 }

@@ -73,7 +73,7 @@ TEST(KnifeSpec, RefusesInTheDocumentsWords) {
             "k.toml:4:1: knife.turn: is missing: how many pulse are one revolution");
   EXPECT_THAT(refusal("deg", "cut_length = 4\n"), HasSubstr("knife.sync_angle: is missing"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nsync_length = 1\n"),
-              HasSubstr("knife.sync_length = 1: says again"));
+              HasSubstr("knife.sync_length = 1: cannot be combined"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nlaw = \"line\"\n"),
               HasSubstr("knife.law = line: must be a symmetric rise"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nmatching = \"none\"\n"),
@@ -86,7 +86,8 @@ TEST(KnifeSpec, SaysThatTheKnifeTurnsBackAndWhatToDo) {
   const Finding& worst = report.findings.front();
   EXPECT_EQ(worst.rule, "knife/reversal");
   EXPECT_NEAR(worst.where, 12.5, 1e-6);
-  EXPECT_EQ(worst.advice, "cuts above 19.8968 in need a stop between them: dwell = true");
+  EXPECT_EQ(worst.advice,
+            "cut lengths above 19.8968 in need a stop between the cuts: set dwell = true");
   EXPECT_EQ(sync_sentence(worst, "12.5 in"), "the knife turns back at 12.5 in");
   EXPECT_TRUE(check_sync(spec("deg", "cut_length = 25\nsync_angle = 10\ndwell = true\n")).ok());
 }

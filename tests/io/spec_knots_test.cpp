@@ -33,10 +33,9 @@ TEST(KnotsSpec, FillsInWhatKnotsLeaveOutAndKeepsWhatTheyGive) {
 }
 
 TEST(KnotsSpec, FillsInNothingSilently) {
-  EXPECT_THAT(
-      complaint(spec(three_knots)),
-      ::testing::HasSubstr("knot[1].velocity: is missing: give it, or say at the top how to "
-                           "find it: velocities = \"clamped\""));
+  EXPECT_THAT(complaint(spec(three_knots)),
+              ::testing::HasSubstr("knot[1].velocity: is missing: give it, or set a rule at the "
+                                   "top: velocities = \"clamped\""));
 }
 
 TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {
@@ -51,7 +50,7 @@ TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {
 TEST(KnotsSpec, RefusesAMethodThatTheRuleCannotKeep) {
   const std::string text = complaint(spec(std::string("velocities = \"monotone\"\n") + three_knots +
                                           "[table]\nrule = \"quintic_hermite\"\n"));
-  EXPECT_THAT(text, ::testing::HasSubstr("table.rule = quintic_hermite: monotone velocities are"));
+  EXPECT_THAT(text, ::testing::HasSubstr("table.rule = quintic_hermite: monotone velocities need"));
   EXPECT_THAT(complaint(spec(std::string("velocities = \"smooth\"\n") + three_knots)),
               ::testing::HasSubstr("velocities"));
 }
@@ -74,14 +73,13 @@ TEST(KnotsSpec, ShortestTimesOfTwoKnotsUnderAJerkLimit) {
 }
 
 TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
-  EXPECT_THAT(
-      complaint(spec("times = \"shortest\"\nlimits = { jerk = 1 }\nknot = [{ time = 0, "
-                     "position = 0 }, { position = 1 }]\n")),
-      ::testing::HasSubstr("knot[1].time: is what times = \"shortest\" finds: leave it out"));
+  EXPECT_THAT(complaint(spec("times = \"shortest\"\nlimits = { jerk = 1 }\nknot = [{ time = 0, "
+                             "position = 0 }, { position = 1 }]\n")),
+              ::testing::HasSubstr("knot[1].time: is found by times = \"shortest\": leave it out"));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nknot = [{ position = 0 }, { position = 1 }]\n")),
       ::testing::HasSubstr(
-          "limits.jerk: is missing: the shortest times of splines are those within a jerk limit"));
+          "limits.jerk: is missing: the shortest times of splines need a jerk limit"));
 }
 
 TEST(KnotsSpec, AxesThroughPointsShareTheBestTimes) {

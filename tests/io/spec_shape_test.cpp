@@ -211,12 +211,13 @@ TEST(Load, RefusesWhatItCannotMean) {
     return complaint("torque = 0.2", "torque = 0.2\n" + key);
   };
   EXPECT_THAT(with("coulomb = -1"), testing::HasSubstr("coulomb = -1: must not be negative"));
-  EXPECT_THAT(with("recovered = 1.2"), testing::HasSubstr("must be a share, from 0 to 1"));
-  EXPECT_THAT(with("lever = 2"), testing::HasSubstr("is not of a slave in mm: an arm turns"));
+  EXPECT_THAT(with("recovered = 1.2"), testing::HasSubstr("must be 0 to 1"));
+  EXPECT_THAT(with("lever = 2"),
+              testing::HasSubstr("does not fit a slave in mm: an arm needs a unit of angle"));
   EXPECT_THAT(complaint("torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = "
                         "[\"rms torque\"]",
                         "coulomb = 1\n[optimize]\nminimize = [\"peak power\"]"),
-              testing::HasSubstr("a load without coulomb and lever alone"));
+              testing::HasSubstr("a load without coulomb and lever"));
 }
 
 TEST(ShapeFigures, OfADriveAreKnownByNameAndAskForOne) {
@@ -252,7 +253,7 @@ TEST(ShapeFigures, HaveTheirUnitsAndNumbers) {
   EXPECT_EQ(std::get<PeakOf>(figures[3].figure).quantity.by[2], 360. * 360);
   EXPECT_EQ(figures[4].unit, "mm/deg^4");
   EXPECT_EQ(std::get<RmsOf>(figures[4].figure).quantity.by[4], 1);
-  EXPECT_EQ(spec.optimize.shape.minimize.size(), 5U) << "one after another";
+  EXPECT_EQ(spec.optimize.shape.minimize.size(), 5U) << "in order of priority";
 }
 
 TEST(ShapeFigures, AreWeightedInTables) {
@@ -325,14 +326,14 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
         Bad{"shape = 30", "shape = 30, continuity = 3",
             "segment[2].free.continuity = 3: must be the same in all free segments"},
         Bad{"{ shape = 40 }", "{ monotone = true }",
-            "segment[1].free.monotone: is of a free shape: add shape = 100"},
+            "segment[1].free.monotone: needs a free shape: add shape = 100"},
         Bad{"shape = 40", "shap = 40", "did you mean shape?"},
         Bad{"shape = 40 }", "shape = 40, master = [100, 130] }",
-            "segment[1].free.master: cannot be free beside free shapes"},
+            "segment[1].free.master: cannot be free next to free shapes"},
         Bad{"shape = 30, ", "shape = 30, slave = [10, 30], ",
-            "segment[2].free: every segment beside a free knot must have a free shape"},
+            "segment[2].free: every segment next to a free knot must have a free shape"},
         Bad{"shape = 40 }", "shape = 40, slave = [60, 40] }", "the lower bound must not be above"},
-        Bad{"[optimize]\nminimize = [\"rms torque\"]\n", "", "optimize: is missing: say what"},
+        Bad{"[optimize]\nminimize = [\"rms torque\"]\n", "", "optimize: is missing: free shapes"},
         Bad{"[\"rms torque\"]", "[]", "optimize.minimize: is missing"},
         Bad{"[\"rms torque\"]", "[\"rms torqe\"]", "did you mean \"rms torque\"?"},
         Bad{"[\"rms torque\"]", "[\"least torque\"]", "must be one of peak geo_velocity"},
@@ -353,7 +354,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 3, to = 2, lower = 1 }]",
             "optimize.corridor[1].from = 3: must not be above to"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2 }]",
-            "a corridor has a lower or an upper bound, or a value"},
+            "a corridor needs a lower bound, an upper bound or a value"},
         Bad{"[\"rms torque\"]",
             "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2, lower = 3, upper = 2 }]",
             "must not be above the upper bound"},
@@ -363,7 +364,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "optimize.budget = -1: must be greater than 0"},
         Bad{"winding_loss = 0.8\n[optimize]\nminimize = [\"rms torque\"]",
             "[optimize]\nminimize = [\"energy\"]", "needs load.winding_loss"},
-        Bad{"position_per_rev = 100", "position_per_rev = 0", "the motor would not turn"},
+        Bad{"position_per_rev = 100", "position_per_rev = 0", "must not be 0"},
         Bad{"mass = 5", "mass = -5", "load.mass = -5: must not be negative"},
         Bad{"stiffness = \"0.4 N/mm\"", "stiffness = \"0.4 N m/rad\"", "does not fit"}})
     EXPECT_NE(complaint(bad.from, bad.to).find(bad.message), std::string::npos)
@@ -380,10 +381,10 @@ TEST(FreeShapes, NeedAMasterAndALoadForWhatIsOfThem) {
     (void)parse_spec(text, "a.toml");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("a.toml:25:12: optimize.minimize = \"rms torque\": needs "
-                        "to know what is moved: add [load]"),
-              std::string::npos)
+    EXPECT_NE(
+        std::string(error.what())
+            .find("a.toml:25:12: optimize.minimize = \"rms torque\": needs the load: add [load]"),
+        std::string::npos)
         << error.what();
   }
 }

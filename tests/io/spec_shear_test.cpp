@@ -88,9 +88,9 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
   EXPECT_THAT(refusal(power7), HasSubstr("a shorter return breaks limits.slave.acceleration"));
   EXPECT_THAT(refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
               StartsWith("s.toml:6:14: shear.line_speed = 3000: must be at most 2000: in step the "
-                         "carriage runs at 3000, beyond limits.slave.velocity"));
+                         "carriage runs at 3000, above limits.slave.velocity"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
-              HasSubstr("shear.ratio: is missing: deg is no mm"));
+              HasSubstr("shear.ratio: is missing: deg is not a mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),
               HasSubstr("shear.angle = 90: must be between -90 and 90 deg"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1")), HasSubstr("shear.sync_time"));
@@ -153,9 +153,9 @@ TEST(ShearSpec, WarnsOfASyncThatIsAsGoodAsNone) {
   EXPECT_EQ(f.severity, Severity::warning);
   EXPECT_NEAR(f.value, 4.5, 1e-9);
   EXPECT_EQ(f.limit, 10);
-  EXPECT_EQ(f.advice, "the stroke leaves no more: lengthen it, or slow the line down");
+  EXPECT_EQ(f.advice, "the stroke is too short: lengthen it, or slow the line down");
   EXPECT_EQ(sync_sentence(f, "187.5 mm"),
-            "the carriage is in step for 4.5 mm alone, from 187.5 mm: less than 10 mm");
+            "the carriage is in step for only 4.5 mm, from 187.5 mm: less than 10 mm");
   EXPECT_THAT(figure(sync_figures(of("192")), "in step").meaning,
               StartsWith("0.0045 s at 1000 mm/s"));
   EXPECT_TRUE(check_sync(of("250")).findings.empty());

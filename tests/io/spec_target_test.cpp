@@ -81,8 +81,8 @@ TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
   std::string text = cam_with("controller = \"googol_follow\"\n");
   text.replace(text.find("\"pulse\""), 7, "\"deg\"");
   EXPECT_THAT(complaint(text),
-              HasSubstr("counts in whole pulse, which are no deg; "
-                        "master_resolution says how much one is, such as \"0.01 deg\""));
+              HasSubstr("counts in whole pulse, not in deg: "
+                        "give the size of one with master_resolution, such as \"0.01 deg\""));
   const Made made = make(parse_spec(text + "master_resolution = 0.5\n", "a"));
   EXPECT_LE(made.sampled.table.size(), 17U);
   for (const double x : made.sampled.table.columns().x) EXPECT_EQ(2 * x, std::round(2 * x));
@@ -90,7 +90,8 @@ TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
 
 TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")), HasSubstr("a table over time"));
-  EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")), HasSubstr("\"fewest\" knots"));
+  EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")),
+              HasSubstr("needs knots = \"fewest\""));
   EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("not both"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
               HasSubstr("a.toml:16:8: table.most = 5: a quintic_hermite table needs"));

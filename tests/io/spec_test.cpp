@@ -138,13 +138,13 @@ INSTANTIATE_TEST_SUITE_P(
             "follow, "
             "knife, shear, indexer, move, queue, axes, pvt, pt, axis, drive"},
         Bad{cam, "\"deg\"", "\"degrees\"",
-            "a.toml:3:20: units.master = \"degrees\": is not a unit that Jounce knows, such as mm, "
+            "a.toml:3:20: units.master = \"degrees\": is not a known unit, such as mm, "
             "deg, rev, pulse, s, ms"},
         Bad{cam, "position = \"mm\"", "position = 3",
-            "a.toml:3:38: units.position = 3: must be a text in quotes"},
+            "a.toml:3:38: units.position = 3: must be a string in quotes"},
         Bad{cam, "slave = 50", "slave = \"50 deg\"",
-            "a.toml:7:31: segment[1].end.slave = \"50 deg\": the unit deg does not fit; here a "
-            "value in mm is expected"},
+            "a.toml:7:31: segment[1].end.slave = \"50 deg\": the unit deg does not fit; the "
+            "value must be in mm"},
         Bad{cam, "slave = 50", "slave = nan",
             "a.toml:7:31: segment[1].end.slave = nan: must be a finite number"},
         Bad{cam, "slave = 50", "slave = -inf",
@@ -171,12 +171,12 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "\"quintic\"", "\"dwell\"",
             "a.toml:7:31: segment[1].end.slave = 50: a dwell must stay at 0"},
         Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
-            "a.toml:9:1: limits.geo_velocty = 1: is not a key that belongs here: did you mean "
+            "a.toml:9:1: limits.geo_velocty = 1: is not a key of this table: did you mean "
             "geo_velocity?"},
         Bad{cam, "geo_velocity = 1", "geo_velocity = 0",
             "a.toml:9:16: limits.geo_velocity = 0: a limit must be greater than 0"},
         Bad{cam, "geo_velocity = 1", "velocity = 1",
-            "a.toml:9:1: limits.velocity = 1: is not a key that belongs here; known: "
+            "a.toml:9:1: limits.velocity = 1: is not a key of this table; possible keys: "
             "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min, slave"},
         Bad{cam, "[limits]", "[limits",
             "a.toml:8:8: is not TOML: Error while parsing table header: expected ']', saw "
@@ -197,20 +197,19 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "to = 100", "from = -1e308\nto = 1e308",
             "a.toml:4:1: move.to - from = inf: must be a finite number"},
         Bad{move, "jerk = 500", "",
-            "a.toml:4:1: move.jerk: an s_curve needs either jerk or smoothing (the time in which "
-            "the acceleration builds up)"},
+            "a.toml:4:1: move.jerk: an s_curve needs either jerk or smoothing (the rise time of "
+            "the acceleration)"},
         Bad{move, "jerk = 500", "smoothing = 0",
             "a.toml:9:13: move.smoothing = 0: must be greater than 0"},
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
-            "a.toml:9:1: move.jerk = 500: is not a key that belongs here; known: acceleration, "
+            "a.toml:9:1: move.jerk = 500: is not a key of this table; possible keys: acceleration, "
             "deceleration, from, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
             "a.toml:11:8: knot[2].time = 0: must be greater than 0, the knot before"},
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
             "a.toml: knots = 1: a table needs at least two"},
         Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
-            "a.toml:6:1: knot[1].acceleration: is missing: give it, or say at the top how to find "
-            "it: "
+            "a.toml:6:1: knot[1].acceleration: is missing: give it, or set a rule at the top: "
             "velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
             "a.toml: knots = 1: a table needs at least two"}));

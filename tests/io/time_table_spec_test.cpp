@@ -76,9 +76,9 @@ TEST(PtSpec, LoopsAreNamedByPassOrHaveNoEnd) {
   EXPECT_EQ(endless.outside(), Outside::advance);
   EXPECT_EQ(endless.at(3072e3 + 512).position, 4096e3 + 256);
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = 0\noutside = \"hold\"\n")),
-              HasSubstr("pt.outside: goes with an end"));
+              HasSubstr("pt.outside: needs a table with an end"));
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = -1\n")),
-              HasSubstr("pt.loops = -1: must be at least 1, or 0: without end"));
+              HasSubstr("pt.loops = -1: must be at least 1, or 0 for an endless table"));
 }
 
 TEST(PtSpec, WithStepsGetsALinearTable) {
@@ -149,7 +149,7 @@ TEST(PtSpec, Pmc600ErrorsStandAtTheirKeys) {
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 1e-12\nposition = 1\n")),
               HasSubstr("point[1].delta_time = 1e-12: must be a whole number of ms"));
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 0.0005\nposition = 1\n")),
-              HasSubstr("must be a whole number of ms, as TIME is"));
+              HasSubstr("must be a whole number of ms, the resolution of TIME"));
 }
 
 TEST(PvtSpec, SaysWhatHappensAtItsEnd) {

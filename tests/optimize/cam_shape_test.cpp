@@ -314,13 +314,13 @@ TEST(CamShapes, RefuseWhatCannotBe) {
   EXPECT_EQ(complaint(bad), "shapes = none: at least one segment must be free");
   bad = good;
   bad.shapes = {{7}};
-  EXPECT_EQ(complaint(bad), "segment[8].free.shape = 100: there is no such segment");
+  EXPECT_EQ(complaint(bad), "segment[8].free.shape = 100: is not the number of a segment");
   bad = good;
   bad.minimize.clear();
-  EXPECT_EQ(complaint(bad), "minimize = none: there must be an objective");
+  EXPECT_EQ(complaint(bad), "minimize = none: must name at least one figure");
   bad = good;
   bad.shapes = {{1, 10, 4, true}};
-  EXPECT_EQ(complaint(bad), "segment[2].free.monotone = true: needs a segment that goes somewhere");
+  EXPECT_EQ(complaint(bad), "segment[2].free.monotone = true: needs a segment with a stroke");
   bad = good;
   bad.limits.velocity = -1;
   EXPECT_NE(complaint(bad), "no error");

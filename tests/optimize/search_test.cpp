@@ -363,7 +363,7 @@ TEST(Search, DoesNotTrustAFunctionThatChangesItsMind) {
   const auto f = [&](const X& x) -> SearchAnswer { return {x[0] + x[1] - ++asked, {}}; };
   const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.max_evaluations = 300});
   EXPECT_EQ(outcome.status, Status::stalled);
-  EXPECT_THAT(outcome.reason, HasSubstr("asked the same again"));
+  EXPECT_THAT(outcome.reason, HasSubstr("for the same point"));
 }
 
 TEST(Search, MeasuresNothingInUnits) {

@@ -173,7 +173,7 @@ TEST(SplineTimes, NamesWhatItRefuses) {
   EXPECT_EQ(complaint(spec), "points = 1 points: must be at least two");
   spec = good;
   spec.points[2].pop_back();
-  EXPECT_EQ(complaint(spec), "points[3] = 5 positions: must be one a joint, as many in each point");
+  EXPECT_EQ(complaint(spec), "points[3] = 5 positions: must be one for each joint in each point");
   spec = good;
   spec.points[1][2] = std::nan("");
   EXPECT_EQ(complaint(spec), "points[2][3] = nan: must be a finite number");
@@ -182,7 +182,7 @@ TEST(SplineTimes, NamesWhatItRefuses) {
   EXPECT_NE(complaint(spec).find("limits[5]"), std::string::npos);
   spec = good;
   spec.duration = 3;
-  EXPECT_EQ(complaint(spec), "duration = 3: is what the shortest time is sought for");
+  EXPECT_EQ(complaint(spec), "duration = 3: is found by times = \"shortest\": leave it out");
   spec = good;
   spec.objective = TimeObjective::least_peak_jerk;
   EXPECT_NE(complaint(spec).find("duration = 0"), std::string::npos);

@@ -165,7 +165,7 @@ TEST(Compensation, NamesWhatIsWrongWithItsTable) {
   spec.most = 1;
   EXPECT_EQ(complaint(spec), "none");
   spec.values[2] = 1.1;
-  EXPECT_EQ(complaint(spec), "values[3] = 1.1: is beyond the greatest correction, 1");
+  EXPECT_EQ(complaint(spec), "values[3] = 1.1: exceeds the greatest correction, 1");
   spec = line_of_five();
   spec.values.pop_back();
   EXPECT_EQ(complaint(spec), "values = 4: the grid has 5 points");

@@ -509,7 +509,7 @@ TEST(Fill, NamesWhatItRefuses) {
   EXPECT_EQ(complaint(spec), "knot[3].time = 1: must be greater than 1, the knot before");
   spec = good;
   spec.v = {1};
-  EXPECT_EQ(complaint(spec), "v = 1 values: must be one a knot, or none: there are 3 knots");
+  EXPECT_EQ(complaint(spec), "v = 1 values: must be one for each knot, or none: there are 3 knots");
   spec = good;
   spec.v = {{}, std::nan(""), {}};
   EXPECT_EQ(complaint(spec), "knot[2].velocity = nan: must be a finite number");
@@ -519,21 +519,20 @@ TEST(Fill, NamesWhatItRefuses) {
             "knot[1].acceleration = 1: only a quintic_hermite table has accelerations");
   spec = good;
   spec.rule = Rule::linear;
-  EXPECT_EQ(complaint(spec), "rule = linear: has no velocities to fill in");
+  EXPECT_EQ(complaint(spec), "rule = linear: has no velocities");
   spec = good;
   spec.filling = Filling::monotone;
   spec.rule = Rule::quintic_hermite;
-  EXPECT_EQ(complaint(spec),
-            "rule = quintic_hermite: monotone velocities are for cubic_hermite alone");
+  EXPECT_EQ(complaint(spec), "rule = quintic_hermite: monotone velocities need cubic_hermite");
   spec = good;
   spec.filling = Filling::within_limits;
   EXPECT_NE(complaint(spec).find("are needed for within_limits"), std::string::npos);
   spec = good;
   spec.filling = Filling::periodic;
   spec.v = {1, {}, 2};
-  EXPECT_EQ(complaint(spec),
-            "knot[3].velocity = 2: must be that of the first knot, 1, because the table goes on "
-            "there");
+  EXPECT_EQ(
+      complaint(spec),
+      "knot[3].velocity = 2: must equal that of the first knot, 1, where the table continues");
   spec.v.clear();
   spec.p[2] = 1;
   spec.outside = Outside::wrap;

@@ -74,7 +74,7 @@ TEST(PositionCompare, FiresAListInItsOrderAndWaitsForWhatIsMissed) {
   EXPECT_FALSE(report.ok());
   EXPECT_EQ(report.findings[0].rule, "compare/missed");
   EXPECT_EQ(report.findings[0].advice,
-            "point 3 at 4000 is not passed after the one before, and holds up those behind it");
+            "point 3 at 4000 is not passed after the one before, and blocks those after it");
 }
 
 TEST(PositionCompare, SetsLevelsThereAndBack) {

@@ -114,7 +114,7 @@ TEST(Pt, Example74StepsWhereTheStopBeginsInBothLoops) {
   for (const Finding& f : report.findings) {
     EXPECT_NEAR(f.value, 0.0016, 5e-5);
     EXPECT_NEAR(std::fmod(f.where, 1000), 992, 1e-9);
-    EXPECT_THAT(f.advice, HasSubstr("a stop segment begins at 2P/T"));
+    EXPECT_THAT(f.advice, HasSubstr("a stop segment always begins at 2P/T"));
     EXPECT_EQ(f.quantity, "step of velocity");
   }
   EXPECT_EQ(report.findings[0].severity, Severity::warning);

@@ -579,7 +579,7 @@ TEST(Reduced, RefusesWhatCannotBe) {
   EXPECT_NE(refusal(cycloid(), {.tolerance = 0.0}), "");
   EXPECT_NE(refusal(cycloid(), {.most = 1}), "");
   EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .spacing = -1}), "");
-  EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .x_step = 0.3}), "") << "1 is no multiple";
+  EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .x_step = 0.3}), "") << "1 is not a multiple";
   const Cam drifting({line(10, 0, 2.5)}, 0, Outside::advance);
   EXPECT_NE(refusal(drifting, {.tolerance = 1, .p_step = 1}).find("drift"), std::string::npos);
 }

@@ -114,7 +114,7 @@ TEST(Contradiction, NamesWhatAHeaderSaysWrongly) {
   EXPECT_EQ(says([](wire::Header& h) { h.knots = 1; }), "a table needs at least 2 knots");
   EXPECT_EQ(says([](wire::Header& h) { h.columns = 4; }),
             "a cubic_hermite table has 3 columns, not 4");
-  EXPECT_EQ(says([](wire::Header& h) { h.chunks = 3; }), "1000 knots are 2 chunks, not 3");
+  EXPECT_EQ(says([](wire::Header& h) { h.chunks = 3; }), "1000 knots make 2 chunks, not 3");
   EXPECT_EQ(says([](wire::Header& h) { h.table = 64; }), "a session has at most 64 tables");
 }
 

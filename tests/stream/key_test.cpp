@@ -69,7 +69,7 @@ TEST_F(KeyFile, IsItsOwnersAlone) {
   for (const auto others :
        {fs::perms::group_read, fs::perms::others_read, fs::perms::group_write}) {
     write(text, fs::perms::owner_read | others);
-    EXPECT_EQ(refusal(), "must be its owner's alone: chmod 600 " + path.string());
+    EXPECT_EQ(refusal(), "must be readable by its owner only: chmod 600 " + path.string());
   }
   fs::remove(path);
   EXPECT_EQ(refusal(), "cannot be read: No such file or directory");

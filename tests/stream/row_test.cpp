@@ -86,15 +86,15 @@ TEST(RowIntake, NamesTheRowThatItRefuses) {
     return std::string(name(ack.refusal)) + " " + std::to_string(ack.row) + " " + ack.reason;
   };
   EXPECT_EQ(refused([](Rows& r) { r.rows[2].x_end = r.rows[1].x_end; }),
-            "bad_row 12 row 13 does not end behind the one before");
+            "bad_row 12 row 13 does not end after the row before");
   EXPECT_EQ(refused([](Rows& r) { r.rows[0].x_end = 0.01; }),
-            "bad_row 10 row 11 does not end behind the one before");
+            "bad_row 10 row 11 does not end after the row before");
   EXPECT_EQ(refused([](Rows& r) { r.rows[4].v_end = NAN; }),
             "bad_row 14 row 15 has a value that is not finite");
   EXPECT_EQ(refused([](Rows& r) { r.rows[1].last = true; }),
-            "bad_row 12 row 13 comes after the last one");
+            "bad_row 12 row 13 follows the last row");
   EXPECT_EQ(refused([](Rows& r) { r.first_row = 9; }),
-            "bad_rows -1 message 1 says that 9 rows are before it, 10 are");
+            "bad_rows -1 message 1 states that 9 rows precede it, but 10 have arrived");
   EXPECT_EQ(refused([](Rows& r) { r.bank = 1; }), "bad_rows -1 a dynamic queue has bank 0 only");
 }
 

@@ -253,7 +253,7 @@ TEST_F(SenderTest, DoesNotWaitForEverToBeReleased) {
   static_cast<void>(sender.poll(now));
   EXPECT_TRUE(sender.ended());
   EXPECT_TRUE(sender.outcome().ok());
-  EXPECT_EQ(sender.outcome().reason, "the release was not confirmed");
+  EXPECT_EQ(sender.outcome().reason, "the executor did not confirm the release");
 }
 
 TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {

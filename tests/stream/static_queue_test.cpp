@@ -68,7 +68,7 @@ TEST(StaticQueue, SaysWhatDoesNotFit) {
   ASSERT_TRUE(queue.open().ok());
   const CallOutcome outcome = queue.fill(0, rows_of(20));
   EXPECT_EQ(outcome.error, StreamError::stalled);
-  EXPECT_EQ(outcome.reason, "bank 0 has no room for 4 of the rows");
+  EXPECT_EQ(outcome.reason, "bank 0 has no space for 4 rows");
 }
 
 /// A link on which rows are lost, and nothing else.
@@ -98,7 +98,7 @@ TEST(StaticQueue, DoesNotWaitForEverForRowsToBeTaken) {
   const Nanos before = world.now;
   const CallOutcome outcome = queue.fill(0, rows_of(3));
   EXPECT_EQ(outcome.error, StreamError::stalled);
-  EXPECT_EQ(outcome.reason, "bank 0 has taken no more rows for 500 ms");
+  EXPECT_EQ(outcome.reason, "bank 0 accepted no more rows for 500 ms");
   EXPECT_LT(world.now - before, 600ms);
 }
 

@@ -78,16 +78,17 @@ TEST_F(JournalFile, LeavesOutADamagedLine) {
 
 TEST_F(JournalFile, IsOfOneThingOnly) {
   Journal(path, "another").append("one");
-  EXPECT_THAT(error_of([&] { lines(); }),
-              HasSubstr("is of another sweep, spec or version of Jounce: delete it to begin anew"));
+  EXPECT_THAT(
+      error_of([&] { lines(); }),
+      HasSubstr("belongs to another sweep, spec or version of Jounce: delete it to start again"));
   write("case,stroke\n1,2\n");
-  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is no journal of a sweep"));
+  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is not the journal of a sweep"));
   EXPECT_EQ(read_file(path), "case,stroke\n1,2\n");  // and is left as it is
 }
 
 TEST_F(JournalFile, IsWrittenByOneAtATime) {
   const Journal journal(path, "id");
-  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is being written by another run"));
+  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is used by another run"));
 }
 
 }  // namespace

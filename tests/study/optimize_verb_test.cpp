@@ -168,7 +168,7 @@ TEST_F(OptimizeVerb, KeepsTheLimitsOfTheSlaveWhileTheMasterAccelerates) {
   const Ran ran = optimized("slave-limit-ramp");  // without the ramp the optimum breaks the limit
   EXPECT_EQ(ran.status, 0) << ran.output;
   EXPECT_THAT(ran.output,
-              HasSubstr("geo_acceleration while the master accelerates meets its limit"));
+              HasSubstr("geo_acceleration while the master accelerates reaches its limit"));
   expect_checked("slave-limit-ramp");
 }
 
@@ -181,7 +181,7 @@ TEST_F(OptimizeVerb, WritesNumbersThatTomlCanRead) {
 TEST_F(OptimizeVerb, EndsASearchOverKnotsInTime) {
   const Ran ran = optimized("knots-no-budget", "--seconds 1");
   EXPECT_EQ(ran.status, 0) << ran.output;
-  EXPECT_THAT(ran.output, HasSubstr("stalled: the 1 s allowed ran out"));
+  EXPECT_THAT(ran.output, HasSubstr("stalled: the time limit of 1 s is reached"));
   expect_checked("knots-no-budget");
 }
 

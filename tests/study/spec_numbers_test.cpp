@@ -85,16 +85,14 @@ TEST(SpecNumbers, RefuseWhatIsNoNumber) {
     const std::vector<SpecNumbers::Change> changes{{key, value}};
     return error_of([&] { (void)numbers().text(changes); });
   };
-  EXPECT_EQ(refused("segment[1].law"),
-            "a.toml:8: segment[1].law: is no number, so it cannot be changed as one");
-  EXPECT_EQ(refused("segment[2].end"),
-            "a.toml:13: segment[2].end: is no number, so it cannot be changed as one");
+  EXPECT_EQ(refused("segment[1].law"), "a.toml:8: segment[1].law: is not a number");
+  EXPECT_EQ(refused("segment[2].end"), "a.toml:13: segment[2].end: is not a number");
   EXPECT_EQ(refused("segment[2].end.slaves"),
-            "a.toml: segment[2].end.slaves: is no number of this file: did you mean "
+            "a.toml: segment[2].end.slaves: is not a number of this file: did you mean "
             "segment[2].end.slave?");
   EXPECT_EQ(refused("master.velocity"),
-            "a.toml: master.velocity: is no number of this file; one that it leaves out must be "
-            "written there first");
+            "a.toml: master.velocity: is not a number of this file; if the file leaves it out, "
+            "write it there first");
   EXPECT_EQ(refused("start.slave", std::nan("")),
             "a.toml: start.slave = nan: must be a finite number");
   const std::vector<SpecNumbers::Change> twice{{"start.slave", 1}, {"start.slave", 1}};

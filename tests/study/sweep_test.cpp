@@ -282,7 +282,7 @@ TEST_F(Sweeps, RefuseAJournalOfAnotherSpec) {
   };
   (void)part(sweep(grid));
   EXPECT_THAT(error_of([&] { part(sweep(std::string("# another\n") + grid)); }),
-              HasSubstr("is of another sweep, spec or version"));
+              HasSubstr("belongs to another sweep, spec or version"));
   EXPECT_EQ(part(sweep(grid)).resumed, 1U);
 }
 
@@ -402,15 +402,15 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
             "sweep.toml: parameter: is missing: a sweep has at least one [[parameter]]");
   EXPECT_EQ(
       refused("[[parameter]]\nkey = \"move.velocty\"\nvalues = [1]\n"),
-      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": is no number of this file: did you "
+      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": is not a number of this file: did you "
       "mean move.velocity? (" +
           path("move.toml") + ")");
-  EXPECT_THAT(refused(one), HasSubstr("takes one of: values = [...]; from, to and count;"));
-  EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: there would be no case"));
+  EXPECT_THAT(refused(one), HasSubstr("needs one of: values = [...]; from, to and count;"));
+  EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: give at least one value"));
   EXPECT_THAT(refused(one + "values = [nan]\n"), HasSubstr("must be a finite number"));
   EXPECT_THAT(refused(one + "values = [\"1 deg\"]\n"), HasSubstr("the unit deg does not fit"));
   EXPECT_THAT(refused("[[parameter]]\nkey = \"move.to\"\nvalues = [\"1 mm\"]\n"),
-              HasSubstr("must be a bare number: the spec writes this one without a unit"));
+              HasSubstr("must be a number without a unit, as in the spec"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 1\n"), HasSubstr("must be at least 2"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 99999999\n"), HasSubstr("more cases than"));
@@ -420,15 +420,14 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   EXPECT_THAT(refused(one + "tolerance = -0.1\n[monte_carlo]\nsamples = 2\n"),
               HasSubstr("must be a share such as"));
   EXPECT_THAT(refused(one + "values = [1]\n[monte_carlo]\nsamples = 2\n"),
-              HasSubstr("has nothing to do"));
+              HasSubstr("needs a parameter with"));
   EXPECT_THAT(refused(one + "normal = { sigma = 0 }\n[monte_carlo]\nsamples = 2\n"),
               HasSubstr("must be greater than 0"));
   EXPECT_THAT(refused(one + "uniform = { from = 2, to = 1 }\n[monte_carlo]\nsamples = 2\n"),
               HasSubstr("must be greater than from, 2"));
   EXPECT_THAT(refused(one + "values = [1]\n" + one + "values = [1]\n"),
               HasSubstr("is given twice"));
-  EXPECT_THAT(refused(one + "values = [1]\nvalue = 3\n"),
-              HasSubstr("is not a key that belongs here"));
+  EXPECT_THAT(refused(one + "values = [1]\nvalue = 3\n"), HasSubstr("is not a key of this table"));
   EXPECT_THAT(
       refused("figures = [\"peak torque\"]\n" + one + "values = [1]\n"),
       HasSubstr("sweep.toml:4:11: figures = \"peak torque\": must be one of stroke, knots"));

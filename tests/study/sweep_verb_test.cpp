@@ -177,8 +177,8 @@ TEST_F(SweepVerb, RefusesTheJournalOfAnotherSweep) {
   const Ran other = jounce("sweep sweep.toml -o a.csv");
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(other.output,
-            "jounce: a.csv.journal: is of another sweep, spec or version of Jounce: delete it to "
-            "begin anew\n");
+            "jounce: a.csv.journal: belongs to another sweep, spec or version of Jounce: delete it "
+            "to start again\n");
 }
 
 TEST_F(SweepVerb, SaysWhatIsWrong) {

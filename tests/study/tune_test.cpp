@@ -70,7 +70,7 @@ TEST(Tune, RunsAShearsLineAsFastAsTheClosedForm) {
   EXPECT_GE(outcome.figures[0].reached, fastest * (1 - 1e-5));
   EXPECT_NEAR(*outcome.figures[0].given, 40000.0 / 60, 1e-9);
   EXPECT_EQ(outcome.numbers[0].unit, "m/min");
-  EXPECT_THAT(outcome.active, Contains(HasSubstr("refused: shear.cut_length")));
+  EXPECT_THAT(outcome.active, Contains(HasSubstr("rejected: shear.cut_length")));
 }
 
 TEST(Tune, WritesTheSameTextWithOtherNumbers) {
@@ -118,7 +118,7 @@ TEST(Tune, HoldsWhatIsRequiredInItsUnit) {
   EXPECT_NEAR(outcome.figures[0].reached, 500 / 0.225, 1e-4 * 2222);
   EXPECT_LE(outcome.figures[1].reached, 0.625);
   EXPECT_EQ(outcome.figures[1].at_most, 0.625);
-  EXPECT_THAT(outcome.active, Contains(HasSubstr("duration is at its most, 0.625 s")));
+  EXPECT_THAT(outcome.active, Contains(HasSubstr("duration is at its maximum, 0.625 s")));
 }
 
 TEST(Tune, GearsInOverTheShortestDistance) {
@@ -252,7 +252,8 @@ TEST(Tune, RefusesWhatItCannotDo) {
               HasSubstr("optimize.require[1].at_most = \"1 kg\""));
   EXPECT_THAT(
       said("[optimize]\nminimize = \"duration\"\n" + parameter("move.velocity", "300, 1000")),
-      HasSubstr("optimize.parameter[1].range = 300 to 1000: must hold what the spec gives, 200"));
+      HasSubstr(
+          "optimize.parameter[1].range = 300 to 1000: must contain the value in the spec, 200"));
   EXPECT_THAT(said(""), HasSubstr("optimize.parameter: is missing"));
 }
 
@@ -265,14 +266,14 @@ TEST(ParametersSpec, RefusesWhatMakesNoSense) {
               HasSubstr("optimize.parameter: is missing"));
   EXPECT_THAT(said("[optimize]\n" + one), HasSubstr("optimize.minimize: is missing"));
   EXPECT_THAT(said("[optimize]\nminimize = \"duration\"\nmaximize = \"stroke\"\n" + one),
-              HasSubstr("cannot be together with maximize"));
+              HasSubstr("cannot be combined with maximize"));
   const std::string least = "[optimize]\nminimize = \"duration\"\n";
   EXPECT_THAT(said(least + parameter("move.velocty", "1, 2")),
               HasSubstr("did you mean \"move.velocity\"?"));
   EXPECT_THAT(said(least + parameter("move.jerk", "1, 2")),
-              HasSubstr("is no number of this spec that could be chosen"));
+              HasSubstr("is not a number of this spec"));
   EXPECT_THAT(said(least + parameter("move.velocity", "\"1 kg\", 2")), HasSubstr("range"));
-  EXPECT_THAT(said(least + parameter("move.velocity", "2, 1")), HasSubstr("the second above"));
+  EXPECT_THAT(said(least + parameter("move.velocity", "2, 1")), HasSubstr("in this order"));
   EXPECT_THAT(said(least + parameter("move.velocity", "nan, 1")), HasSubstr("finite"));
   EXPECT_THAT(said(least + one + one),
               HasSubstr("parameter[2].key = \"move.velocity\": is given twice"));
@@ -291,7 +292,7 @@ TEST(ParametersSpec, RefusesWhatMakesNoSense) {
                         parameter("segment[1].end.slave", "0, 2"),
                     "s.toml");
               }),
-              HasSubstr("cannot be together with `free` knots"));
+              HasSubstr("cannot be combined with `free` knots"));
 }
 
 }  // namespace
