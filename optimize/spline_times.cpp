@@ -44,7 +44,7 @@ void require_points(const Points& points) {
       moves = moves || points[i][j] != points[0][j];
     }
   }
-  if (!moves) throw InputError("points", "all equal", "all points are equal: there is no motion");
+  if (!moves) throw InputError("points", "all equal", "there is no motion");
 }
 
 void require_limits(const SplineTimesSpec& spec) {

@@ -189,7 +189,7 @@ TEST(SplineTimes, NamesWhatItRefuses) {
   spec = good;
   spec.points = {{1, 2}, {1, 2}};
   spec.limits.resize(2);
-  EXPECT_NE(complaint(spec).find("nothing moves"), std::string::npos);
+  EXPECT_NE(complaint(spec).find("there is no motion"), std::string::npos);
   EXPECT_THROW((void)spline_through(good.points, {1, 2, 3}), InputError);
 }
 
