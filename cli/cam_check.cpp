@@ -128,9 +128,9 @@ Json json_of(const Rise& rise) {
 }  // namespace
 
 void add_cam_findings(Report& report, const Input& input, int continuity) {
-  const Cam* cam = std::get_if<Cam>(&input.curve);
-  if (!cam) return;
-  Report odd = warnings(*cam, origin_of(*cam, input.labels));
+  if (!input.labels.over_master) return;
+  const Cam& cam = std::get<Cam>(*input.curve);
+  Report odd = warnings(cam, origin_of(cam, input.labels));
   for (int k = 0; k <= continuity; ++k)
     std::erase_if(odd.findings, [&](const Finding& f) {
       return f.rule == std::string("joint/") + OverMaster::names[static_cast<std::size_t>(k)];
@@ -141,9 +141,9 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   if (told)  // with what to do about it
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   append(report, std::move(odd));
-  if (is_designed(input)) append(report, certificates(*cam));
+  if (is_designed(input)) append(report, certificates(cam));
   if (input.spec && has_slave_limits(*input.spec) && input.spec->master)
-    report.findings.push_back(master_finding(*cam, *input.spec));
+    report.findings.push_back(master_finding(cam, *input.spec));
   sort(report);
 }
 
@@ -154,32 +154,32 @@ Report checked(const Input& input, int continuity, const EngageState& at) {
 }
 
 std::string cam_text(const Input& input) {
-  const Cam* cam = std::get_if<Cam>(&input.curve);
-  if (!cam) return "";
+  if (!input.labels.over_master) return "";
+  const Cam& cam = std::get<Cam>(*input.curve);
   std::string text = figure_lines(input);
-  const auto all = is_designed(input) ? rises(*cam) : std::vector<Rise>{};
+  const auto all = is_designed(input) ? rises(cam) : std::vector<Rise>{};
   for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
     text += rise_line(all[i], input.labels);
   if (all.size() > most_rises)
     text += fmt::format("  ... and {} more rises\n", all.size() - most_rises);
-  if (input.spec && has_slave_limits(*input.spec)) text += fastest_line(*cam, input);
+  if (input.spec && has_slave_limits(*input.spec)) text += fastest_line(cam, input);
   return text;
 }
 
 Json cam_json(const Input& input) {
-  const Cam* cam = std::get_if<Cam>(&input.curve);
-  if (!cam) return nullptr;
+  if (!input.labels.over_master) return nullptr;
+  const Cam& cam = std::get<Cam>(*input.curve);
   Json list = Json::array();
-  for (const Rise& rise : rises(*cam)) list.push_back(json_of(rise));
+  for (const Rise& rise : rises(cam)) list.push_back(json_of(rise));
   Json document{{"rises", std::move(list)}};
   if (Json figures = figures_json(input); !figures.empty()) document["sync"] = std::move(figures);
   if (!input.spec || !has_slave_limits(*input.spec)) return document;
   const MasterLimit fastest =
-      greatest_master_velocity(*cam, input.spec->slave, master_rates(*input.spec));
+      greatest_master_velocity(cam, input.spec->slave, master_rates(*input.spec));
   document["fastest_master"] = json_of(fastest, master_rate_unit(*input.spec, 1));
   if (input.spec->master)
     document["greatest_master_acceleration"] =
-        json_of(greatest_master_acceleration(*cam, input.spec->slave, input.spec->master->velocity),
+        json_of(greatest_master_acceleration(cam, input.spec->slave, input.spec->master->velocity),
                 master_rate_unit(*input.spec, 2));
   return document;
 }

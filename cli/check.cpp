@@ -102,8 +102,8 @@ void print_switches(const Spec& spec) {
 nlohmann::ordered_json json_of(const Report& report, const Input& input) {
   auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
   if (auto cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
-  document["segments"] = nlohmann::ordered_json::parse(std::visit(
-      [&](const auto& curve) { return extrema_json(curve, input.labels); }, input.curve));
+  document["segments"] = nlohmann::ordered_json::parse(of_motion(
+      input, [&](const auto& motion) { return extrema_json(motion, input.labels); }));
   if (input.spec)
     for (const CamSwitch& s : input.spec->switches.table.switches)
       document["switches"].push_back(text_of(s, *input.spec));
@@ -113,8 +113,7 @@ nlohmann::ordered_json json_of(const Report& report, const Input& input) {
 void print_text(const Report& report, const Input& input) {
   fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
   fmt::print("{}\n",
-             std::visit([&](const auto& curve) { return extrema_text(curve, input.labels); },
-                        input.curve));
+             of_motion(input, [&](const auto& motion) { return extrema_text(motion, input.labels); }));
   fmt::print("{}", full_text(report, input.labels));
   fmt::print("{}", cam_text(input));
   if (input.spec) print_switches(*input.spec);

@@ -57,8 +57,8 @@ int run(const Options& options) {
   if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
     throw InputError("SPEC", input.name, "must be a spec of kind \"cam\" with [disc]");
   const Spec& spec = *input.spec;
-  const Disc disc = make_disc(spec, std::get<Cam>(input.curve));
-  const Report report = check_disc(spec, std::get<Cam>(input.curve));
+  const Disc disc = make_disc(spec, std::get<Cam>(*input.curve));
+  const Report report = check_disc(spec, std::get<Cam>(*input.curve));
   if (cannot_be_cut(report) && !options.output.ends_with(".svg")) {
     fmt::print(
         "{}: {} is not written: this plate cannot be cut; draw it as .svg to see the cause\n{}",

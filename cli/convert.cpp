@@ -86,7 +86,7 @@ Sampled sampled(const Input& input, Rule rule, const Options& options) {
         return options.intervals > 0 ? sample(curve, rule, options.intervals)
                                      : sample(curve, rule, input.table.table.columns().x);
       },
-      input.curve);
+      *input.curve);
 }
 
 /// Through the knots a cubic spline, periodic where the cam repeats, otherwise with natural ends: KAS
@@ -99,7 +99,7 @@ SampleError spline_error(const Input& input, const Table& made) {
       [&](const auto& curve) {
         return certified(curve, Rule::cubic_hermite, std::move(columns)).error;
       },
-      input.curve);
+      *input.curve);
 }
 
 Converted convert(const Input& input, const Options& options) {

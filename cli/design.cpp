@@ -108,7 +108,7 @@ void add_files(const Input& input, const Options& options, std::size_t axes,
   files.push_back(
       {file_of(options.curve, input.axis, axes),
        std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
-                  input.curve)});
+                  *input.curve)});
 }
 
 int run(const Options& options) {

@@ -28,13 +28,13 @@ struct Options {
 
 /// Under the name of its file: two versions of one cam have one name.
 Version version_of(const Input& input, const std::string& path) {
-  Version version{printable(path) + (input.axis.empty() ? "" : " " + input.axis), input.curve,
+  Version version{printable(path) + (input.axis.empty() ? "" : " " + input.axis), *input.curve,
                   input.labels};
   const auto breaks = std::visit(
       [](const auto& curve) {
         return std::vector<double>(curve.breaks().begin(), curve.breaks().end());
       },
-      input.curve);
+      *input.curve);
   version.knots.push_back(breaks.front());
   version.knot_names.emplace_back(input.labels.segments.empty() ? "" : "start");
   for (const auto& [label, first, last] : groups(breaks.size() - 1, input.labels)) {

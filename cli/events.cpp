@@ -76,12 +76,12 @@ Events events_of(const std::string& file) {
   if (spec.compare)
     for (const Input& axis : axes)
       if (axis.axis == spec.compare->axis)
-        return {of_compare(*spec.compare, std::get<Trajectory>(axis.curve)), spec.time_unit,
+        return {of_compare(*spec.compare, std::get<Trajectory>(*axis.curve)), spec.time_unit,
                 axis.labels.units.position,
-                check(spec.compare->compare, std::get<Trajectory>(axis.curve), spec.compare->device),
+                check(spec.compare->compare, std::get<Trajectory>(*axis.curve), spec.compare->device),
                 axis.labels};
   if (spec.over_master() && !spec.switches.table.switches.empty())
-    return {of_switches(spec, std::get<Cam>(axes.front().curve), seconds_per_unit(spec)),
+    return {of_switches(spec, std::get<Cam>(*axes.front().curve), seconds_per_unit(spec)),
             spec.time_unit,
             spec.switches.of == SwitchesOf::master ? spec.units.x : spec.units.position,
             {},

@@ -70,7 +70,7 @@ std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& mas
 }  // namespace
 
 Input over_time(const Input& input) {
-  const auto* cam = std::get_if<Cam>(&input.curve);
+  const auto* cam = std::get_if<Cam>(&*input.curve);
   if (cam == nullptr || !input.spec)
     throw InputError(
         "--over", "time",

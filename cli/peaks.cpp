@@ -26,7 +26,7 @@ double peak_of(const Input& input, std::size_t order) {
       [&](const auto& curve) {
         return std::abs(extrema(curve, static_cast<int>(order)).peak().value);
       },
-      input.curve);
+      *input.curve);
 }
 
 /// Nothing where the given spec makes no curve: an optimisation may begin from one that cannot move.

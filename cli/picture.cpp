@@ -57,9 +57,9 @@ CurveLook look_of(const Input& input) {
                  .unit = input.labels.units.position,
                  .limits = input.limits};
   for (const SyncZone& zone : input.zones) look.shades.push_back({zone.from, zone.to, zone.name});
-  if (const auto* cam = std::get_if<Cam>(&input.curve); cam != nullptr && look.shades.empty())
+  if (const auto* cam = std::get_if<Cam>(&*input.curve); cam != nullptr && look.shades.empty())
     look.shades = in_step(*cam, input.labels);
-  const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, input.curve);
+  const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, *input.curve);
   look.knots = knots(breaks, input.labels);
   look.strips = strips(breaks, input);
   return look;
@@ -84,7 +84,7 @@ void add(Panel& panel, Panel other) {
 Figure figure_of_axis(const Input& input) {
   CurveLook look = look_of(input);
   if (!input.axis.empty()) look.label = input.axis;
-  return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, input.curve);
+  return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, *input.curve);
 }
 
 }  // namespace
@@ -124,18 +124,18 @@ Figure figure_of(const std::vector<Input>& axes) {
 Figure figure_of(const Input& input, const std::optional<Input>& before) {
   CurveLook look = look_of(input);
   if (!before)
-    return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, input.curve);
+    return std::visit([&](const auto& curve) { return curve_figure(curve, look); }, *input.curve);
   look.label = input.name;
   look.before = before->name == input.name ? "before" : before->name;
   return std::visit(
       [&]<class Over>(const Curve<Over>& curve) {
-        const auto* other = std::get_if<Curve<Over>>(&before->curve);
+        const auto* other = std::get_if<Curve<Over>>(&*before->curve);
         if (other == nullptr)
           throw InputError("--before", before->name,
                            "has another independent axis than " + input.name);
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
-      input.curve);
+      *input.curve);
 }
 
 namespace {

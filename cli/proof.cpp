@@ -67,7 +67,7 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
   const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);
   const WitnessOptions of_curve{.velocity_steps =
                                     time_table || (of_table.velocity_steps && !input.error)};
-  Proof proof{std::visit([&](const auto& curve) { return witness(curve, of_curve); }, input.curve),
+  Proof proof{std::visit([&](const auto& curve) { return witness(curve, of_curve); }, *input.curve),
               witness(input.table.table, of_table),
               std::nullopt,
               std::nullopt,

@@ -8,7 +8,7 @@ namespace jounce::cli {
 
 Tables executor_tables(const Input& input) {
   const Units& units = input.table.units;
-  if (std::holds_alternative<Cam>(input.curve)) {
+  if (std::holds_alternative<Cam>(*input.curve)) {
     // A trapezoid and a straight line are what a cubic table holds exactly, knot for knot.
     const Trajectory motion = master_of(input);
     const std::vector<double> knots(motion.breaks().begin(), motion.breaks().end());

@@ -56,7 +56,7 @@ DataTable extrema_table(const Input& input) {
         }
         return table;
       },
-      input.curve);
+      *input.curve);
 }
 
 Facts facts(const Input& input) {

@@ -185,13 +185,6 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
   return all;
 }
 
-/// The knots of a PVT spec are its table, unless operators make it another.
-Sampled table_of(const Spec& spec, const Trajectory& curve, const AxisPart& part) {
-  const auto* knots = std::get_if<Table>(&spec.subject);
-  if (knots != nullptr && spec.then.empty()) return {*knots, {}, {}};
-  return sampled(curve, part.table);
-}
-
 /// A time table whose velocity steps is sampled as a linear one, the only rule with two velocities at
 /// a knot: within a millionth of the stroke, as its parabolas would take very many lines.
 void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
@@ -207,13 +200,16 @@ void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& option
 
 std::vector<Made> make_motions(const Spec& spec) {
   std::vector<AxisPart> parts = spec.parts();
+  // The knots of a PVT spec are its table, unless operators make it another.
+  if (const auto* knots = std::get_if<Table>(&spec.subject); knots != nullptr && spec.then.empty())
+    return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
   const Motions before = motions_of(spec);
   std::vector<Trajectory> curves = before.curves;
   const std::vector<Jet> fits = detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = table_of(spec, curves[i], parts[i]);
+    Sampled table = sampled(curves[i], parts[i].table);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
@@ -294,9 +290,8 @@ Report table_warnings(const Spec& spec) {
   if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
   const auto* knots = std::get_if<Table>(&spec.subject);
   if (knots == nullptr) return {};
-  const Trajectory curve = knots->curve<OverTime>();
-  Report report = overshoot(curve);
-  Report steps = velocity_steps(curve);
+  Report report = overshoot(*knots);
+  Report steps = velocity_steps(*knots);
   std::move(steps.findings.begin(), steps.findings.end(), std::back_inserter(report.findings));
   return report;
 }

@@ -6,6 +6,7 @@
 
 #include "jounce/io/spec.hpp"
 #include "jounce/profiles/vibration.hpp"
+#include "jounce/pvt/lazy_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 namespace jounce {
@@ -22,8 +23,8 @@ struct Residual {
 /// differ.
 struct Made {
   AxisPart part;  ///< whose it is
-  std::variant<Cam, Trajectory> curve;
-  std::vector<std::string> segments;  ///< a name for each segment of the curve, for reports
+  LazyCurve curve;
+  std::vector<std::string> segments;  ///< a name for each segment of the curve, for reports; none: 1, 2, ...
   Sampled sampled;
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};  ///< in which a slave is in step, if its generator reports it

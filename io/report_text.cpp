@@ -8,6 +8,7 @@
 
 #include "jounce/io/sync_check.hpp"
 #include "jounce/io/units.hpp"
+#include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
@@ -167,6 +168,15 @@ std::vector<SegmentGroup> taken_together(const std::vector<SegmentGroup>& all, s
 
 std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels, std::size_t most) {
   std::vector<SegmentGroup> all;
+  if (labels.segments.empty() && segments > most) {  // one a segment, of which few are shown
+    for (std::size_t i = 0; i < most; ++i) {
+      const std::size_t first = i * segments / most;
+      const std::size_t last = (i + 1) * segments / most - 1;
+      const std::string label = std::to_string(first + 1);
+      all.push_back({first == last ? label : label + " to " + std::to_string(last + 1), first, last});
+    }
+    return all;
+  }
   for (std::size_t i = 0; i < segments; ++i) {
     const std::string label =
         i < labels.segments.size() ? labels.segments[i] : std::to_string(i + 1);
@@ -333,15 +343,27 @@ std::string to_json(const Report& report, const Labels& labels) {
   return Json{{"ok", report.ok()}, {"findings", findings}}.dump();
 }
 
+namespace {
+
+/// What the two lists below need of a curve or of a table.
 template <class Over>
-std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
+const auto& names_of(const Curve<Over>&) {
+  return Over::names;
+}
+const auto& names_of(const Table& table) {
+  return table.axis() == Axis::time ? OverTime::names : OverMaster::names;
+}
+
+template <class Motion>
+std::string text_of_extrema(const Motion& motion, const Labels& labels) {
+  const auto& names = names_of(motion);
   std::string text = fmt::format("  {:<20} {:>22} {:>22} {:>22} {:>22}\n", "segment", "position",
-                                 "max |" + std::string(Over::names[1]) + "|",
-                                 "max |" + std::string(Over::names[2]) + "|",
-                                 "max |" + std::string(Over::names[3]) + "|");
+                                 "max |" + std::string(names[1]) + "|",
+                                 "max |" + std::string(names[2]) + "|",
+                                 "max |" + std::string(names[3]) + "|");
   for (const auto& [label, first, last] :
-       groups(curve.segments().size(), labels, rows_for_people)) {
-    const Ranges ranges = segment_extrema(curve, first, last);
+       groups(motion.breaks().size() - 1, labels, rows_for_people)) {
+    const Ranges ranges = segment_extrema(motion, first, last);
     text += fmt::format(
         "  {:<20} {:>22}", label,
         tidy(ranges[0].min.value, ranges[0]) + " .. " + tidy(ranges[0].max.value, ranges[0]));
@@ -355,20 +377,38 @@ std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
   return text;
 }
 
-template <class Over>
-std::string extrema_json(const Curve<Over>& curve, const Labels& labels) {
+template <class Motion>
+std::string json_of_extrema(const Motion& motion, const Labels& labels) {
+  const auto& names = names_of(motion);
   Json list = Json::array();
-  for (const auto& [label, first, last] : groups(curve.segments().size(), labels)) {
-    const Ranges ranges = segment_extrema(curve, first, last);
+  for (const auto& [label, first, last] : groups(motion.breaks().size() - 1, labels)) {
+    const Ranges ranges = segment_extrema(motion, first, last);
     Json object{
-        {"segment", label}, {"from", curve.breaks()[first]}, {"to", curve.breaks()[last + 1]}};
+        {"segment", label}, {"from", motion.breaks()[first]}, {"to", motion.breaks()[last + 1]}};
     for (std::size_t k = 0; k < ranges.size(); ++k)
       for (const auto& [bound, extremum] :
            {std::pair{"min", ranges[k].min}, {"max", ranges[k].max}})
-        object[Over::names[k]][bound] = {{"value", extremum.value}, {"where", extremum.where}};
+        object[names[k]][bound] = {{"value", extremum.value}, {"where", extremum.where}};
     list.push_back(std::move(object));
   }
   return list.dump();
+}
+
+}  // namespace
+
+template <class Over>
+std::string extrema_text(const Curve<Over>& curve, const Labels& labels) {
+  return text_of_extrema(curve, labels);
+}
+template <class Over>
+std::string extrema_json(const Curve<Over>& curve, const Labels& labels) {
+  return json_of_extrema(curve, labels);
+}
+std::string extrema_text(const Table& table, const Labels& labels) {
+  return text_of_extrema(table, labels);
+}
+std::string extrema_json(const Table& table, const Labels& labels) {
+  return json_of_extrema(table, labels);
 }
 
 template std::string extrema_text(const Curve<OverTime>&, const Labels&);

@@ -8,6 +8,7 @@
 
 #include "jounce/io/hash.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/table.hpp"
 #include "jounce/profiles/limits.hpp"
 
 namespace jounce {
@@ -71,5 +72,7 @@ template <class Over>
 std::string extrema_text(const Curve<Over>& curve, const Labels& labels);
 template <class Over>
 std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
+std::string extrema_text(const Table& table, const Labels& labels);
+std::string extrema_json(const Table& table, const Labels& labels);
 
 }  // namespace jounce

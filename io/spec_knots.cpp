@@ -106,7 +106,7 @@ Table made_of(FillSpec fill, Spec& spec) {
 /// The table, if all its segments are finite: otherwise the knot that ends the first that is not.
 Table with_finite_segments(Table table) {
   try {
-    (void)table.curve<OverTime>();
+    require_curve(table);
   } catch (const InputError& error) {
     const std::string begin = "segment[";
     if (!error.key().starts_with(begin)) throw;
@@ -118,8 +118,9 @@ Table with_finite_segments(Table table) {
 }
 
 Table filled_table(TomlReader& top, Spec& spec, Rule rule) {
-  const std::optional<Points> points = knots_file(top, rule);
+  std::optional<Points> points = knots_file(top, rule);
   FillSpec fill = read_fill(top, spec.units, rule, points);
+  if (points) points->columns.clear();  // read; the lines are kept for errors
   const auto table = [&] {
     if (spec.himc) himc::require_pvt(fill.x);
     return with_finite_segments(made_of(fill, spec));

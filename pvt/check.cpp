@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -63,10 +64,20 @@ void refuse(const Table& table) {
                    "have values or derivatives too large for a double");
 }
 
+/// The intervals [first, end).
+struct Intervals {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+Intervals all_of(const Table& table) {
+  return {0, table.size() - 1};
+}
+
 /// visit(index of what is sought, range, interval) for every interval that matters to it; visit
 /// raises its `best`. What is sought of one order stands together.
 template <class Visit>
-void search(const Table& table, std::vector<Sought>& sought, Visit visit) {
+void search(const Table& table, const Intervals& within, std::vector<Sought>& sought, Visit visit) {
   const detail::KnotColumns knots = detail::knots_of(table.columns());
   const detail::HullKernel kernel = detail::hull_kernel();
   const auto visit_interval = [&](std::size_t i, const Hulls& hulls, std::size_t k) {
@@ -83,8 +94,8 @@ void search(const Table& table, std::vector<Sought>& sought, Visit visit) {
     }
   };
   Hulls hulls;
-  for (std::size_t first = 0; first + 1 < table.size(); first += Hulls::size) {
-    const std::size_t n = std::min(Hulls::size, table.size() - 1 - first);
+  for (std::size_t first = within.first; first < within.end; first += Hulls::size) {
+    const std::size_t n = std::min(Hulls::size, within.end - first);
     kernel(knots, table.rule(), first, n, hulls);
     if (!is_finite(hulls)) refuse(table);
     bool any = false;
@@ -104,12 +115,13 @@ double signed_value(const Extremum& e, std::size_t side) {
 }
 
 /// The ranges of the orders from `first` to `last`.
-Ranges ranges_of(const Table& table, std::size_t first, std::size_t last) {
+Ranges ranges_of(const Table& table, const Intervals& within, std::size_t first,
+                 std::size_t last) {
   std::vector<Sought> sought;
   for (std::size_t order = first; order <= last; ++order)
     for (const std::size_t side : {0U, 1U}) sought.push_back({.order = order, .side = side});
   Ranges ranges;
-  search(table, sought, [&](std::size_t b, const Range& range, std::size_t) {
+  search(table, within, sought, [&](std::size_t b, const Range& range, std::size_t) {
     Sought& s = sought[b];
     const Extremum& here = extremum_of(range, s.side);
     if (!(signed_value(here, s.side) > s.best)) return;
@@ -187,17 +199,22 @@ detail::HullKernel detail::hull_kernel() {
 }
 
 Ranges extrema(const Table& table) {
-  return ranges_of(table, 0, 3);
+  return ranges_of(table, all_of(table), 0, 3);
+}
+
+Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last) {
+  assert(first <= last && last + 1 < table.size());
+  return ranges_of(table, {first, last + 1}, 0, 3);
 }
 
 Report check(const Table& table, const Limits& limits) {
   require_valid(limits);
   const bool one_end = detail::LimitCheck::needs_stroke(limits);
-  const Range travel = one_end ? ranges_of(table, 0, 0)[0] : Range{};
+  const Range travel = one_end ? ranges_of(table, all_of(table), 0, 0)[0] : Range{};
   detail::LimitCheck found(limits, names_of(table), travel.max.value - travel.min.value);
   std::vector<Sought> sought = sought_for(found);
   if (sought.empty()) return {};
-  search(table, sought, [&](std::size_t b, const Range& range, std::size_t i) {
+  search(table, all_of(table), sought, [&](std::size_t b, const Range& range, std::size_t i) {
     found.consider(b, range, table.columns().x[i], i);
     if (const auto closest = found.closest(b))
       sought[b].best = sought[b].side == 0 ? *closest : -*closest;

@@ -19,6 +19,9 @@ namespace jounce {
 /// The exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
+/// The same of the intervals from `first` up to `last`, counted from 0.
+Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last);
+
 /// Exact extrema against limits: check(table.curve<...>(), limits).
 Report check(const Table& table, const Limits& limits);
 

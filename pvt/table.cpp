@@ -72,24 +72,25 @@ void require_column(Axis axis, Rule rule, std::size_t column, const std::vector<
 }  // namespace
 
 Table::Table(Axis axis, Rule rule, Outside outside, Columns columns)
-    : axis_(axis), rule_(rule), outside_(outside), columns_(std::move(columns)) {
-  const std::size_t knots = columns_.x.size();
+    : axis_(axis), rule_(rule), outside_(outside) {
+  const std::vector<double>& x = columns.x;
+  const std::size_t knots = x.size();
   if (knots < 2) throw InputError("knots", std::to_string(knots), "a table needs at least two");
-  const std::array all{&columns_.x, &columns_.p, &columns_.v, &columns_.a};
+  const std::array all{&columns.x, &columns.p, &columns.v, &columns.a};
   for (std::size_t column = 0; column < all.size(); ++column)
     require_column(axis, rule, column, *all[column], knots);
-  const std::size_t i = 1 + first_bad(knots - 1, [x = columns_.x.data()](std::size_t k) {
-                          return not_greater(x[k + 1], x[k]);
-                        });
+  const std::size_t i =
+      1 + first_bad(knots - 1, [at = x.data()](std::size_t k) { return not_greater(at[k + 1], at[k]); });
   if (i < knots)
-    throw InputError(entry(axis, 0, i), columns_.x[i],
-                     "must be greater than " + number(columns_.x[i - 1]) + ", the knot before");
-  index_ = BreakIndex(columns_.x);
+    throw InputError(entry(axis, 0, i), x[i],
+                     "must be greater than " + number(x[i - 1]) + ", the knot before");
+  BreakIndex index(x);
+  knots_ = std::make_shared<const Knots>(Knots{std::move(columns), std::move(index)});
 }
 
 Segment Table::segment(std::size_t i) const {
   assert(i + 1 < size());
-  const auto& [x, p, v, a] = columns_;
+  const auto& [x, p, v, a] = columns();
   const double length = x[i + 1] - x[i];
   switch (rule_) {
     case Rule::linear:
@@ -107,21 +108,24 @@ constexpr std::size_t cached = 16384;
 
 /// Asks memory for the knots beside interval i, all columns at once, while x is still compared.
 [[gnu::always_inline]] inline void Table::fetch(std::size_t i) const {
-  __builtin_prefetch(columns_.p.data() + i);
-  if (rule_ != Rule::linear) __builtin_prefetch(columns_.v.data() + i);
-  if (rule_ == Rule::quintic_hermite) __builtin_prefetch(columns_.a.data() + i);
+  const Columns& columns = knots_->columns;
+  __builtin_prefetch(columns.p.data() + i);
+  if (rule_ != Rule::linear) __builtin_prefetch(columns.v.data() + i);
+  if (rule_ == Rule::quintic_hermite) __builtin_prefetch(columns.a.data() + i);
 }
 
 Jet Table::jet(double x, Side side) const {
   if (x >= start() && x < end()) [[likely]] {
-    if (size() > cached) fetch(index_.near(x));
-    return inside(index_.find(columns_.x, x, side), x);
+    if (size() > cached) fetch(knots_->index.near(x));
+    return inside(knots_->index.find(breaks(), x, side), x);
   }
   return at_end_or_outside(x, side);
 }
 
 Jet Table::at_end_or_outside(double x, Side side) const {
-  const auto within = [&](double at) { return inside(index_.find(columns_.x, at, side), at); };
+  const auto within = [&](double at) {
+    return inside(knots_->index.find(breaks(), at, side), at);
+  };
   if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
   assert(outside_ != Outside::refuse && "query outside the range of a table that rejects this");
   if (!repeats(outside_)) return {inside(x < start() ? 0 : size() - 2, x)[0], 0, 0, 0};
@@ -132,7 +136,7 @@ Jet Table::at_end_or_outside(double x, Side side) const {
 }
 
 double Table::advance() const {
-  return outside_ == Outside::advance ? columns_.p.back() - columns_.p.front() : 0;
+  return outside_ == Outside::advance ? columns().p.back() - columns().p.front() : 0;
 }
 
 template <int degree>
@@ -143,7 +147,7 @@ template <int degree>
 }
 
 [[gnu::always_inline]] inline Jet Table::inside(std::size_t i, double at) const {
-  const detail::KnotColumns t = detail::knots_of(columns_);
+  const detail::KnotColumns t = detail::knots_of(columns());
   switch (rule_) {
     case Rule::linear:
       return jet_in<1>(t, i, at);
@@ -168,6 +172,23 @@ Curve<Over> Table::curve() const {
 
 template Curve<OverTime> Table::curve() const;
 template Curve<OverMaster> Table::curve() const;
+
+void require_curve(const Table& table) {
+  // No derivative up to the fourth is greater than 5! times the sum of the coefficients, over length^4.
+  const auto surely_finite = [](const Segment& f) {
+    double sum = 0;
+    for (std::size_t k = 0; k <= 5; ++k) sum += std::abs(f.c[k]);
+    const double rate = std::max(1.0, 1 / f.length);
+    return std::isfinite(120 * sum * rate * rate * rate * rate);
+  };
+  std::size_t i = 0;
+  while (i + 1 < table.size() && surely_finite(table.segment(i))) ++i;
+  if (i + 1 == table.size()) return;
+  if (table.axis() == Axis::time)
+    (void)table.curve<OverTime>();
+  else
+    (void)table.curve<OverMaster>();
+}
 
 Table stretched(const Table& table, double factor) {
   require_positive("factor", factor);

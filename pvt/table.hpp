@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct Columns {
 ///     Cam exact = table.curve<OverMaster>();     // the same polynomials, for exact checks
 ///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // a column each, in blocks
 ///
+/// A table is immutable: copies share their knots.
+///
 /// An interval is evaluated by detail/piece.hpp, the same on every processor; the curve agrees
 /// within rounding.
 ///
@@ -56,13 +59,13 @@ class Table {
   [[nodiscard]] Outside outside() const { return outside_; }
   /// Advance of the position in one period: Outside::advance; otherwise 0.
   [[nodiscard]] double advance() const;
-  [[nodiscard]] const Columns& columns() const { return columns_; }
-  [[nodiscard]] std::size_t size() const { return columns_.x.size(); }
+  [[nodiscard]] const Columns& columns() const { return knots_->columns; }
+  [[nodiscard]] std::size_t size() const { return columns().x.size(); }
 
-  [[nodiscard]] double start() const { return columns_.x.front(); }
-  [[nodiscard]] double end() const { return columns_.x.back(); }
+  [[nodiscard]] double start() const { return columns().x.front(); }
+  [[nodiscard]] double end() const { return columns().x.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
-  [[nodiscard]] std::span<const double> breaks() const { return columns_.x; }
+  [[nodiscard]] std::span<const double> breaks() const { return columns().x; }
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
   /// Position and two derivatives at every x, each in a column of its own: jet() to the bit, on
@@ -77,7 +80,7 @@ class Table {
 
   /// The interval that x in [start, end) lies in, counted from 0.
   [[nodiscard]] std::size_t interval(double x) const {
-    return index_.find(columns_.x, x, Side::right);
+    return knots_->index.find(columns().x, x, Side::right);
   }
 
   /// The interval between knots i and i + 1 as a segment.
@@ -88,6 +91,11 @@ class Table {
   [[nodiscard]] Curve<Over> curve() const;
 
  private:
+  struct Knots {
+    Columns columns;
+    BreakIndex index;
+  };
+
   [[nodiscard]] Jet at_end_or_outside(double x, Side side) const;
   [[nodiscard]] Jet inside(std::size_t interval, double at) const;
   void fetch(std::size_t interval) const;
@@ -95,9 +103,11 @@ class Table {
   Axis axis_;
   Rule rule_;
   Outside outside_;
-  Columns columns_;
-  BreakIndex index_;
+  std::shared_ptr<const Knots> knots_;
 };
+
+/// Throws what table.curve() would throw, without making the curve.
+void require_curve(const Table& table);
 
 /// The same table with its first column in another unit: x times `factor` > 0, the derivatives
 /// accordingly. Milliseconds become seconds with 1e-3.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
@@ -82,8 +83,8 @@ Finding step_of(const char* rule, double where, double step, double scale, std::
 }
 
 template <class Over>
-Finding end_of(const Curve<Over>& f, double velocity, double scale) {
-  const std::size_t last = f.segments().size() - 1;
+Finding end_of(const auto& f, double velocity, double scale) {
+  const std::size_t last = f.breaks().size() - 2;
   Finding found = step_of<Over>("pt/end_velocity", f.end(), velocity, scale, last);
   const std::string moving = "the table ends moving: ";
   if (f.outside() == Outside::hold) {
@@ -96,17 +97,54 @@ Finding end_of(const Curve<Over>& f, double velocity, double scale) {
   return found;
 }
 
-}  // namespace
-
+/// What is looked at segment by segment: a curve, or a table without its curve being made.
 template <class Over>
-Report overshoot(const Curve<Over>& f, double tolerance) {
-  const Range travel = extrema(f, 0);
+struct CurveSegments {
+  const Curve<Over>& f;
+  [[nodiscard]] const Segment& segment(std::size_t i) const { return f.segments()[i]; }
+  [[nodiscard]] Range range(std::size_t i) const { return segment_range(f, i, 0); }
+  [[nodiscard]] static bool surely_between_ends(std::size_t, double) { return false; }
+  [[nodiscard]] static bool velocity_is_continuous() { return false; }
+};
+
+struct TableSegments {
+  const Table& f;
+  [[nodiscard]] Segment segment(std::size_t i) const { return f.segment(i); }
+  [[nodiscard]] Range range(std::size_t i) const {
+    return segment_range(f.segment(i), f.breaks()[i], f.breaks()[i + 1], 0);
+  }
+  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: what counts as
+  /// beyond; half of it is left for the rounding of the coefficients.
+  [[nodiscard]] bool surely_between_ends(std::size_t i, double least) const {
+    const auto& [x, p, v, a] = f.columns();
+    const double low = std::min(p[i], p[i + 1]) - least / 2;
+    const double high = std::max(p[i], p[i + 1]) + least / 2;
+    const auto between = [&](double b) { return low <= b && b <= high; };
+    const double h = x[i + 1] - x[i];
+    switch (f.rule()) {
+      case Rule::linear:
+        return true;
+      case Rule::cubic_hermite:
+        return between(p[i] + h / 3 * v[i]) && between(p[i + 1] - h / 3 * v[i + 1]);
+      case Rule::quintic_hermite:
+        break;
+    }
+    const double bend = h * h / 20;
+    return between(p[i] + h / 5 * v[i]) && between(p[i] + 2 * h / 5 * v[i] + bend * a[i]) &&
+           between(p[i + 1] - h / 5 * v[i + 1]) &&
+           between(p[i + 1] - 2 * h / 5 * v[i + 1] + bend * a[i + 1]);
+  }
+  [[nodiscard]] bool velocity_is_continuous() const { return f.rule() != Rule::linear; }
+};
+
+Report overshoots_in(const auto& segments, const Range& travel, double tolerance) {
   const double stroke = travel.max.value - travel.min.value;
   // Below the rounding of the positions themselves nothing can be called beyond.
   const double least = std::max(tolerance * stroke, 1e-14 * std::abs(travel.peak().value));
   Report report;
-  for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    auto found = overshoot_of(f.segments()[i], segment_range(f, i, 0), least);
+  for (std::size_t i = 0; i + 1 < segments.f.breaks().size(); ++i) {
+    if (segments.surely_between_ends(i, least)) continue;
+    auto found = overshoot_of(segments.segment(i), segments.range(i), least);
     if (!found) continue;
     found->segment = i;
     found->margin /= stroke;
@@ -117,9 +155,9 @@ Report overshoot(const Curve<Over>& f, double tolerance) {
 }
 
 template <class Over>
-Report velocity_steps(const Curve<Over>& f, double tolerance) {
-  const double scale = std::abs(extrema(f, 1).peak().value);
-  const auto pieces = f.segments();
+Report steps_of(const auto& segments, double scale, double tolerance) {
+  const auto& f = segments.f;
+  const std::size_t count = f.breaks().size() - 1;
   Report report;
   const auto is_step = [&](double step) { return std::abs(step) > tolerance * scale; };
   const auto add = [&](const char* rule, double where, double step, std::size_t segment,
@@ -128,20 +166,43 @@ Report velocity_steps(const Curve<Over>& f, double tolerance) {
     report.findings.push_back(step_of<Over>(rule, where, step, scale, segment));
     report.findings.back().advice = advice;
   };
-  const auto begin = [&](std::size_t i) { return evaluate(pieces[i], 0)[1]; };
-  const auto end = [&](std::size_t i) { return evaluate(pieces[i], 1)[1]; };
+  const auto begin = [&](std::size_t i) { return evaluate(segments.segment(i), 0)[1]; };
+  const auto end = [&](std::size_t i) { return evaluate(segments.segment(i), 1)[1]; };
   const char* infinite = "this needs an infinite acceleration: let both sides of the point agree";
   if (f.outside() == Outside::hold) add("pt/velocity_step", f.start(), begin(0), 0, infinite);
-  for (std::size_t i = 1; i < pieces.size(); ++i)
+  for (std::size_t i = 1; i < count && !segments.velocity_is_continuous(); ++i)
     add("pt/velocity_step", f.breaks()[i], begin(i) - end(i - 1), i, infinite);
-  const double last = end(pieces.size() - 1);
+  const double last = end(count - 1);
   if (repeats(f.outside()))
     add("pt/wrap", f.end(), begin(0) - last, 0,
         "from each pass to the next: let the table end at the velocity of its start");
   else if (is_step(last))
-    report.findings.push_back(end_of(f, last, scale));
+    report.findings.push_back(end_of<Over>(f, last, scale));
   sort(report);
   return report;
+}
+
+}  // namespace
+
+template <class Over>
+Report overshoot(const Curve<Over>& f, double tolerance) {
+  return overshoots_in(CurveSegments<Over>{f}, extrema(f, 0), tolerance);
+}
+
+Report overshoot(const Table& table, double tolerance) {
+  return overshoots_in(TableSegments{table}, extrema(table)[0], tolerance);
+}
+
+template <class Over>
+Report velocity_steps(const Curve<Over>& f, double tolerance) {
+  return steps_of<Over>(CurveSegments<Over>{f}, std::abs(extrema(f, 1).peak().value), tolerance);
+}
+
+Report velocity_steps(const Table& table, double tolerance) {
+  const double scale = std::abs(extrema(table)[1].peak().value);
+  return table.axis() == Axis::time
+             ? steps_of<OverTime>(TableSegments{table}, scale, tolerance)
+             : steps_of<OverMaster>(TableSegments{table}, scale, tolerance);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                         \

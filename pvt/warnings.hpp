@@ -2,6 +2,7 @@
 
 #include "jounce/profiles/curve.hpp"
 #include "jounce/profiles/limits.hpp"
+#include "jounce/pvt/table.hpp"
 
 namespace jounce {
 
@@ -11,6 +12,8 @@ namespace jounce {
 ///     const Trajectory f = table.curve<OverTime>();
 ///     Report beyond = overshoot(f);       // HMPL's example: segment 1 down to -188.7 mm
 ///     Report steps = velocity_steps(f);   // where the acceleration would have to be infinite
+///
+/// Of a table: the same of its curve, without making it.
 ///
 /// Over a master read geo_velocity for velocity. What is below `tolerance` (of the travel, resp. of the
 /// greatest velocity) is rounding.
@@ -22,6 +25,7 @@ namespace jounce {
 /// 17, 1980). Only a note where the velocities at its ends are opposed: it has to turn between them.
 template <class Over>
 Report overshoot(const Curve<Over>& f, double tolerance = 1e-9);
+Report overshoot(const Table& table, double tolerance = 1e-9);
 
 /// Steps of the velocity; value: right limit minus left limit.
 ///
@@ -31,5 +35,6 @@ Report overshoot(const Curve<Over>& f, double tolerance = 1e-9);
 /// - "pt/wrap": from the end of a period to the start of the next.
 template <class Over>
 Report velocity_steps(const Curve<Over>& f, double tolerance = 1e-9);
+Report velocity_steps(const Table& table, double tolerance = 1e-9);
 
 }  // namespace jounce

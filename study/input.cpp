@@ -96,18 +96,26 @@ Finding table_error(const Input& input) {
           {}};
 }
 
-template <class Over>
-Report check_curve(const Curve<Over>& curve, const Input& input, int continuity) {
+void append(Report& report, const Report& part) {
+  report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
+}
+
+/// The limits and the continuity of a curve or of a table that is all there is.
+template <class Motion>
+Report check_motion(const Motion& motion, const Input& input, int continuity) {
+  Report report = check(motion, input.limits);
+  append(report, check_continuity(motion, continuity));
+  return report;
+}
+
+Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
-  Report report = input.error ? check(curve, input.limits) : check(table, input.limits);
-  const auto add = [&](const Report& part) {
-    report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
-  };
-  add(input.error ? check_continuity(curve, continuity) : check_continuity(table, continuity));
-  if (!input.error) return report;
+  if (!input.error) return check_motion(table, input, continuity);
+  Report report = std::visit(
+      [&](const auto& curve) { return check_motion(curve, input, continuity); }, *input.curve);
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // Where the curve keeps a limit, its table may still break it between the knots.
-  add(check_table(table, input.limits, report));
+  append(report, check_table(table, input.limits, report));
   return report;
 }
 
@@ -151,11 +159,12 @@ void explain_end(Finding& end, const Spec& spec, const EngageState& at) {
 
 /// The ends of a cam that runs once. Those of a follow spec are judged with its tables.
 void add_ends(const Input& input, const EngageState& at, Report& report) {
-  const auto* const cam = std::get_if<Cam>(&input.curve);
+  if (!input.labels.over_master) return;
+  const Cam& cam = std::get<Cam>(*input.curve);
   const auto* const sync = std::get_if<SyncSpec>(&input.spec->subject);
-  if (cam == nullptr || (sync != nullptr && std::holds_alternative<FollowPart>(*sync))) return;
+  if (sync != nullptr && std::holds_alternative<FollowPart>(*sync)) return;
   if (!input.spec->coupling)
-    for (Finding& end : check_ends(*cam).findings) report.findings.push_back(std::move(end));
+    for (Finding& end : check_ends(cam).findings) report.findings.push_back(std::move(end));
   for (Finding& f : report.findings)
     if (f.rule == "coupling/end") explain_end(f, *input.spec, at);
 }
@@ -192,29 +201,26 @@ void add_not_limited(Report& report, const Input& input) {
   const Limits& own = input.limits;
   const std::array limited{true, own.velocity || slave.velocity,
                            own.acceleration || slave.acceleration, own.jerk || slave.jerk};
-  std::visit(
-      [&]<class Over>(const Curve<Over>& curve) {
-        for (std::size_t k = 1; k < limited.size(); ++k) {
-          if (limited[k]) continue;
-          const Extremum peak = extrema(curve, static_cast<int>(k)).peak();
-          if (peak.value == 0) continue;
-          Finding f;
-          f.rule = std::string("unlimited/") + Over::names[k];
-          f.quantity = Over::names[k];
-          f.where = peak.where;
-          f.value = peak.value;
-          f.severity = Severity::note;
-          f.has_limit = false;
-          report.findings.push_back(std::move(f));
-        }
-      },
-      input.curve);
+  const auto& names = input.labels.over_master ? OverMaster::names : OverTime::names;
+  const Ranges ranges = of_motion(input, [](const auto& motion) { return extrema(motion); });
+  for (std::size_t k = 1; k < limited.size(); ++k) {
+    const Extremum& peak = ranges[k].peak();
+    if (limited[k] || peak.value == 0) continue;
+    Finding f;
+    f.rule = std::string("unlimited/") + names[k];
+    f.quantity = names[k];
+    f.where = peak.where;
+    f.value = peak.value;
+    f.severity = Severity::note;
+    f.has_limit = false;
+    report.findings.push_back(std::move(f));
+  }
 }
 
 std::optional<double> table_tolerance(const Input& input) {
   if (!input.error) return std::nullopt;
   if (is_best_of_so_many(input)) return input.error->position;
-  const Range travel = std::visit([](const auto& curve) { return extrema(curve, 0); }, input.curve);
+  const Range travel = std::visit([](const auto& curve) { return extrema(curve, 0); }, *input.curve);
   const double stroke = travel.max.value - travel.min.value;
   const double asked = input.options.tolerance.value_or((input.options.intervals ? 1e-6 : 1e-9) *
                                                         (stroke > 0 ? stroke : 1));
@@ -222,10 +228,7 @@ std::optional<double> table_tolerance(const Input& input) {
 }
 
 Input input_of(TableFile file, const std::string& path) {
-  std::variant<Cam, Trajectory> curve =
-      file.table.axis() == Axis::master
-          ? std::variant<Cam, Trajectory>(file.table.curve<OverMaster>())
-          : file.table.curve<OverTime>();
+  LazyCurve curve(file.table);
   Labels labels{file.units, file.table.axis() == Axis::master, {}};
   return {std::nullopt, std::move(curve),  std::move(file), std::nullopt,
           {},           std::move(labels), printable(path), ""};
@@ -238,24 +241,21 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {
 }
 
 Report check_all(const Input& input, int continuity, const EngageState& at) {
-  Report report = std::visit(
-      [&](const auto& curve) { return check_curve(curve, input, continuity); }, input.curve);
+  Report report = check_curve(input, continuity);
   if (input.spec) {
     const Spec& spec = *input.spec;
-    const auto add = [&](const Report& part) {
-      report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
-    };
+    const auto add = [&](const Report& part) { append(report, part); };
     if (spec.himc) name_himc_errors(report);
     add(spec.fill);
     add(check_sync(spec));
     add(merged(table_warnings(spec), report));
     if (std::holds_alternative<CamSpec>(spec.subject))
-      add(check_load(spec, std::get<Cam>(input.curve)));
-    if (spec.disc) add(check_disc(spec, std::get<Cam>(input.curve)));
-    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(input.curve), at));
+      add(check_load(spec, std::get<Cam>(*input.curve)));
+    if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
+    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
     add_ends(input, at, report);
     if (spec.compare && spec.compare->axis == input.axis)
-      add(check(spec.compare->compare, std::get<Trajectory>(input.curve), spec.compare->device));
+      add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
   }
   if (input.drive)
     if (auto unstable = unstable_loop(input.drive->drive)) {

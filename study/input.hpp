@@ -14,7 +14,7 @@ namespace jounce {
 /// An input of the verbs: one axis of a spec, which is made first, or a finished table.
 struct Input {
   std::optional<Spec> spec;
-  std::variant<Cam, Trajectory> curve;
+  LazyCurve curve;
   TableFile table;
   std::optional<SampleError>
       error;      ///< error of the table against the curve; none where it is all there is
@@ -29,6 +29,13 @@ struct Input {
   std::optional<Binding> binding = {};   ///< binding of a table of fewest knots
   std::vector<std::string> unread = {};  ///< other content of its file
 };
+
+/// Calls `act` with the input's curve, or with its table where there is no other curve: the table
+/// needs less time and memory.
+template <class Act>
+auto of_motion(const Input& input, const Act& act) {
+  return input.error ? std::visit(act, *input.curve) : act(input.table.table);
+}
 
 /// Positions of slave and master at the start of a coupling. By default, the slave rests at the cam's first
 /// value; the master is where the cam begins, at the velocity of [master] (0 without one).

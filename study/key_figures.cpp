@@ -130,7 +130,7 @@ class Offers {
       : looked_(looked), input_(looked.input()), first_(first), all_(all) {}
 
   void add_all() {
-    const auto* cam = std::get_if<Cam>(&input_.curve);
+    const auto* cam = std::get_if<Cam>(&*input_.curve);
     add_table();
     if (cam == nullptr || input_.spec->master) add_motion();
     if (cam != nullptr) add_rates<OverMaster>([cam]() -> const Cam& { return *cam; });
@@ -155,7 +155,7 @@ class Offers {
 
   void add_table() {
     const Range travel =
-        std::visit([](const auto& curve) { return extrema(curve, 0); }, input_.curve);
+        std::visit([](const auto& curve) { return extrema(curve, 0); }, *input_.curve);
     add_known("stroke", input_.labels.units.position, travel.max.value - travel.min.value);
     add_known("knots", "", static_cast<double>(input_.table.table.columns().x.size()));
   }
@@ -172,7 +172,7 @@ class Offers {
     const std::string x =
         std::is_same_v<Over, OverTime> ? input_.spec->time_unit : input_.labels.units.x;
     constexpr bool in_time = std::is_same_v<Over, OverTime>;
-    const bool of_cam = std::holds_alternative<Cam>(input_.curve);
+    const bool of_cam = std::holds_alternative<Cam>(*input_.curve);
     const Limits& limits = in_time && of_cam ? input_.spec->slave : input_.limits;
     const std::array most{limits.velocity, limits.acceleration, limits.jerk};
     for (int k = 1; k <= 3; ++k) {
@@ -233,7 +233,7 @@ Report report_of(std::vector<Looked>& axes, bool with_drive) {
   for (Looked& axis : axes) {
     const Input& input = axis.input();
     append(all, check_all(input), input.axis);
-    const auto* cam = std::get_if<Cam>(&input.curve);
+    const auto* cam = std::get_if<Cam>(&*input.curve);
     if (cam != nullptr && input.spec->master && has_slave_limits(*input.spec))
       all.findings.push_back(master_finding(*cam, *input.spec));
     if (input.drive && with_drive) append(all, axis.drive().report, input.axis);
@@ -244,10 +244,10 @@ Report report_of(std::vector<Looked>& axes, bool with_drive) {
 
 std::vector<LimitRoom> rooms_of(const Input& input) {
   std::vector<LimitRoom> rooms =
-      std::visit([&](const auto& curve) { return limit_rooms(curve, input.limits); }, input.curve);
+      std::visit([&](const auto& curve) { return limit_rooms(curve, input.limits); }, *input.curve);
   for (LimitRoom& room : rooms)
     if (!input.axis.empty()) room.rule += " " + input.axis;
-  const auto* cam = std::get_if<Cam>(&input.curve);
+  const auto* cam = std::get_if<Cam>(&*input.curve);
   if (cam == nullptr || !input.spec->master || !has_slave_limits(*input.spec)) return rooms;
   if (master_rates(*input.spec).acceleration > 0) return rooms;
   for (LimitRoom& room : limit_rooms(*cam, slave_limits_by_master(*input.spec)))

@@ -25,19 +25,19 @@ Trajectory master_of(const Input& input) {
 }
 
 Reference exact_reference(const Input& input) {
-  if (const auto* cam = std::get_if<Cam>(&input.curve)) return Followed(*cam, master_of(input));
-  return scaled(std::get<Trajectory>(input.curve), 1, seconds(input));
+  if (const auto* cam = std::get_if<Cam>(&*input.curve)) return Followed(*cam, master_of(input));
+  return scaled(std::get<Trajectory>(*input.curve), 1, seconds(input));
 }
 
 Reference table_reference(const Input& input) {
-  if (std::holds_alternative<Cam>(input.curve))
+  if (std::holds_alternative<Cam>(*input.curve))
     return Followed(input.table.table.curve<OverMaster>(), master_of(input));
   return stretched(input.table.table, seconds(input)).curve<OverTime>();
 }
 
 Trajectory motion_over_time(const Input& input) {
-  const auto* cam = std::get_if<Cam>(&input.curve);
-  if (cam == nullptr) return std::get<Trajectory>(input.curve);
+  const auto* cam = std::get_if<Cam>(&*input.curve);
+  if (cam == nullptr) return std::get<Trajectory>(*input.curve);
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
   double size = 0;
   for (const Segment& each : cam->segments()) size = std::max(size, magnitude(each));

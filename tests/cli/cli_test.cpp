@@ -11,6 +11,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "jounce/io/printable.hpp"
@@ -1389,6 +1390,36 @@ TEST_F(Cli, NoControlCharacterOfAFileOrItsNameReachesATerminal) {
   write("unit.csv", "# jounce table 1\n# axis: \x1b[2J\n# rule: \x1b\n");
   for (const char* name : {"name.toml", "key.toml", "raw.toml", "unit.csv"})
     for (const char* verb : {"check ", "run ", "plot "}) expect_harmless(std::string(verb) + name);
+}
+
+/// A recorded motion of so many rows, and a spec that plays it.
+void write_recording(const std::filesystem::path& folder, const std::string& name, int rows) {
+  std::ofstream points(folder / (name + ".csv"));
+  points << "time [s],position [mm],velocity [mm/s]\n";
+  for (int i = 0; i < rows; ++i) {
+    const double t = 1e-3 * i;
+    std::array<char, 80> row{};
+    std::snprintf(row.data(), row.size(), "%.3f,%.9f,%.9f\n", t, 10 * std::sin(t), 10 * std::cos(t));
+    points << row.data();
+  }
+  std::ofstream(folder / (name + ".toml"))
+      << "jounce = 1\nkind = \"pvt\"\noutside = \"refuse\"\n"
+         "units = { position = \"mm\", time = \"s\" }\npoints = \"" +
+             name + ".csv\"\n[limits]\nvelocity = 11\n";
+}
+
+TEST_F(Cli, ChecksARecordingInLittleMemory) {
+  const auto peak = [&](const std::string& file) {  // KiB, the most of all children so far
+    EXPECT_EQ(run("check " + file + " > out.txt").status, 0) << slurp(folder / "out.txt");
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return static_cast<double>(usage.ru_maxrss);
+  };
+  constexpr int few = 100000, many = 500000;
+  write_recording(folder, "few", few);
+  write_recording(folder, "many", many);
+  const double of_few = peak("few.toml");
+  EXPECT_LT(1024 * (peak("many.toml") - of_few) / (many - few), 120) << "bytes a row";
 }
 
 }  // namespace

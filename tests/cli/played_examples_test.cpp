@@ -100,7 +100,7 @@ bool has_master(const Input& input) {
 }
 
 Promise promise_of(const Input& input) {
-  const auto* const cam = std::get_if<Cam>(&input.curve);
+  const auto* const cam = std::get_if<Cam>(&*input.curve);
   StreamPlan plan;
   if (cam == nullptr || has_master(input)) {
     Tables tables = executor_tables(input);
@@ -250,10 +250,10 @@ class Play {
 
   /// A limit over time that `check` says holds does hold in the log; one that it says is broken, is.
   void compare_limits() const {
-    if (std::holds_alternative<Cam>(input_.curve)) return;  // limits per master unit
+    if (std::holds_alternative<Cam>(*input_.curve)) return;  // limits per master unit
     const double unit =
         duration(exact_reference(input_)) /
-        (std::get<Trajectory>(input_.curve).end() - std::get<Trajectory>(input_.curve).start());
+        (std::get<Trajectory>(*input_.curve).end() - std::get<Trajectory>(*input_.curve).start());
     double velocity = 0;
     double acceleration = 0;
     for (const Logged& tick : logged(csv_)) {

@@ -79,9 +79,9 @@ TEST(Comparison, TellsNumbersApart) {
 
 TEST(Comparison, OfTheSpecThatAKnotWasMovedIn) {
   Spec spec = read_spec(JOUNCE_SOURCE_DIR "/examples/pmc600-cam/cam.toml");
-  const Cam before = std::get<Cam>(make(spec).curve);
+  const Cam before = std::get<Cam>(*make(spec).curve);
   std::get<CamSpec>(spec.subject).segments[2].end.slave = 95;
-  const Cam after = std::get<Cam>(make(spec).curve);
+  const Cam after = std::get<Cam>(*make(spec).curve);
   const Labels labels{spec.units, true, {}};
   const Comparison c = compare({"a", before, labels}, {"b", after, labels});
   EXPECT_DOUBLE_EQ(c.changes[0].largest.value, -5);

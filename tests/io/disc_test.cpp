@@ -41,7 +41,7 @@ Spec spec_of(const std::string& text) {
 }
 
 Cam cam_of(const Spec& spec) {
-  return std::get<Cam>(make(spec).curve);
+  return std::get<Cam>(*make(spec).curve);
 }
 
 Disc disc_of(const Spec& spec) {

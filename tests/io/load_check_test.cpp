@@ -25,7 +25,7 @@ std::string spec(const std::string& load, bool master = true) {
 
 Report checked(const std::string& load) {
   const Spec made = parse_spec(spec(load), "a.toml");
-  return check_load(made, std::get<Cam>(make(made).curve));
+  return check_load(made, std::get<Cam>(*make(made).curve));
 }
 
 /// f'' = 2 pi h / beta^2 sin(2 pi x / beta), so that T = J (2 pi / position_per_rev) w^2 f''.

@@ -39,7 +39,7 @@ Made made(const std::string& text) {
 }
 
 Trajectory curve(const std::string& text) {
-  return std::get<Trajectory>(made(text).curve);
+  return std::get<Trajectory>(*made(text).curve);
 }
 
 /// The very same motion, to the last bit.
@@ -255,7 +255,7 @@ TEST(QueueSpec, IsTheLibrarysQueue) {
                           {MoveVelocity{-1}, common},
                           {Halt{}, common, BufferMode::aborting, 3.0}}});
   const Made queue = made(queue_spec);
-  expect_same(std::get<Trajectory>(queue.curve), expected.trajectory);
+  expect_same(std::get<Trajectory>(*queue.curve), expected.trajectory);
   EXPECT_EQ(queue.segments.front(), "1 absolute");
   EXPECT_EQ(queue.segments.back(), "5 halt");
 }
@@ -306,7 +306,7 @@ TEST(AxesSpec, AreTheLibrarysSynchronisedAxes) {
   const std::vector<Made> all = make_axes(parse_spec(axes_spec, "a.toml"));
   ASSERT_EQ(all.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i)
-    expect_same(std::get<Trajectory>(all[i].curve), profiles[i].curve());
+    expect_same(std::get<Trajectory>(*all[i].curve), profiles[i].curve());
   EXPECT_EQ(all[0].part.name, "x");
   EXPECT_EQ(all[0].sampled.table.rule(), Rule::cubic_hermite);
   EXPECT_EQ(all[0].part.limits.velocity, 1000);
@@ -318,8 +318,8 @@ TEST(AxesSpec, WithoutSyncTheEarlierOneWaits) {
   std::string text = axes_spec;
   text.replace(text.find("\"phase\""), 7, "\"none\"");
   const std::vector<Made> all = make_axes(parse_spec(text, "a.toml"));
-  const auto& x = std::get<Trajectory>(all[0].curve);
-  const auto& c = std::get<Trajectory>(all[1].curve);
+  const auto& x = std::get<Trajectory>(*all[0].curve);
+  const auto& c = std::get<Trajectory>(*all[1].curve);
   EXPECT_EQ(x.end(), c.end());
   EXPECT_EQ(c.jet(x.end() - 0.05)[1], 0) << "90 deg take less time than 300 mm";
 }
@@ -337,7 +337,7 @@ point = [{ position = [0, 0] }, { position = ["1 m", 1000] }, { position = [3000
   const std::vector<Made> all = make_axes(parse_spec(text, "a.toml"));
   ASSERT_EQ(all.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i)
-    expect_same(std::get<Trajectory>(all[i].curve), motion.axes[i]);
+    expect_same(std::get<Trajectory>(*all[i].curve), motion.axes[i]);
 }
 
 // ---- operators -------------------------------------------------------------------------------
@@ -419,8 +419,8 @@ TEST(Then, FrequenciesAreInHertzWhateverTheUnitOfTime) {
 TEST(Then, SeveralAxesKeepTogether) {
   const std::vector<Made> all =
       make_axes(parse_spec(std::string(axes_spec) + "[[then]]\noperator = \"retime\"\n", "a.toml"));
-  const auto& x = std::get<Trajectory>(all[0].curve);
-  const auto& c = std::get<Trajectory>(all[1].curve);
+  const auto& x = std::get<Trajectory>(*all[0].curve);
+  const auto& c = std::get<Trajectory>(*all[1].curve);
   EXPECT_EQ(x.end(), c.end());
   EXPECT_NEAR(extrema(x, 1).max.value, 1000, 1e-9) << "x decides; c follows";
   EXPECT_NEAR(extrema(c, 1).min.value, -300, 1e-9);
@@ -446,7 +446,7 @@ velocity = 15
 intervals = 4
 )";
   const Made retimed = made(text);
-  EXPECT_EQ(std::get<Trajectory>(retimed.curve).end(), 1);
+  EXPECT_EQ(std::get<Trajectory>(*retimed.curve).end(), 1);
   EXPECT_EQ(retimed.sampled.table.size(), 5U);
 }
 
@@ -743,7 +743,7 @@ TEST(Table, PiecesAsShortAsTheRoundingOfTheirPlaceAreTakenAlong) {
       "[[command]]\ntype = \"absolute\"\nposition = 2000\n"
       "[[command]]\ntype = \"absolute\"\nposition = 2000\nvelocity = 385\nmode = \"aborting\"\n"
       "issued = 2.15\n");
-  EXPECT_NEAR(std::get<Trajectory>(queue.curve).at(queue.sampled.table.end()).position, 2000, 1e-9);
+  EXPECT_NEAR(std::get<Trajectory>(*queue.curve).at(queue.sampled.table.end()).position, 2000, 1e-9);
   EXPECT_LE(queue.sampled.error.position, 2e-6);
   const Made far = made(
       "jounce = 1\nkind = \"pt\"\nunits = { position = \"mm\", time = \"s\" }\n"
@@ -768,7 +768,7 @@ TEST(AxesSpec, TheTableOfPickAndPlaceHasNoNeedlesOfJerk) {
   const std::string text = via_spec(via_point("[0, 0]") + via_point("[0, 60]") + via_point("[40, 100]") +
                                     via_point("[260, 100]") + via_point("[300, 60]") + via_point("[300, 0]"));
   for (const Made& axis : make_axes(parse_spec(text, "a.toml"))) {
-    const auto& curve = std::get<Trajectory>(axis.curve);
+    const auto& curve = std::get<Trajectory>(*axis.curve);
     const double most = std::abs(extrema(curve, 3).peak().value);
     EXPECT_LE(most, 100000 * (1 + 1e-9));
     EXPECT_LE(std::abs(extrema(axis.sampled.table.curve<OverTime>())[3].peak().value), 1.2 * most)
@@ -786,8 +786,8 @@ TEST(AxesSpec, PointsMayHaveRatesAtTheEndsLimitsOfAStretchAndANorm) {
   };
   const auto axes = make_axes(parse_spec(text("velocity = [50, 0]\n"), "a.toml"));
   ASSERT_EQ(axes.size(), 2U);
-  const auto& x = std::get<Trajectory>(axes[0].curve);
-  const auto& z = std::get<Trajectory>(axes[1].curve);
+  const auto& x = std::get<Trajectory>(*axes[0].curve);
+  const auto& z = std::get<Trajectory>(*axes[1].curve);
   EXPECT_NEAR(x.at(0).velocity, 50, 1e-12);
   EXPECT_NEAR(x.at(1).velocity, 100, 1e-9) << "on the way to 200";
   EXPECT_LE(extrema(x, 1).max.value, 400 * 200 / std::hypot(200, 300) * (1 + 1e-9));

@@ -85,7 +85,7 @@ TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
   const std::string keys = pt + "[pt]\nincrements = true\n";
   const Made made =
       make(spec(keys, "time,position,type\n1024,1024,normal\n1024,2048,0\n1024,1024,stop\n"));
-  const auto& curve = std::get<Trajectory>(made.curve);
+  const auto& curve = std::get<Trajectory>(*made.curve);
   EXPECT_EQ(curve.end(), 3072);
   EXPECT_EQ(curve.jet(1024)[1], 2);
   EXPECT_EQ(curve.jet(3072, Side::left)[0], 4096);
@@ -127,7 +127,7 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
       "kind = \"pt\"\nunits = { position = \"mm\", time = \"s\" }\npoints = \"points.csv\"\n"
       "[pt]\ncontroller = \"pmc600\"\nquantity = \"velocity\"\n";
   const Made made = make(spec(head, "delta_time [ms],velocity [m/s]\n1000,0.01\n2000,0\n"));
-  const auto& curve = std::get<Trajectory>(made.curve);
+  const auto& curve = std::get<Trajectory>(*made.curve);
   EXPECT_EQ(curve.end(), 3);
   EXPECT_EQ(curve.jet(1)[1], 10);
   EXPECT_EQ(

@@ -15,7 +15,7 @@ struct Checked {
 Checked fig_6_14() {
   const Spec spec = read_spec(JOUNCE_SOURCE_DIR "/examples/pmc600-cam/cam.toml");
   Made made = make(spec);
-  return {check(std::get<Cam>(made.curve), spec.limits),
+  return {check(std::get<Cam>(*made.curve), spec.limits),
           {spec.units, true, std::move(made.segments)}};
 }
 

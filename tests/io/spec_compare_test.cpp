@@ -28,7 +28,7 @@ TEST(SpecCompare, ReadsAListInTheSpecsUnits) {
   EXPECT_NEAR(spec.compare->compare.pulse, 0.02, 1e-15);  // ms
   EXPECT_NEAR(spec.compare->device.sampling_frequency, 16, 1e-12);
   const Made made = make(spec);
-  EXPECT_EQ(compared(spec.compare->compare, std::get<Trajectory>(made.curve)).events.size(), 11U);
+  EXPECT_EQ(compared(spec.compare->compare, std::get<Trajectory>(*made.curve)).events.size(), 11U);
 }
 
 TEST(SpecCompare, NamesWhatIsWrong) {
@@ -57,7 +57,7 @@ TEST(SpecCompensation, CorrectsTheMotion) {
           "[[then]]\noperator = \"compensation\"\n"
           "reference = [{ base = 0, interval = 10, count = 4 }]\nvalues = [0, 0.1, -0.1, 0.2]\n",
       "c.toml");
-  const auto curve = std::get<Trajectory>(make(spec).curve);
+  const auto curve = std::get<Trajectory>(*make(spec).curve);
   EXPECT_NEAR(curve.jet(curve.end(), Side::left)[0], 30.2, 1e-12);
   EXPECT_EQ(curve.jet(0)[0], 0);
 }
@@ -74,7 +74,7 @@ TEST(SpecCompensation, CountsInTheAxesOwnUnits) {
                      "reference = [{ base = \"0 mm\", interval = \"30 mm\", count = 4 }]\n"
                      "values = [\"0 mm\", \"1 mm\", \"1 mm\", \"0.5 mm\"]\n",
                  "c.toml");
-  const auto curve = std::get<Trajectory>(make_axes(spec).at(1).curve);
+  const auto curve = std::get<Trajectory>(*make_axes(spec).at(1).curve);
   EXPECT_NEAR(curve.jet(curve.end(), Side::left)[0], 9.05, 1e-12);
   EXPECT_NEAR(curve.jet(curve.end() / 2)[0], 4.5 + 0.1, 1e-12);
 }
@@ -98,7 +98,7 @@ TEST(SpecCompensation, TellsWhatItsFitMayDiffer) {
   std::string finer = plate;
   finer.replace(finer.find("tolerance = 0.01"), 16, "tolerance = 1e-9");
   const Made fine = std::move(make_axes(parse_spec(finer, "c.toml")).front());
-  const auto& exact = std::get<Trajectory>(fine.curve);
+  const auto& exact = std::get<Trajectory>(*fine.curve);
   double worst = 0;
   for (int i = 0; i <= 1000; ++i) {
     const double t = exact.end() * i / 1000;

@@ -31,7 +31,7 @@ TEST(FollowSpecFile, IncrementsAndRepeatsAreAddedUp) {
                            "[[segment]]\nmaster = 10\nslave = 10\ntype = \"even\"\nrepeat = 5\n"
                            "[[segment]]\nmaster = 100\nslave = 50\ntype = \"stop\"\n"),
                       "f"));
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.segments().size(), 7U);
   EXPECT_EQ(cam.end(), 250);
   EXPECT_EQ(cam.at(250).position, 150);
@@ -43,8 +43,8 @@ TEST(FollowSpecFile, IncrementsAndRepeatsAreAddedUp) {
 TEST(FollowSpecFile, UnitsAreConverted) {
   const Made made = make(parse_spec(
       spec("[[segment]]\nmaster = \"1 rev\"\nslave = \"2 cm\"\ntype = \"even\"\n"), "f"));
-  EXPECT_EQ(std::get<Cam>(made.curve).end(), 360);
-  EXPECT_EQ(std::get<Cam>(made.curve).at(360).position, 20);
+  EXPECT_EQ(std::get<Cam>(*made.curve).end(), 360);
+  EXPECT_EQ(std::get<Cam>(*made.curve).at(360).position, 20);
 }
 
 TEST(FollowSpecFile, APlanIsSmoothOrATable) {
@@ -52,10 +52,10 @@ TEST(FollowSpecFile, APlanIsSmoothOrATable) {
       "periodic = true\n[[zone]]\nfrom = 0\nto = 90\nratio = 0.5\n"
       "[[point]]\nmaster = 360\nslave = 120\n";
   const Made smooth = make(parse_spec(spec("[follow]\n" + plan), "f"));
-  EXPECT_TRUE(check_continuity(std::get<Cam>(smooth.curve), 2).ok());
+  EXPECT_TRUE(check_continuity(std::get<Cam>(*smooth.curve), 2).ok());
   const Spec table = parse_spec(spec("[follow]\nform = \"table\"\n" + plan), "f");
   EXPECT_EQ(table.master_period(), 360);
-  EXPECT_EQ(std::get<Cam>(make(table).curve).segments().size(), 3U);
+  EXPECT_EQ(std::get<Cam>(*make(table).curve).segments().size(), 3U);
   EXPECT_TRUE(check_follow(table).findings.empty());
 }
 

@@ -16,7 +16,7 @@ std::string spec(const std::string& gear) {
 TEST(GearSpec, MakesALineThatGoesOnFromWhereItEnds) {
   const Made made =
       make(parse_spec(spec("[gear]\nnumerator = -4\ndenominator = 3\nmaster_period = 360\n"), "g"));
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.outside(), Outside::advance);
   EXPECT_EQ(cam.jet(90)[0], -120);
   EXPECT_EQ(cam.jet(360e9 + 90)[0], -480e9 - 120);
@@ -31,7 +31,7 @@ TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
            "[[gear.change]]\nat = 500\nnumerator = 2\ndistance = 40\nlaw = \"345\"\n"
            "[[gear.shift]]\nat = 700\nshift = -3\ndistance = 100\n"),
       "g"));
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.jet(10)[0], 7);
   EXPECT_NEAR(cam.jet(110)[0], 7 + 25, 1e-12);
   EXPECT_NEAR(cam.jet(540)[0], 7 + 25 + 195 + 50, 1e-12);
@@ -46,7 +46,7 @@ TEST(GearSpec, EngagesAtPositions) {
       "[gear]\nengage = \"position\"\nnumerator = 1\ndenominator = 2\n"
       "master_sync_position = 5000\nslave_sync_position = 2000\nmaster_end = 10000\n";
   const Made made = make(parse_spec(spec(text + "master_start_distance = 4000\n"), "g"));
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.jet(1000)[0], 0);
   EXPECT_NEAR(cam.jet(5000)[0], 2000, 1e-12);
   EXPECT_NEAR(cam.jet(10000)[0], 4500, 1e-12);
@@ -140,14 +140,14 @@ TEST(AxesSpec, WithoutLimitsOfItsOwnAnAxisFollowsOnTheLine) {
   const auto both = make_axes(parse_spec(head + "[[axis]]\nname = \"s\"\nfrom = 10\nto = "
                                                 "-1990\n[[axis]]\nname = \"z\"\nfrom = 5\nto = 5\n",
                                          "a"));
-  const auto& master = std::get<Trajectory>(both[0].curve);
-  const auto& slave = std::get<Trajectory>(both[1].curve);
+  const auto& master = std::get<Trajectory>(*both[0].curve);
+  const auto& slave = std::get<Trajectory>(*both[1].curve);
   EXPECT_NEAR(slave.end(), 2.5, 1e-12);  // PMC600 manual 6.3, example 6.7
   EXPECT_EQ(slave.end(), master.end());
   EXPECT_NEAR(extrema(slave, 1).min.value, -1000, 1e-9);
   for (int i = 0; i <= 100; ++i)
     EXPECT_NEAR(slave.at(i * 0.025).position, 10 - master.at(i * 0.025).position / 2, 1e-9);
-  EXPECT_EQ(std::get<Trajectory>(both[2].curve).at(1).position, 5);
+  EXPECT_EQ(std::get<Trajectory>(*both[2].curve).at(1).position, 5);
 }
 
 TEST(GearSpec, RefusesADenominatorOfNought) {

@@ -34,7 +34,7 @@ std::string refusal(const std::string& position, const std::string& knife) {
 }
 
 double advance(const Spec& of) {
-  return std::get<Cam>(make(of).curve).advance();
+  return std::get<Cam>(*make(of).curve).advance();
 }
 
 TEST(KnifeSpec, CountsTheKnifeInTheSpecsUnit) {
@@ -50,7 +50,7 @@ TEST(KnifeSpec, MakesTheSameKnifeWhateverItsUnit) {
   const Made degrees = make(spec("deg", "cut_length = 4.71\nsync_angle = 10\n"));
   const Made pulses = make(spec("pulse", "cut_length = 4.71\nsync_angle = 10\nturn = 3600\n"));
   for (const double x : {0.1, 1.0, 2.5, 4.65})
-    EXPECT_NEAR(std::get<Cam>(pulses.curve).jet(x)[0], 10 * std::get<Cam>(degrees.curve).jet(x)[0],
+    EXPECT_NEAR(std::get<Cam>(*pulses.curve).jet(x)[0], 10 * std::get<Cam>(*degrees.curve).jet(x)[0],
                 1e-9);
   EXPECT_EQ(degrees.segments, (std::vector<std::string>{"1 sync", "2 recovery", "3 sync"}));
   EXPECT_EQ(degrees.zones.size(), 2U);

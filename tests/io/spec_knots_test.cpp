@@ -93,7 +93,7 @@ TEST(KnotsSpec, AxesThroughPointsShareTheBestTimes) {
   const std::vector<Made> made = make_axes(both);
   ASSERT_EQ(made.size(), 2U);
   for (const Made& each : made) {
-    const Trajectory& f = std::get<Trajectory>(each.curve);
+    const Trajectory& f = std::get<Trajectory>(*each.curve);
     EXPECT_NEAR(f.length(), 2, 1e-8);
     EXPECT_EQ(f.segments().size(), 3U);
   }

@@ -38,7 +38,7 @@ TEST(PolydyneSpec, DrivesTheModeAtTheMastersSpeed) {
   ASSERT_EQ(made.residuals.size(), 1U);
   EXPECT_GT(made.residuals[0].before, 1e-3);
   EXPECT_LT(made.residuals[0].after, 1e-12 * 40);
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.outside(), Outside::wrap);
   EXPECT_EQ(cam.at(150).position, 40);
   // (1) of cam/polydyne.hpp at 60 deg, where the output's velocity is 315/128 * 40/120 and its
@@ -54,8 +54,8 @@ TEST(PolydyneSpec, CountsInTheSpecsUnitOfTime) {
       spec_text("56789", tail, "velocity = \"400 deg/s\"\ndistance = 360\n");
   std::string in_minutes = text;
   in_minutes.replace(in_minutes.find("position = \"mm\""), 15, "position = \"mm\", time = \"min\"");
-  const Cam a = std::get<Cam>(make(spec_of(text)).curve);
-  const Cam b = std::get<Cam>(make(spec_of(in_minutes)).curve);
+  const Cam a = std::get<Cam>(*make(spec_of(text)).curve);
+  const Cam b = std::get<Cam>(*make(spec_of(in_minutes)).curve);
   EXPECT_NEAR(a.at(33).position, b.at(33).position, 1e-12);
 }
 

@@ -33,7 +33,7 @@ std::string refusal(const std::string& text) {
 TEST(ShearSpec, OfTenLinesMakesTheCamAndItsMaster) {
   const Spec read = parse_spec(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.15"), "s");
   const Made made = make(read);
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.end(), 1000);
   EXPECT_EQ(cam.outside(), Outside::wrap);
   EXPECT_EQ(read.master_period(), 1000);
@@ -102,7 +102,7 @@ TEST(IndexerSpec, MakesACamThatAdvances) {
       "[indexer]\ndistance = 45\ncycle = 2000\nmotion = 400\n",
       "i");
   const Made made = make(read);
-  const Cam& cam = std::get<Cam>(made.curve);
+  const Cam& cam = std::get<Cam>(*made.curve);
   EXPECT_EQ(cam.outside(), Outside::advance);
   EXPECT_EQ(cam.jet(2000 * 8 + 1000)[0], 9 * 45);
   EXPECT_EQ(read.master_period(), 2000);

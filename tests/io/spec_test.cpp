@@ -44,7 +44,7 @@ TEST(Spec, ReadsTheCamOfThePmc600Manual) {
 
 TEST(Spec, MakesTheGoogolMoveFromItsSmoothingTime) {
   const Made made = make(read_spec(examples + "googol-move/move.toml"));
-  EXPECT_DOUBLE_EQ(std::get<Trajectory>(made.curve).end(), 1325) << "ms, as the spec counts";
+  EXPECT_DOUBLE_EQ(std::get<Trajectory>(*made.curve).end(), 1325) << "ms, as the spec counts";
   EXPECT_LT(made.sampled.error.position, 1e-9);
 }
 

@@ -21,7 +21,7 @@ std::string pmc600(const std::string& rest) {
 }
 
 Trajectory motion(const std::string& text) {
-  return std::get<Trajectory>(make(parse_spec(text, "t.toml")).curve);
+  return std::get<Trajectory>(*make(parse_spec(text, "t.toml")).curve);
 }
 
 std::string message(const std::string& text) {
@@ -47,7 +47,7 @@ const std::string ex_7_3 =
 
 TEST(PtSpec, IsPlayedAsItStandsAndItsTableIsExact) {
   const Made made = make(parse_spec(googol(ex_7_3 + "[pt]\ncontroller = \"googol\"\n"), "t.toml"));
-  const auto& f = std::get<Trajectory>(made.curve);
+  const auto& f = std::get<Trajectory>(*made.curve);
   EXPECT_EQ(f.at(1024).velocity, 2);
   EXPECT_EQ(f.outside(), Outside::hold);
   EXPECT_THAT(made.segments, ElementsAre("1 normal", "2 normal", "3 normal"));
@@ -71,7 +71,7 @@ TEST(PtSpec, TakesIncrements) {
 TEST(PtSpec, LoopsAreNamedByPassOrHaveNoEnd) {
   const Made two = make(parse_spec(googol(ex_7_3 + "[pt]\nloops = 2\n"), "t.toml"));
   EXPECT_EQ(two.segments[3], "pass 2: 1 normal");
-  EXPECT_EQ(std::get<Trajectory>(two.curve).at(6144).position, 8192);
+  EXPECT_EQ(std::get<Trajectory>(*two.curve).at(6144).position, 8192);
   const Trajectory endless = motion(googol(ex_7_3 + "[pt]\nloops = 0\n"));
   EXPECT_EQ(endless.outside(), Outside::advance);
   EXPECT_EQ(endless.at(3072e3 + 512).position, 4096e3 + 256);

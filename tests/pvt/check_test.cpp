@@ -10,6 +10,8 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/detail/hull_kernel.hpp"
+#include "jounce/pvt/lazy_curve.hpp"
+#include "jounce/pvt/warnings.hpp"
 
 #include "support/random.hpp"
 
@@ -130,6 +132,52 @@ TEST(CheckTable, FindsTheExtremaOfItsCurve) {
   });
 }
 
+TEST(CheckTable, FindsTheExtremaOfAnyPartOfItsCurve) {
+  for_tables(4, [](const Table& table, Random& random) {
+    const int count = static_cast<int>(table.size()) - 1;
+    const auto first = static_cast<std::size_t>(random.below(count));
+    const auto last = first + static_cast<std::size_t>(random.below(count - static_cast<int>(first)));
+    expect_same(segment_extrema(table, first, last),
+                segment_extrema(table.curve<OverTime>(), first, last), place_rounding(table));
+  });
+}
+
+void expect_same_warnings(const Report& got, const Report& wanted, double places) {
+  ASSERT_EQ(got.findings.size(), wanted.findings.size());
+  for (std::size_t i = 0; i < got.findings.size(); ++i) {
+    const Finding& a = got.findings[i];
+    const Finding& b = wanted.findings[i];
+    ASSERT_EQ(a.rule, b.rule) << i;
+    ASSERT_EQ(a.segment, b.segment) << a.rule << " at " << a.where << " and " << b.where;
+    ASSERT_EQ(a.severity, b.severity) << a.rule;
+    ASSERT_EQ(a.value, b.value) << a.rule;
+    ASSERT_EQ(a.limit, b.limit) << a.rule;
+    ASSERT_EQ(a.margin, b.margin) << a.rule;
+    ASSERT_EQ(a.advice, b.advice) << a.rule;
+    ASSERT_NEAR(a.where, b.where, places) << a.rule;
+  }
+}
+
+TEST(CheckTable, WarnsOfTheOvershootOfItsCurve) {
+  std::size_t found = 0;
+  for_tables(5, [&](const Table& table, Random&) {
+    const Report report = overshoot(table);
+    found += report.findings.size();
+    expect_same_warnings(report, overshoot(table.curve<OverTime>()), place_rounding(table));
+  });
+  EXPECT_GT(found, 10000U);
+}
+
+TEST(CheckTable, WarnsOfTheStepsOfVelocityOfItsCurve) {
+  std::size_t found = 0;
+  for_tables(6, [&](const Table& table, Random&) {
+    const Report report = velocity_steps(table);
+    found += report.findings.size();
+    expect_same_warnings(report, velocity_steps(table.curve<OverTime>()), place_rounding(table));
+  });
+  EXPECT_GT(found, 1000U);
+}
+
 TEST(CheckTable, ReportsWhatTheCheckOfItsCurveDoes) {
   for_tables(2, [](const Table& table, Random& random) {
     const Trajectory curve = table.curve<OverTime>();
@@ -175,7 +223,27 @@ TEST(CheckTable, RefusesWhatItsCurveRefuses) {
   EXPECT_THROW((void)steep.curve<OverTime>(), InputError);
   EXPECT_THROW((void)check(steep, {.velocity = 1}), InputError);
   EXPECT_THROW((void)extrema(steep), InputError);
+  EXPECT_THROW(require_curve(steep), InputError);
+  EXPECT_THROW(LazyCurve{steep}, InputError);
   EXPECT_THROW((void)check(steep, {.velocity = -1}), InputError);
+}
+
+TEST(LazyCurve, IsTheCurveOfItsTable) {
+  for_tables(7, [](const Table& table, Random&) {
+    require_curve(table);
+    const LazyCurve lazy(table);
+    const LazyCurve copy = lazy;
+    const Trajectory wanted = table.curve<OverTime>();
+    const Trajectory& curve = std::get<Trajectory>(*lazy);
+    ASSERT_EQ(&curve, &std::get<Trajectory>(*copy)) << "copies share it";
+    ASSERT_EQ(curve.outside(), wanted.outside());
+    ASSERT_TRUE(std::equal(curve.breaks().begin(), curve.breaks().end(), wanted.breaks().begin(),
+                           wanted.breaks().end()));
+    for (std::size_t i = 0; i + 1 < table.size(); ++i)
+      ASSERT_EQ(curve.segments()[i].c, wanted.segments()[i].c) << i;
+  });
+  const Table cam(Axis::master, Rule::linear, Outside::wrap, {{0, 1, 2}, {0, 1, 0}, {}, {}});
+  EXPECT_EQ(std::get<Cam>(*LazyCurve(cam)).at(0.5).position, 0.5);
 }
 
 // ---- the bounds ------------------------------------------------------------------------------------
