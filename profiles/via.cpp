@@ -234,6 +234,10 @@ Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots)
   }
   for (detail::Sequence& path : paths)
     built.axes.emplace_back(std::move(path).segments(), 0, Outside::hold);
+  const auto moves = [](const MotionState& s) { return s.velocity != 0 || s.acceleration != 0; };
+  if (std::any_of(knots.back().begin(), knots.back().end(), moves))
+    for (const Trajectory& axis : built.axes)  // beyond its end an axis would stand still
+      built.times.back() = std::min(built.times.back(), axis.end());
   return built;
 }
 

@@ -23,6 +23,15 @@
 // (1984) 300-304):
 //
 //   (5)  v = (w1 + w2) / (w1/m1 + w2/m2),   w1 = T1 + 2 T2,   w2 = 2 T1 + T2,   m = h/T
+//
+// A search ends beside the states at which a phase of the profile vanishes, so that phases of a microsecond
+// are common. A table needs a knot at either end of a phase. A quintic of the length L makes of rounded
+// positions, the greatest of them P,
+//
+//   (6)  a jerk of up to 120 e P / L^3
+//
+// The search takes no state that makes a phase so short that (6) is above a thousandth of the jerk j of the
+// axis. A phase below 2^-44 of its stretch counts as none: its knot can be left out.
 
 namespace jounce::detail {
 namespace {
@@ -71,6 +80,20 @@ bool is_inside(const MotionState& s, const Bounds& b) {
          within(s.acceleration, b.acceleration_min, b.acceleration_max);
 }
 
+/// Where (6) is a thousandth of the jerk; 0 without a limit of the jerk.
+double shortest_phase(const Bounds& b, double largest) {
+  const double jerk = std::min(b.jerk_max, -b.jerk_min);
+  if (!std::isfinite(jerk)) return 0;
+  return std::cbrt(120 * std::numeric_limits<double>::epsilon() * largest / (1e-3 * jerk));
+}
+
+bool has_short_phase(const Profile& profile, double shortest) {
+  const double nothing = 0x1p-44 * profile.duration();
+  for (std::size_t i = 0; i < profile.phases(); ++i)
+    if (const double d = profile.phase(i).duration; d > nothing && d < shortest) return true;
+  return false;
+}
+
 class Search {
  public:
   Search(const StretchBounds& bounds, std::span<Knot> knots)
@@ -78,7 +101,12 @@ class Search {
         axes_(knots.front().size()),
         knots_(knots),
         rest_(detail::durations(bounds, knots)),
-        time_(rest_) {}
+        time_(rest_),
+        largest_(axes_, 0) {
+    for (const Knot& knot : knots)
+      for (std::size_t i = 0; i < axes_; ++i)
+        largest_[i] = std::max(largest_[i], std::abs(knot[i].position));
+  }
 
   void start();
   void refine(bool bends);
@@ -102,12 +130,15 @@ class Search {
   [[nodiscard]] std::vector<Knot> directions(std::size_t knot, bool bends) const;
   bool advance(std::size_t knot, const Knot& direction, double step);
   bool accept(std::size_t knot, const Knot& candidate);
+  /// The duration of a stretch from one knot to the next; infinite where there is none without short phases.
+  [[nodiscard]] double duration(std::size_t stretch, const Knot& from, const Knot& to) const;
 
   const StretchBounds& bounds_;
   std::size_t axes_;
   std::span<Knot> knots_;
   std::vector<double> rest_;  ///< durations of the motion that it begins from
   std::vector<double> time_;  ///< durations now
+  std::vector<double> largest_;  ///< position of each axis, in magnitude
 };
 
 double Search::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
@@ -188,14 +219,22 @@ bool Search::advance(std::size_t knot, const Knot& direction, double step) {
   return accept(knot, candidate);
 }
 
+double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
+  const auto& bounds = bounds_[stretch];
+  const Hop hop = detail::stretch(bounds, from, to);
+  for (std::size_t i = 0; i < hop.profiles.size(); ++i)
+    if (has_short_phase(hop.profiles[i], shortest_phase(bounds[i], largest_[i]))) return none;
+  return hop.duration;
+}
+
 /// Takes the candidate if the two stretches at the knot become shorter by more than rounding.
 bool Search::accept(std::size_t knot, const Knot& candidate) {
   for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;
   const double now = time_[knot - 1] + time_[knot];
-  const double before = stretch(bounds_[knot - 1], knots_[knot - 1], candidate).duration;
+  const double before = duration(knot - 1, knots_[knot - 1], candidate);
   if (!(before < now)) return false;
-  const double after = stretch(bounds_[knot], candidate, knots_[knot + 1]).duration;
+  const double after = duration(knot, candidate, knots_[knot + 1]);
   if (!(before + after < now * (1 - 0x1p-40))) return false;
   knots_[knot] = candidate;
   time_[knot - 1] = before;
