@@ -65,7 +65,8 @@ Report check_ends(const Cam& cam) {
   const double least = 1e-9 * std::abs(extrema(cam, 1).peak().value);
   for (const auto& [where, side] : {std::pair{cam.start(), Side::right}, {cam.end(), Side::left}})
     if (const double slope = cam.jet(where, side)[1]; std::abs(slope) > least)
-      report.findings.push_back(finding("coupling/end", "geo_velocity", where, slope, false, ""));
+      report.findings.push_back(finding(side == Side::left ? "coupling/end" : "coupling/begin",
+                                        "geo_velocity", where, slope, false, ""));
   return report;
 }
 
@@ -91,7 +92,8 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
         std::abs(coupling.period_jump()) > near[0],
         "the slave jumps by this step at the end of each period: use slave_absolute = false"));
   else
-    for (Finding& f : check_ends(coupling.cam()).findings) report.findings.push_back(std::move(f));
+    for (Finding& f : check_ends(coupling.cam()).findings)
+      if (f.rule == "coupling/end") report.findings.push_back(std::move(f));
   add_enter(coupling, in.engaged.placement, master, report);
   add_ramp(in.engaged, master, report);
   sort(report);

@@ -45,8 +45,8 @@ struct FollowTable {
 /// **Over the end.** An endless table repeats, and continues from its end (the cam
 /// advances; it wraps where the slave comes back). Where its first pass differs from the later ones,
 /// or tables go before it, the cam is all that differs and one pass more, and refuses queries beyond.
-/// A table that ends holds the slave where it ends: at a ratio other than 0 that is a dead stop, and
-/// a finding. Backwards the slave retraces its path, for it is a function of its master's position.
+/// A table that ends at a ratio is a finding: a controller holds the slave there, which stops it dead;
+/// an axis of Jounce brakes. Backwards the slave retraces its path, a function of its master's position.
 ///
 /// Throws InputError as pt() does, with the table's number before the key where there are several;
 /// for no table, an endless table before another one, more than 1e6 segments in all passes.
@@ -68,7 +68,7 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 ///     follow/ratio_step   the ratio steps within a table: an even or stop segment, or at the start
 ///     follow/wrap_step    from the end of a pass to the start of the next
 ///     follow/switch_step  from one table to the next: its first segment is not continued
-///     follow/open_end     the last table ends at a ratio: the slave is stopped dead
+///     follow/open_end     the last table ends at a ratio: a controller stops the slave dead
 ///     follow/reversal     the slave runs against its own segment; travel that no neighbour has is
 ///                         named, for it may be a misprint. The first place of a chain is reported: what
 ///                         follows in it is its consequence

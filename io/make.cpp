@@ -58,10 +58,12 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
   target.tolerance = options.tolerance;
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
     target.tolerance = fine(curve);
+  constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
   try {
+    if (target.velocity_tolerance)
+      require_certifiable(derivative(curve), "velocity_tolerance", *target.velocity_tolerance);
     return reduced(curve, target);
   } catch (const InputError& error) {
-    constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
     throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
   }
 }

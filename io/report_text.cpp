@@ -113,8 +113,9 @@ std::string of_coupling(const Finding& f, const std::string& value, const std::s
                  : fmt::format("{} is continuous from period to period", f.quantity);
   if (f.rule == "coupling/enter")
     return fmt::format("the cam moves at {} where the master enters it, at {}", value, where);
-  if (f.rule == "coupling/end")
-    return fmt::format("the cam ends moving, with {} {} at {}", f.quantity, value, where);
+  if (f.rule == "coupling/end" || f.rule == "coupling/begin")
+    return fmt::format("the cam {} moving, with {} {} at {}",
+                       f.rule == "coupling/end" ? "ends" : "begins", f.quantity, value, where);
   if (f.rule == "coupling/ramp")
     return fmt::format("the correction reaches {} {} {} {}", f.quantity, value,
                        f.where_unit.empty() ? "at" : "after", where);

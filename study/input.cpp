@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ bool is_best_of_so_many(const Input& input) {
 }
 
 /// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
-/// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic.
+/// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic. A rounded place x
+/// counts as much as an error of v x in the position.
 double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
   constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
   const auto& names = table.axis() == Axis::time ? OverTime::names : OverMaster::names;
@@ -64,7 +66,10 @@ double rounding_of_knots(const Table& table, double largest_position, const Find
 /// Limits that the table alone breaks, between the knots, by more than the rounding of its knots.
 Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
   Report report = check(table, limits);
-  const double largest_position = std::abs(extrema(table)[0].peak().value);
+  const Ranges peaks = extrema(table);
+  const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
+  const double largest_position =
+      std::abs(peaks[0].peak().value) + std::abs(peaks[1].peak().value) * farthest;
   std::erase_if(report.findings, [&](const Finding& f) {
     return !f.broken ||
            std::abs(f.value - f.limit) <= rounding_of_knots(table, largest_position, f) ||
@@ -100,19 +105,24 @@ void append(Report& report, const Report& part) {
   report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
 }
 
-/// The limits and the continuity of a curve or of a table that is all there is.
-template <class Motion>
-Report check_motion(const Motion& motion, const Input& input, int continuity) {
-  Report report = check(motion, input.limits);
-  append(report, check_continuity(motion, continuity));
-  return report;
+/// Continuity at the joints. The ends at which a cam that runs once moves are no joints: add_ends() reports
+/// them.
+Report check_joints(const Input& input, int continuity) {
+  if (input.labels.over_master) {
+    const Cam& cam = std::get<Cam>(*input.curve);
+    if (!check_ends(cam).findings.empty())
+      return check_continuity(with(cam, Outside::refuse), continuity);
+  }
+  return of_motion(
+      input, [&](const auto& motion) { return check_continuity(motion, continuity); });
 }
 
 Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
-  if (!input.error) return check_motion(table, input, continuity);
-  Report report = std::visit(
-      [&](const auto& curve) { return check_motion(curve, input, continuity); }, *input.curve);
+  Report report =
+      of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
+  append(report, check_joints(input, continuity));
+  if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // Where the curve keeps a limit, its table may still break it between the knots.
   append(report, check_table(table, input.limits, report));
@@ -140,33 +150,46 @@ Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   return report;
 }
 
-/// What becomes of the slave at an end at which the cam moves, and how fast it is there.
-void explain_end(Finding& end, const Spec& spec, const EngageState& at) {
-  const auto coupling = spec.coupling.value_or(CouplingSpec{});
-  const double speed = master_speed(spec, at);
+/// Where a cam ends moving: what becomes of the slave. Where it begins moving: a slave at rest cannot follow.
+void explain_end(Finding& end, const Input& input, const EngageState& at) {
+  const Spec* const spec = input.spec ? &*input.spec : nullptr;
+  const Units& units = input.labels.units;
+  const auto coupling = spec != nullptr ? spec->coupling.value_or(CouplingSpec{}) : CouplingSpec{};
+  const double speed =
+      spec != nullptr ? master_speed(*spec, at) : at.master_velocity.value_or(0);
   const double slave = end.value * coupling.slave_scaling * coupling.master_scaling * speed;
   if (speed != 0)
     end.advice = fmt::format("at the master's {} {} the slave moves at {} {} there; ",
-                             rounded(speed), rate_unit(spec.units.x, "s", 1), rounded(slave),
-                             rate_unit(spec.units.position, "s", 1));
-  end.advice +=
-      stays_in_gear(spec)
-          ? "with a live master, it stays in gear after the end of its table"
-          : "with a live master, it brakes there within the limits of its axis, or keeps its "
-            "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
-  if (!stays_in_gear(spec)) end.severity = Severity::warning;
+                             rounded(speed), rate_unit(units.x, "s", 1), rounded(slave),
+                             rate_unit(units.position, "s", 1));
+  if (end.rule == "coupling/begin") {
+    end.broken = true;
+    end.margin = -1;
+    end.advice += "a slave at rest jumps to this speed: let the cam begin at rest, or bring the slave in "
+                  "with [coupling] start = \"ramp_in\"";
+    return;
+  }
+  const bool in_gear = spec != nullptr && stays_in_gear(*spec);
+  end.advice += in_gear
+                    ? "with a live master, it stays in gear after the end of its table"
+                    : "with a live master, it brakes there within the limits of its axis, or keeps its "
+                      "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
+  if (!in_gear) end.severity = Severity::warning;
 }
 
-/// The ends of a cam that runs once. Those of a follow spec are judged with its tables.
+/// The ends of a cam that runs once. Those of a follow spec are judged with its tables, the beginning of a
+/// coupled cam with its coupling. A cam that refuses a master outside may begin moving.
 void add_ends(const Input& input, const EngageState& at, Report& report) {
   if (!input.labels.over_master) return;
   const Cam& cam = std::get<Cam>(*input.curve);
-  const auto* const sync = std::get_if<SyncSpec>(&input.spec->subject);
+  const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
   if (sync != nullptr && std::holds_alternative<FollowPart>(*sync)) return;
-  if (!input.spec->coupling)
-    for (Finding& end : check_ends(cam).findings) report.findings.push_back(std::move(end));
+  if (!input.spec || !input.spec->coupling)
+    for (Finding& end : check_ends(cam).findings)
+      if (end.rule == "coupling/end" || cam.outside() == Outside::hold)
+        report.findings.push_back(std::move(end));
   for (Finding& f : report.findings)
-    if (f.rule == "coupling/end") explain_end(f, *input.spec, at);
+    if (f.rule == "coupling/end" || f.rule == "coupling/begin") explain_end(f, input, at);
 }
 
 /// Where a table is for HIMC, the error by which it refuses one that breaks a limit.
@@ -253,10 +276,10 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
       add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
-    add_ends(input, at, report);
     if (spec.compare && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
   }
+  add_ends(input, at, report);
   if (input.drive)
     if (auto unstable = unstable_loop(input.drive->drive)) {
       unstable->axis = "drive";

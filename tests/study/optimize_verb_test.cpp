@@ -349,7 +349,7 @@ double named(const std::string& label, const Spec& spec, const std::vector<std::
                                                    label.substr(label.find(' ') + 1)) -
                                          std::begin(quantities));
   const auto& cam = std::get<CamSpec>(spec.subject);
-  const Cam curve = std::get<Cam>(make(spec).curve);
+  const Cam curve = std::get<Cam>(*make(spec).curve);
   double peak = 0, squares = 0, length = 0;
   for (std::size_t i = 0; i < curve.segments().size(); ++i) {
     const double from = curve.breaks()[i];
