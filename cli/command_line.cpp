@@ -64,12 +64,19 @@ bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
 }
 
+InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
+  const bool named = i > 0 && looks_like_option(words[i - 1]);
+  return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
+          "is empty: leave it out, or give it a value"};
+}
+
 /// The words in the parser's order, last first. "--log=" has no value, of which the parser would make the
 /// next word; and -.5 is a number, which it would take for an option.
 std::vector<std::string> meant(std::span<char*> given) {
   std::vector<std::string> words(given.begin(), given.end());
   const auto end = std::find(words.begin(), words.end(), "--");
   for (std::string& word : std::span(words.begin(), end)) {
+    if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
     if (word.starts_with("--") && word.ends_with('='))
       throw InputError(word.substr(0, word.size() - 1), "", "has no value behind its =");
     if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)

@@ -55,16 +55,21 @@ Rule rule_for(const Options& options, const Table& table) {
 
 /// What the file does not say, or what is wanted instead of what it says.
 TableFile in_units(TableFile file, const Options& options) {
-  const auto change = [](std::string& unit, const std::string& wanted) {
-    const double factor = unit.empty() || wanted.empty() ? 1 : conversion(unit, wanted);
+  const auto change = [](const char* option, std::string& unit, const std::string& wanted) {
+    if (!wanted.empty() && !is_unit(wanted))
+      throw InputError(option, wanted, "is not a unit that Jounce knows");
+    double factor = 1;
+    try {
+      if (!unit.empty() && !wanted.empty()) factor = conversion(unit, wanted);
+    } catch (const InputError&) {
+      throw InputError(option, wanted, "does not measure what the table's unit does, " + unit);
+    }
     if (!wanted.empty()) unit = wanted;
     return factor;
   };
-  for (const auto& unit : {options.master_unit, options.position_unit})
-    if (!unit.empty() && !is_unit(unit)) throw InputError("unit", unit, "is not a known unit");
-  if (const double factor = change(file.units.x, options.master_unit); factor != 1)
+  if (const double factor = change("--master-unit", file.units.x, options.master_unit); factor != 1)
     file.table = stretched(file.table, factor);
-  const double factor = change(file.units.position, options.position_unit);
+  const double factor = change("--position-unit", file.units.position, options.position_unit);
   Columns columns = file.table.columns();
   if (factor != 1)
     for (auto* column : {&columns.p, &columns.v, &columns.a})
@@ -223,9 +228,9 @@ void require_known_ending(const Options& options) {
 
 int run(const Options& options) {
   require_known_ending(options);
+  require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options);
-  require_other_file(options.input, options.output);
   write_file(options.output, text_of(made.file, options));
   std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
   if (options.json)

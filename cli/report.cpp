@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -105,9 +106,17 @@ Section proof_section(const Proof& proof, const Input& input) {
   return section;
 }
 
+/// Where the name ends like that of another kind of file, it is not what was meant.
+void require_page(const char* option, const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension();
+  if (path != "-" && !ending.empty() && ending != ".html" && ending != ".htm")
+    throw InputError(option, path, "must end in .html: a report is a page of HTML");
+}
+
 int run(const Options& options) {
   require_other_file(options.file, options.output);
   require_folders({{"--output", options.output}});
+  require_page("--output", options.output);
   const Input input = load(options.file, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
@@ -138,6 +147,7 @@ int run(const Options& options) {
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
   write_file(options.output, html(page));
+  if (options.output != "-") fmt::print("{}: {}\n", input.name, one_line(all, input.labels));
   return all.ok() ? fine : finding;
 }
 

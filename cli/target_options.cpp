@@ -15,15 +15,20 @@ std::string option_of(const std::string& member) {
   return "--" + member;
 }
 
+/// Whether a text is a quantity of this unit.
+bool is_quantity(const std::string& text, const std::string& unit) {
+  try {
+    (void)quantity(text, unit);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
 /// What to do where pulses are given for a length or an angle.
 std::string instead_of_pulses(const std::string& member, const std::string& text,
                               const std::string& unit) {
-  if (unit.empty()) return "";
-  try {
-    (void)quantity(text, "pulse");
-  } catch (const InputError&) {
-    return "";
-  }
+  if (unit.empty() || is_quantity(text, unit) || !is_quantity(text, "pulse")) return "";
   return "; give the size of a pulse, such as " + option_of(member) + " \"0.001 " + unit + '"';
 }
 
@@ -104,6 +109,9 @@ Target target_of(const TargetOptions& options, Axis axis, Rule rule, const Units
 
 template <class Over>
 Sampled reduced(const Curve<Over>& f, const Target& target) {
+  if (target.tolerance) require_certifiable(f, "--tolerance", *target.tolerance);
+  if (target.velocity_tolerance)
+    require_certifiable(derivative(f), "--velocity-tolerance", *target.velocity_tolerance);
   try {
     return jounce::reduced(f, target);
   } catch (const InputError& error) {

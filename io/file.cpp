@@ -114,11 +114,11 @@ namespace {
 
 std::string read_bytes(const std::string& path) {
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    throw InputError(
-        "", "", "cannot be read: " + std::generic_category().message(errno == 0 ? EISDIR : errno))
-        .at(path);
+  const int cause = std::filesystem::is_directory(path) ? EISDIR : errno;
+  if (!file || cause == EISDIR)
+    throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

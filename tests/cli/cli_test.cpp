@@ -508,7 +508,8 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
       "[master]\nvelocity = 180\ndistance = 90\n";
   write("once.toml", once);
   const Result cam_once = run("check once.toml");
-  EXPECT_EQ(cam_once.status, 1) << "held at its end it stops dead";
+  EXPECT_EQ(cam_once.status, 0) << "the axis brakes there";
+  EXPECT_THAT(cam_once.out, Not(HasSubstr("BROKEN"))) << "one finding";
   EXPECT_THAT(cam_once.out, HasSubstr("at the master's 180 deg/s the slave moves at 90 mm/s there; "
                                       "with a live master, it brakes there"));
   EXPECT_THAT(cam_once.out, HasSubstr("warn   coupling/end"));
@@ -966,13 +967,61 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
   write("p.toml",
         "points = \"p.csv\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
   for (const char* verb :
-       {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear", "report p.toml -o p.csv"}) {
+       {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear"}) {
     const Result result = run(verb);
     EXPECT_EQ(result.status, 2) << verb;
     EXPECT_THAT(result.err, HasSubstr("p.csv: is also an input")) << verb;
     EXPECT_EQ(slurp(folder / "p.csv"), points) << verb;
   }
   EXPECT_EQ(run("design p.toml -o table.csv").status, 0);
+  write("p.html", points);
+  write("page.toml",
+        "points = \"p.html\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
+  EXPECT_THAT(run("report page.toml -o p.html").err, HasSubstr("p.html: is an input"));
+  EXPECT_EQ(slurp(folder / "p.html"), points);
+}
+
+TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
+  const Result page = run("report " + cam + " -o page.html");
+  EXPECT_EQ(page.status, 1);
+  EXPECT_THAT(page.out, HasSubstr("PMC600 Fig. 6.14: 2 findings; the worst: geo_velocity"));
+  const Result pdf = run("report " + cam + " -o page.pdf");
+  EXPECT_EQ(pdf.status, 2);
+  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html: a report is a page of HTML\n");
+  std::filesystem::create_directory(folder / "folder");
+  EXPECT_EQ(run("report folder -o other.html").err,
+            "jounce: folder: cannot be read: Is a directory\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "page.pdf"));
+}
+
+TEST_F(Cli, AnEmptyArgumentIsNoMissingOne) {
+  const Result result = run("convert " + cam + " out.csv --tolerance \"\"");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.err, "jounce: --tolerance: is empty: leave it out, or give it a value\n");
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
+  const std::string convert = "convert " + cam + " out.csv ";
+  EXPECT_EQ(run(convert + "--tolerance 1e-30").err,
+            "jounce: --tolerance = 1e-30: must be at least 5.559478149432e-12: the rounding of such "
+            "positions hides smaller errors\n");
+  EXPECT_THAT(run(convert + "--velocity-tolerance 1e-30").err,
+              HasSubstr("--velocity-tolerance = 1e-30: must be at least "));
+  EXPECT_EQ(run(convert + "--tolerance -1").err,
+            "jounce: --tolerance = -1: must be greater than 0\n");
+  EXPECT_TRUE(files().empty());
+  EXPECT_EQ(run(convert + "--tolerance 5.559478149432e-12").status, 0);
+}
+
+TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
+  ASSERT_EQ(run("design " + cam + " -o given.csv").status, 0);
+  EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
+            "jounce: --master-unit = J: does not measure what the table's unit does, pulse\n");
+  EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
+            "jounce: --position-unit = wibble: is not a unit that Jounce knows\n");
+  EXPECT_EQ(run("convert given.csv given.csv").err,
+            "jounce: OUT = given.csv: is the input: it would be replaced by what is made from it\n");
 }
 
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
