@@ -154,7 +154,7 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
 /// period's end ("coupling/period"), a master outside that comes in where the cam moves, which a slave
 /// that waits at rest cannot without a jump in velocity ("coupling/enter"), and the ends of a cam that
-/// runs once, where it ends moving (check_ends). Of a correction it tells the largest values, with their derivatives over time or master ("coupling/ramp", not
+/// runs once, where it ends moving (check_ends). For a correction it reports the greatest values, with their derivatives over time or master ("coupling/ramp", not
 /// broken: over a distance of the master no limit holds). A jump counts beyond 1e-9 of the slave's range and
 /// 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);

@@ -106,7 +106,7 @@ Section proof_section(const Proof& proof, const Input& input) {
   return section;
 }
 
-/// Where the name ends like that of another kind of file, it is not what was meant.
+/// Refuses a name that ends like that of another kind of file.
 void require_page(const char* option, const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
   if (path != "-" && !ending.empty() && ending != ".html" && ending != ".htm")

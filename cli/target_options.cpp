@@ -15,7 +15,7 @@ std::string option_of(const std::string& member) {
   return "--" + member;
 }
 
-/// Whether a text is a quantity of this unit.
+/// True if a text is a quantity of this unit.
 bool is_quantity(const std::string& text, const std::string& unit) {
   try {
     (void)quantity(text, unit);

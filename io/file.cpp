@@ -13,6 +13,7 @@
 #include <set>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -112,6 +113,8 @@ void write_directly(const Output& file) {
 
 namespace {
 
+constexpr std::size_t most_of_device = std::size_t{1} << 28;  ///< bytes; it may have no end
+
 std::string read_bytes(const std::string& path) {
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   errno = 0;
@@ -119,7 +122,14 @@ std::string read_bytes(const std::string& path) {
   const int cause = std::filesystem::is_directory(path) ? EISDIR : errno;
   if (!file || cause == EISDIR)
     throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string bytes;
+  std::vector<char> chunk(1 << 16);
+  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
+    if (bytes.size() >= most_of_device && is_special(path))
+      throw InputError("", "", "is no regular file and gives more than 256 MiB").at(path);
+    bytes.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  return bytes;
 }
 
 }  // namespace

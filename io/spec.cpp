@@ -1,6 +1,7 @@
 #include "jounce/io/spec.hpp"
 
 #include <array>
+#include <cctype>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -184,7 +185,30 @@ void detail::require_version(TomlReader& top) {
              "this program reads format version " + std::to_string(Spec::version));
 }
 
+namespace {
+
+/// The parser keeps a table for each part of a dotted key within the one before, and destroys them by calls
+/// within calls: 50 000 parts overrun the stack. It bounds nested values itself.
+void require_shallow_keys(const Document& document) {
+  constexpr std::size_t most = 256;
+  int line = 1;
+  std::size_t dots = 0;
+  for (const char c : document.text) {
+    if (c == '\n') ++line;
+    const bool word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' ||
+                      c == ' ' || c == '\t' || c == '"' || c == '\'';
+    if (c == '.')
+      ++dots;
+    else if (!word && std::exchange(dots, 0) >= most && (c == '=' || c == ']'))
+      throw InputError("key", "", "has more than " + std::to_string(most) + " parts between dots")
+          .at(document.name, line);
+  }
+}
+
+}  // namespace
+
 toml::table detail::parse_toml(const Document& document) {
+  require_shallow_keys(document);
   if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("", "", "the file is empty").at(document.name, 1);
   try {

@@ -16,9 +16,9 @@ const std::vector<std::string> sides{"setpoint", "actual"};
 
 bool is_machine(const Document& document) {
   try {
-    const toml::table root = toml::parse(std::string_view(document.text));
+    const toml::table root = detail::parse_toml(document);
     return root["kind"].value<std::string>() == "machine";
-  } catch (const toml::parse_error&) {
+  } catch (const InputError&) {
     return false;  // whoever reads it as something else says what is wrong
   }
 }

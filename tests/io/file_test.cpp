@@ -46,6 +46,11 @@ TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
   EXPECT_EQ(read_file(in("a")), "old") << "all files or none";
 }
 
+TEST_F(Files, ADeviceWithoutEndIsRefused) {
+  EXPECT_THAT(why([] { (void)read_file("/dev/zero"); }),
+              HasSubstr("/dev/zero: is no regular file and gives more than 256 MiB"));
+}
+
 TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
   write_file(in("points.csv"), "points");
   write_file(in("other.csv"), "other");

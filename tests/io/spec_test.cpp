@@ -219,6 +219,28 @@ TEST(BadSpecs, EmptyFilesSaySo) {
   EXPECT_EQ(complaint(" \n\t\n"), "a.toml:1: the file is empty");
 }
 
+// It overran the stack.
+TEST(BadSpecs, AKeyOfVeryManyPartsIsRefused) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      (void)parse_spec(text, "a.toml");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  std::string key;
+  for (int i = 0; i < 50'000; ++i) key += "a.";
+  const std::string why = "a.toml:2: key: has more than 256 parts between dots";
+  EXPECT_EQ(refusal("jounce = 1\n" + key + "b = 1\n"), why);
+  EXPECT_EQ(refusal("jounce = 1\n[" + key + "b]\n"), why);
+  EXPECT_EQ(refusal("jounce = 1\nx = { " + key + "b = 1 }\n"), why);
+  EXPECT_NE(refusal("jounce = 1\n# " + std::string(1000, '.') + "\n"), why);
+  std::string list;
+  for (int i = 0; i < 1000; ++i) list += "0.5, ";
+  EXPECT_NE(refusal("jounce = 1\nx = [\n" + list + "]\n"), why);
+}
+
 TEST(BadSpecs, EveryTruncationOfASpecIsRefusedOrStillASpec) {
   const std::string text = read_file(examples + "pmc600-cam/cam.toml");
   for (std::size_t length = 0; length < text.size(); ++length) {
