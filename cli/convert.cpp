@@ -57,7 +57,7 @@ Rule rule_for(const Options& options, const Table& table) {
 TableFile in_units(TableFile file, const Options& options) {
   const auto change = [](const char* option, std::string& unit, const std::string& wanted) {
     if (!wanted.empty() && !is_unit(wanted))
-      throw InputError(option, wanted, "is not a unit that Jounce knows");
+      throw InputError(option, wanted, "is not a known unit");
     double factor = 1;
     try {
       if (!unit.empty() && !wanted.empty()) factor = conversion(unit, wanted);
