@@ -18,6 +18,12 @@
 
 namespace jounce {
 
+/// A group that was broken, and when.
+struct GroupBreak {
+  std::int64_t group = 0;  ///< 0: none yet
+  std::int64_t tick = -1;
+};
+
 /// An armed member of a group.
 struct GroupStart {
   std::int64_t group = 0;  ///< 0: no group
@@ -277,6 +283,7 @@ class MotionAxis {
   std::int64_t accepted_ = -1;  // tick in which that start was
   std::int64_t group_ = 0;      // group of the motion
   std::int64_t next_group_ = 0;  // group of the armed movement
+  GroupBreak last_break_;
 
   Base base_ = Base::rest;
   Ending ending_ = Ending::none;

@@ -157,12 +157,15 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
 
 /// The motion ends before its end. For an armed movement, disarm() does the same.
 void MotionAxis::break_group() {
-  if (active_) now_.broken[0] = group_;
+  if (!active_) return;
+  now_.broken[0] = group_;
+  last_break_ = {group_, now_.tick};
 }
 
-/// The armed movement belongs to it now.
+/// The armed movement belongs to it now. A break of this tick stays: the other axes have not read it yet.
 void MotionAxis::join_group(std::int64_t group) {
   next_group_ = group;
+  if (last_break_.group == group && last_break_.tick == now_.tick) return;
   std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
 }
 

@@ -44,6 +44,7 @@ std::optional<MotionState> MotionAxis::expected_end() const {
 void MotionAxis::disarm() {
   if (pending_) hand_back(pending_);
   if (pending_ && next_group_ != 0) now_.broken[1] = next_group_;
+  if (pending_ && next_group_ != 0 && waiting_) last_break_ = {next_group_, now_.tick};
   pending_ = nullptr;
   waiting_ = false;
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;

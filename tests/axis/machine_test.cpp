@@ -208,6 +208,18 @@ TEST(Machine, AFaultInTheTickOfTheStartMovesNoAxis) {
   }
 }
 
+// The start of the other axis goes with the movement that the arm replaces.
+TEST(Machine, AnArmInTheTickOfTheStartMovesNoAxis) {
+  for (const std::size_t armed : {0U, 1U}) {
+    Together rig;
+    for (const std::size_t i : {0U, 1U}) rig.start(i);
+    while (rig.tick < 299) rig.step();
+    Job again(3, trapezoid_table(50, 4, 10, 10));
+    rig.tell(armed, {.kind = Kind::arm, .movement = &again, .group = 7});
+    rig.none_moves();
+  }
+}
+
 TEST(Machine, ABrokenGroupBeginsWhenItIsArmedAnew) {
   Together rig;
   rig.tell(0, {.kind = Kind::stop});
