@@ -55,7 +55,7 @@ struct Jogs::Held {
         if (!client->beat().ok() || client->session() != session) break;
       end();
       static_cast<void>(client->release());
-    } catch (const TransportError&) {
+    } catch (const std::exception&) {
       end();  // the executor stops the axis
     }
   }
@@ -84,6 +84,10 @@ std::shared_ptr<Jogs::Held> Jogs::begun(const std::string& axis, std::int64_t nu
   if (over_.contains({axis, number})) return nullptr;
   std::shared_ptr<Held>& held = held_[axis];
   if (held && held->number == number) return nullptr;
+  if (held) {
+    forget(axis, held->number);
+    held->end();
+  }
   before = std::exchange(held, std::make_shared<Held>(number));
   return held;
 }
@@ -99,14 +103,17 @@ CallOutcome Jogs::jog(const std::string& axis, double velocity, std::int64_t num
   try {
     held->link = make_link_();
     held->client = std::make_unique<Client>(*held->link, axis, ClientOptions{.key = key_});
-    const CallOutcome outcome = held->client->jog(velocity);
+    // The button may be released while the session opens, which may take seconds.
+    CallOutcome outcome = held->client->beat();
+    if (outcome.ok())
+      outcome = held->ends_within(Nanos{}) ? has_ended(axis) : held->client->jog(velocity);
     if (outcome.ok())
       held->keeper = std::thread([raw = held.get()] { raw->keep(); });
     else
       static_cast<void>(held->client->release());
     if (!outcome.ok()) end(axis, number);
     return outcome;
-  } catch (const TransportError&) {
+  } catch (...) {
     end(axis, number);
     throw;
   }
@@ -116,10 +123,18 @@ void Jogs::release(const std::string& axis, std::int64_t number) {
   end(axis, number);
 }
 
+/// The number does not begin a jog again. The oldest of the numbers that are kept makes room.
+void Jogs::forget(const std::string& axis, std::int64_t number) {
+  if (!over_.emplace(axis, number).second) return;
+  oldest_.emplace_back(axis, number);
+  if (oldest_.size() <= most_over) return;
+  over_.erase(oldest_.front());
+  oldest_.pop_front();
+}
+
 void Jogs::end(const std::string& axis, std::int64_t number) {
   const std::scoped_lock lock(mutex_);
-  if (over_.size() >= most_over) over_.erase(over_.begin());
-  over_.emplace(axis, number);
+  forget(axis, number);
   const auto at = held_.find(axis);
   if (at != held_.end() && at->second->number == number) at->second->end();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "jounce/stream/client.hpp"
 #include "jounce/stream/key.hpp"
@@ -48,12 +50,14 @@ class Jogs {
 
   std::shared_ptr<Held> begun(const std::string& axis, std::int64_t number);
   void end(const std::string& axis, std::int64_t number);
+  void forget(const std::string& axis, std::int64_t number);
 
   MakeLink make_link_;
   std::optional<wire::Key> key_;
-  std::mutex mutex_;  // guards both below
+  std::mutex mutex_;  // guards all below
   std::map<std::string, std::shared_ptr<Held>> held_;   // by axis
-  std::set<std::pair<std::string, std::int64_t>> over_;  // numbers of those that have ended
+  std::set<std::pair<std::string, std::int64_t>> over_;     // numbers of those that have ended
+  std::deque<std::pair<std::string, std::int64_t>> oldest_;  // the same, the oldest first
 };
 
 }  // namespace jounce::web

@@ -39,6 +39,7 @@ constexpr std::size_t most_body = 1024;
 constexpr std::chrono::seconds patience{Server::request_seconds};
 constexpr std::size_t most_drained = std::size_t{1} << 20U;  // of what nobody reads, before a close
 constexpr auto drain_time = 1s;
+constexpr auto freshness = 300ms;  // of an order that waited for others
 
 using Response = http::response<http::string_body>;
 
@@ -165,8 +166,13 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     if (!at_once) ++server_.orders;
     stream_.expires_never();  // the axis has its own time
     asio::post(at_once ? server_.urgent : server_.others,
-               [self = shared_from_this(), body = std::move(body), at_once] {
-                 const Answer said = self->obeyed(body);
+               [self = shared_from_this(), body = std::move(body), at_once,
+                came = std::chrono::steady_clock::now()] {
+                 // The one who sent it may be gone: an old order moves nothing.
+                 const bool late = !at_once && std::chrono::steady_clock::now() - came > freshness;
+                 const Answer said =
+                     late ? Answer{503, R"({"ok":false,"reason":"the order waited too long for an axis: repeat it"})"}
+                          : self->obeyed(body);
                  asio::post(self->server_.io, [self, said, at_once] {
                    if (!at_once) --self->server_.orders;
                    self->answer(said.status, said.json, "application/json");

@@ -84,6 +84,13 @@ hold(1003, 0.3, 1)
 ask("stop")
 rests("stopped in a jog", "stopped")
 ask("jog", expected=409, value=1, hold=1003)
+hold(1005, 0.2, 1)
+hold(1006, 0.3, -1)  # another button: the jog before it has ended
+ask("jog", expected=409, value=1, hold=1005)
+axis = wait_for("the other jog", lambda a: True)
+assert axis["velocity"] == -1, axis
+ask("release", hold=1006)
+rests("both released", "released")
 ask("jog", expected=409, value=1e9, hold=1004)  # faster than the axis
 ask("jog", expected=400, value=1)
 ask("disable")
