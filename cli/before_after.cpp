@@ -52,8 +52,8 @@ Figure before_after(const Spec& before, const Spec& after) {
   if (!torque) return figure;
   CurveLook look{
       .axis_unit = after.units.x, .unit = "N m", .label = better.name, .before = given.name};
-  Figure of_torque = curve_figure(quantity_of(*torque, std::get<Cam>(better.curve)),
-                                  quantity_of(*torque, std::get<Cam>(given.curve)), look);
+  Figure of_torque = curve_figure(quantity_of(*torque, std::get<Cam>(*better.curve)),
+                                  quantity_of(*torque, std::get<Cam>(*given.curve)), look);
   figure.panels.push_back(std::move(of_torque.panels.front()));
   figure.panels.back().y_label = is_linear(*after.optimize.shape.load)
                                      ? "torque [N m]"

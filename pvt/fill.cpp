@@ -353,6 +353,13 @@ void choose_velocities(const FillSpec& spec, const Given& given, Columns& column
   }
 }
 
+/// A spline through velocities that are all given.
+bool is_complete(const FillSpec& spec) {
+  const bool is_spline = spec.filling <= Filling::not_a_knot && spec.rule == Rule::cubic_hermite;
+  return is_spline && spec.v.size() == spec.x.size() &&
+         std::all_of(spec.v.begin(), spec.v.end(), [](const auto& v) { return v.has_value(); });
+}
+
 }  // namespace
 
 const char* name(Filling filling) {
@@ -371,10 +378,12 @@ Filled filled(const FillSpec& spec) {
   require_given(spec, spec.v, 1);
   require_given(spec, spec.a, 2);
   require_seam(spec);
-  const Given given = looks_across(spec) ? both_ends(spec.v) : spec.v;
   Columns columns{spec.x, spec.p, std::vector<double>(spec.x.size()), {}};
   Report report;
-  choose_velocities(spec, given, columns, report);
+  if (is_complete(spec))  // as a recording is: millions of rows, for which nothing else is kept
+    std::transform(spec.v.begin(), spec.v.end(), columns.v.begin(), [](const auto& v) { return *v; });
+  else
+    choose_velocities(spec, looks_across(spec) ? both_ends(spec.v) : spec.v, columns, report);
   if (spec.rule == Rule::quintic_hermite && spec.filling != Filling::minimum_jerk)
     least_jerk(spec, Given(columns.v.begin(), columns.v.end()), columns);
   sort(report);

@@ -1019,7 +1019,7 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
   EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
             "jounce: --master-unit = J: does not measure what the table's unit does, pulse\n");
   EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
-            "jounce: --position-unit = wibble: is not a unit that Jounce knows\n");
+            "jounce: --position-unit = wibble: is not a known unit\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
             "jounce: OUT = given.csv: is the input: it would be replaced by what is made from it\n");
 }
@@ -1077,7 +1077,7 @@ TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(other.err, "jounce: --axis = z: must be one of x, y\n");
   EXPECT_EQ(run("check " + cam + " --axis x").err,
-            "jounce: --axis = x: " + cam + " has one axis, which has no name\n");
+            "jounce: --axis = x: " + cam + " has only one axis, without a name: leave out --axis\n");
   for (const std::string verb : {"report ", "stream --to feeder --url memq:// "}) {
     const Result result = run(verb + via);
     EXPECT_EQ(result.status, 2) << verb;

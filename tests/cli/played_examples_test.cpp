@@ -127,7 +127,7 @@ Columns knots_of(const Trajectory& motion, Rule rule) {
 /// A motion that begins or ends moving, between a move that leads to it from rest and one that brings it to
 /// rest, within its own peaks. What is promised of its limits holds for all of it.
 Input from_rest_to_rest(Input input) {
-  auto* const motion = std::get_if<Trajectory>(&input.curve);
+  const auto* const motion = std::get_if<Trajectory>(&*input.curve);
   if (motion == nullptr) return input;
   const auto state = [](const Jet& jet) { return MotionState{jet[0], jet[1], jet[2]}; };
   const Rule rule = input.table.table.rule();
@@ -166,7 +166,7 @@ struct Promise {
 };
 
 bool has_master(const Input& input) {
-  const auto* const cam = std::get_if<Cam>(&input.curve);
+  const auto* const cam = std::get_if<Cam>(&*input.curve);
   if (!input.spec || !input.spec->master) return false;
   if (cam == nullptr || input.spec->master->acceleration) return true;
   const double begins = std::abs(cam->jet(cam->start(), Side::right)[1]);
