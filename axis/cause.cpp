@@ -36,10 +36,10 @@ constexpr std::array entries{
     Entry{Cause::positive_switch, "positive_switch", "The axis reached the positive limit switch."},
     Entry{Cause::negative_switch, "negative_switch", "The axis reached the negative limit switch."},
     Entry{Cause::underrun, "underrun",
-          "Buffer underrun: the streamed path was about to run out; the axis stopped on it."},
+          "Buffer underrun: the streamed path was about to run out; the axis stopped on the path."},
     Entry{Cause::watchdog, "watchdog",
-          "Watchdog expired: a heartbeat is missing, of the streamer or of the communication "
-          "thread."},
+          "Watchdog expired: the heartbeat of the streamer or of the communication thread is "
+          "missing."},
     Entry{Cause::drive_fault, "drive_fault", "The drive reports a fault."},
     Entry{Cause::drive_not_ready, "drive_not_ready",
           "The drive stopped following setpoints while it was enabled."},
@@ -104,13 +104,13 @@ constexpr std::array entries{
     Entry{Cause::would_reverse, "would_reverse",
           "The axis could reach its cam only against the direction of its start mode."},
     Entry{Cause::master_stands, "master_stands",
-          "A ramp over a master distance cannot begin while the master stands."},
+          "A ramp over a master distance cannot begin while the master is at standstill."},
     Entry{Cause::no_ramp, "no_ramp", "No ramp within the limits brings the axis onto its cam."},
-    Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis is on its cam."},
+    Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis has reached its cam."},
     Entry{Cause::home_timeout, "home_timeout", "The homing took longer than its timeout."},
     Entry{Cause::home_not_found, "home_not_found",
-          "The search reached the second limit switch, or its distance, before the switch of the "
-          "homing method."},
+          "The search reached the second limit switch or its greatest distance before it found the "
+          "switch of the homing method."},
     Entry{Cause::index_not_found, "index_not_found",
           "The search for the index went further than its distance."},
     Entry{Cause::both_switches, "both_switches",

@@ -14,8 +14,8 @@ inline constexpr double most_magnitude = 1e50;
 struct Sensor {
   bool wired = false;  ///< the machine has this sensor
   bool on = false;     ///< state at the end of the cycle; unused for an index
-  /// u, as the drive counts: position of the first change since the cycle before (for an index: of its
-  /// passing), latched by the drive; NaN: no change.
+  /// u, as the drive counts: position of the first change since the previous cycle (for an index:
+  /// position of the mark), latched by the drive; NaN: no change.
   double edge = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -44,8 +44,8 @@ struct Feedback {
   Sensors sensors = {};
 };
 
-/// Inputs of an axis in one cycle, besides commands. For all inputs, the axis stays within its limits:
-/// a master with a number that is not finite or beyond 1e50 is lost, and a drive that reports one, or
+/// Inputs of an axis in one cycle, besides commands. For all inputs, the axis stays within its
+/// limits: a master with a number that is not finite or beyond 1e50 is lost, and a drive that reports one, or
 /// a position that the axis could not reach in 2^40 ticks, has failed (`drive_fault`).
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
@@ -53,12 +53,12 @@ struct Inputs {
   /// which it was engaged.
   double master_offset = 0;
   Feedback feedback = {};
-  bool positive_switch = false;  ///< limit switch active, or that of the drive
+  bool positive_switch = false;  ///< limit switch active; OR-ed with feedback.sensors
   bool negative_switch = false;
   /// Number of the last available row of its queues; the greatest value: all rows.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   bool group_broken = false;  ///< another motion of the same start was stopped, or failed: stop
-  Peers peers = Peers::ready;  ///< the armed movement may begin, or not
+  Peers peers = Peers::ready;  ///< permission for the armed movement to begin
   bool watchdog = false;  ///< a heartbeat is missing: stop
 };
 

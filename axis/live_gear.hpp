@@ -14,7 +14,8 @@ namespace jounce {
 ///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
 ///     axis.step(t, {.kind = Command::Kind::gear_in, .movement = &gear}, inputs);
 ///
-/// `engaging` while it ramps, then `running` until the axis leaves it; `broken` where the master is lost.
+/// Its progress is `engaging` during the ramp, then `running` until the axis leaves it; `broken` if the
+/// master is lost.
 class LiveGear final : public Movement {
  public:
   /// Throws InputError as gear_in() does.
@@ -38,11 +39,12 @@ class LiveGear final : public Movement {
   Setpoint last_;
 };
 
-/// MC_GearInPos on the axis's live master: at rest until it passes the start, in step with it from the
-/// sync position on (gear/gear_in_pos.hpp). Made for where the slave will stand: `slave_start`.
+/// MC_GearInPos on the axis's live master: the slave rests until the master passes the start position,
+/// and is in step from the sync position on (gear/gear_in_pos.hpp). The slave must stand at
+/// `slave_start` when it begins.
 ///
-/// `waiting` for the start, `engaging`, then `running`, through reversals of the master too: one that
-/// turns back before the sync position takes the slave back with it, and neither stops nor errs
+/// Its progress is `waiting`, `engaging`, then `running`, even if the master reverses: if it turns back
+/// before the sync position, the slave moves back with it; this is neither a stop nor an error
 /// (PMC600 error 775 is reported by master_reversed()).
 class LiveGearInPos final : public Movement {
  public:
@@ -54,7 +56,7 @@ class LiveGearInPos final : public Movement {
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
-  /// In this cycle the master went back while connecting.
+  /// The master moved backwards in this cycle while the gear was engaging.
   [[nodiscard]] bool master_reversed() const noexcept { return reversed_; }
 
  private:

@@ -83,7 +83,7 @@ class Machine {
   [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }  ///< ns
   [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Steps every axis: `images` in the declared order, one an axis. `tick` must be greater than in
+  /// Steps every axis: `images` in the declared order, one per axis. `tick` must be greater than in
   /// the step before.
   void step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters = {});
 

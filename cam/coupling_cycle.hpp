@@ -47,7 +47,7 @@ struct Stepped {
 ///
 /// Pure, and does not allocate. The samples' times ascend.
 ///
-/// **Master.** For any motion of it, the slave is on its cam, but for the correction: it accelerates by
+/// **Master.** For any motion of it, the slave is on its cam, except for the correction: it accelerates by
 /// the chain rule, runs backwards along the same cam, and follows the noise of a measured master
 /// times the cam's slope. Give a measured master filtered, with the velocity and acceleration of the
 /// filter. A master that jumps is announced (`jumped`) where master_jump is set; a slave with a ramp

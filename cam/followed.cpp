@@ -34,7 +34,7 @@ void require_few_periods(double first, double last, std::size_t breaks) {
   constexpr double farthest = 1e15;  // where neighbouring periods are still told apart
   constexpr double most = 2e6;
   if (!(std::abs(first) < farthest && std::abs(last) < farthest))
-    throw InputError("master", first, "is the period it meets: they must be below 1e15");
+    throw InputError("master", first, "is the number of a period of the cam: it must be below 1e15");
   if ((last - first + 1) * static_cast<double>(breaks) > most)
     throw InputError("master", last - first + 1,
                      "periods of a cam with " + std::to_string(breaks) +

@@ -17,7 +17,7 @@ inline Jet chained(const Jet& f, const Jet& x) {
 }
 
 /// Direction of a master on the given side of an instant: the sign of its first derivative that
-/// is not zero. So one at rest that is about to go backwards does.
+/// is not zero. So a master at rest that is about to move backwards counts as moving backwards.
 inline bool backwards(const Jet& x, Side side = Side::right) {
   const double s = side == Side::right ? 1 : -1;
   if (x[1] != 0) return x[1] < 0;
@@ -25,8 +25,8 @@ inline bool backwards(const Jet& x, Side side = Side::right) {
   return x[3] < 0;
 }
 
-/// Throws InputError where a master passes periods `first` to `last` of a cam with so many breaks that a
-/// motion cannot be made of them: far beyond any machine's, and before the memory is gone.
+/// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to `last`, or
+/// periods from 1e15 on: far more than any machine needs, and before memory runs out.
 void require_few_periods(double first, double last, std::size_t breaks);
 
 /// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
@@ -42,7 +42,7 @@ void require_few_periods(double first, double last, std::size_t breaks);
 ///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
 ///
 /// Its breaks are the master's breaks and every instant at which the master passes a break of the
-/// cam. A master that runs backwards meets the cam's left limits; so does the query. Throws
+/// cam. While the master runs backwards, right and left limits of the cam are exchanged. Throws
 /// InputError where the master leaves a cam that refuses it, and as require_few_periods().
 class Followed {
  public:

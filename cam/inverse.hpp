@@ -29,10 +29,10 @@ namespace jounce {
 ///
 /// **Derivatives** by the slave, from the inverse function's rule: `Transfer` in m/u, m/u^2, m/u^3.
 /// Where the slave is at rest (the end of a dwell, a turning point, an inflection with velocity
-/// zero) the master has no finite derivative: it is answered as the infinity that is approached
+/// zero) the master has no finite derivative: the result is the infinity that is approached
 /// from the side asked for, all three with their signs; never as NaN.
 ///
-/// **A dwell** inside a branch is a jump of the master: Side::left answers one end of it,
+/// **A dwell** inside a branch is a jump of the master: Side::left returns one end of it,
 /// Side::right (the rule) the other. **Outside** [start, end] a query is the caller's mistake: it
 /// asserts, and holds in a release build, as for a curve that refuses.
 ///

@@ -13,14 +13,14 @@ namespace jounce {
 ///     (1)  X = master_scaling x + master_offset
 ///     (2)  y = slave_scaling CAM(X) + n advance + slave_offset,    n: whole periods before X
 ///
-/// A cam that is not periodic holds its end values outside. Here a cam is whatever has start(),
+/// A cam that is not periodic holds its end values outside. Here a cam is any type with start(),
 /// end(), length() and jet(x, side): a Cam, or a Table over master.
 struct Placement {
   double master_scaling = 1;
   double master_offset = 0;  ///< master offset of the cam, after scaling
   double slave_scaling = 1;
   double slave_offset = 0;  ///< u, after scaling
-  double advance = 0;       ///< u a period: what the slave gains in each
+  double advance = 0;       ///< u per period: advance of the slave in each
   bool periodic = false;
 
   [[nodiscard]] double at(double x) const { return master_scaling * x + master_offset; }  // (1)
@@ -30,7 +30,7 @@ struct Placement {
 struct Spot {
   double at = 0;       ///< in [start, start + length); the end too where it is not periodic
   double period = 0;   ///< whole number; 0 where it is not periodic
-  bool inside = true;  ///< within the cam, but for rounding
+  bool inside = true;  ///< within the cam, except for rounding
 };
 
 /// Position X within a cam from `start` on.
@@ -43,8 +43,8 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= 1e-9 * length};
 }
 
-/// Where X lies, seen from one side: within rounding (`near`) of the seam between two periods it is
-/// on it, and that is the end of the one or the start of the other.
+/// Position X seen from one side. Within rounding (`near`) of the seam between two periods it counts as on
+/// the seam: from the left as the end of one period, from the right as the start of the next.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
   const Spot s = spot(X, start, end - start, true);
   const bool behind = s.at - start <= near;
@@ -53,9 +53,9 @@ inline Spot spot_on(Side side, double X, double start, double end, double near) 
   return side == Side::left ? Spot{end, next - 1, true} : Spot{start, next, true};
 }
 
-/// The slave's motion, [y, y', y'', y'''] by time, behind a master that moves as [x, x', x'', x''']
-/// does; of the two sides of an instant the one asked for: right as it goes on, left as it comes. A
-/// master that runs backwards meets the cam's left limits, as in Followed.
+/// The slave's motion, [y, y', y'', y'''] by time, for a master at [x, x', x'', x''']. `side`
+/// selects the limit from after (right) or before (left) an instant. While the master runs backwards,
+/// right and left limits of the cam are exchanged, as in Followed.
 template <class C>
 Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;

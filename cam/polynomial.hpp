@@ -23,8 +23,8 @@ struct Condition {
 /// of the polynomial's magnitude.
 ///
 /// Throws InputError for a length that is not positive, no condition or too many, one that is
-/// outside, of another order or not finite, and where the conditions contradict each other or leave
-/// the polynomial open (two values at one place; derivatives without a position).
+/// outside, of another order or not finite, and if the conditions contradict each other or do not
+/// determine the polynomial (two values at one place; derivatives without a position).
 Segment polynomial(double length, std::span<const Condition> conditions);
 
 }  // namespace jounce

@@ -21,8 +21,8 @@ struct CamRun {
 };
 
 /// The runs of a cam, in the order of the master: they meet at the turning points (isolated, not
-/// sampled: roots.hpp) and at the ends of the dwells. What is smaller than 1e-15 of a segment's
-/// magnitude is no motion. A position that jumps ends a run too.
+/// sampled: roots.hpp) and at the ends of the dwells. Travel below 1e-15 of a segment's
+/// magnitude counts as standstill. A position that jumps ends a run too.
 std::vector<CamRun> runs(const Cam& cam);
 
 /// Master positions at which the slave is at one position: a single one (from == to), or a dwell.
@@ -31,8 +31,8 @@ struct MasterSpan {
   double to = 0;
 };
 
-/// All of them within the cam's interval, ascending; of a cam that wraps, the end is left out where
-/// the start is one (a dwell across the wrap is two spans). Throws InputError for a position that
+/// All of them within the cam's interval, ascending; for a cam that wraps, the end is left out if
+/// the start is included (a dwell across the wrap gives two spans). Throws InputError for a position that
 /// is not finite.
 std::vector<MasterSpan> positions_for(const Cam& cam, double slave);
 

@@ -15,9 +15,9 @@ namespace jounce {
 ///     Cam cam(s.segments, 0, Outside::hold);
 ///     double atLeast = s.square_jerk - s.gap;             // no curve within the tolerances has less
 ///
-/// It is a quintic spline whose joints are the points where the tolerance is used up (and those
-/// whose tolerance is zero, which it goes through); the other points leave no joint. With zero
-/// tolerances everywhere it is quintic_spline().
+/// It is a quintic spline. Its joints are the points where the tolerance is used up and the points
+/// with zero tolerance, which it passes exactly; it has no joint at other points. If all tolerances
+/// are zero, it is quintic_spline().
 struct SmoothingSpline {
   std::vector<Segment> segments;     ///< from the first point's master to the last one's
   std::vector<std::size_t> touched;  ///< points where the tolerance is used up or zero, from 0
@@ -26,14 +26,14 @@ struct SmoothingSpline {
   int solutions = 0;  ///< linear systems solved
 };
 
-/// A strictly convex quadratic program, solved by an active set. Keeps each tolerance to 1e-9 of
-/// itself and the rounding of the slave positions. Where a parabola keeps all tolerances (periodic: a
+/// A strictly convex quadratic program, solved by an active set. Each tolerance is kept to
+/// within 1e-9 of its value plus the rounding of the slave positions. Where a parabola keeps all tolerances (periodic: a
 /// constant) square_jerk is zero and the curve is one such parabola: the one through the first, the
 /// middle and the last point, or as near to it as the tolerances let it be found.
 ///
 /// Throws InputError as quintic_spline() does; for fewer than three points; for a tolerance that is negative or not finite; for
 /// SplineEnds::not_a_knot; and for periodic ends with different tolerances at the first and the last
-/// point, which are one.
+/// point, which are the same point.
 SmoothingSpline smoothing_spline(const SplineSpec& spec);
 
 }  // namespace jounce

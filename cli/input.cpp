@@ -46,7 +46,7 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
       std::find_if(all.begin(), all.end(), [&](const Input& input) { return input.axis == axis; });
   if (named == all.end())
     throw InputError("--axis", axis,
-                     all.size() == 1 ? name + " has one axis, which has no name"
+                     all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"
                                      : "must be one of " + names_of(all));
   Input one = std::move(*named);
   all.clear();

@@ -22,7 +22,7 @@ struct OptimizeOptions {
 };
 
 /// Free knots, free shapes and [[optimize.parameter]]: solved, printed, and written if they keep the
-/// limits. Answer the exit status.
+/// limits. Return the exit status.
 int optimize_knots(const OptimizeOptions& options, const Spec& spec);
 int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
 /// Free shapes through the drive of options.against.

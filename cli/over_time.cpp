@@ -74,7 +74,8 @@ Input over_time(const Input& input) {
   if (cam == nullptr || !input.spec)
     throw InputError(
         "--over", "time",
-        input.name + (cam == nullptr ? " is over time already" : " is a table, without a master"));
+        input.name + (cam == nullptr ? " is over time already: leave out --over"
+                                       : " is a table without a master: give its spec"));
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
   Trajectory motion = motion_over_time(input);
   Input slave = input;

@@ -97,7 +97,7 @@ class Tape;
 
 /// Parts of a cycle besides the machine; all of them must outlive the cycle.
 struct CycleOptions {
-  std::vector<AxisDrive*> drives = {};  ///< one an axis, or null; empty: no axis has one
+  std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: no axis has one
   std::vector<Master*> masters = {};    ///< all masters of the machine
   std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
   Tape* tape = nullptr;                 ///< tape of what is recorded; null: nothing is

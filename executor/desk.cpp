@@ -276,7 +276,7 @@ Queues::Record Desk::recorded_rows() const {
 void Desk::handle_queue_order(const OrderRequested& requested) {
   const auto queue = static_cast<std::uint32_t>(requested.value[0]);
   const int bank = requested.value[1] == 0 ? 0 : 1;
-  if (requested.at >= 0) return decline(requested, "queue commands take no tick: leave --at out");
+  if (requested.at >= 0) return decline(requested, "queue commands cannot be timed: leave out --at");
   if (requested.kind == wire::OrderKind::queue_end && !queues_.end(queue))
     return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
   const bool done = requested.kind == wire::OrderKind::queue_end ||

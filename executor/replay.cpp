@@ -48,7 +48,7 @@ class Replayer {
       throw InputError("axis", std::to_string(axis.axis + 1), "is out of sequence");
     result_.axes.push_back(axis);
     if (axis.whole) motions_.emplace_back(std::make_unique<MotionAxis>(axis.config));
-    if (!axis.whole) end("it is a black box: it begins in the middle of a run");
+    if (!axis.whole) end("the file is a black box: its record begins in the middle of a run");
   }
 
   /// The axis is made again with what its outputs are made from so far.
@@ -247,7 +247,7 @@ class Replayer {
     const auto it = tables_.find(hash);
     if (it == tables_.end())
       throw InputError("job", hex(hash).substr(0, 16),
-                       "is the hash of a table that the record lacks");
+                       "is the hash of a table that is missing from the record");
     return it->second;
   }
 

@@ -9,18 +9,18 @@
 
 namespace jounce {
 
-/// A position-sync point: master and slave arrive there together. Without a ratio the slave passes
-/// it with one between its mean ratios before and after (0 where those differ in sign); the last
-/// point is where it comes to rest, or where a periodic plan begins again.
+/// A position-sync point: master and slave arrive there together. If no ratio is given,
+/// a ratio between the mean ratios before and after the point is used (0 if these differ in sign). At
+/// the last point the slave comes to rest, or a periodic plan begins again.
 struct FollowPoint {
   double master = 0;
   double slave = 0;
   std::optional<double> ratio = {};  ///< u/m
 };
 
-/// A velocity-sync zone: a stretch in which the ratio is exact. Where the slave is at `from` is
-/// given, or follows from a sync point within the zone, or is where a straight ramp of the ratio
-/// from the point before leads.
+/// A velocity-sync zone: a stretch in which the ratio is exact. The slave's position at `from` is
+/// given, or follows from a sync point within the zone, or is the one that a linear ramp of the ratio
+/// from the previous point reaches.
 struct FollowZone {
   double from = 0;
   double to = 0;
@@ -33,7 +33,7 @@ struct FollowZone {
 /// acceleration there; or the quadratic pieces of a follow table.
 enum class FollowForm { smooth, table };
 
-/// Task of a follow table, in terms of a user; master and slave begin at (0, 0).
+/// Task of a follow table, in the user's terms; master and slave begin at (0, 0).
 ///
 ///     FollowPlan shear{.points = {{10000, 8000}}, .zones = {{0, 1000, 1}, {9000, 10000, 1}},
 ///                      .periodic = true};                    // manual, example 7-6, region 2
@@ -42,14 +42,14 @@ enum class FollowForm { smooth, table };
 ///     const Report report = check(shear);
 ///
 /// **As a table**, a zone is an even segment, so that its ratio is exact however the numbers were
-/// rounded. From one to the next a single normal segment does where the mean ratio is the mean of
-/// both; elsewhere two that meet in the one point at which the greater of their slopes is least
-/// (follow_plan.cpp (3)). Where the slave would run backwards in between, it slows down, stands, and
-/// speeds up instead, as gently as that goes.
+/// rounded. Between two zones, one normal segment is enough if the mean ratio there is the mean
+/// of both ratios; otherwise there are two, which meet at the point that makes the greater of their
+/// slopes least (follow_plan.cpp (3)). If the slave would run backwards in between, it slows down,
+/// stands still and speeds up instead, as gently as possible.
 ///
 /// Throws InputError "point[1].master", "zone[2].from", ... where master positions do not ascend, a
 /// zone overlaps another, a point within a zone contradicts it, the end's ratio differs from the
-/// start's in a periodic plan, or a zone's position follows from nothing.
+/// start's in a periodic plan, or a zone's position cannot be determined.
 /// Source: Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
 struct FollowPlan {
   std::vector<FollowPoint> points = {};
@@ -58,7 +58,7 @@ struct FollowPlan {
   std::optional<double> start_ratio = {};  ///< left out: that of a zone at 0, or else 0
   FollowForm form = FollowForm::smooth;
   Law law = Law::quintic;     ///< law of the smooth form
-  bool whole_master = false;  ///< whole master of the table: points between are at whole master units (pulses)
+  bool whole_master = false;  ///< table form: intermediate points lie on whole master units (pulses)
 };
 
 /// The smooth form.
@@ -70,8 +70,8 @@ FollowTable follow_table(const FollowPlan& plan);
 /// The cam of the form chosen, its zones by name.
 SyncCam follow(const FollowPlan& plan);
 
-/// "follow/backwards" for each gap in which the slave runs against its ratios at both ends: where,
-/// how fast, and how much travel would do. For a table also what check(FollowSpec) finds, and
+/// "follow/backwards" for each gap in which the slave runs opposite to its ratios at both ends:
+/// the place, the speed, and the travel that would be enough. For a table also what check(FollowSpec) finds, and
 /// "follow/whole_master" where a point could not be put on a whole unit.
 Report check(const FollowPlan& plan);
 

@@ -118,7 +118,7 @@ Comparison compare(const Version& before, const Version& after, const Tolerance&
         if (a == nullptr)
           throw InputError("axis", before.labels.over_master ? "master" : "time",
                            before.name + " and " + after.name +
-                               " run over different axes and cannot be compared");
+                               " cannot be compared: one is over the master, the other over time");
         Comparison result{before.name, after.name, after.labels, compare(*a, b), {}, {}, {},
                           {},          {}};
         for (std::size_t k = 0; k < result.beyond.size(); ++k)

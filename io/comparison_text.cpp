@@ -91,7 +91,7 @@ std::string verdict(const Comparison& c) {
   const bool none = std::all_of(c.changes.begin(), c.changes.end(),
                                 [](const Change& change) { return change.none(); });
   if (!c.equal()) return "they differ";
-  return none ? "equal but for rounding" : "equal within the tolerance";
+  return none ? "equal except for rounding" : "equal within the tolerance";
 }
 
 Json to_object(const Extremum& extremum) {

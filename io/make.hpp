@@ -30,7 +30,7 @@ struct Made {
   std::vector<SyncZone> zones = {};  ///< in which a slave is in step, if its generator reports it
 };
 
-/// Spec -> generator -> operators -> curve -> table; one an axis, all over the same time. Throws
+/// Spec -> generator -> operators -> curve -> table; one per axis, all over the same time. Throws
 /// InputError, placed in the spec's document.
 std::vector<Made> make_axes(const Spec& spec);
 

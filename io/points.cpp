@@ -204,7 +204,7 @@ class Reader {
     const Number number = number_at(text.data(), end, other);
     if (number.end != end || !std::isfinite(number.value))
       fail(key, text,
-           "must be a finite number with one decimal comma and no separator of thousands");
+           "must be a finite number with one decimal comma and no thousands separator");
     if (point_ == ',')
       fail(key, text, "has a decimal point where other numbers have a comma");
     if (has_points()) fail(key, text, "has a decimal comma where other numbers have a point");

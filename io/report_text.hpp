@@ -17,7 +17,7 @@ namespace jounce {
 struct Labels {
   Units units;
   bool over_master = false;
-  std::vector<std::string> segments;  ///< "2 sync", one a segment of the curve; may be empty
+  std::vector<std::string> segments;  ///< "2 sync", one per segment of the curve; may be empty
 
   /// Unit of "position", "geo_velocity", "acceleration", ...; "" for a quantity that is none of
   /// ours.

@@ -25,7 +25,7 @@ struct TableFile {
 std::string made_by();
 
 /// CSV: a head of `# key: value` lines (schema version, rule, knots, SHA-256, provenance), a line
-/// of column names with units, one line a knot. JSON: the same as an object. Doubles are written in
+/// of column names with units, one line per knot. JSON: the same as an object. Doubles are written in
 /// their shortest form that reads back the same, so both formats are bit-exact.
 std::string to_csv(const TableFile& file);
 std::string to_json(const TableFile& file);

@@ -56,7 +56,7 @@ void require_ends(const CamShapeProblem& problem) {
     };
     if (std::none_of(runs.begin(), runs.end(), at_end))
       throw InputError(key_of(shape.segment, "ends.jerk"), "",
-                       "needs an end at a segment that is not free");
+                       "applies only to the first and the last segment of a run of free segments");
     if (shape.end_jerk == EndJerk::zero && shape.continuity < 3)
       throw InputError(key_of(shape.segment, "ends.jerk"), "0", "needs a continuity of 3 or more");
   }

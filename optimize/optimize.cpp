@@ -239,8 +239,8 @@ class Search {
         r.bound > 0 ? "at most " + brief(100 * r.gap()) + " % of " + name(r.objective) +
                           " could still be saved"
                     : std::string("no bound above 0 is known for ") + name(r.objective) +
-                          (space_.convex() ? "" : ": free masters make the problem not convex") +
-                          ", and the fixed knots alone force none";
+                          (space_.convex() ? "" : ": free masters make the problem non-convex") +
+                          ", and none follows from the fixed knots alone";
     if (space_.convex())
       return "no other values of the free quantities are better (the problem is convex); " + gap;
     return "none of " + std::to_string(outcome_.starts) + " starts led to an improvement; " + gap;

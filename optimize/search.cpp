@@ -100,7 +100,7 @@ std::string ending(const Trials& trials) {
     case Trials::Ended::no:
       break;
   }
-  return "every step still gained a little";
+  return "every step still brought a small improvement";
 }
 
 std::string settled_reason(const Trials& trials, const Searched& how) {

@@ -139,7 +139,7 @@ void judge(const std::vector<TimeAttempt>& attempts, SplineTimes& best) {
   best.reason = best.agreeing > 1
                     ? std::to_string(best.agreeing) + of + " agree to 1e-6, the best two to " +
                           optimizer::brief(best.spread) + "; a local search is no proof"
-                    : "only one" + of + " led here: more starts may lead further";
+                    : "only one" + of + " found this result: more starts may find a better one";
 }
 
 }  // namespace

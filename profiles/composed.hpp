@@ -29,7 +29,7 @@ namespace jounce {
 /// the inner leaves (by more than rounding) an outer that refuses, or one segment of it travels over
 /// more than 1e6 segments of an outer that wraps.
 ///
-/// The result ends where the inner does, to the last digit (but for an inner that runs from far
+/// The result ends where the inner does, to the last digit (except for an inner that runs from far
 /// below 0 to about 0, where the lengths have fewer digits than the end).
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);

@@ -49,7 +49,7 @@ struct Change {
   Range before;         ///< over the whole of each curve
   Range after;
 
-  /// True if there is no difference but for rounding.
+  /// True if there is no difference except for rounding.
   [[nodiscard]] bool none() const;
   /// Reference of a share: the wider of the two ranges.
   [[nodiscard]] double span() const;

@@ -43,7 +43,7 @@ struct RampLimits {
 /// what speeds up, `down` for what slows down. An acceleration that a state has already is taken
 /// over (not where jerk is not limited); it falls first where it would lead past the velocity, and
 /// until the axis rests where it would turn it round. Where up and down differ, a change through rest
-/// is two ramps. From a state within them the limits hold throughout, but for what an acceleration at
+/// is two ramps. From a state within them the limits hold throughout, except for what an acceleration at
 /// rest, allowed in slowing down, needs to fall. The jerks may differ between begin and end, or
 /// between up and down, not both. Throws InputError also where time or position would overflow.
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,

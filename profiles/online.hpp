@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// Setpoints for N axes, one call a cycle. Targets, bounds and everything else may change at any time;
+/// Setpoints for N axes, one call per cycle. Targets, bounds and everything else may change at any time;
 /// a motion is planned only where the one under way does not fit any more.
 ///
 ///     OnlineGenerator<2> xy(Sync::time);

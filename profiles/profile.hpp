@@ -31,7 +31,7 @@ struct MotionState {
 /// (order 1). Phases that do not occur are left out.
 ///
 /// The motion begins exactly at start() and ends exactly at end(), which need not be at rest.
-/// Outside [0, duration] at() answers with the state at that end, jerk 0.
+/// Outside [0, duration] at() returns the state at that end, with jerk 0.
 class Profile {
  public:
   static constexpr std::size_t capacity = 12;

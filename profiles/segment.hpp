@@ -22,7 +22,7 @@ struct SineTerm {
 /// every coefficient is in the unit of the value. Stretching a segment changes `length` alone.
 /// The capacity (degree 11, three sines) makes every profile and every classical cam law exact;
 /// only the degree in use is evaluated. The set is closed under derivative, shift, scale, reversal
-/// and sub-interval; `sum` answers nothing where the result no longer fits.
+/// and sub-interval; `sum` returns nothing if the result no longer fits.
 struct Segment {
   static constexpr int max_degree = 11;
   static constexpr int max_sines = 3;

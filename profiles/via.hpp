@@ -52,7 +52,7 @@ struct ViaKnot {
 };
 
 struct ViaMotion {
-  std::vector<Trajectory> axes;  ///< one an axis, over the same time from 0; they hold outside
+  std::vector<Trajectory> axes;  ///< one per axis, over the same time from 0; they hold outside
   std::vector<ViaKnot> knots;    ///< one a point
   double duration = 0;           ///< s
   double stopping_duration = 0;  ///< s, of the same motion with a stop at every point between;

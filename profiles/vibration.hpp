@@ -36,7 +36,7 @@ struct WorstResidual {
 };
 
 /// Not sampled: the residual's slope is bounded, so that no frequency of [low, high] exceeds the
-/// answer by more than 1e-6. Throws InputError unless 0 < low <= high, and where
+/// result by more than 1e-6. Throws InputError unless 0 < low <= high, and where
 /// `require_valid` does.
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);

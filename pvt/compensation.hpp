@@ -46,7 +46,7 @@ struct CompensationSpec {
 ///
 /// A correction does not go through the profile generator: with a linear table the velocity of the
 /// output steps wherever a reference passes a grid line, by speed times change of slope. `check`
-/// names it; the cubic rule avoids it (but for the edges).
+/// names it; the cubic rule avoids it (except for the edges).
 ///
 /// at() neither allocates nor throws. Throws InputError, counting from 1 ("values[3]"), for no or
 /// more than three references, an interval that is not positive, fewer than two points, another

@@ -112,7 +112,7 @@ namespace himc {
 /// steps of 20. Throws InputError with those keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
-/// Uneven spacing: SetPT_PosArray, StateArray (one bit a position), StartIndex, EndIndex, from 0;
+/// Uneven spacing: SetPT_PosArray, StateArray (one bit per position), StartIndex, EndIndex, from 0;
 /// start above end: travelled backwards. At most 256 positions.
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,
                                std::size_t start_index, std::size_t end_index);

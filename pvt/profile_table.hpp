@@ -58,7 +58,7 @@ struct ProfileTable {
 
 /// Interpretation of a position table.
 enum class PositionRule {
-  /// Velocity continuous, from from_velocity to rest, and no overshoot but for a from_velocity of more
+  /// Velocity continuous, from from_velocity to rest, and no overshoot except for a from_velocity of more
   /// than 3 times the first stage's mean: the harmonic mean of Fritsch and Butland (SIAM J. Sci. Stat.
   /// Comput. 5, 1984), 0 where the direction turns.
   cubic,

@@ -38,7 +38,7 @@ template <class Over>
 Sampled sample(const Curve<Over>& f, Rule rule, const std::vector<double>& knots);
 
 /// The table of these columns, which span the curve, and its error. Where the curve repeats, a column
-/// that ends on what it begins with but for rounding ends on exactly that.
+/// that ends on what it begins with except for rounding ends on exactly that.
 template <class Over>
 Sampled certified(const Curve<Over>& f, Rule rule, Columns columns);
 

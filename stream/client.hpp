@@ -44,7 +44,7 @@ struct Pacing {
 ///     client.override_(0.5);
 ///     client.release();                               // the motion goes on
 ///
-/// Each call returns once the axis has accepted or refused; it never throws but for a value that no
+/// Each call returns once the axis has accepted or refused; it never throws except for a value that no
 /// axis can take (InputError) and TransportError. The first one begins a session, which owns the
 /// axis; while another one owns it, calls are refused as busy. After a second without a call the
 /// axis is free again, and the next call begins another session.

@@ -148,7 +148,7 @@ struct Chunk {
   std::uint32_t table = 0;
   std::uint32_t seq = 0;         ///< 0...chunks - 1
   std::uint32_t first_knot = 0;  ///< seq * per_chunk
-  std::uint32_t knots = 0;       ///< full but for the last chunk
+  std::uint32_t knots = 0;       ///< full except for the last chunk
   std::uint32_t columns = 0;
   std::vector<double> values{};  ///< knots * columns <= chunk_values
 };

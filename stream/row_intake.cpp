@@ -73,7 +73,7 @@ bool RowIntake::is_sound(const Bank& bank, const wire::Rows& rows) {
     const wire::Row& row = rows.rows[i];
     const char* const rule = ended              ? "follows the last row"
                              : !is_finite(row)  ? "has a value that is not finite"
-                             : !(row.x_end > x) ? "does not end after the row before"
+                             : !(row.x_end > x) ? "does not end later than the previous row"
                                                 : nullptr;
     if (rule != nullptr) {
       const std::uint64_t number = bank.rows + i;

@@ -41,7 +41,7 @@ struct UnixTransport::Impl {
   explicit Impl(const std::string& name) : peers(usable(name)) {
     peers.refresh();
     if (peers.size() >= detail::most_peers)
-      throw TransportError(fmt::format("{}: {} programs use it already, the most that it serves",
+      throw TransportError(fmt::format("{}: {} programs already use it, and it serves no more: end one of them",
                                        name, detail::most_peers));
     inbox.emplace(name);
   }

@@ -46,7 +46,7 @@ struct AgainstOutcome {
 ///         optimize_against(problem, {.drive = servo_400w(), .velocity = 360});
 ///     if (outcome.usable()) use(outcome.shapes.best);
 ///
-/// A linear drive is convex in the shape: what is answered is the least value over the splines, at 500
+/// A linear drive is convex in the shape: the result is the least value over the splines, at 500
 /// instants of the cam and as many of the standstill, at most 1000, and at the peaks between them. A drive that is not linear, and one
 /// whose torque meets its limit, is solved by rounds around its own run (equation (2) in against.cpp);
 /// the slopes are those of the linear drive, so that what is found is better, not proven best. Either way

@@ -33,7 +33,7 @@ SweepRow evaluated(const SweepSpec& spec, std::size_t number);
 std::string line_of(const SweepRow& row);
 std::optional<SweepRow> row_of(const std::string& line, const SweepSpec& spec);
 
-/// Answers a case's line. Called by several threads at once.
+/// Returns the line of a case. Called by several threads at once.
 using MakeLine = std::function<std::string(std::size_t number)>;
 
 /// Takes a case's line; false: no more is wanted. Called by one thread at a time.

@@ -7,7 +7,7 @@
 namespace jounce {
 
 /// A complete sweep as CSV: a head of comments (# key: value), a line of column names with their
-/// units, then a row a case: its number from 1, the parameters, the figures, the verdict and why.
+/// units, then a row per case: its number from 1, the parameters, the figures, the verdict and why.
 /// Figures of an impossible case are empty. Text in the last column is quoted where it needs to be.
 std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 

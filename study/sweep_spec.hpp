@@ -69,7 +69,7 @@ struct SweepLimit {
 ///     "peak torque" = 2.5                     # beside those of the spec
 ///
 /// **Cases**: every combination of the listed values, each with all samples; numbered from 0, the last
-/// listed parameter runs fastest but for the samples, which run faster still. The numbers of a case
+/// listed parameter runs fastest except for the samples, which run faster still. The numbers of a case
 /// depend on the seed, the key and the number of the sample alone: each combination meets the same
 /// samples, so that they can be compared. `tolerance` is uniform about the number in the spec, a share of it.
 struct SweepSpec {

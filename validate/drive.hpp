@@ -235,7 +235,7 @@ struct DriveResult {
 ///
 /// Saturation, backlash, dry friction and the power's direction through a gear are modes, switched
 /// by root finding; the run begins anew at each. The thermal share follows from the integral of T^2
-/// step by step, exact but for changes of T within a step much shorter than thermal_time.
+/// step by step, exact except for changes of T within a step much shorter than thermal_time.
 ///
 /// **Accuracy**: motor and load within 1e-9 of the stroke of the exact solution (pinned by tests
 /// against matrix exponentials; 2e-11 is usual, 1e-8 where a move is over before the loop can

@@ -22,7 +22,7 @@ namespace jounce {
 /// within 1e-7 of the stroke at a thousand setpoints (pinned by tests); each step of the acceleration
 /// between two setpoints adds an error of the size of that step times period^2 for as long as the drive remembers it.
 ///
-/// The drive itself is solved by exponentials made by the constructor, exact but for rounding; where its torque
+/// The drive itself is solved by exponentials made by the constructor, exact except for rounding; where its torque
 /// meets the motor's limit, the instant is found within 1/256 of a period. A controller with a cycle is read, limited,
 /// rounded and delayed as it is in drive_through(); its cycle must divide the period. A controller without
 /// one and a delay: Pade's approximant, as there.

@@ -93,7 +93,7 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,
                                 const ForEach& for_each = {});
 
-/// The cases alone, one row a case, one column a number, in the order they are run.
+/// The cases alone, one row per case, one column per number, in the order they are run.
 std::vector<std::vector<double>> tolerance_cases(const Drive& drive, const ToleranceSpec& spec);
 
 }  // namespace jounce

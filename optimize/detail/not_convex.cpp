@@ -55,7 +55,7 @@ NotConvexResult result_of(FoundShape best, const SearchBudget& budget, bool fini
     result.end = End::cancelled;
   } else if (!finite) {
     result.end = End::stalled;
-    result.why = "a figure is not finite for shapes on the way";
+    result.why = "a figure was not finite for a shape that the search tried";
   } else if (best.violation > 0) {
     result.end = budget.spent() ? End::stalled : End::infeasible;
     result.why = "no start met the limits; as the problem is not convex, that is no proof";

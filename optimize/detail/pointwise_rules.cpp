@@ -19,7 +19,7 @@ void require_inertia(const std::string& key, const LoadTorque& load, const Shape
   if (load.inertia.empty()) return;
   const Trajectory inertia(load.inertia, p.begin);  // throws for a bad segment
   require_number(key, inertia.end(), std::abs(inertia.end() - p.end) <= 1e-9 * (p.end - p.begin),
-                 "must end where the shape does");
+                 "must end at the end of the shape");
   double before = value(load.inertia.front(), 0);
   for (const Segment& f : load.inertia) {
     const double step = std::abs(value(f, 0) - before);

@@ -22,9 +22,9 @@ bool at_bound(const ShapeProblem& problem, const ShapeOutcome& out) {
 std::string gap_text(const ShapeOutcome& out) {
   for (const FigureResult& r : out.figures)
     if (r.bound && r.reached > 0)
-      return "no start leads further; at most " + brief(100 * (1 - *r.bound / r.reached)) +
+      return "no start gave a better result; at most " + brief(100 * (1 - *r.bound / r.reached)) +
              " % of " + r.name + " could still be saved";
-  return "no start leads further; the problem is not convex, and no bound is known";
+  return "no start gave a better result; the problem is not convex, and no bound is known";
 }
 
 void set_status(const ShapeProblem& problem, const NotConvexResult& found, ShapeOutcome& out) {

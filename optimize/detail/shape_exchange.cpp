@@ -146,7 +146,7 @@ class ShapeExchange {
       if (norms_.settle(model_.space.segments(found_.z))) return true;
     }
     found_.end = End::stalled;
-    found_.why = "the weights of the rms figures did not settle";
+    found_.why = "the weights of the rms figures did not converge";
     return false;
   }
 
@@ -165,7 +165,7 @@ class ShapeExchange {
   bool out_of_reach() {
     found_.bound.reset();
     if (contradictory(model_, found_.z)) {
-      infeasible("what is fixed at the ends and kept exactly contradicts itself");
+      infeasible("the values fixed at the ends and those to be kept exactly contradict each other");
       return true;
     }
     ShapeTask task = plain(model_);

@@ -64,7 +64,7 @@ class SplineSpace {
   [[nodiscard]] Form at(const LinearQuantity& q, std::size_t piece, double s) const;
   /// The j-th derivative of q where a piece begins.
   [[nodiscard]] Form derivative_at(const LinearQuantity& q, std::size_t piece, int j) const;
-  /// Squares whose sum is the integral of q^2: Gauss's rule with degree + 1 places a piece, exact.
+  /// Squares whose sum is the integral of q^2: Gauss's rule with degree + 1 places per piece, exact.
   [[nodiscard]] std::vector<Form> squares(const LinearQuantity& q) const;
 
   /// (2), each == 0.

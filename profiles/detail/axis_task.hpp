@@ -14,7 +14,7 @@ namespace jounce::detail {
 //             that of the velocity, the jerk that of the acceleration
 //   moving    seen from the target, which rests there: velocities less by its own
 //
-// The phases of a motion are the same in all of them, but for the velocities of first order.
+// The phases of a motion are the same in all of them, except for the velocities of first order.
 
 /// The goal of an axis as a move between two states, in those coordinates.
 AxisMove posed(const AxisMove& axis) noexcept;

@@ -7,7 +7,7 @@
 
 namespace jounce::detail {
 
-/// Places on an axis whose numbers are of size `scale`, equal but for rounding.
+/// Places on an axis whose numbers are of size `scale`, equal except for rounding.
 inline bool same_place(double a, double b, double scale) {
   return std::abs(a - b) <= 1e-12 * scale;
 }

@@ -20,7 +20,7 @@ Version version(double top, const Units& units = {"deg", "mm"}, double size = 1)
 TEST(Comparison, EqualVersionsAreEqual) {
   const Comparison same = compare(version(50), version(50));
   EXPECT_TRUE(same.equal());
-  EXPECT_THAT(to_text(same), HasSubstr("equal but for rounding"));
+  EXPECT_THAT(to_text(same), HasSubstr("equal except for rounding"));
 }
 
 TEST(Comparison, ConvertsUnitsAndSaysSo) {

@@ -76,10 +76,10 @@ TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
             "p.csv:3: position = 2.5: has a decimal point where other numbers have a comma");
   EXPECT_EQ(complaint("time;position\n0;1.234,5\n"),
             "p.csv:2: position = 1.234,5: must be a finite number with one decimal comma and no "
-            "separator of thousands");
+            "thousands separator");
   EXPECT_EQ(complaint("time;position\n0;1,234,5\n"),
             "p.csv:2: position = 1,234,5: must be a finite number with one decimal comma and no "
-            "separator of thousands");
+            "thousands separator");
 }
 
 TEST(Points, AreReadAsSpreadsheetsWriteThem) {

@@ -86,9 +86,9 @@ TEST(RowIntake, NamesTheRowThatItRefuses) {
     return std::string(name(ack.refusal)) + " " + std::to_string(ack.row) + " " + ack.reason;
   };
   EXPECT_EQ(refused([](Rows& r) { r.rows[2].x_end = r.rows[1].x_end; }),
-            "bad_row 12 row 13 does not end after the row before");
+            "bad_row 12 row 13 does not end later than the previous row");
   EXPECT_EQ(refused([](Rows& r) { r.rows[0].x_end = 0.01; }),
-            "bad_row 10 row 11 does not end after the row before");
+            "bad_row 10 row 11 does not end later than the previous row");
   EXPECT_EQ(refused([](Rows& r) { r.rows[4].v_end = NAN; }),
             "bad_row 14 row 15 has a value that is not finite");
   EXPECT_EQ(refused([](Rows& r) { r.rows[1].last = true; }),
