@@ -977,7 +977,7 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
   write("p.html", points);
   write("page.toml",
         "points = \"p.html\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
-  EXPECT_THAT(run("report page.toml -o p.html").err, HasSubstr("p.html: is an input"));
+  EXPECT_THAT(run("report page.toml -o p.html").err, HasSubstr("p.html: is also an input"));
   EXPECT_EQ(slurp(folder / "p.html"), points);
 }
 
@@ -1004,8 +1004,8 @@ TEST_F(Cli, AnEmptyArgumentIsNoMissingOne) {
 TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
   const std::string convert = "convert " + cam + " out.csv ";
   EXPECT_EQ(run(convert + "--tolerance 1e-30").err,
-            "jounce: --tolerance = 1e-30: must be at least 5.559478149432e-12: the rounding of such "
-            "positions hides smaller errors\n");
+            "jounce: --tolerance = 1e-30: must be at least 5.559478149432e-12: rounding hides "
+            "smaller errors\n");
   EXPECT_THAT(run(convert + "--velocity-tolerance 1e-30").err,
               HasSubstr("--velocity-tolerance = 1e-30: must be at least "));
   EXPECT_EQ(run(convert + "--tolerance -1").err,
@@ -1021,7 +1021,7 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
   EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
             "jounce: --position-unit = wibble: is not a known unit\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
-            "jounce: OUT = given.csv: is the input: it would be replaced by what is made from it\n");
+            "jounce: OUT = given.csv: is also the input: choose another name\n");
 }
 
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {

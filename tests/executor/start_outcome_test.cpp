@@ -154,7 +154,7 @@ TEST(Group, WhereOneRefusesNoneStartsAndAllReasonsAreThere) {
   const TablePtr elsewhere = there_and_back(10, 5, 1, Outside::hold);
   auto outcomes = stream_group(site.link, both(good, fast), {}, {}, site.clock);
   EXPECT_EQ(outcomes[0].error, StreamError::stopped);
-  EXPECT_THAT(outcomes[0].reason, HasSubstr("y refuses"));
+  EXPECT_THAT(outcomes[0].reason, HasSubstr("y rejected"));
   EXPECT_EQ(outcomes[1].error, StreamError::refused);
   EXPECT_THAT(outcomes[1].reason, HasSubstr("velocity_limit"));
   outcomes = stream_group(site.link, both(elsewhere, fast), {}, {}, site.clock);

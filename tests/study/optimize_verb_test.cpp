@@ -180,7 +180,7 @@ double processor_seconds(const std::string& folder, const char* seconds, int sig
 // It took 9 to 31 s more: a factorisation that exchanges rows cannot be interrupted.
 TEST_F(OptimizeVerb, EndsAShapeOf2000PiecesInTime) {
   EXPECT_LT(processor_seconds(folder_.string(), "3", 0), 3 + 2.5);
-  EXPECT_THAT(read_file(path("ended.txt")), HasSubstr("s allowed ran out"));
+  EXPECT_THAT(read_file(path("ended.txt")), HasSubstr("s is reached"));
 }
 
 TEST_F(OptimizeVerb, EndsAShapeOf2000PiecesWhenItIsInterrupted) {

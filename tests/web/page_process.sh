@@ -65,7 +65,7 @@ for _ in $(seq 50); do
   grep -q 'has ended 5 times within a minute and is not started again' "$scratch/said" && break
   sleep 0.1
 done
-[ "$(grep -c 'it is started again' "$scratch/said")" = 4 ] || fail "not 4 starts again: $(cat "$scratch/said")"
+[ "$(grep -c 'ended and is started again' "$scratch/said")" = 4 ] || fail "not 4 starts again: $(cat "$scratch/said")"
 grep -q 'has ended 5 times within a minute and is not started again' "$scratch/said" || fail "the limit is not reported: $(cat "$scratch/said")"
 sleep 2
 page && fail "the page was started again after its fifth end"
