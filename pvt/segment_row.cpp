@@ -74,7 +74,7 @@ const char* explain(RowRule rule) {
   constexpr std::array sentences{
       "The row is accepted.",
       "The FIFO is full: wait until it has space.",
-      "A number of the row is not finite.",
+      "A number or a derivative of the row is not finite.",
       "The row's degree is not 1, 2, 3 or 5.",
       "The row does not end after the row before.",
       "The two rates of the row do not lead from its start to its end: leave one of them open.",
@@ -137,6 +137,9 @@ RowRule check(const SegmentRow& row, const RowStart& from) {
 
 RowRule check(const RowPeaks& f, const RowLimits& limits) {
   constexpr double same = 1 + 1e-9;
+  // Without limits too: a derivative may be too large for a double.
+  for (const double peak : {f.velocity, f.acceleration, f.jerk})
+    if (!std::isfinite(peak)) return RowRule::not_finite;
   const double stroke = f.position_max - f.position_min;
   const double near = 1e-9 * stroke;
   if (!(f.position_min >= limits.position_min - near)) return RowRule::position;

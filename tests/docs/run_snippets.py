@@ -28,7 +28,8 @@ def source(name):
 def run_page(path, env):
     text = open(path, encoding="utf-8").read()
     failures = 0
-    with tempfile.TemporaryDirectory() as folder:
+    # A program that the page has ended may still be writing there.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         for name in ("examples", "docs"):
             os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
         printed = None
