@@ -25,7 +25,7 @@ bool is_quantity(const std::string& text, const std::string& unit) {
   return true;
 }
 
-/// What to do where pulses are given for a length or an angle.
+/// Advice for a length or an angle that is given in pulses.
 std::string instead_of_pulses(const std::string& member, const std::string& text,
                               const std::string& unit) {
   if (unit.empty() || is_quantity(text, unit) || !is_quantity(text, "pulse")) return "";

@@ -310,7 +310,7 @@ class ShapeSearch {
   Clock::time_point begin_;
   std::vector<Segment> given_;
   std::vector<Segment> start_;
-  double scale_ = 1;  ///< of the model
+  double scale_ = 1;  ///< scale of the model
   ShapeOutcome out_;
   bool out_of_time_ = false;
   double nothing_ = 0;              ///< a sum that is only rounding

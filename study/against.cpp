@@ -43,9 +43,9 @@ using Clock = std::chrono::steady_clock;
 constexpr double worth_a_round = 1e-3;  ///< relative gain
 constexpr double rounding = 1e-9;       ///< of a ceiling
 constexpr double new_peak =
-    1e-6;  ///< of a figure: a peak that is higher by more becomes an instant
-constexpr double floor_of_peaks = 1e-9;  ///< of the given figure: below it is rounding
-constexpr int max_exchanges = 12;        ///< of instants, for one solution
+    1e-6;  ///< relative: a peak that exceeds a figure by more becomes an instant
+constexpr double floor_of_peaks = 1e-9;  ///< relative to the given figure: less is rounding
+constexpr int max_exchanges = 12;        ///< exchanges of instants per solution
 
 /// What a drive has beside its linear twin, at a cam.
 struct Correction {

@@ -20,7 +20,7 @@ struct FollowPass {
 /// All passes, validated. Of a table played for ever: one, or two where the second differs.
 std::vector<FollowPass> follow_passes(const FollowSpec& spec);
 
-/// True if the cam repeats: one table, for ever, the same in every pass.
+/// True if the cam repeats: it has one endless table, which is the same in each pass.
 bool repeats(const FollowSpec& spec, const std::vector<FollowPass>& passes);
 
 /// For people: six digits, or all that count of a position.

@@ -7,7 +7,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double samples_per_radian = 4;  ///< of the phase over the whole motion
+constexpr double samples_per_radian = 4;  ///< samples per radian of phase over the motion
 constexpr int narrowings = 40;
 
 /// One side of a band: over the frequency w at a damping, or over asin D at a frequency.

@@ -21,7 +21,7 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr int max_rounds = 80;  ///< of one exchange
+constexpr int max_rounds = 80;  ///< rounds of one exchange
 constexpr int max_adjustments = 40;
 constexpr double hopeless = 1e-7;  ///< residual of a program that has no solution
 constexpr double worthwhile = 1e-9;

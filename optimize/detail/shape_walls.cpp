@@ -8,7 +8,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double most_off = 1e-2;
-constexpr double planes_off = 1e-8;  ///< of a figure's ceiling: planes 1e-7 apart count as one
+constexpr double planes_off = 1e-8;  ///< relative distance from the ceiling of a figure: planes 1e-7 apart count as one
 
 bool is_within(const SplineSpace& space, const Corridor& c, std::size_t piece) {
   const double near = same_knot * space.length(piece);

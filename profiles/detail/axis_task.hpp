@@ -47,7 +47,7 @@ class AxisTask {
 
   const AxisMove& axis_;
   Form form_ = Form::any;
-  std::optional<PointToPoint> inside_;  ///< of Form::point_to_point
+  std::optional<PointToPoint> inside_;  ///< only for Form::point_to_point
   std::optional<AxisMove> posed_;  ///< of other goals than a state
 };
 
