@@ -4,8 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include "jounce/profiles/detail/both.hpp"
 #include "jounce/profiles/detail/brake.hpp"
-#include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/detail/rest_to_rest.hpp"
 #include "jounce/profiles/detail/second_order.hpp"
 #include "jounce/profiles/detail/solver.hpp"
@@ -62,17 +62,9 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
 }
 
 // The same questions without branches, for downwards and upwards at once in the two lanes of a vector.
+using detail::Both;
+using detail::every;
 using detail::Vector2;
-using Both = detail::Mask<Vector2>;
-
-/// True where a mask holds in both lanes.
-JOUNCE_INLINE bool holds(Both m) {
-#ifdef __SSE2__
-  return _mm_movemask_pd(std::bit_cast<__m128d>(m)) == 3;
-#else
-  return (m[0] & m[1]) != 0;
-#endif
-}
 
 /// A number as seen downwards and upwards.
 JOUNCE_INLINE Vector2 directed(double x) {
@@ -88,18 +80,27 @@ struct Magnitudes {
         jerk{-b.jerk_min, b.jerk_max},
         position{-b.position_min, b.position_max} {}
 
-  JOUNCE_INLINE static Both finite(Vector2 m) { return (m >= least) & (m <= greatest); }
-  JOUNCE_INLINE static Both sound(Vector2 m) {
-    return (m >= least) & ((m <= greatest) | (m == Bounds::none));
+  JOUNCE_INLINE static Both none(Vector2 m) { return Both::equal(m, every<Vector2>(Bounds::none)); }
+  JOUNCE_INLINE static Both finite(Vector2 m) {
+    return Both::at_most(every<Vector2>(least), m) & Both::at_most(m, every<Vector2>(greatest));
+  }
+  JOUNCE_INLINE static Both sound(Vector2 m) { return finite(m) | none(m); }
+  /// Sound, without position limits: the bounds of a second order, which steps, or a third.
+  JOUNCE_INLINE Both limit(bool steps) const {
+    const Both common = sound(velocity) & none(position);
+    if (steps) return common & finite(acceleration) & none(jerk);
+    return common & sound(acceleration) & finite(jerk);
   }
   /// The velocity and the acceleration lie inside; a factor makes the limits greater.
   JOUNCE_INLINE Both hold(double v, double a, double more) const {
-    return (directed(v) <= velocity * more) & (directed(a) <= acceleration * more);
+    return Both::at_most(directed(v), velocity * more) &
+           Both::at_most(directed(a), acceleration * more);
   }
   /// The velocity stays inside while the acceleration returns to zero (is_inside).
   JOUNCE_INLINE Both return_inside(double v, double a, double more) const {
     const Vector2 back{jerk[1], jerk[0]};
-    return (directed(a) <= 0) | (a * a <= 2 * back * (velocity * more - directed(v)));
+    return Both::at_most(directed(a), Vector2{}) |
+           Both::at_most(every<Vector2>(a * a), 2 * back * (velocity * more - directed(v)));
   }
 };
 
@@ -109,27 +110,23 @@ detail::Form detail::form(const MotionState& from, const MotionState& to,
                           const Bounds& b) noexcept {
   const Magnitudes m(b);
   const bool steps = b.jerk_max == Bounds::none;
+  const Both limits = m.limit(steps);
   const double moves = std::abs(from.velocity) + std::abs(from.acceleration) +
                        std::abs(to.velocity) + std::abs(to.acceleration);
-  const Both common = Magnitudes::sound(m.velocity) & (m.position == Bounds::none);
-  bool sound = false;
-  if (steps)
-    sound = holds(common & Magnitudes::finite(m.acceleration) & (m.jerk == Bounds::none));
-  else
-    sound = holds(common & Magnitudes::sound(m.acceleration) & Magnitudes::finite(m.jerk));
-  if (moves != 0) sound = sound & holds(m.hold(to.velocity, to.acceleration, 1 + forgiven));
-  bool inside = true;
-  if (moves != 0 && !steps) {
-    sound = sound & holds(m.return_inside(to.velocity, -to.acceleration, 1 + forgiven));
-    inside = holds(m.hold(from.velocity, from.acceleration, 1) &
-                   m.return_inside(from.velocity, from.acceleration, 1));
-  }
-  if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest) || !sound)
+  if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest))
     return Form::any;
-  if (steps) return Form::second_order;
-  if (!inside) return Form::outside;
-  if (moves != 0) return from == to ? Form::any : Form::point_to_point;
-  return from.position == to.position ? Form::any : Form::rest_to_rest;
+  if (moves == 0) {
+    if (!limits.hold()) return Form::any;
+    if (steps) return Form::second_order;
+    return from.position == to.position ? Form::any : Form::rest_to_rest;
+  }
+  const Both target = limits & m.hold(to.velocity, to.acceleration, 1 + forgiven);
+  if (steps) return target.hold() ? Form::second_order : Form::any;
+  const Both sound = target & m.return_inside(to.velocity, -to.acceleration, 1 + forgiven);
+  const Both inside = m.hold(from.velocity, from.acceleration, 1) &
+                      m.return_inside(from.velocity, from.acceleration, 1);
+  if ((sound & inside).hold()) return from == to ? Form::any : Form::point_to_point;
+  return sound.hold() ? Form::outside : Form::any;
 }
 
 // Each motion is constructed in `out`: a copy takes as long as the solution of a trapezoid.

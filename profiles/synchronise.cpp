@@ -52,39 +52,44 @@ Profile left_out(const AxisMove& axis) {
   return {axis.from, 3};
 }
 
-/// The task of one axis, made when it is asked for. A std::optional would be cleared at first.
-class Slot {
- public:
-  Slot() noexcept {}
-  const AxisTask& make(const AxisMove& axis) {
-    made_ = true;
-    return *::new (&task_) AxisTask(axis);
-  }
-  const AxisTask& of(const AxisMove& axis) { return made_ ? task_ : make(axis); }
-
- private:
-  union {
-    AxisTask task_;
-  };
-  bool made_ = false;
-};
-
-/// The tasks of all axes. The first few are kept, where each is asked twice.
+/// The tasks of all axes. The first are kept, where each is asked again; the others are made each time.
 class Tasks {
  public:
-  Tasks(std::span<const AxisMove> axes, bool keeps) noexcept : axes_(axes), keeps_(keeps) {}
+  Tasks(std::span<const AxisMove> axes, bool keeps) noexcept
+      : axes_(axes), kept_(keeps ? std::min(axes.size(), capacity) : 0) {
+    for (std::size_t i = 0; i < kept_; ++i) ::new (&all_[i].task) AxisTask(axes[i]);
+  }
 
   const AxisTask& of(std::size_t i) {
-    const bool kept = keeps_ && i < kept_.size();
-    return kept ? kept_[i].of(axes_[i]) : other_.make(axes_[i]);
+    return i < kept_ ? all_[i].task : *::new (&all_[capacity].task) AxisTask(axes_[i]);
   }
 
  private:
+  static constexpr std::size_t capacity = 16;
+  union Slot {  // a std::optional would be cleared at first
+    Slot() noexcept {}
+    AxisTask task;
+  };
+
   std::span<const AxisMove> axes_;
-  bool keeps_;
-  std::array<Slot, 7> kept_;
-  Slot other_;
+  std::size_t kept_;
+  std::array<Slot, capacity + 1> all_;
 };
+
+/// The shortest motion of one axis that is enabled, or the next on the grid.
+MoveStatus alone(const AxisMove& axis, const AxisTask& task, const Timing& timing, Profile& out) {
+  MoveStatus status = task.status();
+  if (status == MoveStatus::ok)
+    status = task.shortest(out);
+  else
+    out = left_out(axis);
+  if (status != MoveStatus::ok || (timing.minimum <= 0 && timing.grid <= 0)) return status;
+  const double shortest = out.duration();
+  double t = on_grid(std::max(shortest, timing.minimum), timing.grid);
+  if (t > shortest * (1 + same_duration))
+    status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out);
+  return status;
+}
 
 Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                   Tasks& tasks) {
@@ -94,16 +99,7 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
       out[i] = left_out(axes[i]);
       continue;
     }
-    const AxisTask& task = tasks.of(i);
-    MoveStatus status = task.status();
-    if (status == MoveStatus::ok)
-      status = task.shortest(out[i]);
-    else
-      out[i] = left_out(axes[i]);
-    const double shortest = out[i].duration();
-    double t = on_grid(std::max(shortest, timing.minimum), timing.grid);
-    if (status == MoveStatus::ok && t > shortest * (1 + same_duration))
-      status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out[i]);
+    const MoveStatus status = alone(axes[i], tasks.of(i), timing, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
     result.duration = std::max(result.duration, out[i].duration());
   }
@@ -115,6 +111,57 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
   return each(axes, out, timing, tasks);
 }
 
+/// The next axis, round and round.
+std::size_t after(std::size_t i, std::size_t axes) {
+  return i + 1 < axes ? i + 1 : 0;
+}
+
+/// A common duration on its way: round and round, from `next` on, every axis is asked until all of them agree.
+struct Agreement {
+  Synchronised common;
+  std::size_t next = 0;
+  std::size_t agreed = 0;  ///< axes, in a row before `next`, that move in this duration already
+};
+
+/// The least time in which all can move. An axis that cruises in a time that another needs anyway has its motion,
+/// and is not asked for its shortest: so the one that likely takes longest comes first.
+Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
+                        const Timing& timing, Tasks& tasks) {
+  Agreement result;
+  double& t = result.common.duration;
+  double most = -Bounds::none;
+  std::size_t usual = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const AxisTask& task = tasks.of(i);
+    if (axes[i].enabled && task.is_usual()) {
+      const double about = task.about();
+      result.next = about > most ? i : result.next;
+      most = std::max(most, about);
+      ++usual;
+      continue;
+    }
+    out[i] = left_out(axes[i]);
+    if (!axes[i].enabled) continue;
+    const MoveStatus status = alone(axes[i], task, {0, 0}, out[i]);
+    if (status != MoveStatus::ok) return {{status, i, 0}};
+    t = std::max(t, out[i].duration());
+  }
+  for (std::size_t k = 0, i = result.next; k < axes.size(); ++k, i = after(i, axes.size())) {
+    const AxisTask& task = tasks.of(i);
+    if (!axes[i].enabled || !task.is_usual()) continue;
+    const double common = on_grid(std::max(t, timing.minimum), timing.grid);
+    ++result.agreed;
+    if (common > 0 && task.cruises(common, out[i])) continue;
+    (void)task.shortest(out[i]);
+    const double shortest = out[i].duration();
+    if (shortest != t) result.agreed = shortest > t ? 1 : 0;  // it does not, or those before do not
+    t = std::max(t, shortest);
+  }
+  if (usual < axes.size() || t != on_grid(std::max(t, timing.minimum), timing.grid))
+    result.agreed = 0;
+  return result;
+}
+
 bool rests(const AxisMove& axis) {
   return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
 }
@@ -124,20 +171,21 @@ bool rests(const AxisMove& axis) {
 Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      bool if_moving) {
   Tasks tasks(axes, true);
-  Synchronised result = each(axes, out, {0, if_moving ? timing.grid : 0}, tasks);
-  if (result.status != MoveStatus::ok) return result;
-  double& t = result.duration;
+  Agreement all = if_moving ? Agreement{each(axes, out, {0, timing.grid}, tasks)}
+                            : in_least_time(axes, out, timing, tasks);
+  if (all.common.status != MoveStatus::ok) return all.common;
+  double& t = all.common.duration;
   t = on_grid(std::max(t, timing.minimum), timing.grid);
-  for (std::size_t i = 0, agreed = 0; agreed < axes.size(); i = (i + 1) % axes.size(), ++agreed) {
+  for (std::size_t i = all.next; all.agreed < axes.size(); i = after(i, axes.size()), ++all.agreed) {
     if (!axes[i].enabled || (if_moving && rests(axes[i]))) continue;
     // What is left of a duration by rounding alone is no time to spend: a velocity made of it is any.
     if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
     const double before = t;
     const MoveStatus status = lasting(tasks.of(i), t, timing.grid, out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
-    if (t != before) agreed = 0;
+    if (t != before) all.agreed = 0;
   }
-  return result;
+  return all.common;
 }
 
 /// What of an axis may define the common line: the distance, or where nothing moves, a rate.

@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/detail/rest_to_rest.hpp"
 #include "jounce/profiles/detail/solver.hpp"
+#include "jounce/profiles/detail/span.hpp"
 #include "jounce/profiles/detail/travel.hpp"
 
 namespace jounce::detail {
@@ -143,6 +144,36 @@ MoveStatus AxisTask::shortest(Profile& out) const noexcept {
   return MoveStatus::ok;
 }
 
+/// A motion between both states, of no duration yet.
+void AxisTask::begin(Profile& out) const noexcept {
+  ::new (&out) Profile(axis_.from, axis_.to, 3, {}, {});
+}
+
+/// What the start's velocity takes to end, and the target's to begin, both without jerk limits, and the motion
+/// from rest to rest in between, with the same limits both ways.
+double AxisTask::about() const noexcept {
+  const Bounds& b = axis_.bounds;
+  const double per_a = 1 / b.acceleration_max;
+  const double v0 = axis_.from.velocity;
+  const double vf = axis_.to.velocity;
+  const double d = axis_.to.position - axis_.from.position -
+                   (v0 * std::abs(v0) + vf * std::abs(vf)) * per_a / 2;
+  const double ends = std::copysign((v0 + vf) * per_a, (v0 + vf) * d);
+  const Rates<double> rates(b.acceleration_max, b.jerk_max);
+  return rest_way(rates, std::abs(d), b.velocity_max).duration - ends;
+}
+
+bool AxisTask::cruises(double t, Profile& out) const noexcept {
+  if (form_ == Form::rest_to_rest) {
+    RestToRest move(axis_.to.position - axis_.from.position, axis_.bounds);
+    if (!move.solve_lasting(t) || !(move.cruise() > 0x1p-20 * t)) return false;
+    ::new (&out) Profile(move.profile(axis_.from, axis_.to));
+    return true;
+  }
+  begin(out);
+  return inside_->cruises(t, out);
+}
+
 MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
   if (form_ == Form::rest_to_rest) {
     RestToRest move(axis_.to.position - axis_.from.position, axis_.bounds);
@@ -152,8 +183,7 @@ MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
     }
   }
   if (inside_) {
-    out = Profile(axis_.from, 3);
-    out.finish(axis_.to);
+    begin(out);
     return inside_->lasting(t, out) ? MoveStatus::ok : MoveStatus::blocked;
   }
   if (axis_.under_way && std::abs(axis_.under_way->duration() - t) <= same_duration * t) {

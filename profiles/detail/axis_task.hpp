@@ -37,11 +37,21 @@ class AxisTask {
   [[nodiscard]] MoveStatus status() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
   MoveStatus shortest(Profile& out) const noexcept;
+  /// A usual question of third order: it has a shortest motion.
+  [[nodiscard]] bool is_usual() const noexcept {
+    return form_ == Form::point_to_point || form_ == Form::rest_to_rest;
+  }
+  /// About how long the shortest motion of such a question takes, s.
+  [[nodiscard]] double about() const noexcept;
+  /// The motion of such a question that lasts t, where it cruises: then t is longer than the shortest.
+  /// Otherwise false, most often since t is shorter.
+  bool cruises(double t, Profile& out) const noexcept;
   /// `blocked` where no motion lasts t.
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
   [[nodiscard]] bool steps() const noexcept;
+  void begin(Profile& out) const noexcept;
   [[nodiscard]] Solver solver() const noexcept;
   MoveStatus answer(MoveStatus solved, Profile& out) const noexcept;
 

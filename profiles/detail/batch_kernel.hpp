@@ -70,24 +70,17 @@ JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   store(b.settled + i, (arrived & good) ? every<Real>(1) : every<Real>(0));
 }
 
-/// From rest to rest, another place: l = h = d = 0. (3) reads A z^2 + A tau z = D, and (5) q^3 = 4 D/J.
+/// From rest to rest, another place.
 template <class Real>
 JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Rates<Real> r(load<Real>(b.acceleration + i), load<Real>(b.jerk + i));
   const Real distance = load<Real>(b.distance + i);
   const Real velocity = load<Real>(b.velocity + i);
   const Real D = magnitude(distance);
-  const Real z = 2 * D / (r.threshold + square_root(r.threshold * r.threshold + 4 * r.a * D));
-  const Real q = cube_root(4 * D * r.inv_j, 0.25 * r.j / D);
-  const Mask<Real> reach = z >= r.tau;
-  const Real turning = reach ? 2 * (z + r.tau) : 2 * q;
-  const Real turn = reach ? r.a * z : 0.25 * r.j * q * q;
-  const Mask<Real> cruises = turn > velocity;
-  const Real top = cruises ? velocity : turn;
-  const Real total = cruises ? D / velocity + r.ramp(velocity) : turning;
-  store(b.duration + i, total);
-  store(b.peak + i, distance < 0 ? -top : top);
-  const Mask<Real> good = (D > 0) & answered(r, distance, velocity, every<Real>(0), total);
+  const Way<Real> way = rest_way(r, D, velocity);
+  store(b.duration + i, way.duration);
+  store(b.peak + i, distance < 0 ? -way.peak : way.peak);
+  const Mask<Real> good = (D > 0) & answered(r, distance, velocity, every<Real>(0), way.duration);
   store(b.settled + i, good ? every<Real>(1) : every<Real>(0));
 }
 

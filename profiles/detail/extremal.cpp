@@ -16,18 +16,19 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
       ik_(jerks.per_k),
       rises_slowly_(jerks.per_rise > uneven * jerks.per_fall),
       first_(degenerate) {
-  const auto half = [this](double v, double s, double limit) {
-    const double c = v - s * s * ijp_ / 2;
-    // A half begins at its own s, or where its z passes zero.
-    const double gain = s > 0 ? s * s * ijd_ / 2 : -s * s * ijp_ / 2;
-    const double natural = s > 0 ? v + gain : c;
-    const double begun = std::max(s, 0.0);
-    const double to_sat = k_ * (limit - begun) * (limit + begun) / 2;
-    return Half{v, s, limit, c, gain, to_sat, natural + to_sat, natural};
-  };
-  half_ = {half(from.velocity, from.acceleration, limits.rise),
-           half(to.velocity, -to.acceleration, limits.fall)};
-  natural_ = std::max(half_[0].natural, half_[1].natural);
+  half_.v = Vector2{from.velocity, to.velocity};
+  half_.s = Vector2{from.acceleration, -to.acceleration};
+  half_.limit = Vector2{limits.rise, limits.fall};
+  const Vector2 s = half_.s;
+  const Vector2 squares = s * s;
+  half_.c = half_.v - squares * (ijp_ / 2);
+  // A half begins at its own s, or where its z passes zero.
+  half_.gain = s > 0 ? squares * (ijd_ / 2) : -squares * (ijp_ / 2);
+  half_.natural = half_.v + half_.gain;
+  const Vector2 begun = greatest(s, Vector2{});
+  half_.to_sat = k_ / 2 * (half_.limit - begun) * (half_.limit + begun);
+  half_.sat = half_.natural + half_.to_sat;
+  natural_ = std::max(half_.natural[0], half_.natural[1]);
   // c1 - c2 from differences, so that what is small does not drown in the velocities.
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
@@ -39,16 +40,16 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
     high_ = first_;
     q_ = 0;
   }
-  const auto start = [this](const Half& h) { return -h.s * ijp_ * (h.c + square(h.s) * ijp_ / 6); };
+  const Vector2 start = -s * ijp_ * (half_.c + squares * (ijp_ / 6));
   mean_ = (half_[0].c + half_[1].c) / 2;
   cubic_ = (k_ + ijd_) / 24;
   inverse_ = q_ * q_ * ijp_ / 8;
-  base_ = start(half_[0]) + start(half_[1]);
+  base_ = start[0] + start[1];
 }
 
 bool Extremals::has_early() const noexcept {
-  const Half& degenerate = half_[static_cast<std::size_t>(first_)];
-  const Half& room = half_[static_cast<std::size_t>(1 - first_)];
+  const auto degenerate = half_[static_cast<std::size_t>(first_)];
+  const auto room = half_[static_cast<std::size_t>(1 - first_)];
   const double tolerance = rounding * (std::abs(degenerate.c) + std::abs(room.c) +
                                        k_ * square(degenerate.s) + k_ * square(room.s));
   const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // room.c - degenerate.c
@@ -59,23 +60,21 @@ bool Extremals::has_early() const noexcept {
 Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   Extremal e;
   e.vp = vp + beyond;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Half& h = half_[i];
-    const double more = vp - h.v - h.gain + beyond;
-    double squares = -h.s * h.s;
-    if (more <= rounding * std::abs(vp)) {
-      e.z[i] = std::max(h.s, 0.0);  // no phases for the sake of the last digits
-      if (h.s > 0) squares = 0;
-    } else if (more <= h.to_sat) {
-      // From the same difference as the rise, so that the fall brings the acceleration back to zero.
-      squares = 2 * ik_ * more;
-      e.z[i] = std::max(std::min(root(square(std::max(h.s, 0.0)) + squares), h.limit), h.s);
-    } else {
-      e.z[i] = h.limit;
-      e.hold[i] = (more - h.to_sat) / h.limit;
-      squares = (h.limit - h.s) * (h.limit + h.s);
-    }
-    e.rise[i] = rise(h, e.z[i], squares);
+  const Vector2 zero{};
+  const Vector2 s = half_.s;
+  const Vector2 above = vp - half_.v - half_.gain + beyond;
+  // No phases for the sake of the last digits.
+  const Vector2 more = above <= every<Vector2>(rounding * std::abs(vp)) ? zero : above;
+  const Vector2 begun = greatest(s, zero);
+  // From the same difference as the rise, so that the fall brings the acceleration back to zero.
+  const Vector2 free = square_root(begun * begun + 2 * ik_ * more);
+  const Vector2 held = more - half_.to_sat;
+  e.z = held > zero ? half_.limit : greatest(least(free, half_.limit), s);
+  e.hold = greatest(held, zero) / half_.limit;
+  e.rise = (e.z - s) * ijp_;
+  if (rises_slowly_) {
+    const Vector2 squares = held > zero ? (half_.limit - s) * (half_.limit + s) : 2 * ik_ * more;
+    e.rise = e.z * s > zero ? squares / (e.z + s) * ijp_ : e.rise;
   }
   e.fall = (e.z[0] + e.z[1]) * ijd_;
   return e;
@@ -85,14 +84,14 @@ Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
 /// other half's z has the given sign.
 Extremal Extremals::beginning(int which, double sign) const noexcept {
   const auto i = static_cast<std::size_t>(which);
-  const Half& other = half_[1 - i];
+  const auto other = half_[1 - i];
   Extremal e;
   const double s = half_[i].s;
   e.z[i] = s;
   e.vp = half_[i].v + ijd_ * s * s / 2;
   const double more = which == high_ ? q_ : -q_;
   double squares = 2 * ik_ * (which == 0 ? excess_ : -excess_);
-  double& z = e.z[1 - i];
+  double z = 0;
   // The square of z, from the nearer one.
   const double square_of_z =
       std::abs(other.s) < std::abs(s) ? square(other.s) + squares : square(s) + more;
@@ -114,6 +113,7 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
     e.hold[1 - i] = std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0);
     e.fall = (z + s) * ijd_;
   }
+  e.z[1 - i] = z;
   e.rise[1 - i] = rise(other, z, squares);
   return e;
 }
@@ -127,25 +127,17 @@ Extremal Extremals::last_early() const noexcept {
 }
 
 double Extremals::distance(const Extremal& e) const noexcept {
-  const bool only_passes = e.hold[0] + e.hold[1] + e.cruise == 0 && std::min(e.z[0], e.z[1]) > 0;
-  if (only_passes && !rises_slowly_) return base_ + k_ * of_sum(e.z[0] + e.z[1]);
-  std::array<double, 2> v;  // where the fall begins and ends
-  double d = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Half& h = half_[i];
-    const double x = e.rise[i];
-    const double t = e.hold[i];
-    const double a = h.s + e.z[i];
-    const double risen = h.v + x * a / 2;
-    d += x * ((h.v + risen) / 2 - x * (e.z[i] - h.s) / 12) + t * (risen + t * e.z[i] / 2);
-    v[i] = risen + t * e.z[i];
-  }
-  if (e.cruise == 0) return d + e.fall * ((v[0] + v[1]) / 2 + e.fall * (e.z[0] + e.z[1]) / 12);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double t = e.z[i] * ijd_;
-    d += t * (v[i] + t * e.z[i] / 3);
-  }
-  return d + e.vp * e.cruise;
+  const Vector2 risen = half_.v + e.rise * (half_.s + e.z) / 2;
+  const Vector2 v = risen + e.hold * e.z;  // where the fall begins and ends
+  const Vector2 rises = e.rise * ((half_.v + risen) / 2 - e.rise * (e.z - half_.s) / 12);
+  const Vector2 holds = e.hold * (risen + v) / 2;
+  const Vector2 ramps = rises + holds;
+  const double d = ramps[0] + ramps[1];
+  if (e.cruise == 0)
+    return d + e.fall * ((v[0] + v[1]) / 2 + e.fall * (e.z[0] + e.z[1]) / 12);
+  const Vector2 t = e.z * ijd_;
+  const Vector2 falls = t * (v + t * e.z / 3);
+  return d + (falls[0] + falls[1]) + e.vp * e.cruise;
 }
 
 int Extremals::stretches(Branch b, Stretches& out) const noexcept {
@@ -155,8 +147,8 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
     if (hi > lo) out[static_cast<std::size_t>(n++)] = {held, free, lo, hi};
   };
   const int i = b == Branch::main ? first_ : 1 - first_;
-  const auto& a = half_[static_cast<std::size_t>(i)];
-  const auto& o = half_[static_cast<std::size_t>(1 - i)];
+  const auto a = half_[static_cast<std::size_t>(i)];
+  const auto o = half_[static_cast<std::size_t>(1 - i)];
   // S in terms of the smaller z.
   const auto sum = [this](double z_high) {
     const double z_low = root(z_high * z_high + q_);
@@ -179,9 +171,9 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
     return n;
   }
   const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;  // saturates first
-  const auto& l = half_[static_cast<std::size_t>(lower)];
-  const auto& u = half_[static_cast<std::size_t>(1 - lower)];
-  const auto z = [this](const Half& h, double v) { return root(2 * ik_ * (v - h.c)); };
+  const auto l = half_[static_cast<std::size_t>(lower)];
+  const auto u = half_[static_cast<std::size_t>(1 - lower)];
+  const auto z = [this](const Half<double>& h, double v) { return root(2 * ik_ * (v - h.c)); };
   const double c_high = half_[static_cast<std::size_t>(high_)].c;
   // Where the branch begins, both z are known better than from the velocities.
   const bool begins = a.s >= 0;
@@ -232,14 +224,14 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
       e.cruise = x;
       return e;
   }
-  for (std::size_t i = 0; i < 2; ++i) e.rise[i] = (e.z[i] - half_[i].s) * ijp_;
+  e.rise = (e.z - half_.s) * ijp_;
   return e;
 }
 
 std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   const bool cruises = e.cruise > 0;
   double fall = e.fall;
-  std::array<double, 2> rise = e.rise;
+  Vector2 rise = e.rise;
   if (!cruises && std::min(rise[0], rise[1]) < 0) {
     // A rise that rounding made negative is taken from the other: duration and acceleration at the end
     // stay. What is then left of it is left out.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+
+#include "jounce/profiles/detail/lanes.hpp"
 
 namespace jounce::detail {
 
@@ -39,9 +42,10 @@ inline constexpr double uneven = 8;
 
 /// A member of the family.
 struct Extremal {
-  std::array<double, 2> z{};     ///< peak accelerations towards the peak velocity
-  std::array<double, 2> rise{};  ///< how long they take to build up
-  std::array<double, 2> hold{};  ///< how long they are held
+  // The first and the second half, each in a lane:
+  Vector2 z{};     ///< peak accelerations towards the peak velocity
+  Vector2 rise{};  ///< how long they take to build up
+  Vector2 hold{};  ///< how long they are held
   double fall = 0;               ///< how long the acceleration takes from z1 to -z2, cruise left out
   double vp = 0;                 ///< peak velocity
   double cruise = 0;             ///< how long that is held
@@ -103,20 +107,30 @@ class Extremals {
   /// The member of the branch that lasts t.
   [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
 
-  /// Not extremal, but of the same form: the motion that cruises at the natural velocity, the
-  /// greater of those at which the acceleration of an end would come to zero, in duration t; and
+  /// The greater of the velocities at which the acceleration of an end would come to zero.
+  [[nodiscard]] double natural() const noexcept { return natural_; }
+  /// Not extremal, but of the same form: the motion that cruises at the natural velocity in duration t; and
   /// the one that cruises at the higher velocity that covers d in t. Only for t and d that permit the
   /// former; false where no velocity covers d, give or take `slack`.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
   bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
+  /// The same the fast way; false also where its few steps do not find it.
+  bool soon_cruising(double t, double d, Extremal& out) const noexcept;
 
  private:
+  template <class Real>
   struct Half {
-    double v, s, limit, c;
-    double gain;     ///< from v to natural
-    double to_sat;   ///< from natural to sat
-    double sat;      ///< vp at which z reaches the limit
-    double natural;  ///< vp at which z is s, or 0 if that is more
+    Real v, s, limit, c;
+    Real gain;     ///< from v to natural
+    Real to_sat;   ///< from natural to sat
+    Real sat;      ///< vp at which z reaches the limit
+    Real natural;  ///< vp at which z is s, or 0 if that is more
+  };
+  /// Both halves, each in a lane.
+  struct Halves : Half<Vector2> {
+    [[nodiscard]] Half<double> operator[](std::size_t i) const noexcept {
+      return {v[i], s[i], limit[i], c[i], gain[i], to_sat[i], sat[i], natural[i]};
+    }
   };
   /// A stretch of a branch over which the same z are held, run through by one parameter.
   struct Stretch {
@@ -138,6 +152,8 @@ class Extremals {
     return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
   }
   [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
+  [[nodiscard]] Extremal cruising_above(double above, double t) const noexcept;
+  double cruising_step(const Extremal& e, double d, double& sign) const noexcept;
   /// `beyond`: what vp + beyond would round.
   [[nodiscard]] Extremal at_peak(double vp, double beyond = 0) const noexcept;
   /// How long the other half holds its limit where the half `free` has z. From the difference of both c,
@@ -148,7 +164,7 @@ class Extremals {
   }
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
   /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
-  [[nodiscard]] double rise(const Half& h, double z, double squares) const noexcept {
+  [[nodiscard]] double rise(const Half<double>& h, double z, double squares) const noexcept {
     return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
   }
 
@@ -161,7 +177,7 @@ class Extremals {
   [[nodiscard]] double time_lasting(const Stretch& p, double t) const noexcept;
   [[nodiscard]] Extremal solve_time(const Stretch& p, double d, bool rising) const noexcept;
 
-  std::array<Half, 2> half_;
+  Halves half_;
   double vmax_, dv_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
   double excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
   bool rises_slowly_;  ///< jp is far below jd

@@ -61,8 +61,8 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
     case Held::none:
       return member(p, solve_sum((d - base_) * ik_, p.lo, p.hi, rising, guess));
     case Held::one: {
-      const auto& x = half_[static_cast<std::size_t>(p.free)];
-      const auto& held = half_[static_cast<std::size_t>(1 - p.free)];
+      const auto x = half_[static_cast<std::size_t>(p.free)];
+      const auto held = half_[static_cast<std::size_t>(1 - p.free)];
       const double l = held.limit;
       const double h0 = held_beside(p.free, 0);  // hold at x = 0, may be negative
       const double k0 = base_ + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
@@ -248,18 +248,16 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
 ///
 ///   (11)  k (k + p) z^3/6 + h (z^2 (k + p) + h z)/2 - (vp - c) s p + s^3 p^2/6
 double Extremals::cruise_velocity(double t, double d) const noexcept {
-  const auto& [a, b] = half_;
-  const Vector2 c{a.c, b.c};
-  const Vector2 s{a.s, b.s};
-  const Vector2 limit{a.limit, b.limit};
-  const Vector2 sat{a.sat, b.sat};
+  const Vector2 c = half_.c;
+  const Vector2 s = half_.s;
+  const Vector2 limit = half_.limit;
   const Vector2 per_limit = 1 / limit;
   const Vector2 begun = s * ijp_;
   const double sum = k_ + ijp_;
   double vp = std::max(d / t, natural_);
   for (int i = 0; i < 8; ++i) {
     const Vector2 z = greatest(least(limit, square_root(2 * ik_ * (vp - c))), s);
-    const Vector2 h = greatest(vp - sat, Vector2{}) * per_limit;
+    const Vector2 h = greatest(vp - half_.sat, Vector2{}) * per_limit;
     const Vector2 lasts = k_ * z + h - begun;
     const Vector2 lost = z * z * (k_ * sum / 6 * z + h * (sum / 2)) + h * h * z / 2 -
                          begun * (vp - c - begun * s / 6);
@@ -273,32 +271,39 @@ double Extremals::cruise_velocity(double t, double d) const noexcept {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-bool Extremals::cruising(double t, double d, double slack, Extremal& out) const noexcept {
-  // By how much the peak velocity is above the natural one: the distance, whose slope is (z1 + z2)/(2 jd)
-  // plus the time at cruise.
-  const auto at = [&](double above) {
-    Extremal e = at_peak(natural_, above);
-    e.cruise = t - duration(e);
-    return e;
-  };
-  const auto f = [&](double above, double& sign) {
-    const Extremal e = at(above);
-    sign = distance(e) - d;
-    return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
-  };
+/// By how much the peak velocity is above the natural one.
+Extremal Extremals::cruising_above(double above, double t) const noexcept {
+  Extremal e = at_peak(natural_, above);
+  e.cruise = t - duration(e);
+  return e;
+}
+
+/// The distance of such a motion less d over its slope, which is (z1 + z2)/(2 jd) plus the time at cruise.
+double Extremals::cruising_step(const Extremal& e, double d, double& sign) const noexcept {
+  sign = distance(e) - d;
+  return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
+}
+
+bool Extremals::soon_cruising(double t, double d, Extremal& out) const noexcept {
+  const double guess = cruise_velocity(t, d) - natural_;
+  if (!(guess > 0)) return false;
   double sign = 0;
-  if (const double guess = cruise_velocity(t, d) - natural_; guess > 0) {
-    const double step = f(guess, sign);
-    const double above = guess - step;
-    if (std::abs(step) <= 1e-8 * above && natural_ + above <= vmax_) {
-      out = at(above);
-      if (out.cruise >= 0) return true;
-    }
-  }
+  const double step = cruising_step(cruising_above(guess, t), d, sign);
+  const double above = guess - step;
+  if (!(std::abs(step) <= 1e-8 * above && natural_ + above <= vmax_)) return false;
+  out = cruising_above(above, t);
+  return out.cruise >= 0;
+}
+
+bool Extremals::cruising(double t, double d, double slack, Extremal& out) const noexcept {
+  if (soon_cruising(t, d, out)) return true;
   const Extremal farthest = lasting(Branch::main, t);
   if (distance(farthest) < d - slack) return false;
+  const auto f = [&](double above, double& sign) {
+    return cruising_step(cruising_above(above, t), d, sign);
+  };
   // Without the time that the ramps take, the mean velocity would do.
-  out = at(zero(f, 0, farthest.vp - natural_, true, d / t - natural_));
+  out = cruising_above(zero(f, 0, farthest.vp - natural_, true, d / t - natural_), t);
   // Beside the farthest rounding of the peak velocity may leave no time to cruise.
   if (!(out.cruise > 0)) out = farthest;
   return true;

@@ -45,8 +45,8 @@ Extremal Extremals::timed_none(double x) const noexcept {
   const double sum = s0 + s1 + x / ijp_;
   const double apart = sum > 0 ? (-2 * excess_ * ijp_ * ik_ + (s1 - s0) * x) / sum : 0;
   Extremal e;
-  e.rise = {(x + apart) / 2, (x - apart) / 2};
-  e.z = {s0 + e.rise[0] / ijp_, s1 + e.rise[1] / ijp_};
+  e.rise = Vector2{x + apart, x - apart} / 2;
+  e.z = Vector2{s0, s1} + e.rise / ijp_;
   e.fall = sum * ijd_;
   e.vp = half_[0].v + e.rise[0] * (s0 + e.z[0]) / 2 + square(e.z[0]) * ijd_ / 2;
   return e;
@@ -54,8 +54,8 @@ Extremal Extremals::timed_none(double x) const noexcept {
 
 Extremal Extremals::timed_one(int free, double x) const noexcept {
   const auto f = static_cast<std::size_t>(free);
-  const Half& h = half_[f];
-  const Half& held = half_[1 - f];
+  const auto h = half_[f];
+  const auto held = half_[1 - f];
   const double l = held.limit;
   const double z = rises_slowly_ ? h.s + x / ijp_ : x / ijd_ - l;
   Extremal e;
@@ -105,7 +105,7 @@ Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const no
     sign = distance(e) - d;
     const double held =
         p.held == Stretch::Held::one ? e.fall / (e.z[static_cast<std::size_t>(1 - p.free)] * ijd_) : 1;
-    const Half& h = half_[0];
+    const auto h = half_[0];
     const double v = h.v + e.rise[0] * (h.s + e.z[0]) / 2 + e.z[0] * e.hold[0];
     return newton(sign, (v + e.z[0] * e.fall / 2) * rate * held, rising);  // (4)
   };

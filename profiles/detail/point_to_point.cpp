@@ -66,24 +66,18 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
       from_{dv_ == to.velocity - from.velocity ? from.velocity : to.velocity - dv_,
             from.acceleration},
       to_{to.velocity, to.acceleration},
-      jerks_(jerks),
-      start_is_higher_((from_.velocity - to_.velocity) + (to_natural(from.acceleration, jerks) -
-                                                          to_natural(-to.acceleration, jerks)) >=
-                       0),
-      natural_{from_.velocity + to_natural(from.acceleration, jerks),
-               to_.velocity + to_natural(-to.acceleration, jerks)},
-      up_(from_, to_, dv_,
-          {std::max({b.velocity_max, natural_[0], natural_[1]}), b.acceleration_max,
-           -b.acceleration_min},
-          jerks, start_is_higher_ ? 0 : 1),
-      direct_(up_.first(Branch::main)),
-      direct_distance_(up_.distance(direct_)) {
+      jerks_(jerks) {
+  const double to_start = to_natural(from.acceleration, jerks);
+  const double to_target = to_natural(-to.acceleration, jerks);
+  natural_ = {from_.velocity + to_start, to_.velocity + to_target};
+  start_is_higher_ = (from_.velocity - to_.velocity) + (to_start - to_target) >= 0;
+  up_limits_ = {std::max({b.velocity_max, natural_[0], natural_[1]}), b.acceleration_max,
+                -b.acceleration_min};
   down_limits_ = {std::max({-b.velocity_min, -natural_[0], -natural_[1]}), -b.acceleration_min,
                   b.acceleration_max};
   scale_ = {std::abs(from.position) + std::abs(to.position),
             std::abs(from.velocity) + std::abs(to.velocity),
             std::abs(from.acceleration) + std::abs(to.acceleration)};
-  rounding_ = rounding(up_.duration(direct_));
 }
 
 /// How well a distance is known that is covered in t.
@@ -91,7 +85,8 @@ double PointToPoint::rounding(double t) const noexcept {
   return ulps * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
 }
 
-Extremals PointToPoint::down() const noexcept {
+Extremals PointToPoint::family(bool upwards) const noexcept {
+  if (upwards) return {from_, to_, dv_, up_limits_, jerks_, start_is_higher_ ? 0 : 1};
   return {{-from_.velocity, -from_.acceleration},
           {-to_.velocity, -to_.acceleration},
           -dv_,
@@ -100,25 +95,34 @@ Extremals PointToPoint::down() const noexcept {
           start_is_higher_ ? 1 : 0};
 }
 
+/// Whether there may be an early branch.
+bool PointToPoint::is_early(const Extremals& up) const noexcept {
+  return from_.acceleration * to_.acceleration > 0 && up.has_early();
+}
+
 PointToPoint::Families PointToPoint::families() const noexcept {
-  Families both{up_, down(), false};
-  both.early =
-      from_.acceleration * to_.acceleration > 0 && up_.has_early() && both.down.has_early();
+  Families both{family(true), family(false), false};
+  both.early = is_early(both.up) && both.down.has_early();
   return both;
 }
 
-bool PointToPoint::fastest_early(Course& out) const noexcept {
-  if (!(from_.acceleration * to_.acceleration > 0) || !up_.has_early()) return false;
-  const Families both = families();
-  if (!both.early) return false;
-  const Extremal first = up_.first(Branch::early);
-  const double direct = up_.distance(first);
-  out = {true, up_.phases(first)};
+PointToPoint::Direct PointToPoint::direct(const Extremals& up) const noexcept {
+  const Extremal member = up.first(Branch::main);
+  return {member, up.distance(member), rounding(up.duration(member))};
+}
+
+bool PointToPoint::fastest_early(const Extremals& up, Course& out) const noexcept {
+  if (!is_early(up)) return false;
+  const Extremals down = family(false);
+  if (!down.has_early()) return false;
+  const Extremal first = up.first(Branch::early);
+  const double direct = up.distance(first);
+  out = {true, up.phases(first)};
   // The branch may be far shorter than the direct change of the main one.
-  const double known = rounding(up_.duration(first));
+  const double known = rounding(up.duration(first));
   if (std::abs(d_ - direct) <= known) return true;
   out.upwards = d_ > direct;
-  const Extremals& f = both.of(out.upwards);
+  const Extremals& f = out.upwards ? up : down;
   Extremals::Members members{f.last_early()};
   const double reach = f.distance(members[0]);
   const bool covered = f.covering(Branch::early, towards(out.upwards), members, 1) == 1;
@@ -127,13 +131,16 @@ bool PointToPoint::fastest_early(Course& out) const noexcept {
 }
 
 PointToPoint::Course PointToPoint::fastest() const noexcept {
+  const Extremals up = family(true);
   Course c;
-  if (fastest_early(c)) return c;
-  if (std::abs(d_ - direct_distance_) <= rounding_) return {true, up_.phases(direct_)};
-  if (d_ > direct_distance_) return {true, up_.phases(up_.cover(d_, direct_, direct_distance_))};
-  const Extremals mirrored = down();
-  const Extremal begin = mirrored.first(Branch::main);
-  return {false, mirrored.phases(mirrored.cover(-d_, begin, mirrored.distance(begin)))};
+  if (fastest_early(up, c)) return c;
+  const Direct begin = direct(up);
+  const double excess = d_ - begin.distance;
+  if (std::abs(excess) <= begin.rounding) return {true, up.phases(begin.member)};
+  if (excess > 0) return {true, up.phases(up.cover(d_, begin.member, begin.distance))};
+  const Extremals down = family(false);
+  const Extremal mirrored = down.first(Branch::main);
+  return {false, down.phases(down.cover(-d_, mirrored, down.distance(mirrored)))};
 }
 
 double PointToPoint::minimum() const noexcept {
@@ -151,7 +158,7 @@ constexpr std::array<int, 7> pattern{1, 0, -1, 0, -1, 0, 1};
 
 /// The jerks of a family's phases, real ones: of rise, of fall.
 std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
-  return upwards ? std::array{rise_, fall_} : std::array{fall_, rise_};
+  return {either(upwards, rise_, fall_), either(upwards, fall_, rise_)};
 }
 
 Profile PointToPoint::shortest(const MotionState& from, const MotionState& to) const noexcept {
@@ -212,14 +219,26 @@ void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
   out = whole;
 }
 
+/// The bounds of a change of velocity.
+Bounds PointToPoint::ramps() const noexcept {
+  return {.acceleration_min = -down_limits_.rise,
+          .acceleration_max = down_limits_.fall,
+          .jerk_min = fall_,
+          .jerk_max = rise_};
+}
+
+/// For where there are phases already, and for durations that are long beside the changes at the ends.
+bool PointToPoint::append_long(double t, Profile& out) const noexcept {
+  const VelocityChange direct({0, from_.velocity, from_.acceleration}, to_.velocity,
+                              to_.acceleration, ramps());
+  return (out.phases() > 0 || t > 8 * direct.duration()) && append_stair(t, out);
+}
+
 /// The velocity stops half-way between both ends to cruise, if there is time for that. Of fewer
-/// phases than a mean of two motions, and each of its own length: for where there are phases already,
-/// and for long durations, beside which the ends of short phases would lose their digits.
+/// phases than a mean of two motions, and each of its own length: beside long ones, the ends of short phases would
+/// lose their digits.
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
-  const Bounds bounds{.acceleration_min = -down_limits_.rise,
-                      .acceleration_max = down_limits_.fall,
-                      .jerk_min = fall_,
-                      .jerk_max = rise_};
+  const Bounds bounds = ramps();
   const MotionState start{0, from_.velocity, from_.acceleration};
   VelocityChange first;
   VelocityChange second;
@@ -253,11 +272,49 @@ bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   return true;
 }
 
+bool PointToPoint::append_mean(const std::array<Course, 2>& ends,
+                               const std::array<double, 2>& reach, Profile& out) const noexcept {
+  const double width = reach[0] - reach[1];
+  const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
+  append_blend(ends, share, out);
+  return true;
+}
+
+bool PointToPoint::cruises(double t, Profile& out) const noexcept {
+  const double least = 0x1p-20 * t;
+  std::array<Course, 2> ends;
+  std::array<double, 2> reach;
+  // Most often one family alone has the answer: the likely one comes first.
+  const bool rises = d_ >= t * (natural_[0] + natural_[1]) / 2;
+  for (const bool upwards : {rises, !rises}) {
+    const Extremals f = family(upwards);
+    const double d = towards(upwards);
+    Extremal e;
+    double covered = 0;
+    if (d <= t * f.natural()) {  // otherwise it cruises above that
+      e = f.level();
+      e.cruise = t - f.duration(e);
+      if (!(e.cruise > least)) return false;
+      covered = f.distance(e);
+    }
+    if (d > t * f.natural() || covered < d) {
+      if (!f.soon_cruising(t, d, e) || !(e.cruise > least)) return false;
+      append({upwards, f.phases(e)}, out);
+      return true;
+    }
+    const std::size_t i = upwards ? 0 : 1;
+    ends[i] = {upwards, f.phases(e)};
+    reach[i] = upwards ? covered : -covered;
+  }
+  return append_long(t, out) || append_mean(ends, reach, out);
+}
+
 bool PointToPoint::lasting(double t, Profile& out) const noexcept {
-  const double main = up_.duration(direct_);
-  const bool may_be_early = from_.acceleration * to_.acceleration > 0 && t < main;
-  const bool is_early = may_be_early && families().early &&
-                        t <= up_.duration(up_.last_early()) * (1 + ulps);
+  if (cruises(t, out)) return true;
+  const Families both = families();
+  const double main = both.up.duration(both.up.first(Branch::main));
+  const bool is_early =
+      both.early && t < main && t <= both.up.duration(both.up.last_early()) * (1 + ulps);
   if (!is_early && t < main * (1 - ulps)) return false;
   // At the edge of a blocked interval both sides have rounded, also what the accelerations at the ends add.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
@@ -265,10 +322,8 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
       3 * (rounding(t) + ulps * std::abs(d_)) + ulps * cube(scale_.acceleration) * square(per_jerk);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
-  // Most often one family alone has the answer: the likely one comes first.
-  const bool rises = d_ - direct_distance_ >= (t - main) * (natural_[0] + natural_[1]) / 2;
-  for (const bool upwards : {rises, !rises}) {
-    const Extremals f = upwards ? up_ : down();
+  for (const bool upwards : {true, false}) {
+    const Extremals& f = both.of(upwards);
     Extremal e = f.level();
     const double spare = t - f.duration(e);
     if (is_early || spare <= 0) {
@@ -286,25 +341,22 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
     reach[i] = (upwards ? 1 : -1) * f.distance(e);
   }
   if (reach[0] < d_ - slack || reach[1] > d_ + slack) return false;
-  if ((out.phases() > 0 || t > 8 * main) && append_stair(t, out)) return true;
-  const double width = reach[0] - reach[1];
-  const double share = width > 0 ? std::clamp((d_ - reach[1]) / width, 0.0, 1.0) : 0.5;
-  append_blend(ends, share, out);
-  return true;
+  return append_long(t, out) || append_mean(ends, reach, out);
 }
 
 bool PointToPoint::reachable(const Families& both, double t) const noexcept {
-  const bool is_main = t >= up_.duration(direct_);
-  if (!is_main && !(both.early && t <= up_.duration(up_.last_early()))) return false;
+  const Extremals& up = both.up;
+  const bool is_main = t >= up.duration(up.first(Branch::main));
+  if (!is_main && !(both.early && t <= up.duration(up.last_early()))) return false;
   const Branch b = is_main ? Branch::main : Branch::early;
   const double slack = rounding(t) + ulps * std::abs(d_);
-  return up_.distance(up_.lasting(b, t)) >= d_ - slack &&
+  return up.distance(up.lasting(b, t)) >= d_ - slack &&
          -both.down.distance(both.down.lasting(b, t)) <= d_ + slack;
 }
 
 void PointToPoint::add_events(Branch b, const Families& both, Events& events) const noexcept {
-  events.add(up_.duration(up_.first(b)));
-  if (b == Branch::early) events.add(up_.duration(up_.last_early()));
+  events.add(both.up.duration(both.up.first(b)));
+  if (b == Branch::early) events.add(both.up.duration(both.up.last_early()));
   for (const bool upwards : {true, false}) {
     const Extremals& f = both.of(upwards);
     Extremals::Members members;
@@ -339,14 +391,14 @@ Durations PointToPoint::durations() const noexcept {
 
 bool PointToPoint::has_early() const noexcept {
   Course course;
-  return fastest_early(course);
+  return fastest_early(family(true), course);
 }
 
 Durations PointToPoint::early_durations() const noexcept {
   Durations out;
   out.minimum = minimum();
   const Families both = families();
-  const double last = up_.duration(up_.last_early());
+  const double last = both.up.duration(both.up.last_early());
   Events events;
   events.add(out.minimum);
   add_events(Branch::early, both, events);

@@ -20,6 +20,9 @@ class PointToPoint {
   void append_shortest(Profile& out) const noexcept { append(fastest(), out); }
   /// Appends the phases of a motion of exactly this duration >= minimum(); false if it is blocked.
   bool lasting(double t, Profile& out) const noexcept;
+  /// The same where that motion cruises for a time that is more than rounding: then t is longer than minimum(),
+  /// and the shortest motion need not be known. Otherwise false.
+  bool cruises(double t, Profile& out) const noexcept;
   [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
 
@@ -42,18 +45,25 @@ class PointToPoint {
   };
   /// Both families at work on one question.
   struct Families {
-    const Extremals& up;
-    Extremals down;
+    Extremals up, down;
     bool early;
 
     [[nodiscard]] const Extremals& of(bool upwards) const noexcept { return upwards ? up : down; }
   };
+  /// The direct change of velocity, with which both families begin, as a member of the upward one.
+  struct Direct {
+    Extremal member;
+    double distance;
+    double rounding;  ///< rounding of positions: the distance is not known better
+  };
 
-  [[nodiscard]] Extremals down() const noexcept;
+  [[nodiscard]] Extremals family(bool upwards) const noexcept;
   [[nodiscard]] Families families() const noexcept;
+  [[nodiscard]] bool is_early(const Extremals& up) const noexcept;
+  [[nodiscard]] Direct direct(const Extremals& up) const noexcept;
   /// The distance in the family's own direction.
   [[nodiscard]] double towards(bool upwards) const noexcept { return upwards ? d_ : -d_; }
-  [[nodiscard]] bool fastest_early(Course& out) const noexcept;
+  [[nodiscard]] bool fastest_early(const Extremals& up, Course& out) const noexcept;
   [[nodiscard]] Course fastest() const noexcept;
   [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
   /// Instants between which nothing changes about whether the target can be reached.
@@ -71,6 +81,10 @@ class PointToPoint {
   [[nodiscard]] Profile profile(const Course& c, const MotionState& from,
                                 const MotionState& to) const noexcept;
   void append(const Course& c, Profile& out) const noexcept;
+  [[nodiscard]] Bounds ramps() const noexcept;
+  bool append_long(double t, Profile& out) const noexcept;
+  bool append_mean(const std::array<Course, 2>& ends, const std::array<double, 2>& reach,
+                   Profile& out) const noexcept;
   bool append_stair(double t, Profile& out) const noexcept;
   void append_blend(const std::array<Course, 2>& c, double share, Profile& out) const noexcept;
 
@@ -78,15 +92,11 @@ class PointToPoint {
   double d_;
   double dv_;  ///< dv of the velocities: to_ less from_
   Extremals::End from_, to_;
-  Extremals::Limits down_limits_;
   Extremals::Jerks jerks_;
-  bool start_is_higher_;           ///< in its natural velocity
   std::array<double, 2> natural_;  ///< velocities of start and target
-  Extremals up_;
-  Extremal direct_;  ///< direct of up_
-  double direct_distance_;
+  bool start_is_higher_;           ///< in its natural velocity
+  Extremals::Limits up_limits_, down_limits_;
   MotionState scale_;  ///< what the states are made of
-  double rounding_;    ///< rounding of positions: a distance is not known better
 };
 
 /// Adds a blocked interval behind the others: to the last where it goes on, or where there is no room

@@ -29,6 +29,7 @@ class RestToRest {
   bool solve_lasting(double t) noexcept;
 
   [[nodiscard]] double duration() const noexcept;
+  [[nodiscard]] double cruise() const noexcept { return cruise_; }  ///< s
   [[nodiscard]] Profile profile(const MotionState& from, const MotionState& to) const noexcept;
 
  private:

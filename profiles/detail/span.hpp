@@ -184,6 +184,18 @@ JOUNCE_INLINE Cruise<Real> cruise_way(const Span<Real>& s, Real v) {
   return {{rise + cruise + fall, v}, cruise};
 }
 
+/// From rest to rest over D > 0: l = h = d = 0. (3) reads A z^2 + A tau z = D, and (5) q^3 = 4 D/J.
+template <class Real>
+JOUNCE_INLINE Way<Real> rest_way(const Rates<Real>& r, Real D, Real velocity) {
+  const Real z = 2 * D / (r.threshold + square_root(r.threshold * r.threshold + 4 * r.a * D));
+  const Real q = cube_root(4 * D * r.inv_j, 0.25 * r.j / D);
+  const Mask<Real> reach = z >= r.tau;
+  const Real turning = reach ? 2 * (z + r.tau) : 2 * q;
+  const Real turn = reach ? r.a * z : 0.25 * r.j * q * q;
+  const Mask<Real> cruises = turn > velocity;
+  return {cruises ? D / velocity + r.ramp(velocity) : turning, cruises ? velocity : turn};
+}
+
 /// Halley's steps that settle nearly every root: each triples the number of correct digits.
 constexpr int usual_steps = 4;
 constexpr int most_steps = 64;
