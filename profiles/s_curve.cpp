@@ -130,6 +130,32 @@ double or_else(double value, double fallback) {
   return value == 0 ? fallback : value;
 }
 
+/// The move over a distance h. Where one limit is given twice, the compiler makes one ramp of both.
+JOUNCE_INLINE Profile ramps_of(const SCurveSpec& spec, double h, const Limit& r1, const Limit& r2) {
+  const bool cruises = h > way(spec.velocity, r1, r2);
+  const double v = cruises ? spec.velocity : peak_velocity(r1, r2, h);
+  const RampPhases up = ramp_to(v, r1);
+  const RampPhases down = ramp_to(v, r2);
+  const double cruise = cruises ? h / v - (up.duration() + down.duration()) / 2 : 0;
+  const double total = up.duration() + cruise + down.duration();
+  if (!positive(total)) refuse_duration(spec.to, total);
+  if (up.jerk <= dust * total) refuse_jerk(r1.j, total);
+  if (down.jerk <= dust * total) refuse_jerk(r2.j, total);
+
+  const double sign = std::copysign(1, spec.to - spec.from);
+  return {{spec.from, 0, 0},
+          {spec.to, 0, 0},
+          3,
+          {sign * r1.j, -sign * r1.j, sign * r2.j, -sign * r2.j},
+          {{up.jerk, 1},
+           {swept(up.plateau, total), 0},
+           {up.jerk, 2},
+           {swept(cruise, total), 0},
+           {down.jerk, 4},
+           {swept(down.plateau, total), 0},
+           {down.jerk, 3}}};
+}
+
 }  // namespace
 
 Profile trapezoid(const TrapezoidSpec& spec) {
@@ -159,31 +185,11 @@ Profile s_curve(const SCurveSpec& spec) {
   if (!positive(spec.jerk)) require_positive("jerk", spec.jerk);
   if (!not_negative(spec.deceleration_jerk))
     require_not_negative("deceleration_jerk", spec.deceleration_jerk);
-  const Limit r1{spec.acceleration, spec.jerk};
-  const Limit r2{or_else(spec.deceleration, spec.acceleration),
-                 or_else(spec.deceleration_jerk, spec.jerk)};
-  const bool cruises = h > way(spec.velocity, r1, r2);
-  const double v = cruises ? spec.velocity : peak_velocity(r1, r2, h);
-  const RampPhases up = ramp_to(v, r1);
-  const RampPhases down = ramp_to(v, r2);
-  const double cruise = cruises ? h / v - (up.duration() + down.duration()) / 2 : 0;
-  const double total = up.duration() + cruise + down.duration();
-  if (!positive(total)) refuse_duration(spec.to, total);
-  if (up.jerk <= dust * total) refuse_jerk(r1.j, total);
-  if (down.jerk <= dust * total) refuse_jerk(r2.j, total);
-
-  const double sign = std::copysign(1, spec.to - spec.from);
-  return {{spec.from, 0, 0},
-          {spec.to, 0, 0},
-          3,
-          {sign * r1.j, -sign * r1.j, sign * r2.j, -sign * r2.j},
-          {{up.jerk, 1},
-           {swept(up.plateau, total), 0},
-           {up.jerk, 2},
-           {swept(cruise, total), 0},
-           {down.jerk, 4},
-           {swept(down.plateau, total), 0},
-           {down.jerk, 3}}};
+  const Limit up{spec.acceleration, spec.jerk};
+  const double deceleration = or_else(spec.deceleration, spec.acceleration);
+  const double jerk = or_else(spec.deceleration_jerk, spec.jerk);
+  if (deceleration == spec.acceleration && jerk == spec.jerk) return ramps_of(spec, h, up, up);
+  return ramps_of(spec, h, up, {deceleration, jerk});
 }
 
 }  // namespace jounce

@@ -87,7 +87,6 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   const auto other = half_[1 - i];
   Extremal e;
   const double s = half_[i].s;
-  e.z[i] = s;
   e.vp = half_[i].v + ijd_ * s * s / 2;
   const double more = which == high_ ? q_ : -q_;
   double squares = 2 * ik_ * (which == 0 ? excess_ : -excess_);
@@ -110,11 +109,23 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
     squares = (other.limit - other.s) * (other.limit + other.s);
     // From the change of velocity, of which rise and fall are parts: vp and sat may be far above it.
     const double passed = ((z - other.s) * (z + other.s) * ijp_ + (z - s) * (z + s) * ijd_) / 2;
-    e.hold[1 - i] = std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0);
+    e.hold = pair(0, std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0), which == 1);
     e.fall = (z + s) * ijd_;
   }
-  e.z[1 - i] = z;
-  e.rise[1 - i] = rise(other, z, squares);
+  e.z = pair(s, z, which == 1);
+  e.rise = pair(0, rise(other, z, squares), which == 1);
+  return e;
+}
+
+Extremal Extremals::mirrored(const Extremal& direct) const noexcept {
+  const auto i = static_cast<std::size_t>(first_);
+  const bool swaps = first_ == 1;
+  Extremal e;  // rise and fall change places
+  e.z = pair(direct.z[1 - i], -half_.s[1 - i], swaps);
+  e.vp = -half_.c[1 - i];
+  e.fall = direct.rise[1 - i];
+  e.hold = pair(direct.hold[1 - i], 0, swaps);
+  e.rise = pair(direct.fall, 0, swaps);
   return e;
 }
 
@@ -200,21 +211,19 @@ Extremal Extremals::member(const Stretch& p, double x) const noexcept {
   Extremal e;
   switch (p.held) {
     case Held::none: {
-      const auto hi = static_cast<std::size_t>(high_);
       const double r = q_ > 0 ? q_ / x : 0;
-      e.z[hi] = (x - r) / 2;
-      e.z[1 - hi] = (x + r) / 2;
-      e.vp = half_[hi].c + k_ * square(e.z[hi]) / 2;
+      const double z_high = (x - r) / 2;
+      e.z = pair(z_high, (x + r) / 2, high_ == 1);
+      e.vp = half_.c[static_cast<std::size_t>(high_)] + k_ * square(z_high) / 2;
       e.fall = x * ijd_;
       break;
     }
     case Held::one: {
       const auto f = static_cast<std::size_t>(p.free);
-      e.z[f] = x;
-      e.z[1 - f] = half_[1 - f].limit;
+      e.z = pair(x, half_.limit[1 - f], p.free == 1);
       e.fall = (e.z[0] + e.z[1]) * ijd_;
       e.vp = half_[f].c + k_ * x * x / 2;
-      e.hold[1 - f] = std::max(held_beside(p.free, x), 0.0);
+      e.hold = pair(0, std::max(held_beside(p.free, x), 0.0), p.free == 1);
       break;
     }
     case Held::both:

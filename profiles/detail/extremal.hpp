@@ -85,6 +85,8 @@ class Extremals {
   /// The shortest member of a branch, and the longest of the early one.
   [[nodiscard]] Extremal first(Branch b) const noexcept;
   [[nodiscard]] Extremal last_early() const noexcept;
+  /// The shortest member of the main branch, the direct change of velocity, as a member of the mirrored family.
+  [[nodiscard]] Extremal mirrored(const Extremal& direct) const noexcept;
 
   [[nodiscard]] double duration(const Extremal& e) const noexcept {
     return e.rise[0] + e.hold[0] + e.fall + e.cruise + e.hold[1] + e.rise[1];

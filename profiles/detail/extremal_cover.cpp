@@ -41,7 +41,9 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
     const double ss = s * s;
     sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
     const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
-    return s * newton(sign, slope, rising);
+    // A step in the square of s, in which f is about linear.
+    const double share = newton(sign, slope, rising);
+    return s * share * (1 + std::clamp(share, -0.5, 0.5) / 2);
   };
   if (hi == inf) {
     hi = std::max({2 * lo, about_cube_root(std::abs(g) / cubic_),

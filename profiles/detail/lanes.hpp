@@ -75,6 +75,14 @@ JOUNCE_INLINE Real square_root(Real x) {  // of what rounding makes negative: 0
   return root_of(greatest(x, every<Real>(0)));
 }
 
+/// {a, b}, or {b, a} if they are to be swapped: without a branch, and without memory, from which two
+/// doubles written one by one return late as a vector.
+JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
+  const Vector2 given{a, b};
+  const Vector2 other{b, a};
+  return every<Vector2>(swapped) > 0 ? other : given;
+}
+
 /// The bits of a Real, lane by lane.
 template <class Real>
 struct BitsOf;

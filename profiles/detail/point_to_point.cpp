@@ -18,7 +18,8 @@ constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever i
 Extremals::Jerks upward_jerks(const Bounds& b) {
   const double per_rise = 1 / b.jerk_max;
   const double per_fall = -1 / b.jerk_min;
-  return {per_rise, per_fall, per_rise + per_fall, 1 / (per_rise + per_fall)};
+  const double per_k = b.jerk_max / (b.jerk_max - b.jerk_min) * -b.jerk_min;
+  return {per_rise, per_fall, per_rise + per_fall, per_k};
 }
 
 /// How much greater the target's velocity is, or what the bare ramp of acceleration adds, if only
@@ -106,11 +107,6 @@ PointToPoint::Families PointToPoint::families() const noexcept {
   return both;
 }
 
-PointToPoint::Direct PointToPoint::direct(const Extremals& up) const noexcept {
-  const Extremal member = up.first(Branch::main);
-  return {member, up.distance(member), rounding(up.duration(member))};
-}
-
 bool PointToPoint::fastest_early(const Extremals& up, Course& out) const noexcept {
   if (!is_early(up)) return false;
   const Extremals down = family(false);
@@ -134,13 +130,13 @@ PointToPoint::Course PointToPoint::fastest() const noexcept {
   const Extremals up = family(true);
   Course c;
   if (fastest_early(up, c)) return c;
-  const Direct begin = direct(up);
-  const double excess = d_ - begin.distance;
-  if (std::abs(excess) <= begin.rounding) return {true, up.phases(begin.member)};
-  if (excess > 0) return {true, up.phases(up.cover(d_, begin.member, begin.distance))};
+  const Extremal direct = up.first(Branch::main);
+  const double covered = up.distance(direct);
+  const double excess = d_ - covered;
+  if (std::abs(excess) <= rounding(up.duration(direct))) return {true, up.phases(direct)};
+  if (excess > 0) return {true, up.phases(up.cover(d_, direct, covered))};
   const Extremals down = family(false);
-  const Extremal mirrored = down.first(Branch::main);
-  return {false, down.phases(down.cover(-d_, mirrored, down.distance(mirrored)))};
+  return {false, down.phases(down.cover(-d_, up.mirrored(direct), -covered))};
 }
 
 double PointToPoint::minimum() const noexcept {

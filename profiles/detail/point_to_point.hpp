@@ -50,17 +50,10 @@ class PointToPoint {
 
     [[nodiscard]] const Extremals& of(bool upwards) const noexcept { return upwards ? up : down; }
   };
-  /// The direct change of velocity, with which both families begin, as a member of the upward one.
-  struct Direct {
-    Extremal member;
-    double distance;
-    double rounding;  ///< rounding of positions: the distance is not known better
-  };
 
   [[nodiscard]] Extremals family(bool upwards) const noexcept;
   [[nodiscard]] Families families() const noexcept;
   [[nodiscard]] bool is_early(const Extremals& up) const noexcept;
-  [[nodiscard]] Direct direct(const Extremals& up) const noexcept;
   /// The distance in the family's own direction.
   [[nodiscard]] double towards(bool upwards) const noexcept { return upwards ? d_ : -d_; }
   [[nodiscard]] bool fastest_early(const Extremals& up, Course& out) const noexcept;

@@ -26,16 +26,20 @@ double root_in_units(double x, double per_x) {
 }  // namespace
 
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
-  const bool up = distance > 0;
-  vmax_ = either(up, b.velocity_max, -b.velocity_min);
-  jp_ = either(up, b.jerk_max, b.jerk_min);
-  jd_ = either(up, b.jerk_min, b.jerk_max);
-  p_ = 1 / std::abs(jp_);
-  q_ = 1 / std::abs(jd_);
+  // Up and down change places where the way leads down.
+  const bool down = distance < 0;
+  const Vector2 velocity = pair(b.velocity_max, b.velocity_min, down);
+  const Vector2 jerk = pair(b.jerk_max, b.jerk_min, down);
+  vmax_ = std::abs(velocity[0]);
+  jp_ = jerk[0];
+  jd_ = jerk[1];
+  const Vector2 rates = magnitude(jerk);
+  const Vector2 per_rate = 1 / rates;
+  p_ = per_rate[0];
+  q_ = per_rate[1];
   k_ = p_ + q_;
-  twice_per_k_ = 2 / k_;
-  limit_ = Vector2{either(up, b.acceleration_max, -b.acceleration_min),
-                   either(up, -b.acceleration_min, b.acceleration_max)};
+  twice_per_k_ = 2 * rates[0] / (rates[0] + rates[1]) * rates[1];
+  limit_ = magnitude(pair(b.acceleration_max, b.acceleration_min, down));
   per_limit_ = 1 / limit_;
   sat_ = k_ * limit_ * limit_ / 2;
 }
