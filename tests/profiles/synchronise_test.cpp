@@ -1,5 +1,6 @@
 #include "jounce/profiles/synchronise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -38,6 +39,41 @@ TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
     for (const auto& axis : axes)
       all = all && durations(axis.from, axis.to, axis.bounds).allows(s.duration * (1 - 1e-9));
     EXPECT_FALSE(all) << i;
+    if (HasFailure()) break;
+  }
+}
+
+/// A state, a rest, a second order, a velocity, or an axis that takes no part.
+AxisMove random_axis(testing::Random& random) {
+  AxisMove axis{random_state(random), random_state(random),
+                within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20))};
+  const auto kind = random.below(8);
+  if (kind < 2) axis.from = {axis.from.position};
+  if (kind < 2) axis.to = {axis.to.position};
+  if (kind == 2) axis.bounds = within(4, 3);
+  if (kind == 3) axis.goal = MoveGoal::velocity;
+  axis.enabled = kind != 4;
+  return axis;
+}
+
+TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
+  testing::Random random(43);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(24)));
+    for (auto& axis : axes) axis = random_axis(random);
+    const double minimum = random.below(2) * random.uniform(0, 8);
+    const double grid = random.below(2) * 0.25;
+    std::vector<Profile> out(axes.size());
+    const Synchronised s = synchronise(axes, Sync::time, out, minimum, grid);
+    ASSERT_EQ(s.status, MoveStatus::ok) << i;
+    EXPECT_GE(s.duration, minimum * (1 - 1e-12));
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const double duration = axes[k].enabled ? s.duration : 0;
+      EXPECT_NEAR(out[k].duration(), duration, 1e-12 * s.duration) << i << " axis " << k;
+    }
+    std::reverse(axes.begin(), axes.end());
+    const Synchronised backwards = synchronise(axes, Sync::time, out, minimum, grid);
+    EXPECT_NEAR(backwards.duration, s.duration, 1e-12 * s.duration) << i;
     if (HasFailure()) break;
   }
 }
