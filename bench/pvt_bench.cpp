@@ -81,21 +81,41 @@ void count(State& state, std::size_t n) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(n));
 }
 
-/// The limit: the three columns filled by the widest stores that there are, without computing.
+// The limit: the three columns filled by the widest stores that the processor has, without computing.
+#ifdef __x86_64__
 #pragma GCC push_options
+#pragma GCC target("avx2")
+__attribute__((noinline)) void fill_256(double* to, std::size_t n, double x) {
+  for (const detail::Vector4 value{x, x, x, x}; n >= 4; n -= 4, to += 4)
+    __builtin_memcpy(to, &value, sizeof value);
+}
 #pragma GCC target("avx512f")
 __attribute__((noinline)) void fill_512(double* to, std::size_t n, double x) {
-  const detail::Vector8 value = detail::Vector8{} + x;
-  for (std::size_t i = 0; i + 8 <= n; i += 8) __builtin_memcpy(to + i, &value, sizeof value);
+  for (const detail::Vector8 value{x, x, x, x, x, x, x, x}; n >= 8; n -= 8, to += 8)
+    __builtin_memcpy(to, &value, sizeof value);
 }
 #pragma GCC pop_options
+#endif
+__attribute__((noinline)) void fill_128(double* to, std::size_t n, double x) {
+  for (const detail::Vector2 value{x, x}; n >= 2; n -= 2, to += 2)
+    __builtin_memcpy(to, &value, sizeof value);
+}
+
+auto widest_fill() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f")) return fill_512;
+  if (__builtin_cpu_supports("avx2")) return fill_256;
+#endif
+  return fill_128;
+}
 
 void stores(State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   Results out(n);
+  const auto fill = widest_fill();
   double x = 1;
   for (auto _ : state) {
-    for (auto* column : {&out.p, &out.v, &out.a}) fill_512(column->data(), n, x);
+    for (auto* column : {&out.p, &out.v, &out.a}) fill(column->data(), n, x);
     benchmark::ClobberMemory();
   }
   count(state, n);
@@ -132,7 +152,8 @@ BENCHMARK_CAPTURE(grid, linear, Rule::linear)->Arg(16000);
 BENCHMARK_CAPTURE(grid, cubic, Rule::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
 BENCHMARK_CAPTURE(grid, quintic, Rule::quintic_hermite)->Arg(960)->Arg(16000);
 
-void kernel(State& state, const detail::SampleKernels& kernels) {
+void kernel(State& state, const detail::SampleKernels& kernels, bool supported = true) {
+  if (!supported) return state.SkipWithError("the processor does not have these vectors");
   const std::size_t n = 16000;
   const Table f = table(n / 64, Rule::cubic_hermite);
   Results out(n);
@@ -144,8 +165,8 @@ void kernel(State& state, const detail::SampleKernels& kernels) {
 }
 BENCHMARK_CAPTURE(kernel, anywhere, detail::sample_anywhere);
 #ifdef __x86_64__
-BENCHMARK_CAPTURE(kernel, avx2, detail::sample_avx2);
-BENCHMARK_CAPTURE(kernel, avx512, detail::sample_avx512);
+BENCHMARK_CAPTURE(kernel, avx2, detail::sample_avx2, __builtin_cpu_supports("avx2"));
+BENCHMARK_CAPTURE(kernel, avx512, detail::sample_avx512, __builtin_cpu_supports("avx512f"));
 #endif
 
 // ---- query by query ------------------------------------------------------------------------------
