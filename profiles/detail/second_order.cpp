@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::detail {
@@ -24,42 +25,38 @@ ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionSt
   const double amin = -b.acceleration_min;
   const double d = to.position - from.position;
   const double dv = to.velocity - from.velocity;
-  const double per_amax = 1 / amax;
-  const double per_amin = 1 / amin;
+  const Vector2 per_limit = 1 / Vector2{amax, amin};
   const double both = amax * amin / (amax + amin);
-  const double direct = std::abs(dv) * either(dv > 0, per_amax, per_amin);
+  const double direct = std::abs(dv) * either(dv > 0, per_limit[0], per_limit[1]);
   const double excess = d - direct * (from.velocity + to.velocity) / 2;
   const bool is_direct = std::abs(excess) <= rounding_of(from, to, direct);
   const bool up = excess >= 0;
   const double sign = either(up, 1, -1);
-  const double rise = either(up, amax, amin);
-  const double fall = either(up, amin, amax);
-  const double v0 = sign * from.velocity;
-  const double vf = sign * to.velocity;
-  const double natural = std::max(v0, vf);
+  const Vector2 rate = pair(amax, amin, !up);  // of the rise, of the fall
+  const Vector2 per_rate = pair(per_limit[0], per_limit[1], !up);
+  const Vector2 v = sign * Vector2{from.velocity, to.velocity};
+  const double natural = std::max(v[0], v[1]);
   const double vmax = std::max(either(up, b.velocity_max, -b.velocity_min), natural);
 
-  const double per_rise = either(up, per_amax, per_amin);
-  const double per_fall = either(up, per_amin, per_amax);
   const double twice = 2 * sign * d;
-  const double square = (twice + v0 * v0 * per_rise + vf * vf * per_fall) * both;
+  const Vector2 ends = v * v * per_rate;
+  const double square = (twice + ends[0] + ends[1]) * both;
   // (2) without cruise, the greater solution
   const double peak = std::max(std::sqrt(std::max(square, 0.0)), natural);
   const bool passes = (peak <= vmax) & !is_direct;
   const double top = either(is_direct, natural, std::min(peak, vmax));
   // (2) gives p^2 - v^2 without p: accurate also where they nearly agree.
-  const double squares = (v0 - vf) * (v0 + vf);
-  const auto above = [&](double v, double p2_v2) {
-    const bool by_squares = passes & (v > 0);
-    return either(by_squares, std::max(p2_v2 * both, 0.0), top - v) /
-           either(by_squares, peak + v, 1);
-  };
-  rise_ = sign * rise;
-  fall_ = -sign * fall;
-  rises_ = above(v0, twice - squares * per_fall) * per_rise;
-  falls_ = above(vf, twice + squares * per_rise) * per_fall;
-  const double ramps = (top - v0) * (top + v0) * per_rise + (top - vf) * (top + vf) * per_fall;
-  cruise_ = either(passes | is_direct, 0, (twice - ramps) / (2 * top));
+  const double squares = (v[0] - v[1]) * (v[0] + v[1]);
+  const Vector2 rest = twice + Vector2{-squares, squares} * Vector2{per_rate[1], per_rate[0]};
+  const Vector2 from_here = every<Vector2>(either(passes, 0, inf));
+  const Vector2 above = (v > from_here ? greatest(rest * both, Vector2{}) : top - v) /
+                        (v > from_here ? peak + v : every<Vector2>(1));
+  rise_ = sign * rate[0];
+  fall_ = -sign * rate[1];
+  rises_ = above[0] * per_rate[0];
+  falls_ = above[1] * per_rate[1];
+  const Vector2 ramps = (top - v) * (top + v) * per_rate;
+  cruise_ = either(passes | is_direct, 0, (twice - (ramps[0] + ramps[1])) / (2 * top));
 }
 
 Profile ShortestSecondOrder::profile(const MotionState& from, const MotionState& to) const noexcept {
