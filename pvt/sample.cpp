@@ -1,6 +1,7 @@
 #include "jounce/pvt/sample.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -8,9 +9,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/extrema.hpp"
+#include "jounce/pvt/check.hpp"
 #include "jounce/pvt/detail/longest.hpp"
 
 namespace jounce {
@@ -97,13 +99,25 @@ double noisy_length(const Curve<Over>& f, Rule rule) {
   return std::cbrt((rule == Rule::quintic_hermite ? 120 : 24) * rounding / (1e-3 * jerk));
 }
 
+/// The greatest magnitudes of the derivatives of a table's interval or of a curve.
+std::array<double, 4> peaks_of(const Ranges& ranges) {
+  std::array<double, 4> peaks{};
+  for (std::size_t k = 0; k < peaks.size(); ++k) peaks[k] = std::abs(ranges[k].peak().value);
+  return peaks;
+}
+
 /// Knots whose neighbours are not so near that the rounding of their positions shows in the jerk: near ones
-/// are left out or moved apart, where the tolerance allows it.
+/// are left out or moved apart, where the tolerance allows it and no derivative becomes greater than the
+/// curve's greatest.
 template <class Over>
 class Spread {
  public:
   Spread(const Curve<Over>& f, Rule rule, double wanted)
-      : f_(f), rule_(rule), allowed_{wanted, detail::inf}, least_(noisy_length(f, rule)) {}
+      : f_(f),
+        rule_(rule),
+        allowed_{wanted, detail::inf},
+        least_(noisy_length(f, rule)),
+        peaks_(peaks_of(extrema(f))) {}
 
   [[nodiscard]] std::vector<double> run(std::vector<double> knots) const {
     for (std::size_t i = 0; i + 1 < knots.size();) {
@@ -116,7 +130,21 @@ class Spread {
   [[nodiscard]] bool fits(double a, double b) const {
     const detail::Knot from = detail::knot_at(f_, a, Side::right);
     const detail::Knot to = detail::knot_at(f_, b, b == f_.end() ? Side::left : Side::right);
-    return detail::share(f_, rule_, from, to, allowed_) <= 1;
+    return detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
+  }
+
+  /// (2) of this interval is what its rounding may add to the jerk, and d^2 / 12 of it to the velocity.
+  [[nodiscard]] bool keeps_peaks(double a, double b) const {
+    constexpr Axis axis = std::is_same_v<Over, OverTime> ? Axis::time : Axis::master;
+    const Table table(axis, rule_, Outside::refuse, columns_at(f_, rule_, {a, b}));
+    const std::array<double, 4> here = peaks_of(extrema(table));
+    const double length = b - a;
+    const double noise = 24 * std::numeric_limits<double>::epsilon() * peaks_[0];
+    const std::array factors{0.0, length * length / 12, length / 6, 1.0};
+    for (std::size_t k = 1; k < here.size(); ++k)
+      if (here[k] > peaks_[k] * (1 + 1e-12) + factors[k] * noise / detail::cube(length))
+        return false;
+    return true;
   }
 
   /// Knot k at x, or without it; false where the tolerance does not allow it.
@@ -145,6 +173,97 @@ class Spread {
   const Curve<Over>& f_;
   Rule rule_;
   detail::Tolerances allowed_;
+  double least_;
+  std::array<double, 4> peaks_;
+};
+
+/// f(b) - f(a) without the rounding of either: for every stretch of length h between breaks
+///
+///     (3)  h (v0 + v1) / 2 + h^2 (a0 - a1) / 10 + h^3 (j0 + j1) / 120
+///
+/// which is exact for polynomials up to the sixth power.
+template <class Over>
+double rise(const Curve<Over>& f, double a, double b) {
+  double sum = 0;
+  while (a < b) {
+    const auto above = std::upper_bound(f.breaks().begin(), f.breaks().end(), a);
+    const double end = above == f.breaks().end() ? b : std::min(b, *above);
+    const Jet from = f.jet(a, Side::right);
+    const Jet to = f.jet(end, Side::left);
+    const double h = end - a;
+    sum += h * ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
+    a = end;
+  }
+  return sum;
+}
+
+/// Knots that must stay near each other, as those of a phase that nearly vanishes. Between them, over a length
+/// d, the rounding e of the rise makes a jerk of 60 e / d^3. One of them goes to the double, of many beside
+/// its place, for which e is least. What is left of it is given to both velocities, as e / d: the interval then
+/// has the curve's derivatives, and the intervals beside it, which are long, change by far less.
+template <class Over>
+class ShortIntervals {
+ public:
+  ShortIntervals(const Curve<Over>& f, Rule rule)
+      : f_(f), rule_(rule), least_(noisy_length(f, rule)) {}
+
+  [[nodiscard]] Columns columns(std::vector<double> knots) const {
+    Columns all = columns_at(f_, rule_, std::move(knots));
+    for (std::size_t i = 0; i + 1 < all.x.size(); ++i)
+      if (is_short(all, i)) settle(all, i);
+    return all;
+  }
+
+ private:
+  /// A knot at x, so that the interval between it and another one has the curve's rise but for `error`.
+  struct Place {
+    double x = 0;
+    double position = 0;
+    double error = 0;
+  };
+
+  [[nodiscard]] bool is_short(const Columns& all, std::size_t i) const {
+    return i + 1 < all.x.size() && all.x[i + 1] - all.x[i] < least_;
+  }
+
+  void settle(Columns& all, std::size_t i) const {
+    const bool first = i == 0;
+    const bool last = i + 2 == all.x.size();
+    if (first && last) return;
+    const std::size_t moved = last ? i : i + 1;
+    const std::size_t other = last ? i + 1 : i;
+    const auto at = [&](double x) {
+      const double wanted = last ? -rise(f_, x, all.x[other]) : rise(f_, all.x[other], x);
+      const double position = all.p[other] + wanted;
+      return Place{x, position, position - all.p[other] - wanted};
+    };
+    const Place place = best(all.x[moved], all.x[last ? i - 1 : i + 2], at);
+    const Jet jet = f_.jet(place.x, Side::right);
+    all.x[moved] = place.x;
+    all.p[moved] = place.position;
+    all.v[moved] = jet[1];
+    if (!all.a.empty()) all.a[moved] = jet[2];
+    if (first || last || is_short(all, i - 1) || is_short(all, i + 1)) return;
+    const double more = place.error / (all.x[i + 1] - all.x[i]);
+    all.v[i] += more;
+    all.v[i + 1] += more;
+  }
+
+  /// The place of the least error among the doubles from x towards `limit`.
+  template <class At>
+  static Place best(double x, double limit, At at) {
+    constexpr int most = 1 << 16;
+    Place found = at(x);
+    for (int i = 0; i < most && found.error != 0; ++i) {
+      x = std::nextafter(x, limit);
+      if (x == limit) break;
+      if (const Place here = at(x); std::abs(here.error) < std::abs(found.error)) found = here;
+    }
+    return found;
+  }
+
+  const Curve<Over>& f_;
+  Rule rule_;
   double least_;
 };
 
@@ -233,12 +352,13 @@ Sampled sample_within(const Curve<Over>& f, Rule rule, double tolerance, std::si
   knots.push_back(f.end());
   knots = shortened_before_steps(f, rule, wanted, knots);
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
-  Sampled sampled = sample(f, rule, knots);
+  const ShortIntervals<Over> with(f, rule);
+  Sampled sampled = certified(f, rule, with.columns(knots));
   // An interval that fitted by its symmetry may no longer do so once it is shortened.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
     knots.insert(above, (*(above - 1) + *above) / 2);
-    sampled = sample(f, rule, knots);
+    sampled = certified(f, rule, with.columns(knots));
   }
   return sampled;
 }
