@@ -149,10 +149,16 @@ Json to_object(const Finding& finding, const Labels& labels) {
   return object;
 }
 
-/// Whether it is a limit that holds, as opposed to a joint, the table's own error, or a fact.
+/// Whether one computation is compared with another: its limit is not one of the machine.
+bool is_proof(const Finding& f) {
+  return f.rule.starts_with("witness/") || f.rule.starts_with("played/") ||
+         f.rule.ends_with("/integration") || f.rule == "drive/exact";
+}
+
+/// Whether it is a limit that holds, as opposed to a joint, the table's own error, a proof, or a fact.
 bool is_limit(const Finding& f) {
   return f.has_limit && f.severity == Severity::required && !f.rule.starts_with("continuity/") &&
-         !f.rule.starts_with("table/");
+         !f.rule.starts_with("table/") && !is_proof(f);
 }
 
 std::vector<SegmentGroup> taken_together(const std::vector<SegmentGroup>& all, std::size_t most) {

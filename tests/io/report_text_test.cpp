@@ -120,6 +120,12 @@ TEST(ReportText, TheHeadlineIsALimitAndSaysWhereNoneIsGiven) {
   continuity.quantity = "step of position";
   const Finding limit = half_of_a_limit();
   Report report{{joint("coupling/ramp", "velocity", 150), continuity}};
+  for (const char* rule :
+       {"witness/position", "played/table", "drive/integration", "drive/exact"}) {
+    Finding proof = half_of_a_limit();
+    proof.rule = rule;
+    report.findings.push_back(proof);
+  }
   EXPECT_EQ(one_line(report, labels), "no limits are given; the curve is continuous");
   report.findings.push_back(limit);
   EXPECT_EQ(one_line(report, labels), "all limits hold; the closest: " + sentence(limit, labels));
