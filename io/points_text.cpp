@@ -1,5 +1,6 @@
 #include "jounce/io/points_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,12 +22,19 @@ void require_quadratic(const Columns& c, std::size_t i) {
       "ends a piece that is not a parabola: use --controller googol_pt or googol_follow");
 }
 
+/// Whether the first velocity is rest, to the rounding that a law leaves where it begins.
+bool begins_at_rest(const Columns& c) {
+  double peak = 0;
+  for (const double v : c.v) peak = std::max(peak, std::abs(v));
+  return std::abs(c.v.front()) <= 1e-12 * peak;
+}
+
 /// Of the piece that ends at knot i.
 PtType type_of(const Table& table, std::size_t i) {
   if (table.rule() == Rule::linear) return PtType::even;
   const Columns& c = table.columns();
   require_quadratic(c, i);
-  if (i > 1 || c.v[0] == 0) return PtType::normal;
+  if (i > 1 || begins_at_rest(c)) return PtType::normal;
   if (table.axis() == Axis::master) return PtType::continued;
   throw InputError("knot[1].velocity", c.v[0],
                    "must be 0: the first normal segment begins at rest");

@@ -1315,6 +1315,30 @@ TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
               HasSubstr("is not a parabola"));
 }
 
+// A law that begins at rest has 1.9e-16 there: its first segment was "continue", which takes over a ratio.
+TEST_F(Cli, ConvertTakesRoundingForRest) {
+  write("f.toml",
+        "jounce = 1\nkind = \"cam\"\nunits = { master = \"pulse\", position = \"pulse\" }\n"
+        "start = { master = 0, slave = 0 }\n"
+        "segment = [{ law = \"simple_sine\", end = { master = 10000, slave = 20000 } }]\n");
+  ASSERT_EQ(run("convert f.toml f.csv --to points --controller googol_follow").status, 0);
+  const std::string points = slurp(folder / "f.csv");
+  EXPECT_THAT(points, StartsWith("master [pulse],slave [pulse],type\n"));
+  EXPECT_THAT(points, Not(HasSubstr("continue")));
+  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 17);
+}
+
+// The closest of no limits was an error of 1e-13 of the witness.
+TEST_F(Cli, AReportWithoutLimitsSaysSo) {
+  write("f.toml",
+        "jounce = 1\nkind = \"cam\"\nunits = { master = \"pulse\", position = \"pulse\" }\n"
+        "start = { master = 0, slave = 0 }\n"
+        "segment = [{ law = \"345\", end = { master = 10000, slave = 20000 } }]\n");
+  const Result report = run("report f.toml -o f.html");
+  EXPECT_EQ(report.status, 0);
+  EXPECT_THAT(report.out, StartsWith("f.toml: no limits are given; the curve is continuous"));
+}
+
 TEST_F(Cli, ConvertSaysWhatToDoWithPulses) {
   EXPECT_EQ(run("new cam -o a.toml").status, 0);  // deg and mm
   const Result position = run("convert a.toml a.csv --most 32 --position-resolution 1pulse");
