@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -115,19 +115,60 @@ namespace {
 
 constexpr std::size_t most_of_device = std::size_t{1} << 28;  ///< bytes; it may have no end
 
+constexpr int patience_of_pipe = 5;  ///< s
+
+[[noreturn]] void fail_to_read(const std::string& path, int cause) {
+  throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
+}
+
+/// True if a program has the empty pipe open for writing: tee() of nothing then fails, and returns 0 otherwise.
+/// It takes no byte away.
+bool has_writer(int pipe) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return true;
+  const Handle out(ends[0]);
+  const Handle in(ends[1]);
+  return tee(pipe, in.number, 1, SPLICE_F_NONBLOCK) != 0;
+}
+
+/// Waits until a program has the pipe open for writing, or has had it. A blocking open() has no such limit.
+void wait_for_writer(int pipe, const std::string& path) {
+  constexpr int slice = 20;  // ms
+  for (int waited = 0; waited < 1000 * patience_of_pipe; waited += slice) {
+    pollfd seen{pipe, POLLIN, 0};
+    if (poll(&seen, 1, slice) > 0) return;
+    if (has_writer(pipe)) return;
+  }
+  throw InputError("", "",
+                   "is a pipe that no program opened for writing within " +
+                       std::to_string(patience_of_pipe) + " s: start its writer, or name a file")
+      .at(path);
+}
+
+/// To be read from its start to its end.
+Handle opened(const std::string& path) {
+  if (std::filesystem::is_directory(path)) fail_to_read(path, EISDIR);
+  const bool pipe = std::filesystem::is_fifo(path);
+  Handle file(open(path.c_str(), O_RDONLY | O_CLOEXEC | (pipe ? O_NONBLOCK : 0)));
+  if (file.number < 0) fail_to_read(path, errno);
+  if (pipe) {
+    wait_for_writer(file.number, path);
+    fcntl(file.number, F_SETFL, 0);
+  }
+  return file;
+}
+
 std::string read_bytes(const std::string& path) {
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  const int cause = std::filesystem::is_directory(path) ? EISDIR : errno;
-  if (!file || cause == EISDIR)
-    throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
+  const Handle file = opened(path);
   std::string bytes;
   std::vector<char> chunk(1 << 16);
-  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
+  while (const ssize_t n = read(file.number, chunk.data(), chunk.size())) {
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail_to_read(path, errno);
     if (bytes.size() >= most_of_device && is_special(path))
       throw InputError("", "", "is no regular file and gives more than 256 MiB").at(path);
-    bytes.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+    bytes.append(chunk.data(), static_cast<std::size_t>(n));
   }
   return bytes;
 }

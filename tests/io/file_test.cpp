@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <system_error>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +51,52 @@ TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
 TEST_F(Files, ADeviceWithoutEndIsRefused) {
   EXPECT_THAT(why([] { (void)read_file("/dev/zero"); }),
               HasSubstr("/dev/zero: is no regular file and gives more than 256 MiB"));
+}
+
+/// Runs what writes to a pipe in a process of its own.
+template <class Write>
+pid_t beside(Write write) {
+  const pid_t child = fork();
+  if (child == 0) {
+    write();
+    _exit(0);
+  }
+  return child;
+}
+
+TEST_F(Files, APipeWithoutAWriterIsRefused) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(why([&] { (void)read_file(in("pipe")); }),
+              HasSubstr("pipe: is a pipe that no program opened for writing within 5 s"));
+}
+
+TEST_F(Files, APipeIsReadToTheEndOfItsWriter) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  const pid_t writer = beside([&] {
+    usleep(100'000);  // after the reader
+    const int pipe = open(in("pipe").c_str(), O_WRONLY);
+    usleep(200'000);  // open, and nothing written yet
+    for (int i = 0; i < 3; ++i) {
+      if (write(pipe, "part ", 5) != 5) _exit(1);
+      usleep(50'000);
+    }
+  });
+  EXPECT_EQ(read_file(in("pipe")), "part part part ");
+  int status = 1;
+  waitpid(writer, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+// As `check /dev/stdin` and `check <(...)` have it: a pipe without a name, whose writer may be gone already.
+TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(write(ends[1], "all", 3), 3);
+  close(ends[1]);
+  EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "all");
+  EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "")
+      << "nothing is left, and nobody writes";
+  close(ends[0]);
 }
 
 TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
