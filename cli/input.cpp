@@ -42,8 +42,11 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
   else
     all = inputs_of(parse_spec(std::move(text), name), path);
   if (axis.empty()) return all;
-  const auto named =
-      std::find_if(all.begin(), all.end(), [&](const Input& input) { return input.axis == axis; });
+  const auto is_meant = [&](const Input& input) { return input.axis == axis; };
+  if (const auto n = std::count_if(all.begin(), all.end(), is_meant); n > 1)
+    throw InputError("--axis", axis,
+                     "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
+  const auto named = std::find_if(all.begin(), all.end(), is_meant);
   if (named == all.end())
     throw InputError("--axis", axis,
                      all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"

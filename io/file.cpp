@@ -77,10 +77,19 @@ class Temporary {
   }
 
  private:
-  /// What a link points to: the link itself is kept.
-  static std::string target(const std::string& path) {
-    return std::filesystem::is_symlink(path) ? std::filesystem::canonical(path).string() : path;
+  /// The file that a link points to, which need not exist: the link itself is kept.
+  static std::string target(std::filesystem::path path) {
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++links) {
+      if (links == most_links) {
+        errno = ELOOP;
+        fail("cannot write " + path.string());
+      }
+      path = path.parent_path() / std::filesystem::read_symlink(path);  // an absolute one replaces it
+    }
+    return path.string();
   }
+  static constexpr int most_links = 40;  ///< as of the kernel
 
   /// mkstemp makes a private file; a file keeps its rights, a new one gets those the user asked for.
   [[nodiscard]] mode_t rights() const {
@@ -103,10 +112,42 @@ bool is_special(const std::string& path) {
          !std::filesystem::is_directory(status);
 }
 
+constexpr int patience_of_pipe = 5;  ///< s
+
+/// Opens a pipe for writing when a program reads it: a blocking open() has no limit.
+int opened_pipe(const std::string& path) {
+  constexpr int slice = 20'000;  // us
+  for (int waited = 0; waited < 1'000'000 * patience_of_pipe; waited += slice) {
+    const int pipe = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (pipe >= 0) fcntl(pipe, F_SETFL, 0);
+    if (pipe >= 0 || errno != ENXIO) return pipe;
+    usleep(slice);
+  }
+  throw std::system_error(ENXIO, std::generic_category(),
+                          "cannot write " + path + ": no program reads this pipe within " +
+                              std::to_string(patience_of_pipe) + " s");
+}
+
 void write_directly(const Output& file) {
-  const Handle handle(file.path == "-" ? dup(STDOUT_FILENO) : open(file.path.c_str(), O_WRONLY));
+  const Handle handle(file.path == "-"                            ? dup(STDOUT_FILENO)
+                      : std::filesystem::is_fifo(file.path) ? opened_pipe(file.path)
+                                                            : open(file.path.c_str(), O_WRONLY));
   if (handle.number < 0) fail("cannot write " + file.path);
   write_all(handle.number, file);
+}
+
+/// Whether both names lead to one file.
+bool is_same(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const auto one = std::filesystem::weakly_canonical(a, error);
+  if (error) return a == b;
+  const auto other = std::filesystem::weakly_canonical(b, error);
+  return error ? a == b : one == other;
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none);
 }
 
 }  // namespace
@@ -114,8 +155,6 @@ void write_directly(const Output& file) {
 namespace {
 
 constexpr std::size_t most_of_device = std::size_t{1} << 28;  ///< bytes; it may have no end
-
-constexpr int patience_of_pipe = 5;  ///< s
 
 [[noreturn]] void fail_to_read(const std::string& path, int cause) {
   throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
@@ -147,8 +186,9 @@ void wait_for_writer(int pipe, const std::string& path) {
 
 /// To be read from its start to its end.
 Handle opened(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail_to_read(path, EISDIR);
-  const bool pipe = std::filesystem::is_fifo(path);
+  if (is_folder(path)) fail_to_read(path, EISDIR);
+  std::error_code none;
+  const bool pipe = std::filesystem::is_fifo(path, none);
   Handle file(open(path.c_str(), O_RDONLY | O_CLOEXEC | (pipe ? O_NONBLOCK : 0)));
   if (file.number < 0) fail_to_read(path, errno);
   if (pipe) {
@@ -240,13 +280,12 @@ void write_files(const std::vector<Output>& files) {
     if (!is_special(file.path)) require_not_read(file.path, "output");
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      if (std::filesystem::weakly_canonical(files[i].path) ==
-          std::filesystem::weakly_canonical(files[k].path))
+      if (is_same(files[i].path, files[k].path))
         throw InputError("output", files[i].path, "two outputs need two names");
   std::vector<Temporary> written;
   for (const Output& file : files)
     if (file.path != "-" && !is_special(file.path)) {
-      if (std::filesystem::is_directory(file.path)) {
+      if (is_folder(file.path)) {
         errno = EISDIR;
         fail("cannot write " + file.path);
       }

@@ -116,6 +116,8 @@ class Reader {
 
   void read_header() {
     const std::string_view line(begin_, static_cast<std::size_t>(line_end_ - begin_));
+    if (const auto cr = line.find('\r'); cr != line.npos && cr + 1 < line.size())
+      fail("header", line.substr(0, cr), "ends with a carriage return alone: save the file with line ends LF or CRLF");
     separator_ = noted_                          ? *noted_
                  : line.find(';') != line.npos   ? ';'
                  : line.find('\t') != line.npos ? '\t'

@@ -950,6 +950,23 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
   EXPECT_THAT(page, Not(HasSubstr("<script")));
 }
 
+// A full disk behind `> file` was exit status 0, with half of the text or none.
+TEST_F(Cli, TextThatCannotBeWrittenIsAFault) {
+  for (const char* verb : {"check ", "check --json ", "validate ", "diff " }) {
+    const std::string file = verb == std::string("diff ") ? cam + " " + cam : cam;
+    const Result full = run(verb + file + " > /dev/full");
+    EXPECT_EQ(full.status, 3) << verb;
+    EXPECT_THAT(full.err, HasSubstr("No space left on device")) << verb;
+  }
+}
+
+TEST_F(Cli, AClosedStandardOutputDiscards) {
+  EXPECT_EQ(run("design " + cam + " -o table.csv >&-").status, run("check " + cam).status);
+  const std::string table = slurp(folder / "table.csv");
+  EXPECT_THAT(table, StartsWith("# jounce table 1\n"));
+  EXPECT_THAT(table, Not(HasSubstr("certified")));
+}
+
 TEST_F(Cli, AMissingRendererIsAFaultOfTheMachineThatNamesIt) {
   const Result result =
       run("laws > /dev/null; PATH=/nowhere " JOUNCE_EXE " plot " + cam + " -o cam.png");
@@ -1275,6 +1292,9 @@ TEST_F(Cli, TakesOneOfTheCamsOfADeclaration) {
   EXPECT_EQ(asked.status, 2);
   EXPECT_EQ(asked.err,
             "jounce: --axis: is missing: this verb works with one axis, both.st has Cam, Other\n");
+  write("same.st", slurp(folder / "A.st") + slurp(folder / "B.st"));
+  EXPECT_EQ(run("convert same.st c.xyva --axis Cam").err,
+            "jounce: --axis = Cam: is the name of 2 cams in same.st: rename one of them\n");
   EXPECT_EQ(run("convert both.st c.xyva --axis Other").status, 0);
   EXPECT_EQ(run("diff c.xyva A.csv").status, 0);
   EXPECT_EQ(run("check both.st").status, 0);

@@ -87,6 +87,44 @@ TEST_F(Files, APipeIsReadToTheEndOfItsWriter) {
   EXPECT_EQ(status, 0);
 }
 
+/// Why it cannot be written.
+std::string fault_of(const std::string& path) {
+  try {
+    write_file(path, "text");
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Files, APipeWithoutAReaderIsAFault) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(fault_of(in("pipe")), HasSubstr("no program reads this pipe within 5 s"));
+}
+
+TEST_F(Files, ALinkIsWrittenThroughAlsoToNothing) {
+  std::filesystem::create_symlink("there", in("link"));
+  std::filesystem::create_symlink("link", in("second"));
+  write_file(in("second"), "text");
+  EXPECT_EQ(read_file(in("there")), "text");
+  EXPECT_TRUE(std::filesystem::is_symlink(in("second")));
+  std::filesystem::create_symlink("none/there", in("broken"));
+  EXPECT_THAT(fault_of(in("broken")), HasSubstr("none/there: No such file or directory"));
+}
+
+TEST_F(Files, ALinkToItselfAndANameTooLongAreNamed) {
+  std::filesystem::create_symlink("b", in("a"));
+  std::filesystem::create_symlink("a", in("b"));
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }),
+              HasSubstr("a: cannot be read: Too many levels of symbolic links"));
+  EXPECT_THAT(fault_of(in("a")), HasSubstr("cannot write "));
+  EXPECT_THAT(fault_of(in("a")), HasSubstr("Too many levels of symbolic links"));
+  const std::string name(300, 'a');
+  EXPECT_THAT(why([&] { (void)read_file(in(name.c_str())); }), HasSubstr("cannot be read: File name too long"));
+  EXPECT_THAT(fault_of(in(name.c_str())), HasSubstr("cannot write "));
+  EXPECT_EQ(files(), 2U);
+}
+
 // As `check /dev/stdin` and `check <(...)` have it: a pipe without a name, whose writer may be gone already.
 TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
   int ends[2];
@@ -107,7 +145,7 @@ TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
     const KeptInputs inputs;
     (void)read_file(in("points.csv"));
     for (const char* name : {"points.csv", "link.csv"})
-      EXPECT_THAT(why([&] { write_file(in(name), "made"); }),
+      EXPECT_THAT(why([&] { write_file(in(name.c_str()), "made"); }),
                   HasSubstr(std::string(name) + ": is also an input"));
     EXPECT_THAT(why([&] {
                   write_files({{in("new.csv"), ""}, {in("points.csv"), ""}});

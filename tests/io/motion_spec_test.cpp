@@ -749,6 +749,15 @@ TEST(Table, PiecesAsShortAsTheRoundingOfTheirPlaceAreTakenAlong) {
       "jounce = 1\nkind = \"pt\"\nunits = { position = \"mm\", time = \"s\" }\n"
       "point = [{ time = 1e12, position = 1 }, { time = 1000000000001, position = 2 }]\n[pt]\n");
   EXPECT_EQ(far.sampled.table.end(), 1000000000001);
+  const Made sudden = made(
+      "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nprofile = \"s_curve\"\n"
+      "to = 100\nvelocity = 500\nacceleration = 5000\njerk = 9e15\n");  // ramps of 0.56 ps
+  EXPECT_LE(sudden.sampled.error.position, 1e-7);
+  const Made near = made(
+      "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\nknot = [{ time = 0, position = 0, velocity = 0 }, "
+      "{ time = 1, position = 1, velocity = 0 }, { time = 1.0000000000001, position = 1, velocity = 0 }, "
+      "{ time = 2, position = 3, velocity = 0 }]\n");
+  EXPECT_EQ(near.sampled.table.size(), 4U);
 }
 
 /// Pick and place of two axes, with these lines between.

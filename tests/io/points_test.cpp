@@ -52,6 +52,9 @@ TEST(Points, NameWhatIsWrongAndWhere) {
             "p.csv:1: header = 0: must name the columns, with units: time [s], position [mm]");
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
             "p.csv:1: time = time [s: needs a closing bracket after its unit");
+  EXPECT_EQ(complaint("time [s],position [mm]\r0,1\r1,2\r"),
+            "p.csv:1: header = time [s],position [mm]: ends with a carriage return alone: save the file with "
+            "line ends LF or CRLF");
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
   EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: occurs twice");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
