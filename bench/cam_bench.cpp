@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a cam costs at random master positions, and what it costs to certify one, beside its peers in
 // the same run. Boost is Debian's libboost-dev, GSL its libgsl-dev; each is measured where it is found.
 //   build/release/bench/bench_cam --benchmark_repetitions=9 --benchmark_report_aggregates_only
@@ -9,9 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 #ifdef JOUNCE_BENCH_BOOST
@@ -51,8 +52,8 @@ Columns knots(std::size_t n, Spacing spacing) {
   return columns;
 }
 
-Table table(std::size_t n, Spacing spacing, Outside outside = Outside::wrap) {
-  return {Axis::master, Rule::quintic_hermite, outside, knots(n, spacing)};
+Table table(std::size_t n, Spacing spacing, Extrapolation outside = Extrapolation::wrap) {
+  return {Domain::master, Interpolation::quintic_hermite, outside, knots(n, spacing)};
 }
 
 std::vector<double> positions(Order order, double from = 0, double to = turn) {

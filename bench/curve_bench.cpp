@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What moves, samples and witnesses cost; cams in cam_bench.cpp. Run: build/release/bench/bench_jounce --benchmark_repetitions=9
 // Results: docs/performance.md.
 #include <cstdint>
@@ -5,11 +6,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/optimize/optimize.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 #include "jounce/validate/witness.hpp"
 
@@ -70,7 +71,8 @@ BENCHMARK(solve_trapezoid);
 
 void table_within_a_millionth(benchmark::State& state) {
   const Cam cycloid(normalised(Law::inclined_sine));
-  for (auto _ : state) benchmark::DoNotOptimize(sample_within(cycloid, Rule::cubic_hermite, 1e-6));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(sample_within(cycloid, Interpolation::cubic_hermite, 1e-6));
 }
 BENCHMARK(table_within_a_millionth)->Unit(benchmark::kMillisecond);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drive model: cost of a second of motion. Times are of this machine; compare within one run.
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/validate/drive.hpp"
 #include "jounce/validate/linear_drive.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce::bench {

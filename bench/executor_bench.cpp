@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a step of an axis costs, by what it does in it.
 //   build/release/bench/bench_executor --benchmark_repetitions=5
 // Results: docs/executor/axis.md. The paths run at full speed, and at half of it by an override.
@@ -37,8 +38,8 @@ std::shared_ptr<const Table> turning() {
   c.p.back() = c.p.front();
   c.v.back() = c.v.front() = 0;
   c.a.back() = c.a.front();
-  return std::make_shared<const Table>(jounce::Axis::time, Rule::quintic_hermite, Outside::wrap,
-                                       std::move(c));
+  return std::make_shared<const Table>(jounce::Axis::time, Interpolation::quintic_hermite,
+                                       Extrapolation::wrap, std::move(c));
 }
 
 void run(benchmark::State& state, MotionAxis& axis, std::int64_t tick) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The velocities of a C2 cubic spline, and the other fillings, beside GSL's and Boost's: what it takes
 // to build one through n knots at uneven distances.
 #include <cmath>
@@ -12,8 +13,8 @@
 #include <gsl/gsl_interp.h>
 #endif
 #ifdef JOUNCE_BENCH_BOOST
-#include <math.h>  // Boost 1.74's pchip.hpp says isnan without std::
 #include <boost/math/interpolators/pchip.hpp>
+#include <math.h>  // Boost 1.74's pchip.hpp says isnan without std::
 #endif
 
 using namespace jounce;
@@ -49,7 +50,7 @@ void velocities(benchmark::State& state, Filling ends) {
   report(state);
 }
 
-void fill(benchmark::State& state, Filling filling, Rule rule) {
+void fill(benchmark::State& state, Filling filling, Interpolation rule) {
   const Data all = data(static_cast<std::size_t>(state.range(0)));
   FillSpec spec{.x = all.x, .p = all.p, .rule = rule, .filling = filling};
   spec.limits = {.velocity = 0.2, .acceleration = 0.3};
@@ -85,11 +86,12 @@ BENCHMARK(gsl_cspline_periodic)->Arg(1000000);
 BENCHMARK(gsl_steffen)->Arg(1000000);
 #endif
 
-BENCHMARK_CAPTURE(fill, natural, Filling::natural, Rule::cubic_hermite)->Arg(1000000);
-BENCHMARK_CAPTURE(fill, monotone, Filling::monotone, Rule::cubic_hermite)->Arg(1000000);
-BENCHMARK_CAPTURE(fill, shape, Filling::shape_preserving, Rule::cubic_hermite)->Arg(1000000);
-BENCHMARK_CAPTURE(fill, limits, Filling::within_limits, Rule::cubic_hermite)->Arg(1000000);
-BENCHMARK_CAPTURE(fill, jerk, Filling::minimum_jerk, Rule::quintic_hermite)->Arg(1000000);
+BENCHMARK_CAPTURE(fill, natural, Filling::natural, Interpolation::cubic_hermite)->Arg(1000000);
+BENCHMARK_CAPTURE(fill, monotone, Filling::monotone, Interpolation::cubic_hermite)->Arg(1000000);
+BENCHMARK_CAPTURE(fill, shape, Filling::shape_preserving, Interpolation::cubic_hermite)
+    ->Arg(1000000);
+BENCHMARK_CAPTURE(fill, limits, Filling::within_limits, Interpolation::cubic_hermite)->Arg(1000000);
+BENCHMARK_CAPTURE(fill, jerk, Filling::minimum_jerk, Interpolation::quintic_hermite)->Arg(1000000);
 
 #ifdef JOUNCE_BENCH_BOOST
 void boost_pchip(benchmark::State& state) {

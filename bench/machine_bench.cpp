@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 64 axes in one cycle: what a cycle computes, all axes playing. A cycle of 1 kHz has 1000 us.
 #include <algorithm>
 #include <chrono>
@@ -51,8 +52,8 @@ std::shared_ptr<const Table> table() {
     columns.p.push_back(100 * s * s * (1 - s) * (1 - s) * 16);
     columns.v.push_back(100 * 16 * 2 * s * (1 - s) * (1 - 2 * s));
   }
-  return std::make_shared<const Table>(Axis::time, Rule::cubic_hermite, Outside::wrap,
-                                       std::move(columns));
+  return std::make_shared<const Table>(Domain::time, Interpolation::cubic_hermite,
+                                       Extrapolation::wrap, std::move(columns));
 }
 
 void cycle(benchmark::State& state) {

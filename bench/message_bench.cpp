@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a message of the stream costs: encoding and decoding a full chunk, with and without a key, and
 // its two checks alone.
 #include <numeric>
@@ -5,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
 
 namespace {
 

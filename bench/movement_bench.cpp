@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an axis plays, and what it follows: ns a cycle of 1 ms, without the axis.
 #include <cmath>
 #include <memory>
@@ -15,7 +16,8 @@ namespace {
 using namespace jounce;
 
 std::shared_ptr<const Table> cam() {
-  return std::make_shared<const Table>(Axis::master, Rule::quintic_hermite, Outside::wrap,
+  return std::make_shared<const Table>(Domain::master, Interpolation::quintic_hermite,
+                                       Extrapolation::wrap,
                                        Columns{{0, 75, 200, 280, 360},
                                                {0, 100, 225, 100, 0},
                                                {0, 1, 1, 0.01739120485, 0},
@@ -23,7 +25,8 @@ std::shared_ptr<const Table> cam() {
 }
 
 std::shared_ptr<const Table> to_and_fro() {
-  return std::make_shared<const Table>(Axis::time, Rule::quintic_hermite, Outside::wrap,
+  return std::make_shared<const Table>(Domain::time, Interpolation::quintic_hermite,
+                                       Extrapolation::wrap,
                                        Columns{{0, 1, 2}, {0, 50, 0}, {0, 0, 0}, {0, 0, 0}});
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a cycle of an OnlineGenerator costs: while nothing changes, while every target is set again, and
 // where all axes are planned again.
 //   build/release/bench/bench_online --benchmark_repetitions=9 --benchmark_report_aggregates_only
@@ -5,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/profiles/online.hpp"
+#include "jounce/profiles/online/online.hpp"
 
 namespace {
 

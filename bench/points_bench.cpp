@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSV points: bytes a second, beside std::from_chars over the same cells.
 #include <charconv>
 #include <cmath>

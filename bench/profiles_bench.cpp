@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What time generators cost, beside their peers in the same run. KDL is Debian's liborocos-kdl;
 // Ruckig is measured where find_package finds one.
 //   build/release/bench/bench_profiles --benchmark_repetitions=9 --benchmark_report_aggregates_only
@@ -13,11 +14,11 @@
 #include <benchmark/benchmark.h>
 #include <kdl/velocityprofile_trap.hpp>
 
-#include "jounce/profiles/batch.hpp"
-#include "jounce/profiles/jounce.hpp"
-#include "jounce/profiles/query.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/moves/batch.hpp"
+#include "jounce/profiles/moves/fourth_order.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #ifdef JOUNCE_BENCH_RUCKIG
 #include <ruckig/ruckig.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a table costs: in blocks, query by query, checked and built, beside GSL and Boost in the same run
 // (Debian's libgsl-dev and libboost-dev; each is measured where it is found).
 //   build/release/bench/bench_pvt --benchmark_repetitions=11 --benchmark_report_aggregates_only=true
@@ -16,8 +17,9 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/pvt/cursor.hpp"
-#include "jounce/pvt/detail/sample_kernel.hpp"
 #include "jounce/pvt/table.hpp"
+
+#include "pvt/src/table/sample_kernel.hpp"
 
 #ifdef JOUNCE_BENCH_BOOST
 #include <boost/math/interpolators/cubic_hermite.hpp>
@@ -35,8 +37,8 @@ using State = benchmark::State;
 enum Order { ascending, random_order };
 
 /// n intervals that differ in length up to 1:9, between random values; v and a as the rule needs.
-const Columns& knots(std::size_t n, Rule rule) {
-  static std::map<std::pair<std::size_t, Rule>, Columns> all;
+const Columns& knots(std::size_t n, Interpolation rule) {
+  static std::map<std::pair<std::size_t, Interpolation>, Columns> all;
   Columns& columns = all[{n, rule}];
   if (!columns.x.empty()) return columns;
   std::mt19937_64 engine(7);
@@ -46,14 +48,14 @@ const Columns& knots(std::size_t n, Rule rule) {
   for (std::size_t i = 0; i <= n; ++i, x += length(engine)) {
     columns.x.push_back(x);
     columns.p.push_back(value(engine));
-    if (rule != Rule::linear) columns.v.push_back(value(engine));
-    if (rule == Rule::quintic_hermite) columns.a.push_back(value(engine));
+    if (rule != Interpolation::linear) columns.v.push_back(value(engine));
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(value(engine));
   }
   return columns;
 }
 
-Table table(std::size_t n, Rule rule) {
-  return {Axis::time, rule, Outside::hold, knots(n, rule)};
+Table table(std::size_t n, Interpolation rule) {
+  return {Domain::time, rule, Extrapolation::hold, knots(n, rule)};
 }
 
 std::vector<double> positions(const Columns& columns, std::size_t n, Order order) {
@@ -122,7 +124,7 @@ void stores(State& state) {
 }
 BENCHMARK(stores)->Arg(960)->Arg(16000)->Arg(4000000);
 
-void block(State& state, Rule rule) {
+void block(State& state, Interpolation rule) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const Table f = table(n / 64, rule);
   const auto x = positions(f.columns(), n, ascending);
@@ -133,11 +135,11 @@ void block(State& state, Rule rule) {
   }
   count(state, n);
 }
-BENCHMARK_CAPTURE(block, linear, Rule::linear)->Arg(16000);
-BENCHMARK_CAPTURE(block, cubic, Rule::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
-BENCHMARK_CAPTURE(block, quintic, Rule::quintic_hermite)->Arg(960)->Arg(16000);
+BENCHMARK_CAPTURE(block, linear, Interpolation::linear)->Arg(16000);
+BENCHMARK_CAPTURE(block, cubic, Interpolation::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
+BENCHMARK_CAPTURE(block, quintic, Interpolation::quintic_hermite)->Arg(960)->Arg(16000);
 
-void grid(State& state, Rule rule) {
+void grid(State& state, Interpolation rule) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const Table f = table(n / 64, rule);
   const Grid at{0, f.end() / static_cast<double>(n)};
@@ -148,14 +150,14 @@ void grid(State& state, Rule rule) {
   }
   count(state, n);
 }
-BENCHMARK_CAPTURE(grid, linear, Rule::linear)->Arg(16000);
-BENCHMARK_CAPTURE(grid, cubic, Rule::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
-BENCHMARK_CAPTURE(grid, quintic, Rule::quintic_hermite)->Arg(960)->Arg(16000);
+BENCHMARK_CAPTURE(grid, linear, Interpolation::linear)->Arg(16000);
+BENCHMARK_CAPTURE(grid, cubic, Interpolation::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
+BENCHMARK_CAPTURE(grid, quintic, Interpolation::quintic_hermite)->Arg(960)->Arg(16000);
 
 void kernel(State& state, const detail::SampleKernels& kernels, bool supported = true) {
   if (!supported) return state.SkipWithError("the processor does not have these vectors");
   const std::size_t n = 16000;
-  const Table f = table(n / 64, Rule::cubic_hermite);
+  const Table f = table(n / 64, Interpolation::cubic_hermite);
   Results out(n);
   for (auto _ : state) {
     kernels.uniform(detail::knots_of(f.columns()), f.rule(), {0, f.end() / n}, 0, n, out.columns());
@@ -182,29 +184,29 @@ void at_each(State& state, const std::vector<double>& x, Evaluate evaluate) {
   }
 }
 
-void single(State& state, Rule rule, Order order) {
+void single(State& state, Interpolation rule, Order order) {
   const Table f = table(static_cast<std::size_t>(state.range(0)), rule);
   at_each(state, positions(f.columns(), queries, order), [&](double x) { return f.jet(x); });
 }
-BENCHMARK_CAPTURE(single, cubic_ascending, Rule::cubic_hermite, ascending)
+BENCHMARK_CAPTURE(single, cubic_ascending, Interpolation::cubic_hermite, ascending)
     ->Arg(1000)
     ->Arg(1'000'000);
-BENCHMARK_CAPTURE(single, cubic_random, Rule::cubic_hermite, random_order)
+BENCHMARK_CAPTURE(single, cubic_random, Interpolation::cubic_hermite, random_order)
     ->Arg(1000)
     ->Arg(1'000'000);
-BENCHMARK_CAPTURE(single, quintic_ascending, Rule::quintic_hermite, ascending)->Arg(1000);
-BENCHMARK_CAPTURE(single, quintic_random, Rule::quintic_hermite, random_order)
+BENCHMARK_CAPTURE(single, quintic_ascending, Interpolation::quintic_hermite, ascending)->Arg(1000);
+BENCHMARK_CAPTURE(single, quintic_random, Interpolation::quintic_hermite, random_order)
     ->Arg(1000)
     ->Arg(1'000'000);
 
 /// The same through a cursor: 64 queries an interval and more at 1000 of them.
-void cursor(State& state, Rule rule) {
+void cursor(State& state, Interpolation rule) {
   const Table f = table(static_cast<std::size_t>(state.range(0)), rule);
   Cursor near(f);
   at_each(state, positions(f.columns(), queries, ascending), [&](double x) { return near.jet(x); });
 }
-BENCHMARK_CAPTURE(cursor, cubic, Rule::cubic_hermite)->Arg(1000)->Arg(1'000'000);
-BENCHMARK_CAPTURE(cursor, quintic, Rule::quintic_hermite)->Arg(1000);
+BENCHMARK_CAPTURE(cursor, cubic, Interpolation::cubic_hermite)->Arg(1000)->Arg(1'000'000);
+BENCHMARK_CAPTURE(cursor, quintic, Interpolation::quintic_hermite)->Arg(1000);
 
 // ---- the peers -------------------------------------------------------------------------------------
 
@@ -231,7 +233,7 @@ struct Gsl {
 
 void gsl_block(State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
-  const Columns& columns = knots(n / 64, Rule::cubic_hermite);
+  const Columns& columns = knots(n / 64, Interpolation::cubic_hermite);
   const Gsl f(columns);
   const auto x = positions(columns, n, ascending);
   Results out(n);
@@ -249,7 +251,8 @@ void gsl_block(State& state) {
 BENCHMARK(gsl_block)->Arg(960)->Arg(16000);
 
 void gsl_single(State& state, Order order) {
-  const Columns& columns = knots(static_cast<std::size_t>(state.range(0)), Rule::cubic_hermite);
+  const Columns& columns =
+      knots(static_cast<std::size_t>(state.range(0)), Interpolation::cubic_hermite);
   const Gsl f(columns);
   at_each(state, positions(columns, queries, order), [&](double x) { return f(x); });
 }
@@ -257,7 +260,7 @@ BENCHMARK_CAPTURE(gsl_single, ascending, ascending)->Arg(1000)->Arg(1'000'000);
 BENCHMARK_CAPTURE(gsl_single, random, random_order)->Arg(1000)->Arg(1'000'000);
 
 void gsl_build(State& state) {
-  const Columns& columns = knots(1'000'000, Rule::cubic_hermite);
+  const Columns& columns = knots(1'000'000, Interpolation::cubic_hermite);
   for (auto _ : state) {
     const Gsl f(columns);
     benchmark::DoNotOptimize(f.f);
@@ -268,8 +271,8 @@ BENCHMARK(gsl_build)->Unit(benchmark::kMillisecond);
 
 #ifdef JOUNCE_BENCH_BOOST
 void boost_cubic(State& state, Order order) {
-  auto [x, p, v, a] = knots(static_cast<std::size_t>(state.range(0)), Rule::cubic_hermite);
-  const auto at = positions(knots(x.size() - 1, Rule::cubic_hermite), queries, order);
+  auto [x, p, v, a] = knots(static_cast<std::size_t>(state.range(0)), Interpolation::cubic_hermite);
+  const auto at = positions(knots(x.size() - 1, Interpolation::cubic_hermite), queries, order);
   const boost::math::interpolators::cubic_hermite<std::vector<double>> f(std::move(x), std::move(p),
                                                                          std::move(v));
   at_each(state, at, [&](double u) {
@@ -280,8 +283,9 @@ BENCHMARK_CAPTURE(boost_cubic, ascending, ascending)->Arg(1000);
 BENCHMARK_CAPTURE(boost_cubic, random, random_order)->Arg(1000)->Arg(1'000'000);
 
 void boost_quintic(State& state, Order order) {
-  auto [x, p, v, a] = knots(static_cast<std::size_t>(state.range(0)), Rule::quintic_hermite);
-  const auto at = positions(knots(x.size() - 1, Rule::quintic_hermite), queries, order);
+  auto [x, p, v, a] =
+      knots(static_cast<std::size_t>(state.range(0)), Interpolation::quintic_hermite);
+  const auto at = positions(knots(x.size() - 1, Interpolation::quintic_hermite), queries, order);
   const boost::math::interpolators::quintic_hermite<std::vector<double>> f(
       std::move(x), std::move(p), std::move(v), std::move(a));
   at_each(state, at, [&](double u) { return std::array{f(u), f.prime(u), f.double_prime(u)}; });
@@ -293,7 +297,7 @@ BENCHMARK_CAPTURE(boost_quintic, random, random_order)->Arg(1000)->Arg(1'000'000
 // ---- checking: no peer does ----------------------------------------------------------------------
 
 /// A million intervals of a motion that swings at many frequencies, as a controller records one.
-Table recorded(Rule rule) {
+Table recorded(Interpolation rule) {
   Columns columns;
   constexpr std::size_t n = 1'000'000;
   constexpr double tau = 6.283185307179586;
@@ -307,34 +311,34 @@ Table recorded(Rule rule) {
     }
     columns.x.push_back(x);
     columns.p.push_back(f[0]);
-    if (rule != Rule::linear) columns.v.push_back(f[1]);
-    if (rule == Rule::quintic_hermite) columns.a.push_back(f[2]);
+    if (rule != Interpolation::linear) columns.v.push_back(f[1]);
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(f[2]);
   }
-  return {Axis::time, rule, Outside::hold, std::move(columns)};
+  return {Domain::time, rule, Extrapolation::hold, std::move(columns)};
 }
 
 /// Positions at random, velocities too: every interval swings as it likes.
-Table wild(Rule rule) {
+Table wild(Interpolation rule) {
   return table(1'000'000, rule);
 }
 
-void extrema_of_a_million(State& state, Table (*make)(Rule), Rule rule) {
+void extrema_of_a_million(State& state, Table (*make)(Interpolation), Interpolation rule) {
   const Table f = make(rule);
   for (auto _ : state) benchmark::DoNotOptimize(extrema(f));
 }
-BENCHMARK_CAPTURE(extrema_of_a_million, recorded_linear, recorded, Rule::linear)
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_linear, recorded, Interpolation::linear)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(extrema_of_a_million, recorded_cubic, recorded, Rule::cubic_hermite)
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_cubic, recorded, Interpolation::cubic_hermite)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(extrema_of_a_million, recorded_quintic, recorded, Rule::quintic_hermite)
+BENCHMARK_CAPTURE(extrema_of_a_million, recorded_quintic, recorded, Interpolation::quintic_hermite)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(extrema_of_a_million, wild_cubic, wild, Rule::cubic_hermite)
+BENCHMARK_CAPTURE(extrema_of_a_million, wild_cubic, wild, Interpolation::cubic_hermite)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(extrema_of_a_million, wild_quintic, wild, Rule::quintic_hermite)
+BENCHMARK_CAPTURE(extrema_of_a_million, wild_quintic, wild, Interpolation::quintic_hermite)
     ->Unit(benchmark::kMillisecond);
 
 /// Limits on everything, which it keeps.
-void verdict_on_a_million(State& state, Table (*make)(Rule), Rule rule) {
+void verdict_on_a_million(State& state, Table (*make)(Interpolation), Interpolation rule) {
   const Table f = make(rule);
   const Limits limits{.position_min = -1e6,
                       .position_max = 1e6,
@@ -343,20 +347,20 @@ void verdict_on_a_million(State& state, Table (*make)(Rule), Rule rule) {
                       .jerk = 1e12};
   for (auto _ : state) benchmark::DoNotOptimize(check(f, limits));
 }
-BENCHMARK_CAPTURE(verdict_on_a_million, recorded_cubic, recorded, Rule::cubic_hermite)
+BENCHMARK_CAPTURE(verdict_on_a_million, recorded_cubic, recorded, Interpolation::cubic_hermite)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(verdict_on_a_million, recorded_quintic, recorded, Rule::quintic_hermite)
+BENCHMARK_CAPTURE(verdict_on_a_million, recorded_quintic, recorded, Interpolation::quintic_hermite)
     ->Unit(benchmark::kMillisecond);
 
 void continuity_of_a_million(State& state) {
-  const Table f = recorded(Rule::cubic_hermite);
+  const Table f = recorded(Interpolation::cubic_hermite);
   for (auto _ : state) benchmark::DoNotOptimize(check_continuity(f, 1));
 }
 BENCHMARK(continuity_of_a_million)->Unit(benchmark::kMillisecond);
 
 /// The way of a curve: made of the table, then every segment searched.
 void verdict_through_a_curve(State& state) {
-  const Table f = recorded(Rule::cubic_hermite);
+  const Table f = recorded(Interpolation::cubic_hermite);
   const Limits limits{.position_min = -1e6,
                       .position_max = 1e6,
                       .velocity = 1e6,
@@ -370,9 +374,10 @@ BENCHMARK(verdict_through_a_curve)->Unit(benchmark::kMillisecond);
 
 /// The columns copied, every value looked at, the index made.
 void build(State& state) {
-  const Columns& columns = knots(1'000'000, Rule::cubic_hermite);
+  const Columns& columns = knots(1'000'000, Interpolation::cubic_hermite);
   for (auto _ : state)
-    benchmark::DoNotOptimize(Table(Axis::time, Rule::cubic_hermite, Outside::hold, columns));
+    benchmark::DoNotOptimize(
+        Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold, columns));
 }
 BENCHMARK(build)->Unit(benchmark::kMillisecond);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a transfer costs, beside a sender that takes no care: over UDP multicast, two processes, the
 // default socket buffer. To be run in a network namespace of its own: scripts/stream_speed.
 //
@@ -21,10 +22,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "jounce/stream/assembly.hpp"
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/open_transport.hpp"
-#include "jounce/stream/stream_plan.hpp"
+#include "jounce/stream/receiver/assembly.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 namespace {
 
@@ -38,16 +39,16 @@ double seconds(Nanos time) {
   return std::chrono::duration<double>(time).count();
 }
 
-Table sine(std::size_t knots, Rule rule) {
+Table sine(std::size_t knots, Interpolation rule) {
   Columns columns;
   for (std::size_t i = 0; i < knots; ++i) {
     const double t = 1e-3 * static_cast<double>(i);
     columns.x.push_back(t);
     columns.p.push_back(std::sin(t));
-    if (rule != Rule::linear) columns.v.push_back(std::cos(t));
-    if (rule == Rule::quintic_hermite) columns.a.push_back(-std::sin(t));
+    if (rule != Interpolation::linear) columns.v.push_back(std::cos(t));
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(-std::sin(t));
   }
-  return Table(Axis::time, rule, Outside::hold, std::move(columns));
+  return Table(Domain::time, rule, Extrapolation::hold, std::move(columns));
 }
 
 /// A process of its own with a pipe from it and one to it, which ends it.
@@ -239,6 +240,7 @@ int main(int count, char** arguments) {
   mallopt(M_MMAP_THRESHOLD, 1 << 17);
   const std::size_t knots = count > 1 ? std::stoul(arguments[1]) : 1'000'000;
   const int rounds = count > 2 ? std::stoi(arguments[2]) : 7;
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     run(name(rule), sine(knots, rule), rounds);
 }

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Finds LCM (lightweight communications and marshalling) and its type compiler: target LCM::LCM,
 # program LCM_GEN. Debian's 1.3.1 brings no CMake files, and its pkg-config file asks for GLib's
 # development files, which LCM's headers do not need.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # jounce_precompile(TARGET header ...): parses them, and what is common of the standard library, once
 # for all files of TARGET. jounce_precompile(TARGET REUSE other): as parsed for `other`, where both
 # have the same flags. jounce_parsed(NAME header ...): a target jounce_parsed_NAME to reuse.

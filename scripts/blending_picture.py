@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/pictures/blending.svg: how the buffer modes pass the first target, over position.
 
 usage: blending_picture.py > docs/pictures/blending.svg

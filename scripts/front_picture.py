@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/pictures/front.svg: peak acceleration against peak jerk of the laws, and the front none can pass.
 
 usage: front_picture.py > docs/pictures/front.svg

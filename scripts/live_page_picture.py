@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Draws docs/pictures/live-page.png and live-page-dark.png: a label behind an external master, on the live page.
 
 usage: live_page_picture.py [JOUNCE [CHROMIUM]]

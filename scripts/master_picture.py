@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/pictures/encoder-master.svg: the velocity of a master by differences and by the filter.
 
 usage: master_picture.py > docs/pictures/encoder-master.svg
        master_picture.py --numbers        the table of docs/executor/masters.md
 
-An implementation of its own of what axis/tracker.cpp derives, (1) to (5); standard library alone.
+An implementation of its own of what axis/src/follow/tracker.cpp derives, (1) to (5); standard library alone.
 """
 import random
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A process that plays a CiA 402 drive in shared memory, for an executor in another one:
 //
 //     drive-shm NAME [SECONDS]

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // A jerk-limited move, its exact peaks, its limits, and the way back.
 #include <cmath>
 #include <cstdio>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cam of three segments, a table of it with a certified error, and the slave behind its master.
 #include <cstdio>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 using namespace jounce;
@@ -16,7 +17,7 @@ int main() {
   spec.periodic = true;
   const Cam cam = design(spec).cam;  // master in deg, slave in mm
 
-  const Sampled table = sample_within(cam, Rule::cubic_hermite, 1e-3);
+  const Sampled table = sample_within(cam, Interpolation::cubic_hermite, 1e-3);
   std::printf("%zu knots, at most %.3g mm from the cam\n", table.table.size(),
               table.error.position);
 

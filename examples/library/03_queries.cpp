@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries of a planner before a move: stopping distance, entry velocity, peak, time; one by one and many.
 #include <cstdio>
 #include <vector>
 
-#include "jounce/profiles/batch.hpp"
-#include "jounce/profiles/query.hpp"
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/moves/batch.hpp"
 
 using namespace jounce;
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stage that must not shake: the jounce limited too, and what that costs against an S-curve.
 #include <cstdio>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/jounce.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/fourth_order.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 

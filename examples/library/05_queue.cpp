@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two moves after each other, in every buffer mode; then a move that is aborted on its way.
 #include <cstdio>
 
-#include "jounce/profiles/queue.hpp"
+#include "jounce/profiles/sequences/queue.hpp"
 
 using namespace jounce;
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two axes through four points: stopping at each, and without stopping.
 #include <cstdio>
 
-#include "jounce/profiles/via.hpp"
+#include "jounce/profiles/sequences/via.hpp"
 
 using namespace jounce;
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // A feed hold and a resume on the path, two axes along one clock; then a uniform retiming.
 #include <cstdio>
 #include <vector>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/override.hpp"
-#include "jounce/profiles/retime.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/override.hpp"
+#include "jounce/profiles/sequences/retime.hpp"
 
 using namespace jounce;
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // Smoothing a trapezoid, and three ways to keep a load on a spring from swinging.
 #include <cstdio>
 #include <vector>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/moving_average.hpp"
-#include "jounce/profiles/notch.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/shaper.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/vibration/moving_average.hpp"
+#include "jounce/profiles/vibration/notch.hpp"
+#include "jounce/profiles/vibration/shaper.hpp"
 
 using namespace jounce;
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rotary table of 360 deg: which way to a target, also while it turns.
 #include <cstdio>
 #include <utility>
 
-#include "jounce/profiles/modulo.hpp"
+#include "jounce/profiles/curve/modulo.hpp"
 
 using namespace jounce;
 

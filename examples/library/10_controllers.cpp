@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same motion in the words of four controllers: each command compiled to an exact profile.
 #include <cstdio>
 
-#include "jounce/profiles/controllers/agito.hpp"
-#include "jounce/profiles/controllers/googol.hpp"
-#include "jounce/profiles/controllers/himc.hpp"
-#include "jounce/profiles/controllers/pmc600.hpp"
-#include "jounce/profiles/extrema.hpp"
+#include "jounce/controllers/agito/agito.hpp"
+#include "jounce/controllers/googol/googol.hpp"
+#include "jounce/controllers/himc/himc.hpp"
+#include "jounce/controllers/pmc600/pmc600.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 
 using namespace jounce;
 

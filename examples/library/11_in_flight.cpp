@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes while an axis moves: another target, a halt, one motion on top of another, no stop between.
 #include <array>
 #include <cstdio>
 
-#include "jounce/profiles/controllers/pmc600.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/controllers/pmc600/pmc600.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
 using namespace jounce;
 

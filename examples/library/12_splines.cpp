@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cam through points: splines, boundaries left free, points with a tolerance, B-splines, Bezier.
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "jounce/cam/b_spline.hpp"
-#include "jounce/cam/boundaries.hpp"
-#include "jounce/cam/smoothing_spline.hpp"
-#include "jounce/profiles/extrema.hpp"
+#include "jounce/cam/design/boundaries.hpp"
+#include "jounce/cam/laws/b_spline.hpp"
+#include "jounce/cam/laws/smoothing_spline.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 
 using namespace jounce;
 
@@ -15,7 +16,7 @@ int main() {
   table.ends = SplineEnds::periodic;
   for (const auto& [name, segments] :
        {std::pair{"cubic", cubic_spline(table)}, std::pair{"quintic", quintic_spline(table)}}) {
-    const Cam cam(segments, 0, Outside::wrap);
+    const Cam cam(segments, 0, Extrapolation::wrap);
     std::printf("%s: peak acceleration %.6f mm/deg^2, jerk jumps by %.6f mm/deg^3\n", name,
                 extrema(cam, 2).peak().value, std::abs(largest_jump(cam, 3).step));
   }

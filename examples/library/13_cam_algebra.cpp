@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cams made of cams, and the way back: which master position belongs to a slave position.
 #include <cstdio>
 
-#include "jounce/cam/algebra.hpp"
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/inverse.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/cam/algebra/algebra.hpp"
+#include "jounce/cam/algebra/inverse.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 using namespace jounce;
 
@@ -22,7 +23,7 @@ int main() {
 
   // A shake of 2 mm, three times in two turns: the sum repeats after two turns.
   const Cam rise({quintic(120, 0, 0, 0, 2, 0, 0)});
-  const Cam shake = with(concatenated(rise, reversed(rise)), Outside::wrap);
+  const Cam shake = with(concatenated(rise, reversed(rise)), Extrapolation::wrap);
   const Cam both = superimposed(cam, shake);
   std::printf("together: period %.4g deg, smooth: %s\n", both.length(),
               check_continuity(both, 2).ok() ? "yes" : "no");

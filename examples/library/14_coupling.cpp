@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slave that stands beside its cam is coupled to a master at speed, in every start mode.
 #include <cstdio>
 
-#include "jounce/cam/coupling_cycle.hpp"
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/coupling/coupling_cycle.hpp"
+#include "jounce/cam/design/design.hpp"
 
 using namespace jounce;
 

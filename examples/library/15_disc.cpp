@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mechanical cam: how steep, how sharp, how small can it be, and its contour.
 #include <cstdio>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/disc_contour.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/cam/disc/disc_contour.hpp"
 
 using namespace jounce;
 

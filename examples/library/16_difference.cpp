@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two versions of a cam: how far they differ and where, exactly, and which knot was touched.
 #include <cstdio>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/profiles/difference.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/difference.hpp"
 
 using namespace jounce;
 

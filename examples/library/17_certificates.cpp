@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quality of a cam: characteristic values, distance from the best possible, warnings,
 // and how fast its master may run.
 #include <cstdio>
 
-#include "jounce/cam/certificate.hpp"
-#include "jounce/cam/characteristics.hpp"
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/master_limits.hpp"
-#include "jounce/cam/warnings.hpp"
+#include "jounce/cam/coupling/master_limits.hpp"
+#include "jounce/cam/design/certificate.hpp"
+#include "jounce/cam/design/characteristics.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/cam/design/warnings.hpp"
 
 using namespace jounce;
 

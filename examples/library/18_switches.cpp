@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cam switches on a rotary master: every edge of a known motion, and the same tick by tick.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "jounce/cam/cam_switches.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/cam/switches/cam_switches.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 

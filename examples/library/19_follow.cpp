@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slave follows its master: the Googol manual's flying shear (7-6) as a plan and as tables, its
 // switch of tables (7-9) in two FIFOs, and its waiting for the master (7-7).
 #include <cstdio>
 #include <utility>
 
+#include "jounce/controllers/googol/googol_follow.hpp"
 #include "jounce/gear/follow_plan.hpp"
-#include "jounce/gear/googol_follow.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 

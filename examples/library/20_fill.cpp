@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // Times and positions become a table, its velocities filled in without overshoot or within limits.
 #include <cstdio>
 
-#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/pvt/fill.hpp"
 
 using namespace jounce;

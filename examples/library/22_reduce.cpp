@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same cam for four controllers: as few knots as do, in the numbers that they take.
 #include <cstdio>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/pvt/reduce.hpp"
 
 using namespace jounce;
@@ -17,11 +18,12 @@ int main() {
     std::printf("%s: %zu knots, at most %.3g pulses off, bound by %s\n", what, made.table.size(),
                 made.error.position, name(made.binding.value()));
   };
-  print("cubic", reduced(cam, {.rule = Rule::cubic_hermite, .tolerance = 1}));
-  print("lines", reduced(cam, {.rule = Rule::linear, .tolerance = 1}));
-  print("17 points", reduced(cam, {.rule = Rule::linear, .most = 17, .x_step = 1}));
+  print("cubic", reduced(cam, {.rule = Interpolation::cubic_hermite, .tolerance = 1}));
+  print("lines", reduced(cam, {.rule = Interpolation::linear, .tolerance = 1}));
+  print("17 points", reduced(cam, {.rule = Interpolation::linear, .most = 17, .x_step = 1}));
   print("counts",
-        reduced(cam, {.rule = Rule::cubic_hermite, .tolerance = 2, .x_step = 1, .p_step = 1}));
+        reduced(cam,
+                {.rule = Interpolation::cubic_hermite, .tolerance = 2, .x_step = 1, .p_step = 1}));
 }
 
 // > cubic: 19 knots, at most 0.895 pulses off, bound by tolerance

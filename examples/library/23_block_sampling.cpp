@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table at every cycle of a controller: in a block, one by one, and its verdict.
 #include <cstdio>
 #include <vector>
@@ -9,7 +10,7 @@ using namespace jounce;
 
 int main() {
   // HIMC HMPL manual 5.2.8 (MovePVT), in s and mm.
-  const Table table(Axis::time, Rule::cubic_hermite, Outside::hold,
+  const Table table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                     {{0, 2, 3, 4, 6, 11},
                      {0, 153.333, 42.123, 161.21, 177, 83.333},
                      {0, 1000, 800, 1660, 450, 0},

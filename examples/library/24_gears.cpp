@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gears as controllers have them: exact counts, a clutch, GearIn, GearInPos, several masters.
 #include <array>
 #include <cstdio>
 
-#include "jounce/gear/controllers/gears.hpp"
+#include "jounce/controllers/gears.hpp"
 #include "jounce/gear/feasibility.hpp"
 #include "jounce/gear/gear_course.hpp"
 #include "jounce/gear/gear_in.hpp"
 #include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/gear/gear_sum.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 

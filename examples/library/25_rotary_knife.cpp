@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rotary knife: the cam of one cut, what it asks of the knife, and how fast the line may run.
 #include <cstdio>
 #include <numbers>

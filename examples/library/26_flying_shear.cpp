@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flying shear from ten numbers: what is left out is computed, and what cannot be is named.
 #include <cstdio>
 
-#include "jounce/cam/followed.hpp"
-#include "jounce/cam/master_limits.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/gear/flying_shear.hpp"
 #include "jounce/profiles/error.hpp"
 

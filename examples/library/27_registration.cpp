@@ -1,15 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 // Registration marks: the film stretches by 0.7 mm a product and begins 5 mm off; a roll follows.
 #include <cstdio>
 #include <vector>
 
 #include "jounce/gear/registration.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 using namespace jounce;
 
 int main() {
   // A sealing roll: in step over 100 of 300 mm, then on to the next jaw.
-  const Cam roll({line(100, 0, 100), quintic(200, 100, 1, 0, 360, 1, 0)}, 0, Outside::advance);
+  const Cam roll({line(100, 0, 100), quintic(200, 100, 1, 0, 360, 1, 0)}, 0,
+                 Extrapolation::advance);
   Registration mark{.window_from = 120, .window_length = 150, .most = 50};
   const Limits limits{.velocity = 200, .acceleration = 350};  // mm/s, mm/s^2; line at 100 mm/s
   std::printf("at most %.3f mm a product within the limits\n",

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setpoints cycle by cycle: targets, limits and goals that change while the axes move.
 #include <cstdio>
 
-#include "jounce/profiles/online.hpp"
+#include "jounce/profiles/online/online.hpp"
 
 using namespace jounce;
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include <mpi.h>
 
-#include "jounce/study/detail/mpi_calls.hpp"
+#include "study/src/sweep/mpi_calls.hpp"
 
 // The one file that sees MPI. An MPI function that fails ends all processes (MPI_ERRORS_ARE_FATAL, the
 // default), so no result is looked at.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
 #include "jounce/axis/job.hpp"
@@ -26,25 +27,29 @@ struct Poly345 {
   double jerk = 60 * h / (T * T * T);
 
   [[nodiscard]] Job job() const {
-    return Job(1, table(Axis::time, Rule::quintic_hermite, Outside::hold,
+    return Job(1, table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                         {{0, T}, {0, h}, {0, 0}, {0, 0}}));
   }
 };
 
 TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
-  const auto cam = table(Axis::master, Rule::linear, Outside::hold, {{0, 100}, {0, 1000}, {}, {}});
-  const auto master =
-      table(Axis::time, Rule::quintic_hermite, Outside::hold, {{0, 2}, {-50, 150}, {0, 0}, {0, 0}});
+  const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                         {{0, 100}, {0, 1000}, {}, {}});
+  const auto master = table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
+                            {{0, 2}, {-50, 150}, {0, 0}, {0, 0}});
   Job job(1, master, cam);
   EXPECT_GT(std::abs(job.steps()[1].step), 1000) << "of the velocity, where the master comes in";
   EXPECT_EQ(cause_of(admit(job, {.limits = limits(1e6, 20000)}, 0)), Cause::velocity_step);
 }
 
 TEST(Admit, RefusesAMotionThatNobodyCouldMake) {
-  const auto cam = table(Axis::master, Rule::linear, Outside::advance, {{0, 1}, {0, 1}, {}, {}});
-  const auto far = table(Axis::time, Rule::linear, Outside::hold, {{0, 1}, {0, 1e9}, {}, {}});
+  const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::advance,
+                         {{0, 1}, {0, 1}, {}, {}});
+  const auto far =
+      table(Domain::time, Interpolation::linear, Extrapolation::hold, {{0, 1}, {0, 1e9}, {}, {}});
   EXPECT_THROW(Job(1, far, cam), InputError) << "1e9 periods";
-  const auto cycle = table(Axis::time, Rule::linear, Outside::advance, {{0, 1}, {0, 1}, {}, {}});
+  const auto cycle =
+      table(Domain::time, Interpolation::linear, Extrapolation::advance, {{0, 1}, {0, 1}, {}, {}});
   EXPECT_THROW(Job(1, cycle), InputError) << "a table over time does not advance";
 }
 
@@ -102,7 +107,7 @@ TEST(Admit, PositionRangeAndStart) {
 TEST(Admit, StraightLinesPassExactlyIfNoTickExceedsTheAcceleration) {
   // PMC600 manual Fig. 5.13: 4.5 s through 10000, 50000, 40000, 35000; velocities 10000, 20000,
   // -10000, -10000. The largest step is from 20000 to -10000.
-  Job job(1, table(Axis::time, Rule::linear, Outside::hold,
+  Job job(1, table(Domain::time, Interpolation::linear, Extrapolation::hold,
                    {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
   AxisConfig config{.limits = limits(20000, 3e7)};
   EXPECT_FALSE(admit(job, config, 0));
@@ -117,7 +122,8 @@ TEST(Admit, StraightLinesPassExactlyIfNoTickExceedsTheAcceleration) {
 }
 
 TEST(Admit, ATableThatDoesNotEndAtRest) {
-  Job job(1, table(Axis::time, Rule::cubic_hermite, Outside::hold, {{10, 11}, {0, 1}, {0, 2}, {}}));
+  Job job(1, table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                   {{10, 11}, {0, 1}, {0, 2}, {}}));
   const auto refusal = admit(job, {.limits = limits(10, 100)}, 0);
   ASSERT_EQ(cause_of(refusal), Cause::end_velocity);
   EXPECT_EQ(refusal->value, 2);
@@ -129,7 +135,8 @@ TEST(Admit, ATableThatDoesNotEndAtRest) {
 TEST(Refusal, HasNumbersOnlyWhereOneBrokeABound) {
   EXPECT_EQ(Refusal{.cause = Cause::not_enabled}.text(), "not_enabled: The axis is disabled.");
   const Refusal target{.cause = Cause::position_limit, .value = 400, .limit = 300};
-  EXPECT_EQ(target.text(), "position_limit: The motion leaves the position range. (400, limit 300)");
+  EXPECT_EQ(target.text(),
+            "position_limit: The motion leaves the position range. (400, limit 300)");
 }
 
 TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {
@@ -144,7 +151,7 @@ TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {
 TEST(Admit, AnAccelerationAtEitherEndIsAStepToo) {
   const AxisConfig config{.limits = limits(100, 100, 2000)};  // 2 u/s^2 in one tick
   const auto refusal_of = [&](double a0, double a1) {
-    return admit(Job(1, table(Axis::time, Rule::quintic_hermite, Outside::hold,
+    return admit(Job(1, table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                               {{0, 1}, {0, 1}, {0, 0}, {a0, a1}})),
                  config, 0);
   };
@@ -160,9 +167,9 @@ TEST(Admit, AnAccelerationAtEitherEndIsAStepToo) {
 }
 
 TEST(Admit, ARepeatingTableMustClose) {
-  EXPECT_FALSE(admit(Job(1, there_and_back(3, 10, 1, Outside::wrap)), generous, 3));
-  Job open(
-      1, table(Axis::time, Rule::quintic_hermite, Outside::wrap, {{0, 1}, {0, 5}, {0, 0}, {0, 0}}));
+  EXPECT_FALSE(admit(Job(1, there_and_back(3, 10, 1, Extrapolation::wrap)), generous, 3));
+  Job open(1, table(Domain::time, Interpolation::quintic_hermite, Extrapolation::wrap,
+                    {{0, 1}, {0, 5}, {0, 0}, {0, 0}}));
   const auto refusal = admit(open, generous, 0);
   ASSERT_EQ(cause_of(refusal), Cause::not_closed);
   EXPECT_EQ(refusal->value, 5);
@@ -182,7 +189,7 @@ TEST(Admit, Fig614CamAtConstantMasterHasThePrintedPeaks) {
 }
 
 TEST(Admit, MasterMustStayWithinACamThatRefuses) {
-  const TablePtr cam = table(Axis::master, Rule::quintic_hermite, Outside::refuse,
+  const TablePtr cam = table(Domain::master, Interpolation::quintic_hermite, Extrapolation::refuse,
                              {{0, 100}, {0, 10}, {0, 0}, {0, 0}});
   EXPECT_FALSE(admit(Job(1, trapezoid_table(100, 50, 100, 100), cam), generous, 0));
   const auto refusal = admit(Job(2, trapezoid_table(101, 50, 100, 100), cam), generous, 0);
@@ -203,7 +210,8 @@ TEST(Admit, StepsWithinOneTickAddUp) {
   line(0.01, 500);
   for (int i = 49; i >= 1; --i) line(0.01, 10.0 * i);
   line(0.1, 0);
-  Job job(1, std::make_shared<Table>(Axis::time, Rule::linear, Outside::hold, std::move(c)));
+  Job job(1, std::make_shared<Table>(Domain::time, Interpolation::linear, Extrapolation::hold,
+                                     std::move(c)));
   AxisConfig config;
   config.limits.velocity = 1000;
   config.limits.acceleration = 1e4;
@@ -215,7 +223,7 @@ TEST(Admit, StepsWithinOneTickAddUp) {
 }
 
 TEST(Admit, ACamThatAdvancesAndWrapsJumps) {
-  const TablePtr cam = table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+  const TablePtr cam = table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                              {{0, 100}, {0, 10}, {0, 0}, {0, 0}});
   const auto refusal = admit(Job(1, trapezoid_table(200, 50, 100, 100), cam), generous, 0);
   ASSERT_EQ(cause_of(refusal), Cause::position_step);
@@ -224,8 +232,8 @@ TEST(Admit, ACamThatAdvancesAndWrapsJumps) {
 
 // PMC600 manual 6.2, example 4.4: straight lines (0,0) (5000,5000) (10000,7000).
 TEST(Admit, Example44NeedsAnAxisThatCanTakeItsKink) {
-  const TablePtr cam =
-      table(Axis::master, Rule::linear, Outside::hold, {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
+  const TablePtr cam = table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                             {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   // A master at constant velocity would throw the slave from rest to 10000 pulse/s and leave it at
   // 4000 pulse/s: refused unless one tick is enough for that.
   Job constant(1, constant_master(10000, 10000), cam);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an axis does where two things fall into the same tick.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
@@ -53,7 +54,7 @@ TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
 // A halt ends the motion: there is nothing to hold, to resume or to finish, and it says so.
 TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
   for (const Kind kind : {Kind::hold, Kind::resume, Kind::finish}) {
-    Job job(1, there_and_back(0, 10, 1, Outside::wrap));
+    Job job(1, there_and_back(0, 10, 1, Extrapolation::wrap));
     Bench axis({.limits = limits(40, 300)});
     axis.play(job, 250);
     axis.tell(Kind::halt);

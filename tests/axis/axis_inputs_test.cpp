@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 #include <functional>
@@ -12,7 +13,7 @@
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_gear.hpp"
-#include "jounce/pvt/googol_pt.hpp"
+#include "jounce/controllers/googol/googol_pt.hpp"
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
@@ -132,7 +133,7 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
   Rows rows(1);
   rows.add(0.1, 5);
   rows.add(0.2, 0);
-  Job job(2, there_and_back(3, 10, 0.5, Outside::hold));
+  Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
   axis.tell(Kind::enable);
   ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
@@ -157,7 +158,7 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
 TEST(AxisSwap, RowsThatEndElsewhereAreTheEnd) {
   Rows rows(1);
   rows.add(0.1, 5, true);
-  Job job(2, there_and_back(3, 10, 0.5, Outside::hold));
+  Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
   axis.tell(Kind::enable);
   axis.step({.kind = Kind::arm, .movement = &rows.path});
@@ -177,7 +178,7 @@ TEST(AxisSwap, RowsThatEndElsewhereAreTheEnd) {
 }
 
 TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
-  Job job(1, there_and_back(0, 10, 0.5, Outside::hold));
+  Job job(1, there_and_back(0, 10, 0.5, Extrapolation::hold));
   Rows first(2), second(3);
   first.add(0.1, 5, true);
   second.add(0.1, -2, true);
@@ -198,7 +199,7 @@ TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
 TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
   for (const int left : {2, 150}) {  // ticks of the table, at twice its speed
     SCOPED_TRACE(left);
-    Job job(1, there_and_back(0, 10, 0.5, Outside::hold));
+    Job job(1, there_and_back(0, 10, 0.5, Extrapolation::hold));
     Rows rows(2);
     rows.add(0.02, 1e-3);
     rows.add(0.4, 5);
@@ -225,13 +226,13 @@ TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
 }
 
 TEST(AxisSwap, OfAPathThatIsHeldAtOnce) {
-  Job job(1, there_and_back(0, 10, 0.5, Outside::wrap));
+  Job job(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
   Bench axis(wide);
   axis.play(job, 100);
   axis.tell(Kind::hold);
   const Tick held = axis.run(300);
   ASSERT_EQ(held.velocity, 0);
-  Job next(2, there_and_back(held.position, 4, 0.5, Outside::hold));
+  Job next(2, there_and_back(held.position, 4, 0.5, Extrapolation::hold));
   ASSERT_EQ(refusal(axis.arm(next)), Cause::none);
   Tick tick = axis.tell(Kind::start);
   EXPECT_EQ(refusal(tick), Cause::none);

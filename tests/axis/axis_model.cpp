@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "axis/axis_model.hpp"
 
 #include <cmath>
@@ -60,25 +61,27 @@ Movement* AxisModel::random_movement(testing::Random& random) {
   Kept kept;
   switch (random.below(6)) {
     case 0:
-      kept.movement = std::make_unique<Job>(id, there_and_back(from, reach, T, Outside::wrap));
+      kept.movement =
+          std::make_unique<Job>(id, there_and_back(from, reach, T, Extrapolation::wrap));
       break;
     case 1:
-      kept.movement = std::make_unique<Job>(id, there_and_back(from, reach, T, Outside::hold));
+      kept.movement =
+          std::make_unique<Job>(id, there_and_back(from, reach, T, Extrapolation::hold));
       break;
     case 2:
-      kept.movement =
-          std::make_unique<Job>(id, table(Axis::time, Rule::cubic_hermite, Outside::hold,
-                                          {{0, T, 2 * T},
-                                           {from, from + reach / 2, from + reach},
-                                           {0, random.below(2) ? reach / T : 0, 0},
-                                           {}}));
+      kept.movement = std::make_unique<Job>(
+          id, table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                    {{0, T, 2 * T},
+                     {from, from + reach / 2, from + reach},
+                     {0, random.below(2) ? reach / T : 0, 0},
+                     {}}));
       break;
     case 3:
       kept.movement = std::make_unique<Job>(
           id,
-          table(Axis::time, Rule::quintic_hermite, Outside::hold,
+          table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                 {{0, T}, {0, 500}, {0, 0}, {0, 0}}),
-          table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+          table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                 {{0, 180, 360}, {from, from + reach, from}, {0, 0, 0}, {0, 0, 0}}));
       break;
     case 4: {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -26,13 +27,13 @@ TablePtr turning(double T, double amplitude) {
     c.v.push_back(amplitude * w * std::cos(x));
     c.a.push_back(i % 4 == 0 ? 0 : -amplitude * w * w * std::sin(x));
   }
-  return table(Axis::time, Rule::quintic_hermite, Outside::wrap, std::move(c));
+  return table(Domain::time, Interpolation::quintic_hermite, Extrapolation::wrap, std::move(c));
 }
 
 /// From rest onto the turning table, at its velocity at 0.
 TablePtr run_up(double T, double amplitude) {
   const double v = amplitude * 2 * M_PI / T;
-  return table(Axis::time, Rule::quintic_hermite, Outside::hold,
+  return table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                {{0, 0.2}, {-0.1 * v, 0}, {0, v}, {0, 0}});
 }
 
@@ -43,8 +44,8 @@ void start_at_end(Bench& bench, Job& job) {
 }
 
 TEST(AxisSwap, ARepeatingTableGoesOverIntoAnotherAtItsWrapWithoutAStop) {
-  const TablePtr first = there_and_back(0, 10, 0.5, Outside::wrap);
-  const TablePtr second = there_and_back(0, -6, 0.5, Outside::hold);
+  const TablePtr first = there_and_back(0, 10, 0.5, Extrapolation::wrap);
+  const TablePtr second = there_and_back(0, -6, 0.5, Extrapolation::hold);
   Job a(1, first);
   Job b(2, second);
   Bench bench(wide);
@@ -75,8 +76,8 @@ TEST(AxisSwap, TablesThatMeetAtSpeedAreJoinedWithinATick) {
 }
 
 TEST(AxisSwap, IsHeldUpByAHoldAndUndoneByAStop) {
-  Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
-  Job b(2, there_and_back(0, -6, 0.5, Outside::hold));
+  Job a(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
+  Job b(2, there_and_back(0, -6, 0.5, Extrapolation::hold));
   Bench bench(wide);
   bench.play(a, 100);
   start_at_end(bench, b);
@@ -94,8 +95,8 @@ TEST(AxisSwap, IsHeldUpByAHoldAndUndoneByAStop) {
 }
 
 TEST(AxisSwap, WhatDoesNotMeetIsNotArmed) {
-  Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
-  Job elsewhere(2, there_and_back(1, -6, 0.5, Outside::hold));
+  Job a(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
+  Job elsewhere(2, there_and_back(1, -6, 0.5, Extrapolation::hold));
   Bench bench(wide);
   bench.play(a);
   EXPECT_EQ(refusal(bench.arm(elsewhere)), Cause::start_position);
@@ -110,14 +111,14 @@ TEST(AxisSwap, ATableThatEndsAtSpeedIsNotAdmitted) {
 
 TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
   const auto cam = [](double reach) {
-    return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+    return table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                  {{0, 90, 180, 270, 360}, {0, reach, 0, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
   };
   const TablePtr master = constant_master(3600, 720);
   Job a(1, master, cam(10));
   // The second cam's own master begins where the first one's will be.
-  const TablePtr later =
-      table(Axis::time, Rule::linear, Outside::hold, {{0, 4}, {225, 3105}, {}, {}});
+  const TablePtr later = table(Domain::time, Interpolation::linear, Extrapolation::hold,
+                               {{0, 4}, {225, 3105}, {}, {}});
   Job b(2, later, cam(4));
   Bench bench({.limits = limits(1e3, 1e5)});
   bench.play(a, 50);
@@ -141,11 +142,12 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
 // A virtual master that repeats leaps from 360 back to 0: that does not pass 180.
 TEST(AxisSwap, AMasterThatRepeatsPassesNothingWhereItLeaps) {
   const auto cam = [](double reach) {
-    return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+    return table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                  {{0, 90, 180, 270, 360}, {0, reach, 0, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
   };
   const auto turn = [](double from) {
-    return table(Axis::time, Rule::linear, Outside::wrap, {{0, 0.5}, {from, from + 360}, {}, {}});
+    return table(Domain::time, Interpolation::linear, Extrapolation::wrap,
+                 {{0, 0.5}, {from, from + 360}, {}, {}});
   };
   Job a(1, turn(0), cam(10));
   Job b(2, turn(180), cam(4));
@@ -167,13 +169,15 @@ TEST(AxisSwap, AMasterThatRepeatsPassesNothingWhereItLeaps) {
 TEST(AxisSwap, CamsThatMeetAreJoinedAtSpeedOnBothPathsToTheLastTick) {
   const auto cam = [](double rest) {
     return table(
-        Axis::master, Rule::quintic_hermite, Outside::wrap,
+        Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
         {{0, 90, 180, 270, 360}, {0, 10, rest, rest, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
   };
   const TablePtr first = cam(0);
   const TablePtr second = cam(5);
   Job a(1, constant_master(3600, 720), first);
-  Job b(2, table(Axis::time, Rule::linear, Outside::hold, {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
+  Job b(2,
+        table(Domain::time, Interpolation::linear, Extrapolation::hold,
+              {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
         second);
   Bench bench({.limits = limits(500, 2e4, 2e6)});
   bench.play(a, 500);
@@ -197,11 +201,13 @@ TEST(AxisSwap, CamsThatMeetAreJoinedAtSpeedOnBothPathsToTheLastTick) {
 
 TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
   const auto cam = [](double reach) {
-    return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+    return table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                  {{0, 90, 180, 270, 360}, {0, reach, 0, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
   };
   Job a(1, constant_master(3600, 720), cam(10));
-  Job b(2, table(Axis::time, Rule::linear, Outside::hold, {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
+  Job b(2,
+        table(Domain::time, Interpolation::linear, Extrapolation::hold,
+              {{0, 3195 / 720.0}, {405, 3600}, {}, {}}),
         cam(9));
   Bench bench({.limits = limits(500, 2e4)});
   bench.play(a, 500);
@@ -219,7 +225,7 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
 }
 
 TEST(AxisSwap, APassMayBeTheLastOne) {
-  Job a(1, there_and_back(0, 10, 0.5, Outside::wrap));
+  Job a(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
   Bench bench(wide);
   bench.play(a, 700);
   EXPECT_EQ(refusal(bench.tell(Kind::finish)), Cause::none);
@@ -252,7 +258,7 @@ TEST(AxisSwap, AStartWaitsForALiveMaster) {
 }
 
 TEST(AxisSwap, AnOverrideOnAPathIsTheSamePathAtAnotherTime) {
-  const TablePtr cycle = there_and_back(0, 10, 0.5, Outside::wrap);
+  const TablePtr cycle = there_and_back(0, 10, 0.5, Extrapolation::wrap);
   Job a(1, cycle);
   Bench bench({.limits = limits(100, 2e4)});
   bench.play(a, 100);

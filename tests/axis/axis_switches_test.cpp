@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/axis.hpp"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ TEST(MotionAxis, GoogolTrapezoidTakes1300Ticks) {
 }
 
 TEST(MotionAxis, EverySetpointIsTheTablesBitForBit) {
-  const TablePtr move = table(Axis::time, Rule::quintic_hermite, Outside::hold,
+  const TablePtr move = table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                               {{0, 0.1, 0.37, 0.6}, {0, 3, 1, 2}, {0, 9, -4, 0}, {0, 7, 2, 0}});
   Job job(1, move);
   Bench bench(wide);
@@ -116,8 +117,8 @@ TEST(MotionAxis, Example43RunsThreeEqualPeriods) {
 
 // PMC600 manual 6.2, example 4.4, on an axis that can take the kink: see admit_test.cpp.
 TEST(MotionAxis, Example44FollowsBothLinesAndLeavesTheMaster) {
-  const TablePtr cam =
-      table(Axis::master, Rule::linear, Outside::hold, {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
+  const TablePtr cam = table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                             {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   Job job(4, trapezoid_table(10000, 10000, 1e5, 1e5), cam);
   Bench bench({.limits = limits(1e4, 6e6)});
   Tick tick = bench.play(job);
@@ -138,7 +139,7 @@ TEST(MotionAxis, Example44FollowsBothLinesAndLeavesTheMaster) {
 
 // PMC600 manual Fig. 5.13, a PT table: stages of 10000, 40000, -10000 and -5000 pulses.
 TEST(MotionAxis, PmcPositionTableReachesItsKnots) {
-  Job job(5, table(Axis::time, Rule::linear, Outside::hold,
+  Job job(5, table(Domain::time, Interpolation::linear, Extrapolation::hold,
                    {{0, 1, 3, 4, 4.5}, {0, 10000, 50000, 40000, 35000}, {}, {}}));
   Bench bench({.limits = limits(20000, 3e7)});
   bench.play(job);
@@ -208,7 +209,7 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
 }
 
 TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
-  Job job(1, there_and_back(0, 50, 2, Outside::hold));
+  Job job(1, there_and_back(0, 50, 2, Extrapolation::hold));
   const double jerk = 60 * 50;  // 60 h / T^3, T = 1 s each way
   const AxisConfig config{.limits = limits(100, 400, jerk)};
   for (std::int64_t when = 100; when < 2000; when += 130) {
@@ -252,7 +253,7 @@ TEST(MotionAxis, ASecondStopChangesNothing) {
 }
 
 TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
-  const TablePtr cycle = there_and_back(0, 10, 0.5, Outside::wrap);
+  const TablePtr cycle = there_and_back(0, 10, 0.5, Extrapolation::wrap);
   Job job(1, cycle);
   Bench bench(wide);
   bench.play(job);
@@ -435,7 +436,7 @@ TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
 
 TEST(MotionAxis, TablesAreSwappedAtStandstill) {
   Job out(1, trapezoid_table(50, 10, 20, 20));
-  Job back(2, table(Axis::time, Rule::quintic_hermite, Outside::hold,
+  Job back(2, table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                     {{0, 10}, {50, 0}, {0, 0}, {0, 0}}));
   Job wrong(3, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
@@ -469,7 +470,7 @@ TEST(MotionAxis, ArmingAgainHandsTheFirstJobBack) {
 }
 
 TEST(MotionAxis, OneArmIsOneStart) {
-  Job job(1, there_and_back(0, 5, 0.1, Outside::hold));
+  Job job(1, there_and_back(0, 5, 0.1, Extrapolation::hold));
   Bench bench(wide);
   bench.play(job);
   bench.run(200);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
@@ -67,7 +68,7 @@ TEST(CoupledJob, PlaysExample43FromWhereTheAxisStands) {
 
 // PMC600 manual 6.2, example 4.4: here with ramps of the master and a limit that takes the kink.
 TEST(CoupledJob, PlaysExample44ByARelativeStart) {
-  const TablePtr cam = table(Axis::master, Rule::linear, Outside::refuse,
+  const TablePtr cam = table(Domain::master, Interpolation::linear, Extrapolation::refuse,
                              {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   const TablePtr master = trapezoid_table(10000, 10000, 1e5, 1e5);
   const CouplingSpec relative{.start = StartMode::relative};
@@ -133,15 +134,15 @@ TEST(CoupledJob, RefusalsHaveTheirCauses) {
   far.distance = 2000;
   EXPECT_EQ(cause(example_43(far, 20), 20), Cause::not_in_sync);
 
-  const TablePtr there_and_back_again = there_and_back(0, 360, 10, Outside::wrap);
+  const TablePtr there_and_back_again = there_and_back(0, 360, 10, Extrapolation::wrap);
   const auto repeating = [&](const CouplingSpec& spec, double position) {
     return cause(Job(1, there_and_back_again, pmc600_cam(), 1e-3, spec, position), position);
   };
   EXPECT_EQ(repeating(ramp(), 5), Cause::not_closed);
   EXPECT_EQ(repeating({.start = StartMode::relative}, 5), Cause::none);
 
-  const TablePtr refusing =
-      table(Axis::master, Rule::linear, Outside::refuse, {{0, 100}, {0, 1}, {}, {}});
+  const TablePtr refusing = table(Domain::master, Interpolation::linear, Extrapolation::refuse,
+                                  {{0, 100}, {0, 1}, {}, {}});
   Job doubled(1, trapezoid_table(51, 200, 1000, 1000), refusing, 1e-3, {.master_scaling = 2}, 0);
   const auto refusal = admit(doubled, axis_at(0), 0);
   ASSERT_TRUE(refusal);

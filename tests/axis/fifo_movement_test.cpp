@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/fifo_movement.hpp"
 
 #include <cmath>
@@ -6,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/controllers/googol/googol_pt.hpp"
 #include "jounce/gear/follow.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/pvt/googol_pt.hpp"
 
 #include "axis/live.hpp"
 #include "axis/tables.hpp"
@@ -297,8 +298,8 @@ TEST(FifoPath, APassThatLeavesTheAnnouncedRangeDoesNotBegin) {
   for (const double rate : {60.0, 600.0}) {
     FifoPath path(1, {.stream = false, .loops = 0, .range = {0, 290}});
     const double t = 60 / rate;
-    ASSERT_EQ(path.fifos().push(0, {.x_end = t, .p_end = 60, .v_start = rate, .v_end = rate,
-                                    .degree = 3}),
+    ASSERT_EQ(path.fifos().push(
+                  0, {.x_end = t, .p_end = 60, .v_start = rate, .v_end = rate, .degree = 3}),
               RowRule::none);
     Bench bench(in_300());
     bench.tell(Kind::enable);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stream that is about to run dry, and a cycle that comes too late to stop it in the ordinary way: whatever is told
 // in that cycle, the axis stays on the path, and on what is known of it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/live_cam.hpp"
 
 #include <cmath>
@@ -73,7 +74,7 @@ TEST(LiveCam, FollowsReversalsBackAlongTheCam) {
 
 // Example 4.4: (0,0) (5000,5000) (10000,7000) at 10000 pulse/s; then the coupling ends, at speed.
 TEST(LiveCam, Example44EndsAtItsVelocityAndKeepsIt) {
-  const TablePtr table = test::table(Axis::master, Rule::linear, Outside::refuse,
+  const TablePtr table = test::table(Domain::master, Interpolation::linear, Extrapolation::refuse,
                                      {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   LiveCam cam(1, table);
   Follower slave{cam, steady(10000)};
@@ -92,7 +93,7 @@ TEST(LiveCam, Example44EndsAtItsVelocityAndKeepsIt) {
 
 /// 0.4 of its master from 5000 to 10000, where it ends.
 TablePtr open_ended() {
-  return test::table(Axis::master, Rule::quintic_hermite, Outside::refuse,
+  return test::table(Domain::master, Interpolation::quintic_hermite, Extrapolation::refuse,
                      {{0, 5000, 10000}, {0, 1000, 3000}, {0, 0.4, 0.4}, {0, 0, 0}});
 }
 
@@ -172,9 +173,7 @@ TEST(LiveCam, ExtendedItStaysCoupledBeyondItsEnds) {
   for (int k = 1; k <= 4000; ++k) {
     const Setpoint now = slave.step();
     const double m = now.master;
-    const double exact = m > 10000 ? 3000 + 0.4 * (m - 10000)
-                         : m < 0   ? 0
-                                   : table->jet(m)[0];
+    const double exact = m > 10000 ? 3000 + 0.4 * (m - 10000) : m < 0 ? 0 : table->jet(m)[0];
     ASSERT_NEAR(now.slave[0], exact, 1e-7) << m;
     ASSERT_EQ(cam.progress(), Progress::running) << m;
     if (m > 10000) {
@@ -230,7 +229,7 @@ TEST(LiveCam, AtAMasterPositionWhereItCannotBeginItIsDroppedThere) {
 /// A knife's cam: a turn for each cut of this length, its speed at the cut that of the web.
 TablePtr knife(double cut) {
   const double surface = 360.0 / 314;  // deg/mm
-  return test::table(Axis::master, Rule::quintic_hermite, Outside::advance,
+  return test::table(Domain::master, Interpolation::quintic_hermite, Extrapolation::advance,
                      {{0, cut}, {0, 360}, {surface, surface}, {0, 0}});
 }
 
@@ -264,10 +263,10 @@ TEST(LiveCam, PlaysExample67OfLineFollow) {
                                          .velocity = 2000,
                                          .acceleration = 4000,
                                          .deceleration = 4000});
-  const TablePtr line =
-      test::table(Axis::master, Rule::linear, Outside::hold, {{0, 4000}, {0, 2000}, {}, {}});
+  const TablePtr line = test::table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                                    {{0, 4000}, {0, 2000}, {}, {}});
   LiveCam cam(1, line);
-  const Trajectory master = with(both.master, Outside::hold);
+  const Trajectory master = with(both.master, Extrapolation::hold);
   Follower slave{cam, [&](double t) { return master.jet(t); }};
   ASSERT_EQ(slave.begin({}), Cause::none);
   double peak = 0;
@@ -295,8 +294,8 @@ TEST(LiveCam, RefusesWithTheReasonsOfTheCoupling) {
   EXPECT_EQ(begun({}, 0, {NAN, 0, 0, 0}), Cause::no_master_input);
   EXPECT_EQ(begun(ramp(StartMode::ramp_in_neg), -17, at_start), Cause::would_reverse);
   EXPECT_EQ(begun(ramp(), 1e60, at_start), Cause::no_ramp);
-  const TablePtr once =
-      test::table(Axis::master, Rule::linear, Outside::refuse, {{0, 100}, {0, 1}, {}, {}});
+  const TablePtr once = test::table(Domain::master, Interpolation::linear, Extrapolation::refuse,
+                                    {{0, 100}, {0, 1}, {}, {}});
   EXPECT_EQ(begun({}, 0, {-5, 200, 0, 0}, once), Cause::master_outside_cam);
   EXPECT_THROW(LiveCam(1, constant_master(1, 1)), InputError);
   EXPECT_THROW(LiveCam(1, pmc600_cam(), {.slave_scaling = -1}), InputError);

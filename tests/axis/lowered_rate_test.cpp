@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rate that is above full speed and comes down for a swap, or must not go up: what is told meanwhile.
 
 #include <cmath>
@@ -30,8 +31,8 @@ struct Lowering {
               Cause::none);
   }
 
-  Job fast{1, there_and_back(0, 10, 2, Outside::wrap)};    // 58 u/s^2
-  Job slow{2, there_and_back(0, 10, 0.5, Outside::hold)};  // 924 u/s^2
+  Job fast{1, there_and_back(0, 10, 2, Extrapolation::wrap)};    // 58 u/s^2
+  Job slow{2, there_and_back(0, 10, 0.5, Extrapolation::hold)};  // 924 u/s^2
   Bench bench{{.limits = limits(100, 1000)}};
 };
 
@@ -65,7 +66,7 @@ TEST(LoweredRate, AHoldAndAnOverrideAreTaken) {
 TEST(LoweredRate, GoesUpAgainWhereAnotherIsArmedInstead) {
   Lowering at;
   EXPECT_NEAR(at.bench.run(100).rate, std::sqrt(1000 / 923.76), 1e-3) << "what the next one takes";
-  Job other(3, there_and_back(0, 5, 2, Outside::hold));
+  Job other(3, there_and_back(0, 5, 2, Extrapolation::hold));
   EXPECT_EQ(refusal(at.bench.arm(other)), Cause::none);
   const Tick tick = at.bench.run(300);
   EXPECT_EQ(tick.rate, 2);
@@ -91,7 +92,7 @@ TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
 
 TEST(LoweredRate, NorOnAPath) {
   Bench bench{{.limits = limits(100, 1000)}};
-  Job table(1, there_and_back(0, 10, 2, Outside::wrap));
+  Job table(1, there_and_back(0, 10, 2, Extrapolation::wrap));
   bench.play(table, 100);
   EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 1})), Cause::none);
   EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::in_motion);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/machine.hpp"
 
 #include <cmath>
@@ -50,7 +51,7 @@ struct Rig {
 
 // A machine adds nothing to its axes: beside each other they do what each does alone, to the bit.
 TEST(Machine, StepsEachAxisAsIfItWereAlone) {
-  Job first(1, there_and_back(0, 1, 2, Outside::hold));
+  Job first(1, there_and_back(0, 1, 2, Extrapolation::hold));
   Job second(2, trapezoid_table(5, 4, 20, 20));
   Rig rig({axis("feeder"), axis("knife")});
   Bench alone[] = {Bench({.limits = limits(10, 20)}), Bench({.limits = limits(10, 20)})};
@@ -77,7 +78,7 @@ TEST(Machine, StepsEachAxisAsIfItWereAlone) {
 }
 
 TEST(Machine, AFollowerSeesItsLeadersSetpointOfTheSameTick) {
-  Job job(1, there_and_back(0, 1, 2, Outside::hold));
+  Job job(1, there_and_back(0, 1, 2, Extrapolation::hold));
   // Declared after those that follow it, through another one.
   Rig rig({axis("last", setpoint_of(1)), axis("middle", setpoint_of(2)), axis("leader")});
   for (const std::size_t i : {0U, 1U, 2U}) rig.tell(i, {.kind = Kind::enable});
@@ -233,7 +234,7 @@ TEST(Machine, ABrokenGroupBeginsWhenItIsArmedAnew) {
 
 TEST(Machine, AFollowerOfADisabledLeaderTakesNoStep) {
   // The leader's drive lags by 0.5 when it is let go, and is then turned by hand.
-  Job job(1, there_and_back(0, 1, 1, Outside::hold));
+  Job job(1, there_and_back(0, 1, 1, Extrapolation::hold));
   LiveGear gear{2, {.numerator = 2, .denominator = 1, .acceleration = 20, .deceleration = 20}};
   Rig rig({axis("leader"), axis("slave", setpoint_of(0))});
   for (const std::size_t i : {0U, 1U}) rig.tell(i, {.kind = Kind::enable});

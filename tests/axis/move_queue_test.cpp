@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves that wait, and how fast their targets are passed.
 
 #include <cmath>

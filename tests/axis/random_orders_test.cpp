@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -119,14 +120,14 @@ class Operator {
       case 1:
         made = std::make_unique<LiveCam>(
             id,
-            table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+            table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                   {{0, *v, 2 * *v}, {0, way / 3, 0}, {0, 0, 0}, {0, 0, 0}}),
             CouplingSpec{.master_absolute = false, .slave_absolute = false});
         break;
       default:
         made = std::make_unique<Job>(
             id, there_and_back(last_.position, to - last_.position, T,
-                               random_.below(2) == 0 ? Outside::wrap : Outside::hold));
+                               random_.below(2) == 0 ? Extrapolation::wrap : Extrapolation::hold));
     }
     return (movements_[id] = std::move(made)).get();
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -157,7 +158,7 @@ TEST(Range, LeavingAPathAtItsTurningPointStaysInside) {
   for (int when = 100; when < 200; ++when)
     for (const Kind kind : {Kind::abort, Kind::stop, Kind::halt, Kind::move_velocity}) {
       Watched axis(config);
-      Job job(1, there_and_back(0, 20, 0.32, Outside::wrap));
+      Job job(1, there_and_back(0, 20, 0.32, Extrapolation::wrap));
       axis.play(job, when);
       const Tick told =
           axis.step({.kind = kind, .position = kind == Kind::move_velocity ? -100.0 : 0.0});

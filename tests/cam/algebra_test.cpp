@@ -1,4 +1,5 @@
-#include "jounce/cam/algebra.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/algebra/algebra.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "random_cams.hpp"
 #include "support/fig_6_14.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Cam rise_and_return(Law law, double period, double stroke, Outside outside = Outside::wrap) {
+Cam rise_and_return(Law law, double period, double stroke,
+                    Extrapolation outside = Extrapolation::wrap) {
   CamSpec spec;
   spec.segments = {{law, {period / 3, stroke, {}, {}}, ""},
                    {Law::dwell, {period / 2, stroke, {}, {}}, ""},
@@ -69,7 +71,7 @@ TEST(Part, IsTheCamBetweenTwoMasterPositions) {
   EXPECT_EQ(window.start(), 30);
   EXPECT_EQ(window.end(), 300);
   EXPECT_EQ(window.segments().size(), 4U);
-  EXPECT_EQ(window.outside(), Outside::refuse);
+  EXPECT_EQ(window.outside(), Extrapolation::refuse);
   expect_values(window, cam, [](double x) { return x; });
   EXPECT_EQ(part(cam, 75, 200).segments().size(), 1U) << "whole segments are not cut";
   EXPECT_EQ(part(cam, 75, 200).segments()[0].c, cam.segments()[1].c);
@@ -83,14 +85,14 @@ TEST(Part, GoesOnAsTheCamDoesOutsideItsInterval) {
   const Cam before = part(cam, -1000, -700);
   expect_values(before, cam, [](double x) { return x; });
 
-  const Cam holding = with(cam, Outside::hold);
+  const Cam holding = with(cam, Extrapolation::hold);
   const Cam around = part(holding, -10, 400);
   EXPECT_EQ(around.segments().size(), cam.segments().size() + 2);
   EXPECT_NEAR(around.at(-5).position, 0, 1e-12);
   EXPECT_NEAR(around.at(380).position, 0, 1e-12);
   EXPECT_EQ(part(holding, 500, 600).segments().size(), 1U);
 
-  EXPECT_EQ(complaint([&] { return part(with(cam, Outside::refuse), 0, 361); }),
+  EXPECT_EQ(complaint([&] { return part(with(cam, Extrapolation::refuse), 0, 361); }),
             "to = 361: leaves the cam, which runs from 0 to 360");
   EXPECT_EQ(complaint([&] { return part(cam, 5, 5); }), "to = 5: must be greater than 5");
   EXPECT_EQ(complaint([&] { return part(cam, 0, 1e9); }),
@@ -125,7 +127,7 @@ TEST(Phased, IsLaterByThePhase) {
   EXPECT_EQ(phased(cam, 120).segments().size(), cam.segments().size() + 1) << "one cut";
   EXPECT_EQ(phased(cam, 180).segments().size(), cam.segments().size())
       << "the wrap of the new one is a break of the old";
-  EXPECT_EQ(complaint([&] { return phased(with(cam, Outside::hold), 10); }),
+  EXPECT_EQ(complaint([&] { return phased(with(cam, Extrapolation::hold), 10); }),
             "phase = 10: needs a periodic cam: use `shifted` for others");
 }
 
@@ -133,7 +135,7 @@ TEST(Phased, KeepsThePeriodToTheLastDigit) {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     SCOPED_TRACE(seed);
     testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false, Outside::wrap);
+    const Cam cam = testing::random_cam(random, false, Extrapolation::wrap);
     const double phase = random.uniform(-3, 3) * cam.length();
     const Cam later = phased(cam, phase);
     EXPECT_EQ(later.start(), cam.start());
@@ -146,7 +148,7 @@ TEST(Advancing, ASlaveGoesOnTurnByTurn) {
   Segment f = line(360, 0, 120);
   f.sines = 1;
   f.sine[0] = {-20, 2 * pi, 0};
-  const Cam cam({f}, 0, Outside::advance);
+  const Cam cam({f}, 0, Extrapolation::advance);
   const Cam window = part(cam, -500, 1000);
   EXPECT_TRUE(check_continuity(window, 3).ok());
   expect_values(window, cam, [](double x) { return x; });
@@ -157,7 +159,7 @@ TEST(Advancing, ASlaveGoesOnTurnByTurn) {
     expect_values(later, cam, [&](double x) { return x - phase; });
   }
   const Cam both = superimposed(cam, rise_and_return(Law::poly345, 240, 3));
-  EXPECT_EQ(both.outside(), Outside::advance);
+  EXPECT_EQ(both.outside(), Extrapolation::advance);
   EXPECT_NEAR(both.advance(), 240, 1e-12);
   expect_sum(both, cam, rise_and_return(Law::poly345, 240, 3), 1e-12);
 }
@@ -167,7 +169,7 @@ TEST(Spliced, ReplacesAStretch) {
   const Cam slower = replaced(cam, Cam({line(50, 125, 175)}, 100));
   EXPECT_EQ(slower.breaks().size(), 7U);
   EXPECT_EQ(slower.end(), 360);
-  EXPECT_EQ(slower.outside(), Outside::wrap);
+  EXPECT_EQ(slower.outside(), Extrapolation::wrap);
   EXPECT_TRUE(check_continuity(slower, 2).ok()) << "the line is in step, as the cam is there";
   expect_values(slower, cam, [](double x) { return x; });
   EXPECT_EQ(replaced(cam, Cam({line(75, 0, 100)}, 0)).segments().size(), 4U);
@@ -212,7 +214,7 @@ TEST(Superimposed, PeriodicCamsRepeatToTheirCommonPeriod) {
   const Cam both = superimposed(f, g);
   EXPECT_EQ(both.start(), 0);
   EXPECT_EQ(both.end(), 720);
-  EXPECT_EQ(both.outside(), Outside::wrap);
+  EXPECT_EQ(both.outside(), Extrapolation::wrap);
   EXPECT_TRUE(check_continuity(both, 2).ok());
   expect_sum(both, f, g, 1e-12);
 }
@@ -227,12 +229,12 @@ TEST(Superimposed, PeriodicCamsMayStartAnywhere) {
 }
 
 TEST(Superimposed, CamsThatHoldReachFromTheFirstStartToTheLastEnd) {
-  const Cam f = rise_and_return(Law::modified_sine, 360, 50, Outside::hold);
-  const Cam g = shifted(rise_and_return(Law::poly345, 100, 3, Outside::hold), 300, 1);
+  const Cam f = rise_and_return(Law::modified_sine, 360, 50, Extrapolation::hold);
+  const Cam g = shifted(rise_and_return(Law::poly345, 100, 3, Extrapolation::hold), 300, 1);
   const Cam both = superimposed(f, g);
   EXPECT_EQ(both.start(), 0);
   EXPECT_EQ(both.end(), 400);
-  EXPECT_EQ(both.outside(), Outside::hold);
+  EXPECT_EQ(both.outside(), Extrapolation::hold);
   expect_sum(both, f, g, 1e-12);
 }
 
@@ -242,7 +244,7 @@ TEST(Superimposed, ACamThatRefusesGivesTheInterval) {
   for (const Cam& both : {superimposed(f, g), superimposed(g, f)}) {
     EXPECT_EQ(both.start(), 30);
     EXPECT_NEAR(both.end(), 500, 1e-12);
-    EXPECT_EQ(both.outside(), Outside::refuse);
+    EXPECT_EQ(both.outside(), Extrapolation::refuse);
     expect_sum(both, f, g, 1e-12);
   }
   EXPECT_THROW(superimposed(f, part(f, 40, 50)), InputError);
@@ -256,7 +258,7 @@ TEST(Superimposed, NamesWhatHasNoPeriod) {
   EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 100 * pi, 1)); }),
             "period = 360 and 314.1592653589793: have no common period within 1000 turns: choose a "
             "ratio of whole numbers, or cut out a part with `part`");
-  EXPECT_EQ(complaint([&] { return superimposed(f, with(f, Outside::hold)); }),
+  EXPECT_EQ(complaint([&] { return superimposed(f, with(f, Extrapolation::hold)); }),
             "period = 360: belongs to one of the cams only: the sum with a cam that holds is not "
             "periodic; cut out a part with `part`");
 }
@@ -266,7 +268,7 @@ Cam three_sines(double period, double angle) {
   Segment f = line(period, 0, 0);
   f.sines = 3;
   for (std::size_t i = 0; i < 3; ++i) f.sine[i] = {1, angle * static_cast<double>(i + 1), 0.3};
-  return Cam({f}, 0, Outside::wrap);
+  return Cam({f}, 0, Extrapolation::wrap);
 }
 
 TEST(Superimposed, FitsWithinAToleranceWhatIsNoSegment) {
@@ -292,8 +294,8 @@ TEST(Superimposed, AddsRandomCamsOfEveryLawAndScale) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     testing::Random random(seed);
-    const Cam f = testing::random_cam(random, false, Outside::wrap);
-    const Cam any = testing::random_cam(random, false, Outside::wrap);
+    const Cam f = testing::random_cam(random, false, Extrapolation::wrap);
+    const Cam any = testing::random_cam(random, false, Extrapolation::wrap);
     const double ratio = (1 + random.below(4)) / (1.0 + random.below(4));
     const Cam g = shifted(scaled(shifted(any, -any.start()), 1, ratio * f.length() / any.length()),
                           f.start() + random.uniform(-2, 2) * f.length());
@@ -316,7 +318,7 @@ TEST(Superimposed, AddsRandomCamsOfEveryLawAndScale) {
 TEST(Composed, ACamBehindACam) {
   // The camshaft turns 1:2 and holds; the cam on it is a quintic: exact.
   const Cam cam = design(testing::fig_6_14()).cam;
-  const Cam shaft({line(720, 0, 360)}, 0, Outside::refuse);
+  const Cam shaft({line(720, 0, 360)}, 0, Extrapolation::refuse);
   const Cam slave = composed(cam, shaft);
   EXPECT_EQ(slave.end(), 720);
   expect_values(slave, cam, [](double x) { return x / 2; });

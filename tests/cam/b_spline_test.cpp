@@ -1,13 +1,14 @@
-#include "jounce/cam/b_spline.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/b_spline.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "spline_oracle.hpp"
 #include "support/invariants.hpp"
@@ -22,7 +23,7 @@ using testing::within;
 
 void expect_samples(const std::vector<Segment>& segments, double start,
                     const nlohmann::json& samples, double precision) {
-  const Cam cam(segments, start, Outside::hold);
+  const Cam cam(segments, start, Extrapolation::hold);
   const double scale = std::abs(extrema(cam, 0).peak().value);
   for (const auto& s : samples)
     EXPECT_NEAR(cam.at(s["x"].get<double>()).position, s["value"].get<double>(), precision * scale)
@@ -74,7 +75,7 @@ TEST(BSpline, ThroughPointsReproducesPolynomialsOfItsDegree) {
 
 TEST(BSpline, LosesADerivativeForEachRepetitionOfAKnot) {
   BSplineSpec spec{3, {0, 0, 0, 0, 1, 1, 2, 2, 2, 2}, {0, 1, 3, -1, 2, 0}};
-  const Cam cam(b_spline(spec), 0, Outside::hold);
+  const Cam cam(b_spline(spec), 0, Extrapolation::hold);
   EXPECT_EQ(cam.segments().size(), 2U);
   EXPECT_NEAR(cam.jet(1)[1], cam.jet(1, Side::left)[1], 1e-14);
   EXPECT_GT(std::abs(cam.jet(1)[2] - cam.jet(1, Side::left)[2]), 1);
@@ -123,10 +124,10 @@ TEST(Bezier, SixValuesInTwoThreesAre345) {
 TEST(Bezier, ChainIsContinuousAndAsSmoothAsItsControlValues) {
   const std::vector<double> breaks{0, 60, 120};
   const Cam smooth(bezier_chain(breaks, std::vector<double>{0, 0, 10, 20, 30, 40, 40}, 3), 0,
-                   Outside::hold);
+                   Extrapolation::hold);
   EXPECT_TRUE(check_continuity(smooth, 1).ok());
   const Cam kinked(bezier_chain(breaks, std::vector<double>{0, 0, 10, 20, 20, 40, 40}, 3), 0,
-                   Outside::hold);
+                   Extrapolation::hold);
   EXPECT_TRUE(check_continuity(kinked, 0).ok());
   EXPECT_FALSE(check_continuity(kinked, 1).ok());
 }

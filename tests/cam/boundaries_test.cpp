@@ -1,13 +1,14 @@
-#include "jounce/cam/boundaries.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/design/boundaries.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/detail/least_energy.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
+#include "cam/src/design/least_energy.hpp"
 #include "support/fig_6_14.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <map>
 #include <optional>
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/cam_switches.hpp"
+#include "jounce/cam/switches/cam_switches.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/random.hpp"

@@ -1,4 +1,5 @@
-#include "jounce/cam/cam_switch.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/switches/cam_switch.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/profiles/composed.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/fig_6_14.hpp"
 

@@ -1,4 +1,5 @@
-#include "jounce/cam/cam_switches.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/switches/cam_switches.hpp"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/random.hpp"
 

@@ -1,4 +1,5 @@
-#include "jounce/cam/certificate.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/design/certificate.hpp"
 
 #include <cmath>
 #include <map>
@@ -8,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "laws.hpp"

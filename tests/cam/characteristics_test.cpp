@@ -1,4 +1,5 @@
-#include "jounce/cam/characteristics.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/design/characteristics.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -105,11 +106,12 @@ TEST(Characteristics, NoSampleOfThePowerIsAboveCm) {
 }
 
 TEST(Characteristics, AreInfiniteWhereAStepWouldNeedIt) {
-  const Cam straight({line(1, 0, 1)}, 0, Outside::hold);
+  const Cam straight({line(1, 0, 1)}, 0, Extrapolation::hold);
   const Characteristics c = characteristics(straight);
   EXPECT_EQ(c.cv.value, 1);
   EXPECT_TRUE(std::isinf(c.ca.value) && std::isinf(c.cm.value) && std::isinf(c.rms));
-  EXPECT_EQ(characteristics(with(straight, Outside::refuse)).ca.value, 0) << "nothing beside it";
+  EXPECT_EQ(characteristics(with(straight, Extrapolation::refuse)).ca.value, 0)
+      << "nothing beside it";
 }
 
 TEST(Characteristics, RefuseALawWithoutStroke) {
@@ -139,7 +141,7 @@ TEST(Rises, AreTheStretchesBetweenRestsAlsoThroughTheWrap) {
     }
   }
   front.insert(front.end(), back.begin(), back.end());
-  const Cam cam(front, 0, Outside::wrap);
+  const Cam cam(front, 0, Extrapolation::wrap);
   const auto found = rises(cam);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NEAR(found[0].cam.start(), 10, 1e-12);

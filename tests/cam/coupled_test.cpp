@@ -1,9 +1,10 @@
-#include "jounce/cam/coupled.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/coupled.hpp"
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/fig_6_14.hpp"
 
@@ -20,7 +21,7 @@ void expect_same(const Coupling& coupling, const MotionState& slave, const Traje
   const Coupled motion(coupling, in.engaged, master);
   for (int n = 0; n <= 1000; ++n) {
     const double t = motion.end() * n / 1000;
-    const Jet x = with(master, Outside::hold).jet(t);
+    const Jet x = with(master, Extrapolation::hold).jet(t);
     const Jet expected = point(coupling, in.engaged, x, t);
     const Jet got = motion.jet(t);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(got[k], expected[k], 1e-7) << k << " " << t;
@@ -31,7 +32,7 @@ TEST(Coupled, IsThePointsOfItsCoupling) {
   const Cam closed = design(testing::fig_6_14()).cam;
   CamSpec rise;
   rise.segments = {{Law::quintic, {360, 90, 0, 0}, ""}};
-  const Cam indexing = with(design(rise).cam, Outside::wrap);
+  const Cam indexing = with(design(rise).cam, Extrapolation::wrap);
   const CouplingSpec ramp{.master_scaling = 2,
                           .master_offset = 40,
                           .slave_scaling = 0.5,

@@ -1,4 +1,5 @@
-#include "jounce/cam/coupling_cycle.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/coupling_cycle.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
@@ -18,14 +19,14 @@ namespace {
 
 using testing::fig_6_14;
 
-Cam line_cam(Outside outside) {
+Cam line_cam(Extrapolation outside) {
   return Cam({line(10, 0, 20)}, 0, outside);
 }
 
 Cam indexing() {
   CamSpec spec;
   spec.segments = {{Law::quintic, {360, 90, 0, 0}, ""}};
-  return with(design(spec).cam, Outside::wrap);
+  return with(design(spec).cam, Extrapolation::wrap);
 }
 
 Sample steady(double t, double v) {
@@ -62,7 +63,8 @@ TEST(CouplingCycle, PlaysThePmc600Example43) {
 
 TEST(CouplingCycle, PlaysThePmc600Example44) {
   // Table 6.3: (0, 0) (5000, 5000) (10000, 7000), once; master at 10000 pulse/s for 10000 pulses.
-  const Coupling coupling(Cam({line(5000, 0, 5000), line(5000, 5000, 7000)}, 0, Outside::hold));
+  const Coupling coupling(
+      Cam({line(5000, 0, 5000), line(5000, 5000, 7000)}, 0, Extrapolation::hold));
   const double v = 10000;
   Engaged state = engage(coupling, {}, {0, v, 0, 0}, 0).engaged;
   Stepped now;
@@ -123,7 +125,7 @@ TEST(CouplingCycle, AnEndThatASampleLiesOnHasThatSamplesTime) {
 }
 
 TEST(CouplingCycle, ACamThatRunsOnceLetsTheSlaveGoAtItsEnd) {
-  const Coupling coupling(line_cam(Outside::hold));
+  const Coupling coupling(line_cam(Extrapolation::hold));
   Engaged state = engage(coupling, {}, {0, 4, 0, 0}, 0).engaged;
   state = step(coupling, state, steady(2.4, 4)).engaged;
   const Stepped now = step(coupling, state, steady(2.6, 4));  // 10 at 2.5
@@ -233,7 +235,7 @@ TEST(CouplingCycle, AMasterThatIsNoNumberLeavesTheSlaveWhereItIs) {
 
 TEST(CouplingCycle, AJumpThatItsModeCannotTakeUpNeverMovesTheSlave) {
   // 20 m back or on in a cam y = x, at 200 u/s: one of the two is against each one-way mode.
-  const Cam straight({line(360, 0, 360)}, 0, Outside::wrap);
+  const Cam straight({line(360, 0, 360)}, 0, Extrapolation::wrap);
   for (const StartMode mode :
        {StartMode::ramp_in_pos, StartMode::ramp_in_neg, StartMode::ramp_in_distance})
     for (const double jump : {-20.0, 20.0})
@@ -264,7 +266,7 @@ TEST(CouplingCycle, AJumpThatItsModeCannotTakeUpNeverMovesTheSlave) {
 }
 
 TEST(CouplingCycle, ASlaveThatNoCorrectionCanBringBackIsLetGo) {
-  const Cam straight({line(360, 0, 360)}, 0, Outside::advance);
+  const Cam straight({line(360, 0, 360)}, 0, Extrapolation::advance);
   const Coupling coupling(
       straight,
       {.start = StartMode::ramp_in, .velocity_diff = 150, .acceleration = 5000, .master_jump = 5});
@@ -366,7 +368,7 @@ TEST(Exchange, BeginsWhereTheSlaveHasComeToInEitherDirection) {
   CamSpec rise;
   rise.start = {-30, 5, 0, 0};
   rise.segments = {{Law::quintic, {330, 95, 0, 0}, ""}};
-  const Cam open = with(design(rise).cam, Outside::wrap);
+  const Cam open = with(design(rise).cam, Extrapolation::wrap);
   const Coupling running(open, {.master_scaling = 0.3, .master_offset = 0.1});
   const Coupling next(open, {.start = StartMode::ramp_in, .velocity_diff = 9, .acceleration = 99});
   for (const double v : {200.0, -200.0})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -5,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/coupling_cycle.hpp"
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/coupling/coupling_cycle.hpp"
+#include "jounce/cam/design/design.hpp"
 
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
@@ -39,7 +40,7 @@ Cam indexing() {
   CamSpec spec;
   spec.start = {-30, 5, 0, 0};
   spec.segments = {{Law::quintic, {100, 50, 0.2, 0}, ""}, {Law::quintic, {330, 95, 0, 0}, ""}};
-  return with(design(spec).cam, Outside::wrap);
+  return with(design(spec).cam, Extrapolation::wrap);
 }
 
 /// The most that velocity, acceleration and jerk of a slave on its cam can be.

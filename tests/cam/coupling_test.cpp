@@ -1,4 +1,5 @@
-#include "jounce/cam/coupling.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/coupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/random.hpp"
@@ -18,14 +19,14 @@ namespace jounce {
 namespace {
 
 /// 90 u in 360 m from rest to rest, again and again.
-Cam indexing(Outside outside = Outside::wrap) {
+Cam indexing(Extrapolation outside = Extrapolation::wrap) {
   CamSpec spec;
   spec.segments = {{Law::quintic, {360, 90, 0, 0}, ""}};
   return with(design(spec).cam, outside);
 }
 
 Cam ramp() {  // y = 2x on [0, 10], once
-  return Cam({line(10, 0, 20)}, 0, Outside::hold);
+  return Cam({line(10, 0, 20)}, 0, Extrapolation::hold);
 }
 
 CouplingSpec ramping(StartMode start = StartMode::ramp_in) {
@@ -66,7 +67,7 @@ TEST(Coupling, AMasterAtRestOnTheSeamTakesTheSideItStartsTo) {
 
 TEST(Coupling, HasTheTableOfModes) {
   // The master stands at 90 of a cam y = x (0 to 360), the slave at 5: where is it at 100?
-  const Cam cam({line(360, 0, 360)}, 0, Outside::wrap);
+  const Cam cam({line(360, 0, 360)}, 0, Extrapolation::wrap);
   struct Row {
     bool master_absolute, slave_absolute;
     StartMode start;
@@ -271,7 +272,7 @@ TEST(Coupling, TheCorrectionOverMasterHasItsOwnDerivatives) {
 
 TEST(Coupling, RefusesWhatItCannotDo) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Coupling once(with(ramp(), Outside::refuse), {.master_offset = 1});
+  const Coupling once(with(ramp(), Extrapolation::refuse), {.master_offset = 1});
   EXPECT_EQ(engage(once, {}, {9.1, 0, 0, 0}, 0).status, CouplingStatus::master_outside_cam);
   EXPECT_EQ(engage(once, {}, {-1.1, 0, 0, 0}, 0).status, CouplingStatus::master_outside_cam);
   EXPECT_EQ(engage(once, {}, {9, 0, 0, 0}, 0).status, CouplingStatus::ok);
@@ -330,7 +331,7 @@ TEST(Coupling, LandsOnWholeTurnsWhateverTheStrokesLastDigit) {
   // 3 turns of 0.1, which no double is.
   CamSpec spec;
   spec.segments = {{Law::quintic, {360, 0.1 + 0.2, 0, 0}, ""}};
-  const Cam cam = with(design(spec).cam, Outside::wrap);
+  const Cam cam = with(design(spec).cam, Extrapolation::wrap);
   const Coupling coupling(cam, {.slave_period = 0.1});
   const Engagement in = engage(coupling, {}, {}, 0);
   const double n = 1e6;
@@ -355,7 +356,8 @@ TEST(CouplingCheck, AnnouncesTheJumpThatIsMade) {
       EXPECT_EQ(f.broken, jump != 0) << f.quantity;
     }
   }
-  EXPECT_TRUE(check(Coupling(with(indexing(), Outside::hold), ramping()), slave, master).ok());
+  EXPECT_TRUE(
+      check(Coupling(with(indexing(), Extrapolation::hold), ramping()), slave, master).ok());
 }
 
 std::optional<Finding> find(const Report& report, const std::string& rule,
@@ -384,7 +386,7 @@ TEST(CouplingCheck, SaysWhereAWaitingSlaveHasToMoveAtOnce) {
     EXPECT_DOUBLE_EQ(point(moving, in, {end / 2 + 1e-6 * v, v, 0, 0}, 1)[1], 12 * v);
   }
   EXPECT_FALSE(find(check(moving, {}, {1, 5, 0, 0}), "coupling/enter", "velocity")) << "inside";
-  const Coupling rests(with(indexing(), Outside::hold), ramping());
+  const Coupling rests(with(indexing(), Extrapolation::hold), ramping());
   EXPECT_TRUE(check(rests, {}, {-1, 5, 0, 0}).ok()) << "begins at rest";
 }
 
@@ -420,7 +422,7 @@ TEST(CouplingCheck, TellsTheLargestValuesOfTheCorrection) {
 
 TEST(CouplingCheck, RoundingIsNoJump) {
   // A dwell has no stroke to measure by: what counts is how far out the slave is.
-  const Cam flat({line(100, 5, 5)}, 0, Outside::wrap);
+  const Cam flat({line(100, 5, 5)}, 0, Extrapolation::wrap);
   const Coupling relative(flat, {.start = StartMode::relative});
   EXPECT_TRUE(check(relative, {.position = 0.1}, {10, 0, 0, 0}).ok());
   const Coupling absolute(flat, {.slave_offset = 0.1});
@@ -434,11 +436,12 @@ TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
     for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule + " ";
     return all;
   };
-  EXPECT_EQ(rules(check(Coupling(with(ramp(), Outside::refuse)), {}, {20, 0, 0, 0})),
+  EXPECT_EQ(rules(check(Coupling(with(ramp(), Extrapolation::refuse)), {}, {20, 0, 0, 0})),
             "!coupling/master_outside_cam ");
   EXPECT_NE(rules(check(Coupling(indexing()), {}, {})).find("!coupling/period"), std::string::npos);
-  EXPECT_EQ(rules(check(Coupling(with(indexing(), Outside::hold)), {}, {})).find("coupling/end"),
-            std::string::npos);
+  EXPECT_EQ(
+      rules(check(Coupling(with(indexing(), Extrapolation::hold)), {}, {})).find("coupling/end"),
+      std::string::npos);
   EXPECT_NE(rules(check(Coupling(ramp()), {}, {})).find("coupling/end"), std::string::npos);
 }
 

@@ -1,12 +1,13 @@
-#include "jounce/cam/design.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/design/design.hpp"
 
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/fig_6_14.hpp"
 #include "support/invariants.hpp"
@@ -164,7 +165,7 @@ TEST(Design, ARotarySlaveGoesOnFromTurnToTurn) {
   spec.segments = {
       {Law::modified_sine, {90, 250}}, {Law::dwell, {180, 250}}, {Law::poly345, {360, 370}}};
   const Cam f = design(spec).cam;
-  EXPECT_EQ(f.outside(), Outside::advance);
+  EXPECT_EQ(f.outside(), Extrapolation::advance);
   EXPECT_NEAR(f.at(360 + 90).position, 250 + 360, 1e-12);
   EXPECT_NEAR(f.at(-360 * 1000 + 180).position, 250 - 360 * 1000, 1e-9);
   EXPECT_NEAR(f.jet(360, Side::left)[0], 370, 1e-12);

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <optional>
 #include <sstream>
 #include <string>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/disc.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/random.hpp"
@@ -31,7 +32,7 @@ inline Cam harmonic(double a) {
   f.c[0] = a;
   f.sines = 1;
   f.sine[0] = {-a, 2 * std::numbers::pi, std::numbers::pi / 2};
-  return Cam({f}, 0, Outside::wrap);
+  return Cam({f}, 0, Extrapolation::wrap);
 }
 
 struct RandomDisc {

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/cam/disc.hpp"
+#include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/disc_cams.hpp"

@@ -1,4 +1,5 @@
-#include "jounce/cam/disc_contour.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/disc/disc_contour.hpp"
 
 #include <cmath>
 
@@ -88,7 +89,7 @@ TEST(Contour, OfRandomCamsStaysWithinTheTolerance) {
 }
 
 TEST(Contour, OfADwellIsItsCircle) {
-  const Disc disc(Cam({line(360, 0, 0)}, 0, Outside::wrap),
+  const Disc disc(Cam({line(360, 0, 0)}, 0, Extrapolation::wrap),
                   {.base_radius = 20, .roller_radius = 5});
   const Contour c = contour(disc, -5, 1e-6);
   EXPECT_LE(c.size(), 8U);
@@ -113,7 +114,7 @@ TEST(Contour, RefusesCornersAndTolerances) {
   EXPECT_THROW(contour(disc, 0, 0), InputError);
   EXPECT_THROW(contour(disc, 0, 1e-12), InputError);
   EXPECT_THROW(contour(disc, NAN, 1), InputError);
-  const Cam heart({line(180, 0, 18), line(180, 18, 0)}, 0, Outside::wrap);
+  const Cam heart({line(180, 0, 18), line(180, 18, 0)}, 0, Extrapolation::wrap);
   EXPECT_THROW(contour(Disc(heart, {.base_radius = 20}), 0, 0.1), InputError);
 }
 

@@ -1,4 +1,5 @@
-#include "jounce/cam/disc.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/disc/disc.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -91,7 +92,7 @@ TEST(Disc, HarmonicLiftMakesALimacon) {
 }
 
 TEST(Disc, DwellIsACircleAndTheOffsetTiltsIt) {
-  const Cam still({line(360, 7, 7)}, 0, Outside::wrap);
+  const Cam still({line(360, 7, 7)}, 0, Extrapolation::wrap);
   for (const auto rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
     const DiscExtremes e = extremes(
         Disc(still, {.base_radius = 20, .roller_radius = 5, .offset = 7, .rotation = rotation}));
@@ -104,7 +105,7 @@ TEST(Disc, DwellIsACircleAndTheOffsetTiltsIt) {
 }
 
 TEST(Disc, LineIsASpiralOfArchimedesWithACornerThatIsReported) {
-  const Cam heart({line(180, 0, 18), line(180, 18, 0)}, 0, Outside::wrap);
+  const Cam heart({line(180, 0, 18), line(180, 18, 0)}, 0, Extrapolation::wrap);
   const Disc disc(heart, {.base_radius = 20, .roller_radius = 4});
   const double k = 18 / std::numbers::pi;  // per rad
   for (const double x : {1.0, 60.0, 179.0}) {
@@ -211,7 +212,7 @@ TEST(Disc, RandomCamsKeepWithinTheirExtremesAndReachThem) {
 TEST(Disc, NarrowPeakIsFound) {
   const Cam cam({line(123.4, 0, 0), quintic(0.1, 0, 0, 0, 0.02, 0, 0),
                  quintic(0.1, 0.02, 0, 0, 0, 0, 0), line(236.4, 0, 0)},
-                0, Outside::wrap);
+                0, Extrapolation::wrap);
   const Disc disc(cam, {.base_radius = 20, .roller_radius = 8});
   double sampled = 0;
   for (int i = 0; i < 1000; ++i) sampled = std::max(sampled, disc.at(0.36 * i).pressure_angle);
@@ -252,9 +253,9 @@ TEST(Disc, RefusesWhatIsNoDisc) {
     spec.centre_distance = distance;
     return spec;
   };
-  const Cam open({quintic(360, 0, 0, 0, 5, 0, 0)}, 0, Outside::wrap);
-  const Cam part({line(100, 0, 0)}, 0, Outside::wrap);
-  const Cam step({line(100, 0, 0), line(260, 1, 0)}, 0, Outside::wrap);
+  const Cam open({quintic(360, 0, 0, 0, 5, 0, 0)}, 0, Extrapolation::wrap);
+  const Cam part({line(100, 0, 0)}, 0, Extrapolation::wrap);
+  const Cam step({line(100, 0, 0), line(260, 1, 0)}, 0, Extrapolation::wrap);
   for (const Refused& r : {Refused{"base_radius", good, {}},
                            {"base_radius", good, {.base_radius = NAN}},
                            {"roller_radius", good, {.base_radius = 20, .roller_radius = -1}},

@@ -1,11 +1,12 @@
-#include "jounce/cam/followed.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/followed.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/fig_6_14.hpp"
 #include "support/oracle.hpp"
@@ -54,7 +55,7 @@ TEST(Followed, BreaksWhereTheMasterPassesAKnotWithBothLimits) {
 TEST(Followed, RunsInStepFrom75To200) {
   // PMC600 manual 6.2, example 4.3: at master 200 pulse/s the slave runs at 200 pulse/s there.
   const Cam cam = design(fig_6_14()).cam;
-  const Followed slave(cam, Trajectory({line(5.4, 0, 1080)}, 0, Outside::hold));
+  const Followed slave(cam, Trajectory({line(5.4, 0, 1080)}, 0, Extrapolation::hold));
   for (int lap = 0; lap < 3; ++lap)
     for (const double master : {75.0, 100.0, 137.5, 199.9}) {
       const double t = (360 * lap + master) / 200;
@@ -65,7 +66,7 @@ TEST(Followed, RunsInStepFrom75To200) {
 
 TEST(Followed, AMasterThatReversesMeetsTheLeftLimits) {
   // A kinked cam: slope 1 below 1, slope 3 above. The master goes to 1.5 and back.
-  const Cam cam({line(1, 0, 1), line(1, 1, 4)}, 0, Outside::hold);
+  const Cam cam({line(1, 0, 1), line(1, 1, 4)}, 0, Extrapolation::hold);
   const Trajectory out_and_back({line(1, 0.5, 1.5), line(1, 1.5, 0.5)});
   const Followed slave(cam, out_and_back);
   EXPECT_DOUBLE_EQ(slave.at(0.5, Side::left).velocity, 1);

@@ -1,12 +1,13 @@
-#include "jounce/cam/hermite.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/hermite.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
 namespace {

@@ -1,4 +1,5 @@
-#include "jounce/cam/inverse.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/algebra/inverse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "random_cams.hpp"
 #include "support/fig_6_14.hpp"
@@ -365,7 +366,7 @@ TEST(Positions, AreAllThereAre) {
   const auto at_0 = positions_for(cam, 0);
   ASSERT_EQ(at_0.size(), 1U) << "the end is the start of the next turn";
   EXPECT_EQ(at_0[0].from, 0);
-  EXPECT_EQ(positions_for(with(cam, Outside::hold), 0).size(), 2U);
+  EXPECT_EQ(positions_for(with(cam, Extrapolation::hold), 0).size(), 2U);
 
   EXPECT_TRUE(positions_for(cam, 50.001).empty());
   EXPECT_THROW(positions_for(cam, std::nan("")), InputError);

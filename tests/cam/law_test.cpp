@@ -1,12 +1,13 @@
-#include "jounce/cam/law.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/law.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
@@ -5,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "jounce/cam/law.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/cam/laws/law.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 
 namespace jounce::testing {
 
@@ -21,7 +22,7 @@ inline Segment polynomial(std::vector<double> coefficients) {
 inline std::map<std::string, Cam> laws() {
   std::map<std::string, Cam> all;
   const auto add = [&](const char* name, Law law) {
-    all.emplace(name, Cam(normalised(law), 0, Outside::hold));
+    all.emplace(name, Cam(normalised(law), 0, Extrapolation::hold));
   };
   add("quadratic_parabola", Law::parabola);
   add("simple_sine", Law::simple_sine);

@@ -1,4 +1,5 @@
-#include "jounce/cam/master_limits.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/master_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "laws.hpp"
 #include "support/fig_6_14.hpp"
@@ -48,9 +49,9 @@ TEST(GreatestMasterVelocity, IsInfiniteWithoutLimitsAndZeroWhereADerivativeSteps
   EXPECT_EQ(none.quantity, "jerk");
   const Cam gear({line(1, 0, 2)});
   EXPECT_TRUE(std::isinf(greatest_master_velocity(gear, {.acceleration = 1, .jerk = 1}).value));
-  EXPECT_EQ(greatest_master_velocity(with(gear, Outside::wrap), {.velocity = 1}).value, 0)
+  EXPECT_EQ(greatest_master_velocity(with(gear, Extrapolation::wrap), {.velocity = 1}).value, 0)
       << "it jumps back where it wraps";
-  const auto kick = greatest_master_velocity(with(gear, Outside::hold), {.acceleration = 1});
+  const auto kick = greatest_master_velocity(with(gear, Extrapolation::hold), {.acceleration = 1});
   EXPECT_EQ(kick.value, 0) << "from rest to 2 at once";
   EXPECT_EQ(kick.quantity, "acceleration");
 }
@@ -111,7 +112,7 @@ TEST(MasterLimits, AreReachedAndNotPassedOnRandomCams) {
         shifted(scaled(testing::laws().at(names[static_cast<std::size_t>(random.below(6))]),
                        -stroke, length * random.uniform(0.5, 2)),
                 0, stroke);
-    const Cam cam = with(concatenated(rise, fall), Outside::wrap);
+    const Cam cam = with(concatenated(rise, fall), Extrapolation::wrap);
     const Ranges r = extrema(cam);
     const double w = random.log_uniform(1e-2, 1e2) * length;  // in the order of what is asked
     const Limits slave{.velocity = r[1].peak().value * w * random.uniform(1, 3),
@@ -149,7 +150,7 @@ TEST(MasterLimits, FindANarrowPeakThatAThousandSamplesMiss) {
   const double width = 0.2;
   const Cam cam({line(start, 0, 0), quintic(width / 2, 0, 0, 0, 1e-3, 0, 0),
                  quintic(width / 2, 1e-3, 0, 0, 0, 0, 0), line(360 - start - width, 0, 0)},
-                0, Outside::wrap);
+                0, Extrapolation::wrap);
   for (int i = 0; i <= 1000; ++i) EXPECT_EQ(cam.jet(360.0 * i / 1000)[1], 0);
   const auto limit = greatest_master_velocity(cam, {.velocity = 1});
   EXPECT_NEAR(limit.value, width / 2 / 1e-3 / 1.875, 1e-9);

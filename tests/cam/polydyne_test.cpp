@@ -1,4 +1,5 @@
-#include "jounce/cam/polydyne.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/polydyne.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/law.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/cam/laws/law.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -21,7 +22,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 Cam rise(Law law) {
-  return Cam(normalised(law), 0, Outside::hold);
+  return Cam(normalised(law), 0, Extrapolation::hold);
 }
 
 /// The same segments over time.
@@ -78,7 +79,7 @@ TEST(Polydyne, IsExactOnSinesAndEveryLengthStrokeAndPlace) {
     EXPECT_NEAR(made.cam.at(start + 0.3 * length).position,
                 y.position + 2 * mode.damping / w * y.geo_velocity + y.geo_acceleration / (w * w),
                 1e-12 * std::abs(stroke));
-    EXPECT_EQ(made.cam.outside(), Outside::hold);
+    EXPECT_EQ(made.cam.outside(), Extrapolation::hold);
   }
   // A periodic output of sines alone: its cam has the same sine, in the proportion of the response.
   Segment turn;
@@ -86,7 +87,7 @@ TEST(Polydyne, IsExactOnSinesAndEveryLengthStrokeAndPlace) {
   turn.sines = 1;
   turn.sine[0] = {2, two_pi, 0.4};
   const Mode mode{3.0 / 360, 0};
-  const Cam cam = polydyne(Cam({turn}, 0, Outside::wrap), mode).cam;
+  const Cam cam = polydyne(Cam({turn}, 0, Extrapolation::wrap), mode).cam;
   EXPECT_NEAR(extrema(cam, 0).max.value, 2 * (1 - 1.0 / 9), 1e-12);
 }
 

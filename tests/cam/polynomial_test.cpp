@@ -1,4 +1,5 @@
-#include "jounce/cam/polynomial.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/polynomial.hpp"
 
 #include <cmath>
 #include <string>

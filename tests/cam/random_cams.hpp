@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <utility>
 #include <vector>
 
-#include "jounce/cam/law.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/cam/laws/law.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 
 #include "support/random.hpp"
 
@@ -35,7 +36,7 @@ inline std::vector<Segment> random_rise(Random& random, bool quintics, double le
 
 /// A cam of 1 to 6 segments of any law, over a master and a slave of any size and place, continuous
 /// in position only. `one_way`: the slave never turns back, and dwells have a motion on both sides.
-inline Cam random_cam(Random& random, bool one_way, Outside outside = Outside::hold) {
+inline Cam random_cam(Random& random, bool one_way, Extrapolation outside = Extrapolation::hold) {
   const double master = random.log_uniform(1e-9, 1e9);
   const double slave = random.log_uniform(1e-9, 1e9);
   const double sign = random.below(2) == 0 ? 1 : -1;

@@ -1,15 +1,16 @@
-#include "jounce/cam/smoothing_spline.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/smoothing_spline.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/detail/least_energy.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
+#include "cam/src/design/least_energy.hpp"
 #include "spline_oracle.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -21,7 +22,7 @@ using testing::Random;
 
 /// Its value at every point of the table.
 std::vector<double> at_points(const SmoothingSpline& s, const SplineSpec& spec) {
-  const Cam cam(s.segments, spec.points.front().master, Outside::hold);
+  const Cam cam(s.segments, spec.points.front().master, Extrapolation::hold);
   std::vector<double> y;
   for (const SplinePoint& p : spec.points) y.push_back(cam.at(p.master).position);
   return y;
@@ -113,7 +114,7 @@ TEST(SmoothingSpline, IsAQuinticSplineThroughThePointsItTouches) {
     const SmoothingSpline s = smoothing_spline(spec);
     if (s.touched.size() < 4) continue;
     const Cam cam(s.segments, spec.points.front().master,
-                  spec.ends == SplineEnds::periodic ? Outside::wrap : Outside::refuse);
+                  spec.ends == SplineEnds::periodic ? Extrapolation::wrap : Extrapolation::refuse);
     if (spec.ends == SplineEnds::natural) testing::expect_invariants(cam, 3);
     EXPECT_LE(s.segments.size(), s.touched.size() + 1);
     EXPECT_NEAR(energy_through(spec, at_points(s, spec)), s.square_jerk, 1e-9 * s.square_jerk);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/spline.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/cam/laws/spline.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 
 namespace jounce::testing {
 

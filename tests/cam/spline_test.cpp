@@ -1,4 +1,5 @@
-#include "jounce/cam/spline.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/laws/spline.hpp"
 
 #include <cmath>
 #include <functional>
@@ -7,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/detail/least_energy.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
+#include "cam/src/design/least_energy.hpp"
 #include "spline_oracle.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -27,7 +28,7 @@ using Maker = std::function<std::vector<Segment>(const SplineSpec&)>;
 
 Cam cam_of(const std::vector<Segment>& segments, const SplineSpec& spec) {
   return Cam(segments, spec.points.front().master,
-             spec.ends == SplineEnds::periodic ? Outside::wrap : Outside::refuse);
+             spec.ends == SplineEnds::periodic ? Extrapolation::wrap : Extrapolation::refuse);
 }
 
 void expect_oracle(const char* name, const Maker& make, SplineSpec spec) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/cam/cam_switch.hpp"
+#include "jounce/cam/switches/cam_switch.hpp"
 
 /// The edges of cam switches by brute force: time goes in small steps, in long double, along a
 /// motion in closed form; what was passed within a step is bisected. Written from the text of

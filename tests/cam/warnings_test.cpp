@@ -1,11 +1,12 @@
-#include "jounce/cam/warnings.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/design/warnings.hpp"
 
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 
 #include "laws.hpp"
 
@@ -99,7 +100,7 @@ TEST(Warnings, NameEachStepOnceByItsLowestOrder) {
   const Report poly = warnings(law("poly_345"));
   EXPECT_EQ(poly.warnings(), 0U);
   EXPECT_EQ(count(poly, "joint/geo_jerk"), 2U) << "a note each";
-  const Report straight = warnings(Cam({line(1, 0, 1), line(1, 1.5, 2)}, 0, Outside::wrap));
+  const Report straight = warnings(Cam({line(1, 0, 1), line(1, 1.5, 2)}, 0, Extrapolation::wrap));
   EXPECT_EQ(count(straight, "joint/position"), 2U) << "inside and at the wrap";
   EXPECT_EQ(get(straight, "joint/position").where, 2) << "the worst first: back from 2 to 0";
   EXPECT_EQ(count(straight, "joint/geo_velocity"), 0U);

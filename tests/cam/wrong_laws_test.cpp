@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws that a public "VDI 2143" library ships and that its own tests let pass, as tables of 360
 // intervals with the columns position, velocity, acceleration as the library's formulas give them.
 
@@ -8,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/certificate.hpp"
-#include "jounce/cam/characteristics.hpp"
-#include "jounce/cam/warnings.hpp"
+#include "jounce/cam/design/certificate.hpp"
+#include "jounce/cam/design/characteristics.hpp"
+#include "jounce/cam/design/warnings.hpp"
 #include "jounce/pvt/table.hpp"
 
 #include "laws.hpp"
@@ -83,7 +84,8 @@ Cam as_table(const std::function<Row(double)>& law) {
     columns.v.push_back(row.v);
     columns.a.push_back(row.a);
   }
-  return Table(Axis::master, Rule::quintic_hermite, Outside::hold, columns).curve<OverMaster>();
+  return Table(Domain::master, Interpolation::quintic_hermite, Extrapolation::hold, columns)
+      .curve<OverMaster>();
 }
 
 std::size_t count(const Report& report, const std::string& rule) {

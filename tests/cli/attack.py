@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Another machine on the same network: attack.py STOP|TEXT|MASTER VICTIM OWN_ADDRESS [SECONDS [AXIS]]
 
 It has no key and receives nothing; it knows the protocol, as docs/stream-protocol.md has it. Each packet goes to the

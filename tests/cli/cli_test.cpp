@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +15,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-#include "jounce/io/printable.hpp"
+#include "jounce/base/printable.hpp"
 
 namespace {
 
@@ -291,7 +292,8 @@ TEST_F(Cli, AnUnstableLoopIsAFinding) {
     EXPECT_THAT(found.out, HasSubstr("the loop is unstable at 278.632 Hz"));
     EXPECT_THAT(found.out, HasSubstr("-> lower controller.velocity_gain from 0.05 to less than"));
   }
-  EXPECT_THAT(run("validate periodic.toml").out, HasSubstr("loop unstable at 278.6 Hz, gain margin"));
+  EXPECT_THAT(run("validate periodic.toml").out,
+              HasSubstr("loop unstable at 278.6 Hz, gain margin"));
   EXPECT_EQ(run("report periodic.toml -o page.html").status, 1);
   write("stable.toml", delayed_drive(0.1));
   const Result calm = run("validate stable.toml");
@@ -961,7 +963,7 @@ TEST_F(Cli, TextThatCannotBeWrittenIsAFault) {
 }
 
 TEST_F(Cli, AClosedStandardOutputDiscards) {
-  EXPECT_EQ(run("design " + cam + " -o table.csv >&-").status, run("check " + cam).status);
+  EXPECT_EQ(run("design " + cam + " -o table.csv >&-").status, 0);
   const std::string table = slurp(folder / "table.csv");
   EXPECT_THAT(table, StartsWith("# jounce table 1\n"));
   EXPECT_THAT(table, Not(HasSubstr("certified")));
@@ -983,8 +985,7 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
   write("p.csv", points);
   write("p.toml",
         "points = \"p.csv\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
-  for (const char* verb :
-       {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear"}) {
+  for (const char* verb : {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear"}) {
     const Result result = run(verb);
     EXPECT_EQ(result.status, 2) << verb;
     EXPECT_THAT(result.err, HasSubstr("p.csv: is also an input")) << verb;
@@ -1004,7 +1005,8 @@ TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
   EXPECT_THAT(page.out, HasSubstr("PMC600 Fig. 6.14: 2 findings; the worst: geo_velocity"));
   const Result pdf = run("report " + cam + " -o page.pdf");
   EXPECT_EQ(pdf.status, 2);
-  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html: a report is a page of HTML\n");
+  EXPECT_EQ(pdf.err,
+            "jounce: --output = page.pdf: must end in .html: a report is a page of HTML\n");
   std::filesystem::create_directory(folder / "folder");
   EXPECT_EQ(run("report folder -o other.html").err,
             "jounce: folder: cannot be read: Is a directory\n");
@@ -1093,8 +1095,9 @@ TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
   const Result other = run("design --axis z " + via);
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(other.err, "jounce: --axis = z: must be one of x, y\n");
-  EXPECT_EQ(run("check " + cam + " --axis x").err,
-            "jounce: --axis = x: " + cam + " has only one axis, without a name: leave out --axis\n");
+  EXPECT_EQ(
+      run("check " + cam + " --axis x").err,
+      "jounce: --axis = x: " + cam + " has only one axis, without a name: leave out --axis\n");
   for (const std::string verb : {"report ", "stream --to feeder --url memq:// "}) {
     const Result result = run(verb + via);
     EXPECT_EQ(result.status, 2) << verb;
@@ -1492,7 +1495,8 @@ void write_recording(const std::filesystem::path& folder, const std::string& nam
   for (int i = 0; i < rows; ++i) {
     const double t = 1e-3 * i;
     std::array<char, 80> row{};
-    std::snprintf(row.data(), row.size(), "%.3f,%.9f,%.9f\n", t, 10 * std::sin(t), 10 * std::cos(t));
+    std::snprintf(row.data(), row.size(), "%.3f,%.9f,%.9f\n", t, 10 * std::sin(t),
+                  10 * std::cos(t));
     points << row.data();
   }
   std::ofstream(folder / (name + ".toml"))

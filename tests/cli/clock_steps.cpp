@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preloaded into a process, it steps the process's wall clock an hour to and fro, twenty times a second, as if
 // somebody set the time without end; the monotonic clock goes on evenly. What is written to the file
 // CLOCK_STEPS in the end: how often the wall clock was read, so that a test can see that it was.

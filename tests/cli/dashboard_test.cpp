@@ -1,11 +1,12 @@
-#include "dashboard.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/machine/dashboard.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <gmock/gmock.h>
 
-#include "terminal.hpp"
+#include "cli/machine/terminal.hpp"
 
 namespace jounce::cli {
 namespace {

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # follow_in_namespace.sh JOUNCE EXAMPLES: examples 7-7 and 7-9 of the Googol manual and a table that ends at a ratio,
 # streamed to an executor and compared with the manual's numbers in its logs.
 set -eu

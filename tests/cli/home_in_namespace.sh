@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # home_in_namespace.sh JOUNCE EXAMPLE: `jounce order AXIS home` as an operator uses it, rightly and wrongly, on the
 # example's slide; what the monitor, the log and a replay show of it.
 set -eu

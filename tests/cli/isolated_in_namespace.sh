@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # isolated_in_namespace.sh JOUNCE EXAMPLE_DIR: an executor in motion, and another machine on its network that has no key,
 # receives nothing and sends: a stop, a master's position, a status with a text that is not UTF-8. What
 # docs/executor/two-machines.md says of each address is tried: without a ttl; with ttl=1 and no key, where the same

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # kill_in_namespace.sh JOUNCE EXAMPLE_DIR: the streamer is killed half-way through a long table.
 set -eu
 . "$(dirname "$0")/namespace.sh"

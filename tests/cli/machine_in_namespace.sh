@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # machine_in_namespace.sh JOUNCE: a machine with a virtual master, over UDP: the logs of all its axes, and what is said
 # where something is missing or silent.
 set -eu

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced after namespace.sh: a second network, joined to this one by a cable: here 10.7.0.1, there 10.7.0.2.
 # there COMMAND...: runs it in the other one. Ends with the test. Exit 77 where the kernel has no such cable.
 ip route del 224.0.0.0/4 dev lo

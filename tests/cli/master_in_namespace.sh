@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # master_in_namespace.sh JOUNCE EXAMPLE_DIR FOLLOWS: the example over UDP, one in ten packets of the line lost; then
 # the line falls silent under a follower.
 set -eu

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # monitor_in_namespace.sh JOUNCE EXAMPLE_DIR: the dashboard in a terminal, in a network of its own.
 set -eu
 . "$(dirname "$0")/namespace.sh"

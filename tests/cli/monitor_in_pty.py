@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """monitor_in_pty.py JOUNCE AXIS CAM: the dashboard of `jounce monitor` in a terminal of its own, while the axis plays
 the cam: what it shows, what its keys do, and that it leaves the terminal as it was. Ends within a minute."""
 import fcntl

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced by a script whose first argument is JOUNCE: runs the script in scripts/own_network, where nothing leaves
 # this machine, with a scratch folder that goes away, and makes its first argument the jounce that meets others there.
 root=$(cd "$(dirname "$0")/../.." && pwd)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # pairs_in_namespace.sh JOUNCE EXAMPLE_DIR: of two executors of one name that start together, one is up and the other ends
 # with an error that names it; on one machine, and on two that a cable joins; and 64 axes are up together.
 set -eu

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # play_in_namespace.sh JOUNCE EXAMPLE_DIR SHARE_OF_PACKETS_LOST
 set -eu
 . "$(dirname "$0")/namespace.sh"

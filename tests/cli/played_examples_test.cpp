@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `check` and `design` promise of every example is what the executor's log shows.
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,15 @@
 #include <unistd.h>
 
 #include "jounce/executor/played.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/check.hpp"
 
+#include "cli/common/input.hpp"
+#include "cli/proof/reference.hpp"
 #include "executor/site.hpp"
-#include "input.hpp"
-#include "reference.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -110,7 +111,7 @@ Trajectory lead(const MotionState& from, const MotionState& to, const Trajectory
     const double value = std::abs(extrema(motion, order).peak().value);
     return value > 0 ? value : Bounds::none;
   };
-  const Move move = move_to(from, to, within(peak(1), peak(2), peak(3)));
+  const MoveResult move = move_to(from, to, within(peak(1), peak(2), peak(3)));
   EXPECT_TRUE(move) << explain(move.status);
   return move.profile.curve();
 }
@@ -129,7 +130,7 @@ void append(Columns& all, const Columns& more) {
   add(all.a, more.a);
 }
 
-Columns knots_of(const Trajectory& motion, Rule rule) {
+Columns knots_of(const Trajectory& motion, Interpolation rule) {
   std::vector<double> knots{motion.start()};
   for (const double x : motion.breaks())  // a phase may be no longer than the rounding of its place
     if (x - knots.back() > 1e-9 * motion.end()) knots.push_back(x);
@@ -143,8 +144,8 @@ Input from_rest_to_rest(Input input) {
   const auto* const motion = std::get_if<Trajectory>(&*input.curve);
   if (motion == nullptr) return input;
   const auto state = [](const Jet& jet) { return MotionState{jet[0], jet[1], jet[2]}; };
-  const Rule rule = input.table.table.rule();
-  const bool smooth = rule == Rule::quintic_hermite;
+  const Interpolation rule = input.table.table.rule();
+  const bool smooth = rule == Interpolation::quintic_hermite;
   MotionState begin = state(motion->jet(motion->start(), Side::right));
   MotionState end = state(motion->jet(motion->end(), Side::left));
   const double none = 1e-6 * std::abs(extrema(*motion, 1).peak().value);
@@ -166,8 +167,8 @@ Input from_rest_to_rest(Input input) {
     segments.insert(segments.end(), out.segments().begin(), out.segments().end());
     append(columns, knots_of(out, rule));
   }
-  input.curve = Trajectory(std::move(segments), 0, Outside::hold);
-  input.table.table = Table(Axis::time, rule, Outside::hold, std::move(columns));
+  input.curve = Trajectory(std::move(segments), 0, Extrapolation::hold);
+  input.table.table = Table(Domain::time, rule, Extrapolation::hold, std::move(columns));
   return input;
 }
 
@@ -201,7 +202,7 @@ Promise promise_of(const Input& input) {
   const std::vector<double> knots(master.breaks().begin(), master.breaks().end());
   plan.tables.push_back({input.table.table, input.table.units});
   plan.tables.push_back(
-      {sample(master, Rule::cubic_hermite, knots).table, {"s", input.table.units.x}});
+      {sample(master, Interpolation::cubic_hermite, knots).table, {"s", input.table.units.x}});
   plan.mode = wire::ArmMode::follow_table;
   return {std::move(plan), Followed(input.table.table.curve<OverMaster>(), master),
           Followed(*cam, master)};

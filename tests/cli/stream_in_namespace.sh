@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # stream_in_namespace.sh JOUNCE EXAMPLES: `jounce stream` as an operator uses it, rightly and wrongly, and what the executor's
 # logs show of it.
 set -eu

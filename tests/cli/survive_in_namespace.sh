@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # survive_in_namespace.sh JOUNCE WHAT EXAMPLE_DIR [HELPER]: what real processes live through, in a network of
 # their own. WHAT is
 #     streamer   kill -9 of the streamer at many points of download, arm, start and play

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # two_machines_in_namespace.sh JOUNCE EXAMPLE_DIR: streamer and executor with a network of their own each, joined by a
 # cable, as docs/executor/two-machines.md says. The cable is pulled while the axis moves.
 set -eu

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
 // cam_pictures FOLDER: draws the pictures of docs/cam and docs/gear that no verb draws; the tests compare.
 #include <cmath>
 #include <fstream>
 #include <string>
 #include <utility>
 
-#include "jounce/cam/algebra.hpp"
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/inverse.hpp"
+#include "jounce/cam/algebra/algebra.hpp"
+#include "jounce/cam/algebra/inverse.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/plot/figure.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 using namespace jounce;
 
@@ -64,7 +65,7 @@ Figure inverse() {
 Figure algebra() {
   const Cam cam = pusher();
   const Cam rise({quintic(120, 0, 0, 0, 4, 0, 0)});
-  const Cam shake = with(concatenated(rise, reversed(rise)), Outside::wrap);
+  const Cam shake = with(concatenated(rise, reversed(rise)), Extrapolation::wrap);
   const Cam turns = repeated(cam, 2);
   Figure figure{.title = "phased and superposed", .x_label = "master [deg]", .degrees = true};
   figure.panels.push_back(

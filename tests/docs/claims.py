@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """claims.py PAGE SOURCE_DIR: every test that a page names is there. A name is what ctest prints, in backticks:
 `axis: Suite.Test` of tests/axis, or the NAME of an add_test. Exit status 1 names those that are missing."""
 import pathlib

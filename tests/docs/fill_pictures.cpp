@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fill_pictures FOLDER: draws docs/pictures/pvt_fill.svg, the ways to fill in velocities; the tests compare.
 #include <fstream>
 #include <string>
@@ -38,7 +39,7 @@ Figure fillings() {
   for (const Filling filling :
        {Filling::natural, Filling::monotone, Filling::shape_preserving, Filling::minimum_jerk}) {
     FillSpec spec = hmpl(filling);
-    if (filling == Filling::minimum_jerk) spec.rule = Rule::quintic_hermite;
+    if (filling == Filling::minimum_jerk) spec.rule = Interpolation::quintic_hermite;
     const Trajectory f = filled(spec).table.curve<OverTime>();
     position.series.push_back(series(name(filling), f, 0));
     velocity.series.push_back(series(name(filling), f, 1));

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # laws_are_printed.sh JOUNCE DOCS: docs/laws.md and its pictures are what `jounce laws` makes.
 set -eu
 "$1" laws --markdown | diff - "$2/laws.md"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # make_example.sh JOUNCE SPEC PICTURE: the spec is designed, checked, proven and drawn; its tables read back; the picture
 # in docs/ is the one it draws (scripts/pictures makes them anew).
 set -eu

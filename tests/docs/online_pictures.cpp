@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // online_pictures FOLDER: draws docs/pictures/online.svg, a limit lowered while an axis brakes; the tests
 // compare.
 #include <fstream>
@@ -5,7 +6,7 @@
 #include <utility>
 
 #include "jounce/plot/figure.hpp"
-#include "jounce/profiles/online.hpp"
+#include "jounce/profiles/online/online.hpp"
 
 using namespace jounce;
 

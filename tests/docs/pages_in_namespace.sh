@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # pages_in_namespace.sh JOUNCE PAGE.md...: run_snippets.py where programs meet, in a network of its own.
 set -eu
 . "$(dirname "$0")/../cli/namespace.sh"

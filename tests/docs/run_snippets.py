@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs what the documentation shows.
 
 usage: run_snippets.py JOUNCE PAGE.md...

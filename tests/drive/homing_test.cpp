@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <functional>
 #include <map>
@@ -211,7 +212,8 @@ TEST(Homing, AMachineThatStillMovesDoesNotPassAnotherEdgeForHome) {
     for (double width = 1; width <= 12; width += 0.125)
       for (const int method : {23, 24, 27, 30}) {
         const MachineSwitch narrow{.position = 10, .width = width};
-        Stage stage(machine(narrow), -50, config_of(), std::make_shared<Lagging>(-50 - offset, gain));
+        Stage stage(machine(narrow), -50, config_of(),
+                    std::make_shared<Lagging>(-50 - offset, gain));
         stage.home(method);
         stage.finish();
         if (!stage.now.homed) continue;  // a switch that the search overruns may end in a fault

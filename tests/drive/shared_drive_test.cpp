@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/drive/shared_drive.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/drive/simulated_drive.hpp"
 
 #include <cmath>
@@ -5,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
@@ -20,7 +21,7 @@ using test::Kind;
 /// A cam of 360 by 360 deg, one turn in half a second, at rest at both ends of every law.
 std::shared_ptr<const Table> smooth_cam() {
   return test::table(
-      Axis::master, Rule::quintic_hermite, Outside::wrap,
+      Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
       {{0, 120, 180, 300, 360}, {0, 90, 90, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
 }
 

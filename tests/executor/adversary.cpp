@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // adversary [ORDERS [SEED [WITHOUT...]]]: random orders of all kinds, valid and not, from several sessions, through the
 // protocol to an executor on a virtual clock; a judge that reads only its tick logs says what is wrong.
 // ORDERS up to 1000 run on one executor, print what it accepted, and leave its logs. WITHOUT: kinds that are not sent.
@@ -22,10 +23,10 @@
 
 #include "jounce/drive/machine_sensors.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/group.hpp"
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/group.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "executor/log_judge.hpp"
 #include "executor/log_line.hpp"
@@ -59,7 +60,7 @@ std::shared_ptr<const Table> own_table(const Bounds& b, double reach) {
   time = std::max(time, 2 * std::sqrt(5.8 * reach * 4 / b.acceleration));
   if (b.jerk) time = std::max(time, 2 * std::cbrt(60 * reach * 8 / *b.jerk));
   return std::make_shared<const Table>(
-      Axis::time, Rule::quintic_hermite, Outside::hold,
+      Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
       Columns{{0, time / 2, time}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
 }
 
@@ -68,7 +69,8 @@ std::shared_ptr<const Table> own_table(const Bounds& b, double reach) {
 void add_switches(Random& random, ExecutorOptions& axis, Bounds& b) {
   const HomingSpec& homing = axis.axis.homing;
   const double fastest = std::max(homing.search_velocity, homing.index_velocity);
-  const double braking = fastest * time_to_rest(fastest, 0, homing.acceleration, b.jerk.value_or(HUGE_VAL));
+  const double braking =
+      fastest * time_to_rest(fastest, 0, homing.acceleration, b.jerk.value_or(HUGE_VAL));
   const double reach = fastest * random.uniform(0.2, 1) + 4 * braking;
   const double bounce = random.below(2) == 0 ? 0 : random.uniform(0.001, 0.005);
   MachineBounds m;
@@ -290,12 +292,14 @@ Accepted accepted(const wire::Order& order, const HomingSpec& homing) {
       return {.what = What::places};
     case OrderKind::home: {
       const auto chosen = [&](std::size_t i, double own) { return std::isnan(v[i]) ? own : v[i]; };
-      return {.what = What::homes,
-              .acceleration = chosen(4, homing.acceleration),
-              .method = std::isnan(v[1]) || v[1] == 0 ? homing.method : static_cast<int>(std::clamp(v[1], 0.0, 99.0)),
-              .fastest = std::max(chosen(2, homing.search_velocity), chosen(3, homing.index_velocity)),
-              .home = chosen(0, homing.offset),
-              .timeout = chosen(5, homing.timeout)};
+      return {
+          .what = What::homes,
+          .acceleration = chosen(4, homing.acceleration),
+          .method = std::isnan(v[1]) || v[1] == 0 ? homing.method
+                                                  : static_cast<int>(std::clamp(v[1], 0.0, 99.0)),
+          .fastest = std::max(chosen(2, homing.search_velocity), chosen(3, homing.index_velocity)),
+          .home = chosen(0, homing.offset),
+          .timeout = chosen(5, homing.timeout)};
     }
     case OrderKind::hold:
       return {.what = What::rests};
@@ -380,9 +384,9 @@ class Episode {
 
   std::int64_t ticks = 0;
   std::size_t taken = 0;
-  std::size_t homed = 0;  ///< searches that found their home
+  std::size_t homed = 0;                  ///< searches that found their home
   std::size_t together = 0, neither = 0;  ///< groups of both axes that began, and that did not
-  bool keep = false;  ///< its logs
+  bool keep = false;                      ///< its logs
 
  private:
   /// Most searches may go on: their session sends heartbeats meanwhile.
@@ -491,7 +495,8 @@ class Episode {
     static_cast<void>(stream_group(lossy, std::move(plans), {.watch = false}, brief, site_.clock));
     constexpr std::int64_t at_most = 400;  // ticks: the lead of a start, and what is on its way
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      note(axis, {.what = Accepted::What::moves}, sent[axis], "tables are streamed to both axes, with loss");
+      note(axis, {.what = Accepted::What::moves}, sent[axis],
+           "tables are streamed to both axes, with loss");
       accepted_[axis].back().answered += at_most;
       also(axis, Accepted::What::places);
     }
@@ -518,9 +523,10 @@ class Episode {
       together += both ? 1 : 0;
       neither += none && !both ? 1 : 0;
       if (none || both) continue;
-      findings.push_back("a group began at tick " + (x == first_[0].end() ? "-" : std::to_string(x->second)) +
-                         " of the feeder and " + (y == first_[1].end() ? "-" : std::to_string(y->second)) +
-                         " of the knife");
+      findings.push_back(
+          "a group began at tick " + (x == first_[0].end() ? "-" : std::to_string(x->second)) +
+          " of the feeder and " + (y == first_[1].end() ? "-" : std::to_string(y->second)) +
+          " of the knife");
     }
   }
 
@@ -533,7 +539,8 @@ class Episode {
       give(axis, client, {.kind = OrderKind::reset});
       give(axis, client, {.kind = OrderKind::enable});
       site_.advance(5ms);
-      give(axis, client, {.kind = OrderKind::home, .value = wire::values(OrderKind::home, {0, 37})});
+      give(axis, client,
+           {.kind = OrderKind::home, .value = wire::values(OrderKind::home, {0, 37})});
       static_cast<void>(client.release());
       static_cast<void>(clients_[axis][1]->release());
     }
@@ -625,7 +632,7 @@ class Episode {
   StreamPlan cam(StreamPlan plan) {
     const double reach = random_.uniform(1, 20);
     const double period = reach * random_.log_uniform(5, 50);
-    const Table table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+    const Table table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                       Columns{{0, period / 2, period}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
     plan.tables = {{table, {"mm", "mm"}}};
     plan.mode = wire::ArmMode::follow_input;
@@ -638,7 +645,7 @@ class Episode {
   Site site_;
   std::vector<std::unique_ptr<Client>> clients_[2];
   std::vector<Accepted> accepted_[2];
-  std::set<std::int64_t> armed_[2];  // groups
+  std::set<std::int64_t> armed_[2];                            // groups
   std::map<std::int64_t, std::int64_t> first_[2], second_[2];  // ticks, by group
 };
 
@@ -670,10 +677,13 @@ int main(int count, char** arguments) {
     together += episode.together;
     neither += episode.neither;
   }
-  std::printf("%ld orders, %zu of them accepted; %zu homings ended at home; of the groups of both axes %zu began and "
-              "%zu did not; %lld ticks of log; %zu findings\n",
-              orders, taken, homed, together, neither, static_cast<long long>(ticks), findings);
+  std::printf(
+      "%ld orders, %zu of them accepted; %zu homings ended at home; of the groups of both axes %zu "
+      "began and "
+      "%zu did not; %lld ticks of log; %zu findings\n",
+      orders, taken, homed, together, neither, static_cast<long long>(ticks), findings);
   const bool tried = (homed > 0 && together > 0 && neither > 0) || orders < 10 * orders_each;
-  if (!tried) std::printf("no homing ended at home, or no group began, or all did: too little was tried\n");
+  if (!tried)
+    std::printf("no homing ended at home, or no group began, or all did: too little was tried\n");
   return findings == 0 && tried ? 0 : 1;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/executor/dispatcher.hpp"
 
 #include <charconv>
@@ -10,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -190,7 +191,7 @@ TEST(Dispatcher, AnAbortIsAFaultThatTheNextSessionResets) {
   // The same table begins elsewhere; one that begins here is played.
   EXPECT_EQ(site.play(*trapezoid_table(500, 100, 1000, 1000)).cause,
             static_cast<int>(Cause::start_position));
-  EXPECT_TRUE(site.play(*there_and_back(where, 5, 1, Outside::hold)).ok());
+  EXPECT_TRUE(site.play(*there_and_back(where, 5, 1, Extrapolation::hold)).ok());
   site.advance(2s);
   EXPECT_EQ(site.last().fault, Cause::none);
   EXPECT_EQ(site.last().finished, 1U);
@@ -233,7 +234,7 @@ TEST(Dispatcher, AnOwnerThatFallsSilentInMotionStopsTheAxis) {
     ExecutorOptions options = feeder();
     options.stop_when_silent = stop;
     Site site({options});
-    const TablePtr cycle = there_and_back(0, 10, 1, Outside::wrap);
+    const TablePtr cycle = there_and_back(0, 10, 1, Extrapolation::wrap);
     const Sender sender = holding(site, *cycle, 1);
     site.advance(900ms);
     EXPECT_EQ(site.last().state, State::discrete_motion);
@@ -258,14 +259,14 @@ TEST(Dispatcher, AnAxisThatAdoptsTheStartTakesAnyTableAtStandstill) {
   ExecutorOptions options = feeder();
   options.adopt_start = true;
   Site site({options});
-  EXPECT_TRUE(site.play(*there_and_back(40, 5, 1, Outside::hold)).ok());
+  EXPECT_TRUE(site.play(*there_and_back(40, 5, 1, Extrapolation::hold)).ok());
   site.advance(1500ms);
   EXPECT_EQ(site.last().position, 40);
 }
 
 TEST(Dispatcher, RetiringStopsTheMotionAndArmsNothingMore) {
   Site site({feeder()});
-  ASSERT_TRUE(site.play(*there_and_back(0, 10, 1, Outside::wrap)).ok());
+  ASSERT_TRUE(site.play(*there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
   site.advance(300ms);
   EXPECT_FALSE(site.dispatcher.settled());
   site.dispatcher.retire();
@@ -274,7 +275,7 @@ TEST(Dispatcher, RetiringStopsTheMotionAndArmsNothingMore) {
   EXPECT_TRUE(site.dispatcher.settled());
   EXPECT_EQ(site.last().stopped, 1U);
   const double here = site.last().position;
-  const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Outside::hold));
+  const StreamOutcome outcome = site.play(*there_and_back(here, 10, 1, Extrapolation::hold));
   EXPECT_EQ(outcome.cause, static_cast<int>(Cause::leaving));
 }
 
@@ -317,7 +318,7 @@ std::string flood(Site& site, const Sender& owner, std::int32_t from, std::int32
 
 TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
   Site site({feeder()});
-  const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
+  const Sender owner = holding(site, *there_and_back(0, 10, 1, Extrapolation::wrap), 1);
   flood(site, owner, 100, 120);  // more than the axis's mail holds
   for (const auto mode : {wire::StopMode::abort, wire::StopMode::stop}) {
     send_message(site.link,
@@ -332,7 +333,7 @@ TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
 
 TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
   Site site({feeder()});
-  const Sender owner = holding(site, *there_and_back(0, 10, 1, Outside::wrap), 1);
+  const Sender owner = holding(site, *there_and_back(0, 10, 1, Extrapolation::wrap), 1);
   EXPECT_EQ(flood(site, owner, 100, 150), "");
   EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("too many commands are waiting"));
   site.advance(100ms);  // of which one a tick is obeyed

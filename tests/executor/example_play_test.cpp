@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manuals' examples from the streamer to the axis: sessions, queues and orders over a link, the
 // executor's threads in turn on a virtual clock, and every tick compared with the exact curves.
 
@@ -10,7 +11,7 @@
 #include "jounce/gear/follow.hpp"
 #include "jounce/pvt/pt.hpp"
 #include "jounce/pvt/segment_row.hpp"
-#include "jounce/stream/client.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -220,7 +221,7 @@ class Hand {
 };
 
 wire::Queue fifos(std::int32_t loops, std::uint32_t capacity = 16) {
-  return {.axis = Axis::master,
+  return {.axis = Domain::master,
           .units = over_master,
           .mode = wire::QueueMode::static_,
           .capacity = capacity,
@@ -343,9 +344,10 @@ TEST(ExamplePlay, Googol79) {
 // PMC600 manual 6.2, example 4.4: (0,0) (5000,5000) (10000,7000) at 10000; the coupling ends at speed.
 TEST(ExamplePlay, Pmc600Example44) {
   Follower site;
-  const StreamOutcome outcome = site.couple(table(Axis::master, Rule::linear, Outside::refuse,
-                                                  {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}),
-                                            wire::CamEnd::keep_velocity);
+  const StreamOutcome outcome =
+      site.couple(table(Domain::master, Interpolation::linear, Extrapolation::refuse,
+                        {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}),
+                  wire::CamEnd::keep_velocity);
   ASSERT_TRUE(outcome.ok()) << outcome.reason;
   double last = 0;
   site.each_tick = [&](const Tick& feeder, const Tick& knife) {
@@ -415,9 +417,9 @@ TEST(ExamplePlay, Pmc600Example62Looped) {
 // PMC600 manual 6.3, example 6.7: LS_LineFollowAbs to (4000, 2000) at 2000, 4000, 4000.
 TEST(ExamplePlay, Pmc600Example67OfLineFollow) {
   Follower site;
-  ASSERT_TRUE(
-      site.couple(table(Axis::master, Rule::linear, Outside::hold, {{0, 4000}, {0, 2000}, {}, {}}))
-          .ok());
+  ASSERT_TRUE(site.couple(table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                                {{0, 4000}, {0, 2000}, {}, {}}))
+                  .ok());
   std::int64_t ticks = 0;
   double peak = 0;
   site.each_tick = [&](const Tick& feeder, const Tick& knife) {
@@ -440,8 +442,8 @@ TEST(ExamplePlay, Pmc600Example67OfLineFollow) {
 
 /// 3 s to 300 by the 3-4-5 polynomial, in rows of 10 ms.
 std::vector<SegmentRow> long_way() {
-  const TablePtr way =
-      table(Axis::time, Rule::quintic_hermite, Outside::hold, {{0, 3}, {0, 300}, {0, 0}, {0, 0}});
+  const TablePtr way = table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
+                             {{0, 3}, {0, 300}, {0, 0}, {0, 0}});
   std::vector<SegmentRow> rows;
   for (int i = 1; i <= 300; ++i) {
     const Jet a = way->jet(0.01 * (i - 1));
@@ -505,7 +507,7 @@ TEST(Underrun, EndsAStreamThatMayNotResumeAndTheNextOwnerBeginsAfresh) {
   site.each_tick = nullptr;
   const double here = site.feeder().position;
   site.sessions = 1;
-  site.feed(there_and_back(here, 5, 0.2, Outside::hold));
+  site.feed(there_and_back(here, 5, 0.2, Extrapolation::hold));
   site.advance(300ms);
   EXPECT_EQ(site.feeder().fault, Cause::none);
   EXPECT_EQ(site.feeder().finished, 1U);

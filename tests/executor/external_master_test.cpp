@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Masters from outside, end to end: a sender with a clock of its own on a bad link, the executor's threads in turn
 // on a virtual clock, followers that are told over the link what to do; and the record of it all.
 
@@ -13,11 +14,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/cam/placement.hpp"
+#include "jounce/cam/design/placement.hpp"
 #include "jounce/gear/follow.hpp"
 #include "jounce/pvt/segment_row.hpp"
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -299,7 +300,7 @@ TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedO
                  while (next < rows.size() && some.size() < most) some.push_back(rows[next++]);
                  return some;
                }};
-  plan.queue = {.axis = Axis::master,
+  plan.queue = {.axis = Domain::master,
                 .units = over_master,
                 .capacity = 1000,
                 .event = wire::QueueEvent::pass,
@@ -331,7 +332,7 @@ TEST(ExternalMasterRun, ACamStartsWhereTheMasterPassesAPosition) {
   Line site;
   site.line.position = [](double t) { return std::max(0.0, 1000 * (t - 1)); };
   site.advance(300ms);
-  const auto cam = table(Axis::master, Rule::quintic_hermite, Outside::hold,
+  const auto cam = table(Domain::master, Interpolation::quintic_hermite, Extrapolation::hold,
                          {{800, 1300, 1800}, {0, 400, 0}, {0, 0, 0}, {0, 0, 0}});
   StreamPlan plan;
   plan.coupling = {.slave_absolute = false};

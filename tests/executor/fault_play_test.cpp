@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Over bad links, through stream, dispatcher, cycle and axis: each tick of what is played is the
 // table's own evaluation, to the last bit, for every rule and mode, and nothing else ever moves.
 #include <bit>
@@ -5,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -21,19 +22,20 @@ const Units over_master{.x = "deg", .position = "mm"};
 const Units of_master{.x = "s", .position = "deg"};
 
 /// There and back, at rest at both ends: A (1 - cos wx) / 2 with exact derivatives at its knots.
-Table lift(Axis axis, Rule rule, std::size_t knots, double length, double A = 10) {
+Table lift(Domain axis, Interpolation rule, std::size_t knots, double length, double A = 10) {
   const double w = 6.283185307179586 / length;
   Columns columns;
   for (std::size_t i = 0; i < knots; ++i) {
     const double x = length * static_cast<double>(i) / static_cast<double>(knots - 1);
     columns.x.push_back(x);
     columns.p.push_back(A / 2 * (1 - std::cos(w * x)));
-    if (rule != Rule::linear) columns.v.push_back(A / 2 * w * std::sin(w * x));
-    if (rule == Rule::quintic_hermite) columns.a.push_back(A / 2 * w * w * std::cos(w * x));
+    if (rule != Interpolation::linear) columns.v.push_back(A / 2 * w * std::sin(w * x));
+    if (rule == Interpolation::quintic_hermite)
+      columns.a.push_back(A / 2 * w * w * std::cos(w * x));
   }
   columns.p.back() = 0;
-  if (rule != Rule::linear) columns.v.front() = columns.v.back() = 0;
-  return Table(axis, rule, Outside::hold, std::move(columns));
+  if (rule != Interpolation::linear) columns.v.front() = columns.v.back() = 0;
+  return Table(axis, rule, Extrapolation::hold, std::move(columns));
 }
 
 /// What is sent, and what the axis must then be commanded, s after its start.
@@ -127,22 +129,24 @@ void expect_played(const Play& play, const char* label) {
 }
 
 TEST(FaultyLink, PlaysATableOverTimeToTheLastBit) {
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     for (const std::size_t knots : {10U, 1000U})
-      expect_played({lift(Axis::time, rule, knots, 0.7317), {}}, name(rule));
+      expect_played({lift(Domain::time, rule, knots, 0.7317), {}}, name(rule));
 }
 
 TEST(FaultyLink, PlaysACamOverItsMasterToTheLastBit) {
   const Table master = *test::constant_master(720, 640);
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite}) {
-    const Table cam = lift(Axis::master, rule, 361, 720);
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
+    const Table cam = lift(Domain::master, rule, 361, 720);
     expect_played({cam, master}, name(rule));
   }
 }
 
 // A link so bad that the stream may fail: then either nothing moved, or the whole table was played.
 TEST(FaultyLink, NeverPlaysAnythingElse) {
-  const Play play{lift(Axis::time, Rule::cubic_hermite, 3000, 0.5), {}};
+  const Play play{lift(Domain::time, Interpolation::cubic_hermite, 3000, 0.5), {}};
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     jounce::testing::Random random(seed);
     LossSpec spec{.seed = seed,

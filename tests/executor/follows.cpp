@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // follows RECORD TABLE AXIS MASTER SLAVE_OFFSET: in every cycle of the record in which AXIS runs coupled, its setpoint is the
 // table's cam of what that cycle saw of MASTER, to the last bit.
 #include <bit>
@@ -8,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "jounce/cam/placement.hpp"
+#include "jounce/cam/design/placement.hpp"
 #include "jounce/executor/replay.hpp"
 #include "jounce/io/table_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axes that are to start together: they begin in one tick or not at all, also where their streamer dies. The test reads
 // the motion from the tick logs.
 
@@ -16,8 +17,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/group.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/group.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -89,7 +90,8 @@ struct Pair : Site {
         starts += start ? 1 : 0;
         if (!start || deliver(message)) send_message(link, message);
       }
-      while (const auto message = next_message(link, 0ns, rejects)) group.receive(*message, clock());
+      while (const auto message = next_message(link, 0ns, rejects))
+        group.receive(*message, clock());
       advance(1ms);
     }
     ASSERT_EQ(starts, 2) << "not armed";
@@ -97,7 +99,8 @@ struct Pair : Site {
 
   static std::vector<StreamPlan> plans() {
     const TablePtr table = trapezoid_table(50, 100, 1000, 1000);
-    return {{.executor = "x", .tables = {{*table, in_mm}}}, {.executor = "y", .tables = {{*table, in_mm}}}};
+    return {{.executor = "x", .tables = {{*table, in_mm}}},
+            {.executor = "y", .tables = {{*table, in_mm}}}};
   }
 
   /// The run is over, its logs are written, and each axis does the same again from its record alone.

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/driver.hpp"
+#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/sender/driver.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

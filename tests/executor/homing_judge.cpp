@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "executor/homing_judge.hpp"
 
 #include <algorithm>
@@ -53,7 +54,8 @@ double index_from(double edge, int direction, const MachineBounds& machine) {
 
 }  // namespace
 
-void HomingJudge::take(const Line& now, const std::optional<Line>& before, bool placed, const Find& find) {
+void HomingJudge::take(const Line& now, const std::optional<Line>& before, bool placed,
+                       const Find& find) {
   named_ = false;
   if (!before) machine_ = bounds_.machine ? bounds_.machine->start : 0;
   if (now.state != homing && (!before || before->state != homing)) searches_.clear();
@@ -91,13 +93,16 @@ void HomingJudge::search(const Line& now, const Line& before, const Find& find) 
   }
   if (searches_.empty()) return find("a homing without an order", now.v, 0);
   const double rounding = 1e-6;
-  if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding) find("velocity of a homing", now.v, fastest);
+  if (std::abs(now.v) > fastest * (1 + 1e-9) + rounding)
+    find("velocity of a homing", now.v, fastest);
   if (std::abs(now.a) > acceleration * (1 + 1e-9) + rounding)
     find("acceleration of a homing", now.a, acceleration);
   const auto late = static_cast<double>(now.tick - before.tick);
   const double lasts = static_cast<double>(now.tick - since_) * bounds_.period;
-  if (lasts > timeout + (late + 3) * bounds_.period) find("a homing after its timeout", lasts, timeout);
-  if (now.homed && !std::any_of(searches_.begin(), searches_.end(), [](const Accepted* o) { return names(*o); }))
+  if (lasts > timeout + (late + 3) * bounds_.period)
+    find("a homing after its timeout", lasts, timeout);
+  if (now.homed &&
+      !std::any_of(searches_.begin(), searches_.end(), [](const Accepted* o) { return names(*o); }))
     find("homed during a search", 1, 0);
 }
 
@@ -121,7 +126,8 @@ std::vector<double> HomingJudge::homes_of(int method, double rounding) const {
   // An axis that begins on an index, to rounding, may pass it or not.
   if (method == 33 || method == 34) {
     const int way = method == 33 ? -1 : 1;
-    return {index_from(begun_ - way * rounding, way, machine), index_from(begun_ + way * rounding, way, machine)};
+    return {index_from(begun_ - way * rounding, way, machine),
+            index_from(begun_ + way * rounding, way, machine)};
   }
   const bool with_index = method >= 1 && method <= 14;
   if (!with_index && (method < 17 || method > 30)) return {};
@@ -133,18 +139,23 @@ std::vector<double> HomingJudge::homes_of(int method, double rounding) const {
 
 void HomingJudge::limit(const Line& now, const Line& before, const Find& find) {
   const MachineBounds& machine = *bounds_.machine;
-  const bool beyond = (machine_ > machine.positive && now.v > 0) || (machine_ < machine.negative && now.v < 0);
+  const bool beyond =
+      (machine_ > machine.positive && now.v > 0) || (machine_ < machine.negative && now.v < 0);
   if (!beyond) return outward_.reset();
   double acceleration = bounds_.gentlest_brake();
-  for (const Accepted* order : searches_) acceleration = std::min(acceleration, order->acceleration);
+  for (const Accepted* order : searches_)
+    acceleration = std::min(acceleration, order->acceleration);
   double time = time_to_rest(now.v, now.a, acceleration, bounds_.jerk.value_or(HUGE_VAL));
   if (now.path || before.path) time = std::max(time, bounds_.path_stop_time);
   const std::int64_t late = now.tick - before.tick - 1;
   // The drive reports the switch in the next cycle, and until then the axis speeds up.
   constexpr std::int64_t reaction = 10;
-  if (!outward_) outward_ = now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + late + reaction;
+  if (!outward_)
+    outward_ =
+        now.tick + static_cast<std::int64_t>(std::ceil(time / bounds_.period)) + late + reaction;
   if (now.tick <= *outward_) return;
-  find("moves outwards beyond a limit switch", machine_, now.v > 0 ? machine.positive : machine.negative);
+  find("moves outwards beyond a limit switch", machine_,
+       now.v > 0 ? machine.positive : machine.negative);
   outward_ = now.tick + 1'000'000;
 }
 

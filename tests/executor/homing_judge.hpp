@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cstdint>
@@ -45,9 +46,9 @@ class HomingJudge {
   double begun_ = 0;                       // u: where the machine was then
   bool unranged_ = false;
   bool named_ = false;
-  double machine_ = 0;                     // u: where the machine is
-  double rounded_ = 0;                     // u: the rounding in that
-  std::optional<std::int64_t> outward_;    // beyond a limit switch: until this tick at most
+  double machine_ = 0;                   // u: where the machine is
+  double rounded_ = 0;                   // u: the rounding in that
+  std::optional<std::int64_t> outward_;  // beyond a limit switch: until this tick at most
 };
 
 }  // namespace jounce::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,8 +12,8 @@
 #include <unistd.h>
 
 #include "jounce/drive/machine_sensors.hpp"
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/driver.hpp"
+#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/sender/driver.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/log_judge.hpp"
@@ -210,7 +211,7 @@ TEST(OrderedHoming, ARefusedTableNeitherNamesThePositionNorClearsAFault) {
   options.axis.require_home = options.adopt_start = true;
   Slide site(options);
   ASSERT_TRUE(site.client.release().ok());
-  const Table table = *there_and_back(30, 5, 2, Outside::hold);
+  const Table table = *there_and_back(30, 5, 2, Extrapolation::hold);
   EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
   EXPECT_EQ(site.last().position, 0);
   EXPECT_EQ(site.last().offset, 0);

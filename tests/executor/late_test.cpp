@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -75,13 +76,13 @@ TEST(Late, TheMotionIsWhereTheTimeIsWhateverTheCycleMisses) {
 }
 
 TEST(Late, ATableOfOneTickIsOverWhenTheCycleComesBack) {
-  const TablePtr move = there_and_back(0, 1e-6, 0.002, Outside::hold);
+  const TablePtr move = there_and_back(0, 1e-6, 0.002, Extrapolation::hold);
   for (const std::int64_t late : {1, 10, 99, 100, 5000}) play_late(move, 1, late);
 }
 
 // Every tenth cycle late by another number of periods: bit for bit on the path all the same.
 TEST(Late, AgainAndAgain) {
-  const TablePtr move = there_and_back(0, 5, 3, Outside::wrap);
+  const TablePtr move = there_and_back(0, 5, 3, Extrapolation::wrap);
   Job job(1, move);
   Rig rig({.limits = limits(velocity, acceleration), .longest_gap = gap});
   rig.tell({.kind = Kind::enable});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "executor/log_judge.hpp"
 
 #include <algorithm>
@@ -25,8 +26,9 @@ class Judge {
   void take(const Line& now) {
     obey(now);
     follow(now);
-    homing_.take(now, begun_ ? std::optional(last_) : std::nullopt, placed_,
-                 [&](const char* what, double value, double limit) { find(now, what, value, limit); });
+    homing_.take(
+        now, begun_ ? std::optional(last_) : std::nullopt, placed_,
+        [&](const char* what, double value, double limit) { find(now, what, value, limit); });
     placed_ = placed_ || homing_.named();
     const bool stalled = now.tick - last_.tick > bounds_.longest_gap;
     if (stalled || now.state == "disabled") may_freeze_ = true;
@@ -69,7 +71,8 @@ class Judge {
       if (order->what == What::places) placed_ = true;
       if (order->what == What::moves || order->what == What::homes) begin(*order);
       if (order->what == What::homes) homing_.offer(*order);
-      if (order->what == What::homes && (order->method == 35 || order->method == 37)) placed_ = true;
+      if (order->what == What::homes && (order->method == 35 || order->method == 37))
+        placed_ = true;
       if (order->what == What::disables || order->aborts) may_freeze_ = true;
       if (!done) continue;
       if (order->what == What::rests) demand_rest(now, *order);
@@ -98,7 +101,8 @@ class Judge {
   void revoke(const Accepted& by) {
     licensed_ = false;
     for (const Accepted*& order : open_)
-      if (order != nullptr && (order->what == What::moves || order->what == What::homes) && order->sent < by.sent)
+      if (order != nullptr && (order->what == What::moves || order->what == What::homes) &&
+          order->sent < by.sent)
         order = nullptr;
   }
 
@@ -127,7 +131,8 @@ class Judge {
     const auto sent = orders_.begin() + static_cast<std::ptrdiff_t>(next_);
     return std::none_of(orders_.begin(), sent, [&](const Accepted& other) {
       return &other != &order &&
-             (other.what == What::moves || other.what == What::homes || other.what == What::rests) &&
+             (other.what == What::moves || other.what == What::homes ||
+              other.what == What::rests) &&
              other.answered > order.sent;
     });
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>
@@ -10,11 +11,12 @@ namespace jounce::test {
 
 /// The places of the switches of an axis, u of the machine.
 struct MachineBounds {
-  double start = 0;  ///< its place in the first line of the log
+  double start = 0;                                  ///< its place in the first line of the log
   double negative = -HUGE_VAL, positive = HUGE_VAL;  ///< limit switches: on beyond
-  double home_low = NAN, home_high = NAN;            ///< the home switch is on between; infinite: to the end
-  double index_period = NAN, index_offset = 0;       ///< an index at the offset and each period from there
-  double tolerance = 0;  ///< that of the home position: a contact that bounces may add this
+  double home_low = NAN, home_high = NAN;  ///< the home switch is on between; infinite: to the end
+  double index_period = NAN,
+         index_offset = 0;  ///< an index at the offset and each period from there
+  double tolerance = 0;     ///< that of the home position: a contact that bounces may add this
 };
 
 /// What an axis was configured with, as its operator would write it down. u, s.

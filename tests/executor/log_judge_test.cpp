@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The judge of the random orders is tested with logs that are made here: a right one has no finding, and a log with one
 // violation of each kind has the finding of that kind.
 
@@ -71,9 +72,9 @@ struct Log {
     text << "tick,time,state,master,master_velocity,position,velocity,acceleration,"
             "job,fault,outputs,edges,held,homed\n";
     for (const Row& row : rows)
-      text << row.tick << ',' << static_cast<double>(row.tick) * dt << ',' << row.state << ",0,0," << row.p << ','
-           << row.v << ',' << row.a << ',' << (row.path ? 1 : 0) << ',' << row.fault << ",0,,0,"
-           << (row.homed ? 1 : 0) << '\n';
+      text << row.tick << ',' << static_cast<double>(row.tick) * dt << ',' << row.state << ",0,0,"
+           << row.p << ',' << row.v << ',' << row.a << ',' << (row.path ? 1 : 0) << ',' << row.fault
+           << ",0,,0," << (row.homed ? 1 : 0) << '\n';
     return text.str();
   }
 };
@@ -108,7 +109,8 @@ Findings of(const Log& log, const std::vector<Accepted>& orders, const Bounds& o
 }
 
 /// The finding of a right log in which one line was changed.
-Findings with(const std::function<void(Log&)>& wrong, const std::vector<Accepted>& orders = ordered) {
+Findings with(const std::function<void(Log&)>& wrong,
+              const std::vector<Accepted>& orders = ordered) {
   Log log = moved();
   wrong(log);
   return of(log, orders);
@@ -120,7 +122,8 @@ TEST(LogJudge, ARightMoveHasNoFinding) {
 
 TEST(LogJudge, FindsAMotionThatNoOrderAskedFor) {
   EXPECT_THAT(of(moved(), {}), Contains(HasSubstr("begins to move without an order")));
-  EXPECT_THAT(of(moved(), {at(40, What::moves)}), Contains(HasSubstr("begins to move without an order")));
+  EXPECT_THAT(of(moved(), {at(40, What::moves)}),
+              Contains(HasSubstr("begins to move without an order")));
 }
 
 TEST(LogJudge, FindsAPositionOutOfTheRange) {
@@ -157,8 +160,10 @@ TEST(LogJudge, FindsAJerkAboveThatOfAStop) {
 }
 
 TEST(LogJudge, FindsStepsThatDoNotBelongTogether) {
-  EXPECT_THAT(with([](Log& log) { log.rows[20].p += 0.01; }), Contains(HasSubstr("step of the position")));
-  EXPECT_THAT(with([](Log& log) { log.rows[20].v += 5; }), Contains(HasSubstr("step of the velocity")));
+  EXPECT_THAT(with([](Log& log) { log.rows[20].p += 0.01; }),
+              Contains(HasSubstr("step of the position")));
+  EXPECT_THAT(with([](Log& log) { log.rows[20].v += 5; }),
+              Contains(HasSubstr("step of the velocity")));
 }
 
 TEST(LogJudge, AnotherNameIsNoStep) {
@@ -200,7 +205,8 @@ TEST(LogJudge, FindsAHaltThatTakesLongerThanItAskedFor) {
   Log log = cruising().go(40, -500).be("standstill", 5);
   EXPECT_THAT(of(log, {at(5, What::moves), halt}), IsEmpty());
   halt.acceleration = 1000;
-  EXPECT_THAT(of(log, {at(5, What::moves), halt}), Contains(HasSubstr("not at rest in the time of its stop")));
+  EXPECT_THAT(of(log, {at(5, What::moves), halt}),
+              Contains(HasSubstr("not at rest in the time of its stop")));
 }
 
 TEST(LogJudge, FindsMotionAfterAFault) {
@@ -261,7 +267,8 @@ Log homed(double found = 0.1) {
 
 TEST(LogJudge, ARightHomingHasNoFinding) {
   EXPECT_THAT(of(homed(), {home(20)}, with_switches()), IsEmpty());
-  EXPECT_THAT(of(homed(0.25), {home(4)}, with_switches()), IsEmpty()) << "the first index above the edge";
+  EXPECT_THAT(of(homed(0.25), {home(4)}, with_switches()), IsEmpty())
+      << "the first index above the edge";
   Log down = enabled().in("homing").go(20, -500).go(20, 0).go(20, 500).go(2, 0);
   down.next.p += 7 - 0.1;
   down.next.homed = true;
@@ -270,17 +277,23 @@ TEST(LogJudge, ARightHomingHasNoFinding) {
   on_index.machine->index_offset = 0;
   for (const double found : {0.0, 0.2})
     EXPECT_THAT(of(homed(found), {home(34)}, on_index), IsEmpty()) << "it begins on an index";
-  EXPECT_THAT(of(homed(0.4), {home(34)}, on_index), Contains(HasSubstr("a home position that is not")));
-  EXPECT_THAT(of(down.be("standstill", 3), {home(19)}, with_switches()), IsEmpty()) << "below the range";
+  EXPECT_THAT(of(homed(0.4), {home(34)}, on_index),
+              Contains(HasSubstr("a home position that is not")));
+  EXPECT_THAT(of(down.be("standstill", 3), {home(19)}, with_switches()), IsEmpty())
+      << "below the range";
 }
 
 TEST(LogJudge, FindsAHomeThatIsElsewhere) {
   const char* const elsewhere = "a home position that is not that of its method";
   EXPECT_THAT(of(homed(0.101), {home(20)}, with_switches()), Contains(HasSubstr(elsewhere)));
-  EXPECT_THAT(of(homed(0.45), {home(4)}, with_switches()), Contains(HasSubstr(elsewhere))) << "the next index";
-  EXPECT_THAT(of(homed(0.25), {home(34)}, with_switches()), Contains(HasSubstr(elsewhere))) << "the second index";
-  EXPECT_THAT(of(homed(), {home(20, 7.5)}, with_switches()), Contains(HasSubstr(elsewhere))) << "another number";
-  EXPECT_THAT(of(homed(), {home(22)}, with_switches()), Contains(HasSubstr(elsewhere))) << "the other edge";
+  EXPECT_THAT(of(homed(0.45), {home(4)}, with_switches()), Contains(HasSubstr(elsewhere)))
+      << "the next index";
+  EXPECT_THAT(of(homed(0.25), {home(34)}, with_switches()), Contains(HasSubstr(elsewhere)))
+      << "the second index";
+  EXPECT_THAT(of(homed(), {home(20, 7.5)}, with_switches()), Contains(HasSubstr(elsewhere)))
+      << "another number";
+  EXPECT_THAT(of(homed(), {home(22)}, with_switches()), Contains(HasSubstr(elsewhere)))
+      << "the other edge";
 }
 
 TEST(LogJudge, FindsAHomingThatBreaksItsOwnLimits) {
@@ -289,14 +302,17 @@ TEST(LogJudge, FindsAHomingThatBreaksItsOwnLimits) {
   EXPECT_THAT(of(homed(), {order}, with_switches()), Contains(HasSubstr("velocity of a homing")));
   order = home(20);
   order.acceleration = 400;
-  EXPECT_THAT(of(homed(), {order}, with_switches()), Contains(HasSubstr("acceleration of a homing")));
+  EXPECT_THAT(of(homed(), {order}, with_switches()),
+              Contains(HasSubstr("acceleration of a homing")));
   order = home(20);
   order.timeout = 0.05;
-  EXPECT_THAT(of(homed(), {order}, with_switches()), Contains(HasSubstr("a homing after its timeout")));
+  EXPECT_THAT(of(homed(), {order}, with_switches()),
+              Contains(HasSubstr("a homing after its timeout")));
 }
 
 TEST(LogJudge, FindsAHomingWithoutAnOrder) {
-  EXPECT_THAT(of(homed(), ordered, with_switches()), Contains(HasSubstr("a homing without an order")));
+  EXPECT_THAT(of(homed(), ordered, with_switches()),
+              Contains(HasSubstr("a homing without an order")));
   Log log = enabled();
   log.next.homed = true;
   EXPECT_THAT(of(log.be("standstill", 3), {}), Contains(HasSubstr("homed without a homing")));
@@ -311,17 +327,22 @@ TEST(LogJudge, FindsMotionBeyondALimitSwitch) {
   Log at_once = enabled().in("homing").go(20, 500).go(6, 0).go(20, -500).go(2, 0);
   EXPECT_THAT(of(at_once, {home(20)}, narrow), IsEmpty());
   Log on = enabled().in("homing").go(20, 500).go(120, 0).go(20, -500).go(2, 0);
-  EXPECT_THAT(of(on, {home(20)}, narrow), Contains(HasSubstr("moves outwards beyond a limit switch")));
+  EXPECT_THAT(of(on, {home(20)}, narrow),
+              Contains(HasSubstr("moves outwards beyond a limit switch")));
   Log jog = enabled().in("continuous_motion").go(20, 1000).go(100, 0);
-  EXPECT_THAT(of(jog, ordered, narrow), Contains(HasSubstr("moves outwards beyond a limit switch")));
+  EXPECT_THAT(of(jog, ordered, narrow),
+              Contains(HasSubstr("moves outwards beyond a limit switch")));
 }
 
 TEST(LogJudge, FindsAHomingThatDoesNotEndWithItsStop) {
   const std::vector<Accepted> stopped{home(20), at(29, What::stops)};
-  Log right = enabled().in("homing").go(20, 500).go(4, 0).in("stopping").go(5, -2000).be("standstill", 20);
+  Log right =
+      enabled().in("homing").go(20, 500).go(4, 0).in("stopping").go(5, -2000).be("standstill", 20);
   EXPECT_THAT(of(right, stopped, with_switches()), IsEmpty());
-  Log slow = enabled().in("homing").go(20, 500).go(4, 0).in("stopping").go(20, -500).be("standstill", 20);
-  EXPECT_THAT(of(slow, stopped, with_switches()), Contains(HasSubstr("not at rest in the time of its stop")));
+  Log slow =
+      enabled().in("homing").go(20, 500).go(4, 0).in("stopping").go(20, -500).be("standstill", 20);
+  EXPECT_THAT(of(slow, stopped, with_switches()),
+              Contains(HasSubstr("not at rest in the time of its stop")));
 }
 
 }  // namespace

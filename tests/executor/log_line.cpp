@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "executor/log_line.hpp"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ std::string_view Lines::text() {
 double time_to_rest(double v, double a, double acceleration, double jerk) {
   const double first = std::abs(a) / jerk;
   const double faster = std::abs(v) + std::abs(a) * first / 2;
-  return 1.01 * (first + faster / acceleration + 2 * acceleration / jerk + std::sqrt(2 * faster / jerk));
+  return 1.01 *
+         (first + faster / acceleration + 2 * acceleration / jerk + std::sqrt(2 * faster / jerk));
 }
 
 }  // namespace jounce::test

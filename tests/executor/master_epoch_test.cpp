@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who begins to say where a master is with an epoch that is over is told so, once, instead of being counted in silence.
 
 #include <string>
@@ -7,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/executor/masters.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 namespace jounce {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A replay makes masters again from what came in of them, to the last bit; and sees it if that does not give what the
 // cycle saw. And what is said of orders that did not begin is in the record.
 
@@ -12,11 +13,11 @@
 #include <unistd.h>
 
 #include "jounce/executor/cycle.hpp"
-#include "jounce/executor/detail/run_record.hpp"
 #include "jounce/executor/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
+#include "executor/src/record/run_record.hpp"
 #include "executor/virtual_pacer.hpp"
 #include "support/random.hpp"
 
@@ -40,7 +41,8 @@ class RecordedRun {
     masters_ = {
         {"line", "mm", line_},
         {"web", "mm", std::make_shared<EncoderMaster>(tracker, [this] { return reading_; })},
-        {"table", "mm", std::make_shared<TableMaster>(there_and_back(0, 1, 1, Outside::wrap))}};
+        {"table", "mm",
+         std::make_shared<TableMaster>(there_and_back(0, 1, 1, Extrapolation::wrap))}};
   }
   ~RecordedRun() { std::filesystem::remove(log_); }
 

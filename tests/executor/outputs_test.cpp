@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cam switches and position compare as messages, and in a record that is replayed.
 #include <map>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/client.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every kind of motion, with all that happens while it plays, in a cycle that is recorded: none of it is
 // a reason to touch the heap, to lock or to write.
 #include <cmath>
@@ -168,7 +169,7 @@ TEST(Quiet, GearsThatAreGoneIntoInMotionAndLeft) {
 
 TEST(Quiet, CamsBehindALiveMasterAndASwapOfThem) {
   const auto cam = [](double reach) {
-    return table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+    return table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                  {{0, 10, 20}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
   };
   LiveCam first(1, cam(3),
@@ -208,7 +209,7 @@ TEST(Quiet, MovesThatArePlannedAnewAgainAndAgain) {
 
 TEST(Quiet, TablesThatTakeOverFromEachOtherInMotion) {
   const auto round = [](std::uint64_t id) {
-    return std::make_unique<Job>(id, there_and_back(0, 5, 0.4, Outside::wrap));
+    return std::make_unique<Job>(id, there_and_back(0, 5, 0.4, Extrapolation::wrap));
   };
   const auto a = round(1), b = round(2);
   Stage stage;

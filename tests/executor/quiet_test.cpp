@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -61,11 +62,11 @@ Noise noise_of(Rig& rig, int cycles) {
 }
 
 TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
-  Job move(1, there_and_back(0, 1, 2, Outside::wrap));
+  Job move(1, there_and_back(0, 1, 2, Extrapolation::wrap));
   Job cam(2, trapezoid_table(720, 180, 360, 360),
-          table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+          table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                 {{0, 180, 360}, {0, 0.5, 0}, {0, 0, 0}, {0, 0, 0}}));
-  Job too_fast(3, there_and_back(0, 1000, 1, Outside::hold));
+  Job too_fast(3, there_and_back(0, 1000, 1, Extrapolation::hold));
   Rig rig;
   const std::vector<Command> script{
       {.kind = Kind::enable, .id = 1},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/executor/record.hpp"
 
 #include <cmath>
@@ -85,7 +86,7 @@ class Recorded : public ::testing::Test {
   Movement* cam(std::uint64_t id, std::size_t axis = 0) {
     const auto master = test::constant_master(360, 720);
     const auto slave =
-        test::table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+        test::table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                     {{0, 120, 180, 300, 360}, {0, 90, 90, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
     jobs_.push_back(std::make_unique<Job>(id, master, slave));
     const StoredTable stored = store(slave, {"deg", "mm"});
@@ -351,7 +352,7 @@ TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
 TEST_F(Recorded, AMovementThatIsNotInTheRecordEndsTheReplayAndIsSaid) {
   start({.log = path("run.lcmlog")});
   tell({.kind = Kind::enable});
-  Job unknown(5, test::there_and_back(0, 10, 1, Outside::hold));
+  Job unknown(5, test::there_and_back(0, 10, 1, Extrapolation::hold));
   tell({.kind = Kind::arm, .movement = &unknown});
   run(10);
   recorder_->close();

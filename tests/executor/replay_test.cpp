@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A machine that is told at random, over its link, all that it can be told: the record of it is replayed to
 // the last bit.
 #include "jounce/executor/replay.hpp"
@@ -13,7 +14,7 @@
 
 #include "jounce/drive/simulated_drive.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/client.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -103,17 +104,17 @@ class Recorded : public Site {
 
   bool play(const std::string& name) {
     const double reach = random_.uniform(-20, 20);
-    return streamed(
-        {.executor = name,
-         .tables = {{*there_and_back(0, reach, random_.uniform(0.3, 0.8),
-                                     random_.below(2) == 0 ? Outside::hold : Outside::wrap),
-                     over_time}}});
+    return streamed({.executor = name,
+                     .tables = {{*there_and_back(0, reach, random_.uniform(0.3, 0.8),
+                                                 random_.below(2) == 0 ? Extrapolation::hold
+                                                                       : Extrapolation::wrap),
+                                 over_time}}});
   }
 
   bool live_cam(const std::string& name) {
     const double length = random_.uniform(5, 20);
     const auto cam =
-        table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+        table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
               {{0, length / 2, length}, {0, random_.uniform(-3, 3), 0}, {0, 0, 0}, {0, 0, 0}});
     CouplingSpec coupling{.slave_absolute = false};
     if (random_.below(2) == 0)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <string>
 #include <vector>
@@ -6,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/executor/events.hpp"
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/sender.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/sender.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -43,8 +44,8 @@ struct Two : Site {
 
 TEST(SeveralAxes, EachHasItsOwnSessionsAndStopsAlone) {
   Two site;
-  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Outside::wrap)).ok());
-  ASSERT_TRUE(site.play_on("knife", there_and_back(0, 5, 1, Outside::wrap)).ok());
+  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
+  ASSERT_TRUE(site.play_on("knife", there_and_back(0, 5, 1, Extrapolation::wrap)).ok());
   site.advance(300ms);
   EXPECT_TRUE(operator_stop(site.link, "knife", wire::StopMode::stop, 2s, site.clock));
   site.advance(1s);
@@ -55,7 +56,7 @@ TEST(SeveralAxes, EachHasItsOwnSessionsAndStopsAlone) {
 
 TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
   Two site;
-  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Outside::wrap)).ok());
+  ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
   const wire::Reply reply = operator_command(
       site.link, "feeder", wire::Order{.kind = OrderKind::override_, .value = {0.5}}, {}, 2s,
       site.clock);
@@ -104,7 +105,7 @@ TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
 TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
   Two site;
   site.advance(10ms);
-  Job job(77, there_and_back(0, 1, 1, Outside::hold));
+  Job job(77, there_and_back(0, 1, 1, Extrapolation::hold));
   Mail& mail = *site.post.mail[1];
   mail.commands.push({.kind = Kind::arm, .movement = &job});
   mail.commands.push({.kind = Kind::start});
@@ -122,7 +123,7 @@ TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
 TEST(SeveralAxes, FromTheArmOnTheWireToTheFirstTickAreTwoCycles) {
   Two site;
   const StreamPlan plan{.executor = "knife",
-                        .tables = {{*there_and_back(0, 1, 1, Outside::hold), over_time}},
+                        .tables = {{*there_and_back(0, 1, 1, Extrapolation::hold), over_time}},
                         .goal = StreamGoal::download};
   Sender sender(plan, 4711);
   Rejects rejects;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/executor/shell.hpp"
 
 #include <csignal>
@@ -9,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/memory_transport.hpp"
-#include "jounce/stream/sender.hpp"
+#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "axis/tables.hpp"
 
@@ -60,7 +61,7 @@ struct Streamer {
 TEST(Shell, PlaysOneJobAndLeaves) {
   MemoryNetwork network;
   MemoryTransport link(network);
-  Streamer streamer(network, *there_and_back(0, 5, 0.1, Outside::hold));
+  Streamer streamer(network, *there_and_back(0, 5, 0.1, Extrapolation::hold));
   const ExecutorSummary summary = run_executor(link, {options()}, {.seconds = 60, .once = true});
   EXPECT_EQ(summary.axes.at(0).finished, 1U);
   EXPECT_EQ(summary.axes.at(0).stopped, 0U);
@@ -76,7 +77,7 @@ TEST(Shell, ASignalStopsTheMotionFirst) {
   for (const int signal : {SIGTERM, SIGINT}) {
     MemoryNetwork network;
     MemoryTransport link(network);
-    Streamer streamer(network, *there_and_back(0, 5, 0.5, Outside::wrap));
+    Streamer streamer(network, *there_and_back(0, 5, 0.5, Extrapolation::wrap));
     streamer.at_goal = [signal] { std::raise(signal); };
     const ExecutorSummary summary = run_executor(link, {options()}, {.seconds = 60});
     EXPECT_EQ(summary.axes.at(0).finished, 0U);

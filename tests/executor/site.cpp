@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "executor/site.hpp"
 
 #include <atomic>
@@ -10,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/stream/driver.hpp"
+#include "jounce/stream/sender/driver.hpp"
 
 namespace jounce::test {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cstddef>
@@ -7,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/detail/run_record.hpp"
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/replay.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
+#include "executor/src/record/run_record.hpp"
 #include "executor/virtual_pacer.hpp"
 
 namespace jounce::test {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of a start that is accepted for later, and of several axes that start as one: from the
 // streamer through an executor to the axis, on a virtual clock.
 
@@ -7,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/group.hpp"
+#include "jounce/stream/sender/group.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
@@ -151,7 +152,7 @@ TEST(Group, WhereOneRefusesNoneStartsAndAllReasonsAreThere) {
   Site site(x_and_y());
   const TablePtr good = trapezoid_table(50, 100, 1000, 1000);
   const TablePtr fast = trapezoid_table(50, 2000, 1e5, 1e5);
-  const TablePtr elsewhere = there_and_back(10, 5, 1, Outside::hold);
+  const TablePtr elsewhere = there_and_back(10, 5, 1, Extrapolation::hold);
   auto outcomes = stream_group(site.link, both(good, fast), {}, {}, site.clock);
   EXPECT_EQ(outcomes[0].error, StreamError::stopped);
   EXPECT_THAT(outcomes[0].reason, HasSubstr("y rejected"));

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the status on the wire says of a motion.
 #include <gtest/gtest.h>
 
-#include "jounce/stream/client.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "axis/bench.hpp"
 #include "executor/site.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A virtual master: an axis with a table of its own, which an order starts, and a follower in step with it.
 #include <cmath>
 #include <vector>
@@ -5,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/stream/client.hpp"
-#include "jounce/stream/static_queue.hpp"
+#include "jounce/stream/receiver/static_queue.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -6,7 +7,7 @@
 
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "executor/virtual_pacer.hpp"
 #include "fuzz/packets.hpp"
@@ -103,10 +104,10 @@ class Owned {
   void table(Source& source) {
     const bool time = source.below(2) == 0;
     const double reach = value(source);
-    sent_ =
-        std::make_shared<const Table>(time ? Axis::time : Axis::master, Rule::quintic_hermite,
-                                      source.below(2) == 0 ? Outside::hold : Outside::wrap,
-                                      Columns{{0, 0.3, 0.6}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
+    sent_ = std::make_shared<const Table>(
+        time ? Domain::time : Domain::master, Interpolation::quintic_hermite,
+        source.below(2) == 0 ? Extrapolation::hold : Extrapolation::wrap,
+        Columns{{0, 0.3, 0.6}, {0, reach, 0}, {0, 0, 0}, {0, 0, 0}});
     for (const auto& message :
          test::messages_of(*sent_, 1, static_cast<std::uint32_t>(source.below(8))))
       if (source.below(8) != 0) send(message.body);
@@ -116,7 +117,7 @@ class Owned {
     const auto mode = source.below(2) == 0 ? wire::QueueMode::dynamic : wire::QueueMode::static_;
     const bool time = source.below(4) != 0;
     send(wire::Queue{.queue = queue,
-                     .axis = time ? Axis::time : Axis::master,
+                     .axis = time ? Domain::time : Domain::master,
                      .units = {time ? "s" : "mm", "mm"},
                      .mode = mode,
                      .capacity = 16,

@@ -1,4 +1,5 @@
-#include "jounce/stream/key.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/security/key.hpp"
 
 #include <algorithm>
 #include <cctype>

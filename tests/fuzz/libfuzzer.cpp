@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The entry that libFuzzer calls, for the target named on the compiler's command line.
 #include "fuzz/fuzz.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <sstream>
 #include <vector>
 
-#include "jounce/executor/detail/lcm_log.hpp"
 #include "jounce/executor/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "executor/src/record/lcm_log.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace jounce::fuzz {
@@ -29,7 +30,8 @@ const std::vector<RecordEvent>& good() {
     config.limits.velocity = 1000;
     config.limits.acceleration = 1e5;
     const Units units{"s", "mm"};
-    const Table table(Axis::time, Rule::linear, Outside::hold, {{0, 1}, {0, 1}, {}, {}});
+    const Table table(Domain::time, Interpolation::linear, Extrapolation::hold,
+                      {{0, 1}, {0, 1}, {}, {}});
     const Sha256 hash = content_hash(table, units);
     RecordedCycle arm{.command = {.kind = Command::Kind::arm, .id = 2}, .movement = 1};
     RecordedCycle enable{.command = {.kind = Command::Kind::enable, .id = 1}};

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <zlib.h>
 
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
 
 #include "fuzz/fuzz.hpp"
 #include "stream/samples.hpp"

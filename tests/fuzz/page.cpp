@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/web/page.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
 #include "jounce/web/board.hpp"
 #include "jounce/web/gate.hpp"
 #include "jounce/web/instruction.hpp"
-#include "jounce/web/page.hpp"
 
 #include "fuzz/packets.hpp"
 
@@ -27,7 +29,8 @@ void post(const std::string& body) {
 void page(Input input) {
   post(text_of(input));
   static_cast<void>(web::objection({.host = text_of(input)}, 8080));
-  require(web::page("a", text_of(input)).find("<script>") == std::string::npos, "a text is no markup");
+  require(web::page("a", text_of(input)).find("<script>") == std::string::npos,
+          "a text is no markup");
   web::Board board({"feeder"});
   Source source(input);
   std::int64_t seen = 0;

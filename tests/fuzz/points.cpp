@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/io/points.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "jounce/io/spec.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/spec/spec.hpp"
 
 #include "fuzz/memory_file.hpp"
 

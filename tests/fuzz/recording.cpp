@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/executor/played.hpp"
 #include "jounce/io/points.hpp"
 #include "jounce/profiles/error.hpp"

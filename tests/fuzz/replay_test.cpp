@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every file that a fuzzer was given or has found, once more: what crashed once never does again.
 #include <filesystem>
 #include <string>
@@ -5,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/io/file.hpp"
+#include "jounce/base/file.hpp"
 
 #include "fuzz/fuzz.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "jounce/pvt/segment_fifos.hpp"
-#include "jounce/stream/receiver.hpp"
-#include "jounce/stream/row_sender.hpp"
+#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/sender/row_sender.hpp"
 
 #include "fuzz/packets.hpp"
 

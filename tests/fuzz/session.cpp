@@ -1,6 +1,7 @@
-#include "jounce/io/hash.hpp"
-#include "jounce/stream/receiver.hpp"
-#include "jounce/stream/sender.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/hash.hpp"
+#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/sender/sender.hpp"
 
 #include "fuzz/packets.hpp"
 #include "stream/harness.hpp"

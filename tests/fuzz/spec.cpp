@@ -1,7 +1,8 @@
-#include "jounce/io/spec.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/spec/spec.hpp"
 
-#include "jounce/io/machine_spec.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/spec/machine_spec.hpp"
 
 #include "fuzz/fuzz.hpp"
 

@@ -1,4 +1,5 @@
-#include "jounce/io/exchange.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 

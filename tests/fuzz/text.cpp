@@ -1,4 +1,5 @@
-#include "jounce/io/printable.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/printable.hpp"
 
 #include "fuzz/fuzz.hpp"
 #include "support/utf8.hpp"
@@ -12,7 +13,8 @@ void text(Input input) {
   require((shown == given) == is_printable(given), "a printable text is shown as it is");
   require(!is_printable(given) || is_utf8(given), "a printable text is UTF-8");
   for (const char c : printable_lines(given))
-    require(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t', "lines and tabs alone remain");
+    require(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t',
+            "lines and tabs alone remain");
 }
 
 }  // namespace jounce::fuzz

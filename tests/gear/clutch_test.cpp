@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/clutch.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/gear/controllers/gears.hpp"
+#include "jounce/controllers/gears.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/random.hpp"

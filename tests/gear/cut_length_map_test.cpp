@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/cut_length_map.hpp"
 
 #include <cmath>
@@ -7,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
 #include "jounce/gear/rotary_knife.hpp"
-#include "jounce/profiles/composed.hpp"
+#include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/flying_shear.hpp"
 
 #include <cmath>
@@ -8,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/followed.hpp"
-#include "jounce/cam/master_limits.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/coupling/master_limits.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -69,7 +70,7 @@ void expect_closes(const SyncCam& made, const FlyingShear& shear) {
             shear.cut_length);
   EXPECT_EQ(made.cam.start(), 0);
   EXPECT_EQ(made.cam.end(), shear.cut_length);
-  EXPECT_EQ(made.cam.outside(), Outside::wrap);
+  EXPECT_EQ(made.cam.outside(), Extrapolation::wrap);
   EXPECT_EQ(made.cam.segments().size(), made.segments.size());
   // Polynomials begin and end at home exactly; a sine has the rounding of its argument.
   const auto rounding = [&](const Segment& f) { return f.sines > 0 ? 1e-15 * plan.stroke : 0; };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/follow_banks.hpp"
 
 #include <cmath>
@@ -36,9 +37,9 @@ void expect_plays(const FollowSpec& spec, double to) {
 
 TEST(FollowBanks, PlayWhatTheSpecSays) {
   const FollowTable catch_up{{{5000, 2500}}};
-  expect_plays({{catch_up, testing::shear_cycle()}}, 15000);        // 7-6
-  expect_plays({{testing::example_7_7()}}, 200000);                 // 7-7
-  expect_plays({{testing::example_7_8(100)}}, 50000);               // 7-8
+  expect_plays({{catch_up, testing::shear_cycle()}}, 15000);  // 7-6
+  expect_plays({{testing::example_7_7()}}, 200000);           // 7-7
+  expect_plays({{testing::example_7_8(100)}}, 50000);         // 7-8
   FollowTable thrice = testing::shear_cycle();
   thrice.loops = 3;
   expect_plays({{catch_up, thrice, {{{1000, 500, PtType::stop}}}}}, 36000);

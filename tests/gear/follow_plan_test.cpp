@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/follow_plan.hpp"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "gear/follow_tables.hpp"
 #include "support/invariants.hpp"
@@ -48,7 +49,7 @@ TEST(FollowPlan, TheShearOfExample76IsTwoZonesAndAPoint) {
   EXPECT_TRUE(check(shear()).findings.empty());
   EXPECT_EQ(master_period(shear()), 10000);
   const SyncCam slave = follow(shear());
-  EXPECT_EQ(slave.cam.outside(), Outside::advance);
+  EXPECT_EQ(slave.cam.outside(), Extrapolation::advance);
   EXPECT_EQ(slave.zones.size(), 2U);
   testing::expect_invariants(slave.cam, 1);
 }
@@ -154,7 +155,7 @@ TEST(FollowPlan, SmoothIsExactInItsZonesAndContinuousInAcceleration) {
     plan.law = law;
     const SyncCam slave = follow(plan);
     testing::expect_invariants(slave.cam, 2);
-    EXPECT_EQ(slave.cam.outside(), Outside::advance);
+    EXPECT_EQ(slave.cam.outside(), Extrapolation::advance);
     EXPECT_NEAR(slave.cam.advance(), 8000, 1e-9);
     for (const double m : {0.0, 500.0, 999.0, 9000.0, 9500.0}) {
       EXPECT_NEAR(slave.cam.jet(m)[1], 1, 1e-12) << name(law);
@@ -241,7 +242,7 @@ TEST(FollowPlan, RandomTablesMeetEveryPointAndRatioAndNeverTurnBack) {
       EXPECT_NEAR(cam.jet(z.to, Side::left)[1], z.ratio, 1e-9);
     }
     const double peak = extrema(cam, 1).peak().value;
-    EXPECT_LE(std::abs(largest_jump(with(cam, Outside::refuse), 1).step), 1e-9 * peak);
+    EXPECT_LE(std::abs(largest_jump(with(cam, Extrapolation::refuse), 1).step), 1e-9 * peak);
     EXPECT_GE(extrema(cam, 1).min.value, -1e-9 * peak);
     const Report report = check(plan);
     const auto segments = follow_table(plan).segments;

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/follow_start.hpp"
 
 #include <gtest/gtest.h>
 
+#include "jounce/controllers/googol/googol.hpp"
 #include "jounce/gear/follow.hpp"
-#include "jounce/profiles/controllers/googol.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
 #include "gear/follow_tables.hpp"
 #include "support/random.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/follow.hpp"
 
 #include <algorithm>
@@ -6,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "gear/follow_tables.hpp"
 #include "support/invariants.hpp"
@@ -69,7 +70,7 @@ TEST(Follow, Example76CatchesUpAndThenRunsPeriodically) {
   EXPECT_TRUE(check(cycle).findings.empty());
   EXPECT_EQ(master_period(cycle), 10000);
   const Cam cam = follow(cycle).cam;
-  EXPECT_EQ(cam.outside(), Outside::advance);
+  EXPECT_EQ(cam.outside(), Extrapolation::advance);
   EXPECT_EQ(cam.jet(10000 * 7e6 + 4000)[0], 8000 * 7e6 + 3400);
   testing::expect_invariants(cam, 1);
 
@@ -77,7 +78,7 @@ TEST(Follow, Example76CatchesUpAndThenRunsPeriodically) {
   EXPECT_THAT(end_ratios(both), ratios({1, 1, 0.6, 0.6, 1, 1}));
   EXPECT_TRUE(check(both).findings.empty());
   EXPECT_EQ(follow(both).cam.end(), 15000);
-  EXPECT_EQ(follow(both).cam.outside(), Outside::refuse);
+  EXPECT_EQ(follow(both).cam.outside(), Extrapolation::refuse);
   EXPECT_FALSE(master_period(both));
 }
 
@@ -170,7 +171,7 @@ TEST(Follow, Example79MisprintIsNamed) {
 TEST(Follow, ALastTableThatEndsAtARatioIsADeadStop) {
   const FollowSpec spec{{{{{5000, 2500}}}}};
   const SyncCam slave = follow(spec);
-  EXPECT_EQ(slave.cam.outside(), Outside::hold);
+  EXPECT_EQ(slave.cam.outside(), Extrapolation::hold);
   EXPECT_EQ(slave.cam.jet(6000)[0], 2500) << "it stays where it ends";
   EXPECT_EQ(slave.cam.jet(6000)[1], 0);
   const Report report = check(spec);
@@ -211,7 +212,7 @@ TEST(Follow, PassesOfAContinuedTableThatIsNotPeriodicAreFoundOut) {
   ASSERT_NE(f = found(warned, "follow/wrap_ratio"), nullptr);
   EXPECT_FALSE(f->broken);
   EXPECT_EQ(follow(alternating).cam.segments().size(), 2U) << "both passes are shown";
-  EXPECT_EQ(follow(alternating).cam.outside(), Outside::refuse);
+  EXPECT_EQ(follow(alternating).cam.outside(), Extrapolation::refuse);
   // Two: the end is 2 (0.5 - 0.4) above the start: 0, 0.2, 0.4, ... grows.
   const FollowSpec growing{{{{{100, 40, PtType::continued}, {200, 90}}, 0}}};
   const Report broken = check(growing);
@@ -230,7 +231,7 @@ TEST(Follow, FiniteLoopsTakeTheRatioOfThePassBefore) {
   const SyncCam slave = follow(spec);
   EXPECT_EQ(slave.cam.segments().size(), 12U);
   EXPECT_EQ(slave.cam.at(slave.cam.end()).position, 46000 + 3 * 52000);
-  EXPECT_NEAR(largest_jump(with(slave.cam, Outside::refuse), 1).step, 0, 1e-14);
+  EXPECT_NEAR(largest_jump(with(slave.cam, Extrapolation::refuse), 1).step, 0, 1e-14);
   EXPECT_EQ(slave.segments[3], "table 2 continue to 80000");
 }
 

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/gear_course.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
 #include "jounce/gear/feasibility.hpp"
-#include "jounce/profiles/dynamics.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/moves/dynamics.hpp"
 
 #include "support/invariants.hpp"
 
@@ -84,9 +85,9 @@ TEST(GearCourse, LaysShiftsOverTheGear) {
 }
 
 TEST(GearCourse, HoldsOutsideOnlyWhereItEndsAtRest) {
-  EXPECT_EQ(gear_course(example_75()).cam.outside(), Outside::refuse);
+  EXPECT_EQ(gear_course(example_75()).cam.outside(), Extrapolation::refuse);
   const SyncCam stroke = gear_course({.master_end = 30, .changes = {{0, 1, 10}, {20, 0, 10}}});
-  EXPECT_EQ(stroke.cam.outside(), Outside::hold);
+  EXPECT_EQ(stroke.cam.outside(), Extrapolation::hold);
   EXPECT_DOUBLE_EQ(stroke.cam.jet(99)[0], 20);
 }
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/gear_in_pos.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"

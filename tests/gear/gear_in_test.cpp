@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/gear_in.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/coupling_cycle.hpp"
+#include "jounce/cam/coupling/coupling_cycle.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/random.hpp"
 

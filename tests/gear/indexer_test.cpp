@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/indexer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 

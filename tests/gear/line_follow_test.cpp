@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/line_follow.hpp"
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 namespace jounce {
 namespace {

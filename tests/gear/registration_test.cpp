@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/registration.hpp"
 
 #include <algorithm>
@@ -8,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/gear/flying_shear.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 /// A sealing roll: in step over 0...100 of each product of 300, then on to the next jaw at 360.
 Cam roll() {
-  return Cam({line(100, 0, 100), quintic(200, 100, 1, 0, 360, 1, 0)}, 0, Outside::advance);
+  return Cam({line(100, 0, 100), quintic(200, 100, 1, 0, 360, 1, 0)}, 0, Extrapolation::advance);
 }
 
 const Registration mark{.window_from = 120, .window_length = 150, .most = 2};
@@ -62,7 +63,8 @@ TEST(Registration, ZeroLeavesTheCamUntouchedToTheBit) {
   EXPECT_TRUE(same(all.segments()[0], cam.segments()[0]));
   EXPECT_TRUE(same(all.segments()[1], cam.segments()[1]));
   EXPECT_EQ(all.end(), 1500);
-  const Cam late = registered(with(cam, Outside::wrap), mark, none);  // comes back: no shift either
+  const Cam late =
+      registered(with(cam, Extrapolation::wrap), mark, none);  // comes back: no shift either
   for (std::size_t i = 0; i < 10; ++i)
     EXPECT_TRUE(same(late.segments()[i], cam.segments()[i % 2])) << i;
 }
@@ -106,7 +108,7 @@ TEST(Registration, FollowsADriftAndForgetsNoise) {
 
 TEST(Registration, TheGreatestCorrectionIsTheClosedForm) {
   // On a roll at constant speed v the law adds Cv s v / b and Ca s v^2 / b^2.
-  const Cam even({line(300, 0, 300)}, 0, Outside::advance);
+  const Cam even({line(300, 0, 300)}, 0, Extrapolation::advance);
   Registration wide = mark;
   wide.most = 1e6;
   const double v = 500;
@@ -241,7 +243,7 @@ TEST(Registration, SaysWhatDoesNotFit) {
   bad.law = Law::line;
   EXPECT_THAT(refusal(bad, roll(), 1), StartsWith("law = line"));
   EXPECT_THAT(refusal(mark, roll(), std::nan("")), StartsWith("error = nan"));
-  EXPECT_THAT(refusal(mark, with(roll(), Outside::hold), 1), StartsWith("cam: must wrap"));
+  EXPECT_THAT(refusal(mark, with(roll(), Extrapolation::hold), 1), StartsWith("cam: must wrap"));
 }
 
 }  // namespace

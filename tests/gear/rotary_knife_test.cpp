@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/gear/rotary_knife.hpp"
 
 #include <cmath>
@@ -8,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/followed.hpp"
-#include "jounce/cam/master_limits.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/coupling/master_limits.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -383,7 +384,7 @@ TEST(RotaryKnife, RefusesWhatCannotBeCut) {
 
 TEST(RotaryKnife, FollowsTheWebThroughManyCuts) {
   const SyncCam knife = rotary_knife(case_y());
-  const Trajectory web({line(10, 0, 200)}, 0, Outside::hold);  // 20 in/s
+  const Trajectory web({line(10, 0, 200)}, 0, Extrapolation::hold);  // 20 in/s
   const Followed slave(knife.cam, web);
   for (int cut = 0; cut < 40; ++cut) {
     const double t = cut * 4.71 / 20;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/io/points.hpp"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ TEST(Points, NameWhatIsWrongAndWhere) {
             "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
             "p.csv:3: position: is empty: every point needs a number");
-  for (const char* bad : {"nan", "inf", "1e999", "0x10", "1 2", "--1", "+", ".", "1e", "1.2.3", "++1", "+-1", "-+1", "\"1"})
+  for (const char* bad : {"nan", "inf", "1e999", "0x10", "1 2", "--1", "+", ".", "1e", "1.2.3",
+                          "++1", "+-1", "-+1", "\"1"})
     EXPECT_EQ(complaint(std::string("time,position\n0,") + bad + "\n"),
               std::string("p.csv:2: position = ") + bad + ": must be a finite number")
         << bad;
@@ -86,10 +88,11 @@ TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
 }
 
 TEST(Points, AreReadAsSpreadsheetsWriteThem) {
-  for (const char* text :
-       {"sep=;\ntime;position\n0;1,5\n1;-2,5\n", "\"sep=;\"\r\n\"time\";\"position\"\r\n0;\"1,5\"\r\n\"1\";-2,5\r\n",
-        "time,position\n0,1.5\n,\n , \n1,-2.5\n,\n,,,\n", "time;position\n;\n+0;+1,5\n+1;-2,5\n;;;;\n",
-        "time,position\n\"0\",\"+1.5\"\n1,\"-2.5\"\n"}) {
+  for (const char* text : {"sep=;\ntime;position\n0;1,5\n1;-2,5\n",
+                           "\"sep=;\"\r\n\"time\";\"position\"\r\n0;\"1,5\"\r\n\"1\";-2,5\r\n",
+                           "time,position\n0,1.5\n,\n , \n1,-2.5\n,\n,,,\n",
+                           "time;position\n;\n+0;+1,5\n+1;-2,5\n;;;;\n",
+                           "time,position\n\"0\",\"+1.5\"\n1,\"-2.5\"\n"}) {
     const Points p = parse_points(text, "p.csv");
     EXPECT_EQ(p.in_unit("time", "s"), (std::vector{0.0, 1.0})) << text;
     EXPECT_EQ(p.in_unit("position", "mm"), (std::vector{1.5, -2.5})) << text;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recordings of a drive: columns and units, and what is refused with which words.
 #include "jounce/io/recording.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/io/table_file.hpp"
 
 #include <cstring>
@@ -8,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/io/file.hpp"
+#include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/random.hpp"
@@ -17,7 +18,7 @@ namespace jounce {
 namespace {
 
 /// A table whose numbers do not print in few digits.
-TableFile ragged(Rule rule = Rule::quintic_hermite, std::size_t knots = 40) {
+TableFile ragged(Interpolation rule = Interpolation::quintic_hermite, std::size_t knots = 40) {
   testing::Random random(5);
   Columns c;
   double x = -3.3;
@@ -25,12 +26,12 @@ TableFile ragged(Rule rule = Rule::quintic_hermite, std::size_t knots = 40) {
     x += random.log_uniform(1e-6, 1e3);
     c.x.push_back(x);
     c.p.push_back(random.uniform(-1, 1) * random.log_uniform(1e-300, 1e300));
-    if (rule != Rule::linear) c.v.push_back(random.uniform(-1, 1) / 3);
-    if (rule == Rule::quintic_hermite)
+    if (rule != Interpolation::linear) c.v.push_back(random.uniform(-1, 1) / 3);
+    if (rule == Interpolation::quintic_hermite)
       c.a.push_back(
           i == 3 ? -0.0 : random.uniform(-1, 1) * std::numeric_limits<double>::denorm_min() * 1000);
   }
-  return {Table(Axis::master, rule, Outside::wrap, std::move(c)),
+  return {Table(Domain::master, rule, Extrapolation::wrap, std::move(c)),
           {"deg", "mm"},
           {"a cam.toml", std::string(64, 'a'), "jounce test"}};
 }
@@ -56,7 +57,8 @@ void expect_same(const TableFile& a, const TableFile& b) {
 }
 
 TEST(TableFile, ReadsBackBitExactInBothFormats) {
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite}) {
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
     const TableFile file = ragged(rule);
     expect_same(file, parse_table(to_csv(file), "t.csv"));
     expect_same(file, parse_table(to_json(file), "t.json"));
@@ -69,14 +71,14 @@ TEST(TableFile, HashesTheSameInBothFormatsAndForNothingElse) {
   const TableFile back = parse_table(to_json(file), "t.json");
   EXPECT_EQ(hash, content_hash(back.table, back.units));
   EXPECT_NE(hash, content_hash(file.table, {"deg", "m"})) << "the unit belongs to the content";
-  EXPECT_NE(hash, content_hash(ragged(Rule::cubic_hermite).table, file.units));
+  EXPECT_NE(hash, content_hash(ragged(Interpolation::cubic_hermite).table, file.units));
 }
 
 TEST(TableFile, TheHashIsTheOneOfTheProtocolPage) {
   // Python's hashlib: h = lambda *c: sha256(pack('<%dd' % len(c), *c)).digest();
   // sha256(b'jounce table, by columns\ntime\ncubic_hermite\nhold\ns\nmm\n3\n' +
   //        h(0, 1, 3) + h(0, .5, 2) + h(0, 1, 0)).hexdigest()
-  const Table table(Axis::time, Rule::cubic_hermite, Outside::hold,
+  const Table table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                     {{0, 1, 3}, {0, 0.5, 2}, {0, 1, 0}, {}});
   EXPECT_EQ(hex(content_hash(table, {"s", "mm"})),
             "1c504ad0bae4a3480ad43b1b894a67857a2dfbad0585394198cedba823dc850e");
@@ -97,7 +99,7 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(TableFile, RefusesEveryTruncation) {
-  const TableFile file = ragged(Rule::cubic_hermite, 4);
+  const TableFile file = ragged(Interpolation::cubic_hermite, 4);
   for (const std::string& text : {to_csv(file), to_json(file)})
     for (std::size_t length = 0; length + 1 < text.size();
          ++length)  // a last line end may be missing
@@ -106,7 +108,7 @@ TEST(TableFile, RefusesEveryTruncation) {
 
 TEST(TableFile, RefusesOrKeepsEveryChangedByte) {
   // Whatever byte is changed: the table read is the table written, or there is an error.
-  const TableFile file = ragged(Rule::cubic_hermite, 4);
+  const TableFile file = ragged(Interpolation::cubic_hermite, 4);
   for (const std::string& text : {to_csv(file), to_json(file)})
     for (std::size_t i = 0; i < text.size(); ++i)
       for (const char c : {'0', '9', '-', ' ', '\n', 'x', '\0', '\xff'}) {
@@ -127,7 +129,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 TableFile small() {
-  return {Table(Axis::time, Rule::cubic_hermite, Outside::hold,
+  return {Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                 {{0, 1, 3}, {0, 2, 5}, {0, 1.5, 0}, {}}),
           {"s", "mm"},
           {}};

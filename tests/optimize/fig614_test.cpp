@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PMC600 manual 6.2, Fig. 6.14, under velocity <= 3 and acceleration <= 0.15, which the given cam
 // breaks. The values pinned here as upper limits were measured; what must hold besides is proven.
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
 
-#include "jounce/optimize/detail/pieces.hpp"
-#include "jounce/optimize/detail/program.hpp"
-
 #include "optimize/rest_to_rest.hpp"
+#include "optimize/src/knots/pieces.hpp"
+#include "optimize/src/solvers/program.hpp"
 
 namespace jounce::optimizer {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/optimize/least_peak.hpp"
 
 #include <cmath>
@@ -7,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/optimize/problem.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/random.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/optimize/optimize.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "optimize/rest_to_rest.hpp"
 

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/law.hpp"
+#include "jounce/cam/laws/law.hpp"
 #include "jounce/optimize/bound.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/shaper.hpp"
-#include "jounce/profiles/vibration_band.hpp"
+#include "jounce/profiles/vibration/shaper.hpp"
+#include "jounce/profiles/vibration/vibration_band.hpp"
 
 #include "support/random.hpp"
 

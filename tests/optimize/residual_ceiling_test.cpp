@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Residual ceilings beside an rms, of few pieces and of many.
 #include <cmath>
 #include <initializer_list>
@@ -6,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/optimize/shape.hpp"
-#include "jounce/profiles/vibration_band.hpp"
+#include "jounce/profiles/vibration/vibration_band.hpp"
 
 namespace jounce {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -5,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/optimize/shape.hpp"
-#include "jounce/profiles/vibration_band.hpp"
+#include "jounce/profiles/vibration/vibration_band.hpp"
 
 #include "shape_problems.hpp"
 

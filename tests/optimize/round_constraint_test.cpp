@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/optimize/detail/certificate.hpp"
-#include "jounce/optimize/detail/interior_point.hpp"
-
 #include "../support/random.hpp"
+#include "optimize/src/solvers/certificate.hpp"
+#include "optimize/src/solvers/interior_point.hpp"
 
 namespace jounce::optimizer {
 namespace {

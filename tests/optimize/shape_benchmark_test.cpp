@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "jounce/optimize/shape.hpp"
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 
 #include "optimize/clp_shape.hpp"
 #include "optimize/shape_problems.hpp"

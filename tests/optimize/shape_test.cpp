@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/optimize/shape.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "optimize/shape_problems.hpp"
 #include "support/random.hpp"
@@ -267,7 +268,7 @@ TEST(Shape, APeriodicShapeMeetsItself) {
   p.corridors = {{derivative_of_shape(0), 160, 200, Edge{10, 10}, {}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_EQ(best.status, Status::optimal) << best.reason;
-  const Cam cam(best.segments, 0, Outside::wrap);
+  const Cam cam(best.segments, 0, Extrapolation::wrap);
   EXPECT_TRUE(check_continuity(cam, 2, 1e-7).ok());
   EXPECT_GE(segment_extrema(cam, 36)[0].min.value, 10);
 }

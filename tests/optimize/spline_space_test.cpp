@@ -1,11 +1,11 @@
-#include "jounce/optimize/detail/spline_space.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/program/spline_space.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/optimize/detail/figure_rows.hpp"
-
+#include "optimize/src/figures/figure_rows.hpp"
 #include "support/random.hpp"
 
 namespace jounce::optimizer {

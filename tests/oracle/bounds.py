@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Bounds that no motion law can beat, and the least effort between given end states.
 
 rest_to_rest: peak of the n-th derivative (perfect spline), integrals of squared derivatives, peak of f' f'', the

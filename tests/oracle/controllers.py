@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Worked examples of controller manuals, recomputed.
 
 PMC600 manual, volume 4, 6.2, Fig. 6.14: a cam of four quintic segments with printed extrema; and the same cam

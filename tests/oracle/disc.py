@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes disc.json: plate cams with roller followers, computed without any of the library's code or formulas.
 
 The roller's centre is placed in the machine by plain trigonometry and turned back with the cam; everything else is

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives with backlash and with dry friction, by Runge-Kutta with a fixed step: tests/oracle/drive.json.
 
 A motor and a load on a shaft under a P-PI cascade, in absolute angles and plain Python (3.11); none

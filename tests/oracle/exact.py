@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """High-precision building blocks of the oracles: numbers, piecewise functions, exact extrema, JSON.
 
 Nothing here knows a motion law. A `Piece` is a function of the local coordinate u in [0, length]:

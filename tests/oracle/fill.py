@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes fill.json: velocities and accelerations at the knots of tables that leave them out, with 50 digits and none of
 the library's code.
 

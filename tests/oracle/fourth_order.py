@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes fourth_order.json: the least duration of rest-to-rest moves with limited velocity, acceleration, jerk and
 jounce, by linear programming; nothing is assumed about phases or symmetry, and none of the library's code is used.
 

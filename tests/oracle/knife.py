@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Rotary knives: closed forms, and recoveries from their boundary values by linear algebra.
 
 Writes knife.json (--check: exit status 1 if the file is not what this makes). None of the library's code or formulas of

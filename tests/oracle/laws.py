@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Rest-to-rest motion laws (VDI 2143 names where it has one), normalised: f(0) = 0, f(1) = 1.
 
 Every law is derived here, not copied: the trigonometric ones by integrating the shape of their acceleration twice

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes least_peak.json: the least max |f''| of cams of quintics over the velocities and accelerations left free, by
 linear programming on a grid of 2000 intervals a segment; none of the library's code is used.
 

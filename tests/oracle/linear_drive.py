@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Linear drives along references, by matrix exponentials with 30 digits: linear_drive.json.
 
 Absolute angles, the reference's derivatives as states, Van Loan's block exponential for the integral

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Poles and margins of drives' loops with 40 digits: loop.json.
 
 Continuous: L(s) as a ratio of polynomials, from the impedance of the chain of masses (the last one first); the

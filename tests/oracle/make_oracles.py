@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes oracles.json: numbers that the tests compare the library against, computed without any of its code.
 
     laws             classical rest-to-rest laws: coefficients and samples       laws.py         VDI 2143 and handbooks

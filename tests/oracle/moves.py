@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Rest-to-rest moves: seven-segment S-curves and trapezoids, asymmetric.
 
 S-curve: while speeding up |a| <= acceleration and |da/dt| <= jerk, while slowing down |a| <= deceleration and

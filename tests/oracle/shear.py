@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Flying shears with 40 digits, from the speed of the carriage over the line and nothing else.
 
 usage: shear.py           writes shear.json beside it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sobol's sequence as SciPy has it (S. Joe and F. Y. Kuo's direction numbers of 2008, unscrambled): sobol.json.
 
 Each entry is the point times 2^32, for some of the first points and 21 dimensions.

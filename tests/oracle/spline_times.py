@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes spline_times.json: best times of multi-joint cubic splines of the Lin-Chang-Luh class, with none of the
 library's code and another search.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes splines.json: splines through points, B-splines, Bezier curves and points with tolerances, with 50 digits and
 none of the library's code.
 

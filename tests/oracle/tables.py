@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Table resolution and exact gearing.
 
 hermite_error: the true largest interpolation error of N equal intervals on the cycloid z - sin(2 pi z)/(2 pi) for

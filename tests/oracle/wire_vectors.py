@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes docs/stream-vectors.txt: every message of docs/stream-protocol.md as bytes, without a key
 and with one. Made from that page alone with struct, zlib and hashlib: shares no code with the
 library or with LCM.

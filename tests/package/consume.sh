@@ -1,10 +1,26 @@
 #!/bin/sh
-# Installs the build tree into a folder of its own and builds a ten-line consumer against it.
+# SPDX-License-Identifier: Apache-2.0
+# Installs the build tree into a folder, moves that, and builds programs against it: with CMake, one for each module, and
+# with pkg-config.
 #   consume.sh BUILD_DIR CONSUMER_SOURCE_DIR
 set -eu
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-cmake --install "$1" --prefix "$scratch/prefix" > "$scratch/install.log" || { cat "$scratch/install.log"; exit 1; }
-cmake -G Ninja -S "$2" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
-cmake --build "$scratch/build" >> "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+logged() { "$@" >> "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }; }
+logged cmake --install "$1" --prefix "$scratch/installed"
+mv "$scratch/installed" "$scratch/prefix"
+logged cmake -G Ninja -S "$2" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix"
+logged cmake --build "$scratch/build"
 [ "$("$scratch/build/consumer")" = "1300 ms, at most 50 pulse/ms" ]
+for program in "$scratch"/build/use_*; do
+  "$program" || { echo "package: $program fails"; exit 1; }
+done
+
+folder=$(dirname "$(find "$scratch/prefix" -name jounce-profiles.pc)")
+words() { PKG_CONFIG_PATH="$folder" pkg-config --cflags --libs --static "$1"; }
+# shellcheck disable=SC2046
+logged g++ -std=c++20 "$2/main.cpp" -o "$scratch/alone" $(words jounce-profiles)
+[ "$("$scratch/alone")" = "1300 ms, at most 50 pulse/ms" ]
+# shellcheck disable=SC2046
+logged g++ -std=c++20 "$scratch/build/sources/use_base.cpp" -o "$scratch/base" $(words jounce-base)
+"$scratch/base"

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
-#include <jounce/profiles/extrema.hpp>
-#include <jounce/profiles/online.hpp>
-#include <jounce/profiles/s_curve.hpp>
+#include <jounce/profiles/curve/extrema.hpp>
+#include <jounce/profiles/moves/s_curve.hpp>
+#include <jounce/profiles/online/online.hpp>
 
 int main() {
   const jounce::Trajectory move =

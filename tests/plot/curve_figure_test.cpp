@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/plot/curve_figure.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/plot/label.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
@@ -239,7 +240,7 @@ TEST(CurveFigure, IsLean) {
 }
 
 TEST(CurveFigure, IsLeanWithManySegments) {
-  const Cam many = repeated(with(pmc600_cam(), Outside::hold), 5000);
+  const Cam many = repeated(with(pmc600_cam(), Extrapolation::hold), 5000);
   EXPECT_LT(svg(curve_figure(many, {})).size(), 250'000U);
 }
 

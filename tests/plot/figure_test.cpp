@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/plot/figure.hpp"
 
 #include <cmath>
@@ -6,11 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/plot/detail/panel.hpp"
-#include "jounce/plot/detail/text.hpp"
-
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
+#include "plot/src/figure/panel.hpp"
+#include "plot/src/figure/text.hpp"
 
 namespace jounce {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cctype>
@@ -7,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "jounce/plot/detail/path.hpp"
+#include "plot/src/figure/path.hpp"
 
 namespace jounce {
 

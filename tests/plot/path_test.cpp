@@ -1,4 +1,5 @@
-#include "jounce/plot/detail/path.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/path.hpp"
 
 #include <algorithm>
 #include <cmath>

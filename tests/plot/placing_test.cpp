@@ -1,4 +1,5 @@
-#include "jounce/plot/detail/placing.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/placing.hpp"
 
 #include <array>
 

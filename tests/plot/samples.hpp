@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/plot/curve_figure.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 namespace jounce {
 

@@ -1,4 +1,5 @@
-#include "jounce/plot/detail/text.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "jounce/plot/detail/ticks.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/ticks.hpp"
 
 #include <cmath>
 #include <limits>

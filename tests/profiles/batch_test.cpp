@@ -1,4 +1,5 @@
-#include "jounce/profiles/batch.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/batch.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/detail/batch_kernel.hpp"
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/query.hpp"
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/moves/move.hpp"
 
+#include "profiles/src/moves/batch_kernel.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -60,8 +61,8 @@ TEST(Batch, IsTheSolversAnswerForEveryMove) {
     minimum_durations(m.columns(), m.duration, m.peak);
     for (std::size_t i = 0; i < m.duration.size() && !::testing::Test::HasFailure(); ++i) {
       SCOPED_TRACE(m.show(i));
-      const Move one = move_to({0, m.entry[i], 0}, {m.distance[i], m.exit[i], 0},
-                               within(m.velocity[i], m.acceleration[i], m.jerk[i]));
+      const MoveResult one = move_to({0, m.entry[i], 0}, {m.distance[i], m.exit[i], 0},
+                                     within(m.velocity[i], m.acceleration[i], m.jerk[i]));
       ASSERT_TRUE(one);
       EXPECT_NEAR(m.duration[i], one.profile.duration(), 1e-12 * m.duration[i]);
     }

@@ -1,9 +1,10 @@
-#include "jounce/profiles/between.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/between.hpp"
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 
@@ -40,12 +41,12 @@ TEST(Between, ReachesIntoTheRestOutside) {
 }
 
 TEST(Between, ReachesIntoTheTurnsBeforeAndAfter) {
-  const Trajectory f = with(concatenated(move(), reversed(move())), Outside::wrap);
+  const Trajectory f = with(concatenated(move(), reversed(move())), Extrapolation::wrap);
   const double turn = f.length();
   const Trajectory far = between(f, -1.5 * turn, 2.25 * turn);
   EXPECT_NEAR(far.length(), 3.75 * turn, 1e-13 * turn);
   expect_same(far, f, -1.5 * turn + 0.01, 2.25 * turn - 0.01);
-  EXPECT_EQ(far.outside(), Outside::hold);
+  EXPECT_EQ(far.outside(), Extrapolation::hold);
 }
 
 TEST(Between, CutsAtABreakWithoutDust) {
@@ -61,11 +62,11 @@ TEST(Between, CutsAtABreakWithoutDust) {
 
 TEST(Between, RefusesWhatIsNoStretch) {
   EXPECT_THROW(between(move(), 1, 1), InputError);
-  EXPECT_THROW(between(with(move(), Outside::refuse), -1, 1), InputError);
+  EXPECT_THROW(between(with(move(), Extrapolation::refuse), -1, 1), InputError);
 }
 
 TEST(Between, RefusesMoreTurnsThanItCanHold) {
-  EXPECT_THROW(between(with(move(), Outside::wrap), 0, 1e9 * move().length()), InputError);
+  EXPECT_THROW(between(with(move(), Extrapolation::wrap), 0, 1e9 * move().length()), InputError);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-#include "jounce/profiles/break_index.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/break_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
-#include "jounce/profiles/composed.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/composed.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -76,7 +77,7 @@ TEST(Composed, StandsWhereTheClockStandsAndRunsBackWithIt) {
 TEST(Composed, PlaysACamBehindAMaster) {
   const Cam poly5(
       {quintic(90, 0, 0, 0, 40, 0, 0), line(30, 40, 40), quintic(60, 40, 0, 0, 0, 0, 0)}, 0,
-      Outside::wrap);
+      Extrapolation::wrap);
   const Trajectory master =
       trapezoid({.from = 30, .to = 700, .velocity = 200, .acceleration = 400}).curve();
   expect_chain_rule(poly5, master);
@@ -85,7 +86,7 @@ TEST(Composed, PlaysACamBehindAMaster) {
 }
 
 TEST(Composed, TakesSinesBehindALinearMasterAndAheadOfALinearCam) {
-  const Cam cycloid({sine_rise(100, 20), sine_rise(50, -20)}, 0, Outside::hold);
+  const Cam cycloid({sine_rise(100, 20), sine_rise(50, -20)}, 0, Extrapolation::hold);
   expect_chain_rule(cycloid, Trajectory({line(3, -20, 170)}));
   expect_chain_rule(Cam({line(7, 1, 2), line(3, 2, 0)}), Trajectory({sine_rise(2, 10)}));
 }
@@ -115,7 +116,7 @@ TEST(Composed, RandomPolynomialsMeetTheChainRule) {
     const int inner_degree = 1 + random.below(11 / outer_degree);
     std::vector<Segment> pieces(6);
     for (Segment& f : pieces) f = polynomial(outer_degree, random.uniform(0.1, 2));
-    const Trajectory outer(pieces, random.uniform(-4, -2), Outside::wrap);
+    const Trajectory outer(pieces, random.uniform(-4, -2), Extrapolation::wrap);
     const Trajectory inner({polynomial(inner_degree, 1.5), polynomial(inner_degree, 0.5)}, 1000);
     const Trajectory g = composed(outer, inner);
     for (std::size_t i = 0; i < g.segments().size(); ++i)
@@ -133,7 +134,8 @@ TEST(Composed, RefusesWhatDoesNotFit) {
   EXPECT_THROW(composed(Cam({sine_rise(1, 1)}), Trajectory({cubic(2, 0, 0, 1, 0)})), InputError);
   EXPECT_THROW(composed(quintic_move, Trajectory({line(1, 0, 1.01)})), InputError)
       << "leaves a curve that refuses";
-  EXPECT_NO_THROW(composed(with(quintic_move, Outside::hold), Trajectory({line(1, -1, 1.01)})));
+  EXPECT_NO_THROW(
+      composed(with(quintic_move, Extrapolation::hold), Trajectory({line(1, -1, 1.01)})));
 }
 
 TEST(Composed, EndsWhereTheInnerEnds) {
@@ -151,7 +153,7 @@ TEST(Composed, EndsWhereTheInnerEnds) {
 }
 
 TEST(Composed, RefusesMoreTurnsThanItCanHold) {
-  const Trajectory turn({line(1, 0, 1), line(1, 1, 0)}, 0, Outside::wrap);
+  const Trajectory turn({line(1, 0, 1), line(1, 1, 0)}, 0, Extrapolation::wrap);
   EXPECT_THROW(composed(turn, Trajectory({line(1, 0, 1e9)})), InputError);
 }
 

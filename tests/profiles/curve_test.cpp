@@ -1,4 +1,5 @@
-#include "jounce/profiles/curve.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/curve.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -17,7 +18,7 @@ namespace jounce {
 namespace {
 
 /// Two lines, 0 -> 1 over [10, 12] and 5 -> 4 over [12, 13]: it jumps at 12.
-Trajectory two_lines(Outside outside = Outside::hold) {
+Trajectory two_lines(Extrapolation outside = Extrapolation::hold) {
   return Trajectory({line(2, 0, 1), line(1, 5, 4)}, 10, outside);
 }
 
@@ -34,7 +35,7 @@ TEST(Curve, HoldsOrWrapsOutside) {
   EXPECT_DOUBLE_EQ(two_lines().at(9).position, 0);
   EXPECT_DOUBLE_EQ(two_lines().at(20).position, 4);
   EXPECT_DOUBLE_EQ(two_lines().at(20).velocity, 0);
-  const Trajectory f = two_lines(Outside::wrap);
+  const Trajectory f = two_lines(Extrapolation::wrap);
   EXPECT_DOUBLE_EQ(f.at(13).position, 0) << "the end is the next start";
   EXPECT_DOUBLE_EQ(f.at(13, Side::left).position, 4);
   EXPECT_DOUBLE_EQ(f.at(14).position, 0.5);
@@ -43,7 +44,7 @@ TEST(Curve, HoldsOrWrapsOutside) {
 }
 
 TEST(Curve, SamplesABlockLikeSinglePoints) {
-  for (const Outside outside : {Outside::hold, Outside::wrap}) {
+  for (const Extrapolation outside : {Extrapolation::hold, Extrapolation::wrap}) {
     const Trajectory f = two_lines(outside);
     const std::vector<double> x{8, 10, 11, 12, 12.5, 11.5, 13, 14.25, 10.5};
     std::vector<Motion> block(x.size());

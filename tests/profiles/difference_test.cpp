@@ -1,4 +1,5 @@
-#include "jounce/profiles/difference.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/difference.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/random.hpp"
 
@@ -21,7 +22,7 @@ Cam feeder(double return_at = 280, double return_to = 100) {
   return Cam({quintic(75, 0, 0, 0, 100, 1, 0), quintic(125, 100, 1, 0, 225, 1, 0),
               quintic(return_at - 200, 225, 1, 0, return_to, -0.3, 0),
               quintic(360 - return_at, return_to, -0.3, 0, 0, 0, 0)},
-             0, Outside::wrap);
+             0, Extrapolation::wrap);
 }
 
 TEST(Difference, OfACurveAndItselfIsNone) {
@@ -100,7 +101,7 @@ Cam random_cam(testing::Random& random, double start, double length, double size
       f.sine[k] = {size * random.uniform(-1, 1), random.uniform(-10, 10), random.uniform(-3, 3)};
     segments.push_back(f);
   }
-  return Cam(std::move(segments), start, Outside::hold);
+  return Cam(std::move(segments), start, Extrapolation::hold);
 }
 
 TEST(Difference, IsThatOfTheJetsAndBoundsEverySample) {
@@ -148,7 +149,7 @@ TEST(Difference, IsBlindToRoundingAndToNothingElse) {
       cut.push_back(part(f, 0, at));
       cut.push_back(part(f, at, 1));
     }
-    const Cam pieces(cut, 0, Outside::hold);
+    const Cam pieces(cut, 0, Extrapolation::hold);
     for (const Change& change : compare(cam, pieces))
       EXPECT_TRUE(change.none()) << change.largest.value << " against " << change.rounding;
     const auto knots = knot_changes(cam, pieces);

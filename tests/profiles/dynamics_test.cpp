@@ -1,11 +1,12 @@
-#include "jounce/profiles/dynamics.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/dynamics.hpp"
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
-#include "profiles/controllers/motion.hpp"
+#include "controllers/motion.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -43,7 +44,7 @@ TEST(VelocityRamp, ArrivesFromAnyStateWithinItsLimits) {
     const double peak = std::max({d.acceleration, d.deceleration, std::abs(from.acceleration)});
     const Range a = extrema(p.curve(), 2);
     EXPECT_LE(std::abs(a.peak().value), peak * (1 + 1e-11));
-    testing::expect_invariants(with(p.curve(), Outside::refuse), d.jerk > 0 ? 2 : 1);
+    testing::expect_invariants(with(p.curve(), Extrapolation::refuse), d.jerk > 0 ? 2 : 1);
   }
 }
 
@@ -56,7 +57,7 @@ TEST(VelocityRamp, WithOneLimitIsAsFastAsTheSolver) {
     SCOPED_TRACE(::testing::Message() << i << ": " << from << " to " << v << " under " << d);
     Bounds bounds = within(Bounds::none, d.acceleration);
     if (d.jerk > 0) bounds = within(Bounds::none, d.acceleration, d.jerk);
-    const Move move = move_velocity(from, v, bounds);
+    const MoveResult move = move_velocity(from, v, bounds);
     ASSERT_TRUE(move);
     const Profile p = velocity_ramp(from, v, d);
     EXPECT_NEAR(p.duration(), move.profile.duration(), 1e-9 * p.duration());
@@ -257,8 +258,8 @@ TEST(InFlight, AnyChangeArrivesContinuouslyWithinTheLimits) {
                  << number(target) << " under " << changed);
     const Trajectory g = with_target(f, t, target, changed);
     EXPECT_NEAR(g.at(g.end()).position, target, 1e-15 * std::abs(extrema(g, 0).peak().value));
-    EXPECT_EQ(g.outside(), Outside::hold);
-    EXPECT_EQ(with_velocity(f, t, 0, changed).outside(), Outside::hold);
+    EXPECT_EQ(g.outside(), Extrapolation::hold);
+    EXPECT_EQ(with_velocity(f, t, 0, changed).outside(), Extrapolation::hold);
     // An acceleration in force goes on to change the velocity while the new jerk brings it down.
     const MotionState now = state_at(f, t);
     const double a = now.acceleration;
@@ -331,15 +332,16 @@ TEST(InFlight, WithTwoJerksAFartherTargetTakesAsLongAsIfItHadBeenGivenAtOnce) {
 TEST(InFlight, WhatEndsAtRestHoldsAndWhatEndsMovingRefuses) {
   const Dynamics d{.velocity = 10, .acceleration = 20, .jerk = 100};
   const Trajectory move = point_to_point(0, 50, d).curve();
-  for (const Outside outside : {Outside::refuse, Outside::hold, Outside::wrap}) {
+  for (const Extrapolation outside :
+       {Extrapolation::refuse, Extrapolation::hold, Extrapolation::wrap}) {
     const Trajectory f = with(move, outside);
     for (const double t : {0.0, 0.3, 2.0, 9.0}) {
-      EXPECT_EQ(with_target(f, t, 80, d).outside(), Outside::hold);
-      EXPECT_EQ(with_velocity(f, t, 5, d).outside(), Outside::refuse);
+      EXPECT_EQ(with_target(f, t, 80, d).outside(), Extrapolation::hold);
+      EXPECT_EQ(with_velocity(f, t, 5, d).outside(), Extrapolation::refuse);
     }
-    EXPECT_EQ(with_velocity(f, 2, 0, d).outside(), Outside::hold);
+    EXPECT_EQ(with_velocity(f, 2, 0, d).outside(), Extrapolation::hold);
   }
-  const Trajectory jog = with(velocity_ramp({}, 10, d).curve(), Outside::refuse);
+  const Trajectory jog = with(velocity_ramp({}, 10, d).curve(), Extrapolation::refuse);
   const Trajectory placed = with_target(jog, 3, 80, d);
   EXPECT_DOUBLE_EQ(placed.at(placed.end() + 5).position, 80);
 }

@@ -1,11 +1,12 @@
-#include "jounce/profiles/extrema.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/extrema.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "support/random.hpp"
 

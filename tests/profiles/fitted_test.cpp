@@ -1,15 +1,16 @@
-#include "jounce/profiles/fitted.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/fitted.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/composed.hpp"
+#include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "support/random.hpp"
 
@@ -116,7 +117,7 @@ TEST(ComposedWithin, HoldsTheChainRuleWithinTheCertifiedError) {
     testing::Random random(seed);
     const Trajectory outer({random_segment(random, random.below(12), random.below(4), 1),
                             random_segment(random, random.below(6), random.below(3), 2)},
-                           -1, Outside::hold);
+                           -1, Extrapolation::hold);
     const Trajectory inner({random_segment(random, 1 + random.below(6), random.below(3),
                                            random.log_uniform(0.1, 10))});
     const double tolerance = random.log_uniform(1e-10, 1e-3);

@@ -1,11 +1,12 @@
-#include "jounce/profiles/limits.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/limits/limits.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 namespace jounce {
 namespace {
@@ -64,7 +65,7 @@ TEST(CheckContinuity, FindsTheFirstDerivativeThatJumps) {
 }
 
 TEST(CheckContinuity, FindsAMotionThatIsLeftAtSpeed) {
-  const Trajectory f({quintic(1, 0, 0, 0, 1, 3, 0)}, 0, Outside::hold);
+  const Trajectory f({quintic(1, 0, 0, 0, 1, 3, 0)}, 0, Extrapolation::hold);
   const Report report = check_continuity(f, 1);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.findings.front().rule, "continuity/velocity");
@@ -73,9 +74,9 @@ TEST(CheckContinuity, FindsAMotionThatIsLeftAtSpeed) {
 }
 
 TEST(CheckContinuity, IncludesTheWrap) {
-  const Trajectory ramp({line(1, 0, 1)}, 0, Outside::wrap);
+  const Trajectory ramp({line(1, 0, 1)}, 0, Extrapolation::wrap);
   EXPECT_FALSE(check_continuity(ramp, 0).ok());
-  EXPECT_TRUE(check_continuity(with(ramp, Outside::hold), 0).ok());
+  EXPECT_TRUE(check_continuity(with(ramp, Extrapolation::hold), 0).ok());
 }
 
 }  // namespace

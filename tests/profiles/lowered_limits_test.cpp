@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/dynamics.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/moves/dynamics.hpp"
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "support/random.hpp"
 
@@ -36,7 +37,7 @@ Excess excess(const Profile& f) {
 }
 
 void expect_neither_past_nor_back(const MotionState& from, const MotionState& to, const Bounds& b) {
-  const Move move = move_to(from, to, b);
+  const MoveResult move = move_to(from, to, b);
   ASSERT_TRUE(move) << explain(move.status);
   const auto [passes, returns] = excess(move.profile);
   const double length = std::abs(from.position) + std::abs(to.position);
@@ -48,7 +49,7 @@ TEST(LoweredLimits, TheVelocityFallsWithoutPassingTheTarget) {
   const Profile running =
       s_curve({.to = 2000, .velocity = 926, .acceleration = 6000, .jerk = 12000});
   const MotionState now = state_at(running, 2.151);
-  const Move move = move_to(now, {2000, 0, 0}, within(385, 6000, 12000));
+  const MoveResult move = move_to(now, {2000, 0, 0}, within(385, 6000, 12000));
   ASSERT_TRUE(move);
   EXPECT_NEAR(move.profile.duration(), 0.570802, 1e-6);  // the old plan takes 0.564 s
   expect_neither_past_nor_back(now, {2000, 0, 0}, within(385, 6000, 12000));
@@ -60,12 +61,12 @@ TEST(LoweredLimits, TheVelocityFallsWithoutPassingTheTarget) {
 TEST(LoweredLimits, AMoveBrakesThroughTheLimitWhereThatIsShortest) {
   const MotionState from{4.1112293655527585, -0.92594238293810049, 0};
   const Bounds b = within(.38489889353253448, 6.1588516380011082, 11.844082699850201);
-  const Move move = move_to(from, {3.8511833076146971, 0, 0}, b);
+  const MoveResult move = move_to(from, {3.8511833076146971, 0, 0}, b);
   EXPECT_NEAR(move.profile.duration(), 0.561234, 1e-6);
 }
 
 TEST(LoweredLimits, AVelocityComesDownMonotonically) {
-  const Move move = move_velocity({.velocity = 3}, 2, within(2, 10, 100));
+  const MoveResult move = move_velocity({.velocity = 3}, 2, within(2, 10, 100));
   EXPECT_DOUBLE_EQ(move.profile.duration(), 0.2);  // dv = (j/4) T^2
   EXPECT_GE(extrema(move.profile.curve(), 1).min.value, 2 - 1e-12);
 }
@@ -73,7 +74,7 @@ TEST(LoweredLimits, AVelocityComesDownMonotonically) {
 TEST(LoweredLimits, AStopFromOutsideWithTwoJerksIsOneChangeOfVelocity) {
   const Bounds b{-9.1567305871427269, 2.3489989409797523,  -14.432634074685417,
                  11.425331492333317,  -11.562076656869385, 0.10456589107734925};
-  const Move move = stop({0.62763139075587782, -17.940181618071954, 9.0689197682955349}, b);
+  const MoveResult move = stop({0.62763139075587782, -17.940181618071954, 9.0689197682955349}, b);
   EXPECT_NEAR(move.profile.duration(), 2.356272, 1e-6);
   EXPECT_LT(extrema(move.profile.curve(), 1).max.value, 1e-9);
 }
@@ -135,11 +136,11 @@ TEST(LoweredLimits, BrakingUnderWayGoesOnWhereTheTargetNeedsIt) {
     if (stop(now, b).profile.end().position <= target.position) continue;
     ++extended;
     expect_neither_past_nor_back(now, target, b);
-    const Move move = move_to(now, target, b);
+    const MoveResult move = move_to(now, target, b);
     EXPECT_GE(extrema(move.profile.curve(), 2).min.value, now.acceleration * (1 + 1e-12));
     // The same again on the way, and longer without a reversal.
     const double t = move.profile.duration() / 2;
-    const Move again = move_to(state_at(move.profile, t), target, b);
+    const MoveResult again = move_to(state_at(move.profile, t), target, b);
     EXPECT_NEAR(again.profile.duration(), t, 1e-6 * t);
   }
   EXPECT_GT(extended, cases / 50);
@@ -149,8 +150,9 @@ TEST(LoweredLimits, TheRuleIsTheSameInEveryUnitOfTimeAndLength) {
   const MotionState from{0, 10, -8};
   for (const double to : {9.0, 6.9, 5.0, 100.0}) {
     const double T = move_to(from, {to, 0, 0}, within(4, 1, 50)).profile.duration();
-    const Move in_other_units = move_to({0, 10 * 1024 / 8, -8.0 * 1024 / 64}, {to * 1024, 0, 0},
-                                        within(4.0 * 1024 / 8, 1024.0 / 64, 50.0 * 1024 / 512));
+    const MoveResult in_other_units =
+        move_to({0, 10 * 1024 / 8, -8.0 * 1024 / 64}, {to * 1024, 0, 0},
+                within(4.0 * 1024 / 8, 1024.0 / 64, 50.0 * 1024 / 512));
     EXPECT_EQ(in_other_units.profile.duration(), 8 * T) << to;
   }
 }

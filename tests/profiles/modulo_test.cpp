@@ -1,4 +1,5 @@
-#include "jounce/profiles/modulo.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/modulo.hpp"
 
 #include <cmath>
 #include <limits>
@@ -87,7 +88,7 @@ TEST(Modulo, OneWayNeverTurnsBackAMovingAxis) {
   EXPECT_NEAR(target(0, 80, Direction::positive, 720).distance, 80, 1e-12 * 360);
   EXPECT_NEAR(target(0, 50, Direction::current, 720).distance, 410, 1e-12 * 360);
   EXPECT_NEAR(target(0, 50, Direction::current, -720).distance, -310, 1e-12 * 360);
-  const Move move = move_to({0, 720, 0}, {near.distance, 0, 0}, axis);
+  const MoveResult move = move_to({0, 720, 0}, {near.distance, 0, 0}, axis);
   ASSERT_TRUE(move);
   for (int i = 0; i <= 1000; ++i)
     EXPECT_GE(move.profile.at(move.profile.duration() * i / 1000).velocity, -1e-9);

@@ -1,4 +1,5 @@
-#include "jounce/profiles/move.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/move.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -19,7 +20,7 @@ namespace {
 // The random workloads, the independent checker and the independent search are in proof/.
 
 /// What may be said of every move: it arrives, keeps the bounds, and is smooth.
-void expect_sound(const Move& move, const MotionState& to, const Bounds& b) {
+void expect_sound(const MoveResult& move, const MotionState& to, const Bounds& b) {
   ASSERT_TRUE(move) << explain(move.status);
   const Trajectory f = move.profile.curve();
   const Motion end = move.profile.at(move.profile.duration());
@@ -32,7 +33,7 @@ void expect_sound(const Move& move, const MotionState& to, const Bounds& b) {
   EXPECT_GE(r[2].min.value, b.acceleration_min * (1 + 1e-12));
   EXPECT_LE(r[2].max.value, b.acceleration_max * (1 + 1e-12));
   // Held, it would step to rest at a moving end.
-  testing::expect_invariants(with(f, Outside::refuse), move.profile.order() - 1);
+  testing::expect_invariants(with(f, Extrapolation::refuse), move.profile.order() - 1);
 }
 
 TEST(Move, FromRestToRestIsTheSCurve) {
@@ -42,7 +43,7 @@ TEST(Move, FromRestToRestIsTheSCurve) {
     const double v = random.log_uniform(1e-2, 1e2);
     const double a = random.log_uniform(1e-2, 1e2);
     const double j = random.log_uniform(1e-2, 1e2);
-    const Move move = move_to({0, 0, 0}, {distance, 0, 0}, within(v, a, j));
+    const MoveResult move = move_to({0, 0, 0}, {distance, 0, 0}, within(v, a, j));
     ASSERT_TRUE(move);
     const double expected =
         s_curve({.to = distance, .velocity = v, .acceleration = a, .jerk = j}).duration();
@@ -54,7 +55,7 @@ TEST(Move, FromRestToRestIsTheSCurve) {
 TEST(Move, WithoutJerkLimitIsTheTrapezoid) {
   Bounds b = within(50, 0.25);
   b.acceleration_min = -0.125;
-  const Move move = move_to({0, 0, 0}, {50000, 0, 0}, b);
+  const MoveResult move = move_to({0, 0, 0}, {50000, 0, 0}, b);
   EXPECT_DOUBLE_EQ(move.profile.duration(), 1300);  // Googol 7.2
   EXPECT_EQ(move.profile.order(), 2);
 }
@@ -70,7 +71,7 @@ TEST(Move, SolvesTheTieThatNeedsFourSeconds) {
   // The exact answer exists: acceleration 1 -> -1 -> 1 -> ... covers -3 in 4 s at no net velocity.
   const MotionState from{1, 0, 1};
   const MotionState to{-2, 0, 1};
-  const Move move = move_to(from, to, within(2, 2, 2));
+  const MoveResult move = move_to(from, to, within(2, 2, 2));
   expect_sound(move, to, within(2, 2, 2));
   EXPECT_NEAR(move.profile.duration(), 4, 1e-14);
 }
@@ -78,11 +79,11 @@ TEST(Move, SolvesTheTieThatNeedsFourSeconds) {
 TEST(Move, IsTheSameInUnitsManyDecadesApart) {
   const double expected = std::cbrt(32);  // rest to rest under jerk alone
   for (const double unit : {1e-39, 1e-20, 1.0, 1e20, 1e39}) {
-    const Move move = move_to({}, {unit, 0, 0}, within(10 * unit, 10 * unit, unit));
+    const MoveResult move = move_to({}, {unit, 0, 0}, within(10 * unit, 10 * unit, unit));
     ASSERT_TRUE(move);
     EXPECT_NEAR(move.profile.duration(), expected, 1e-14 * expected) << unit;
     const Bounds b = within(2 * unit, 10 * unit, unit);
-    const Move moving = move_to({0, unit, -unit}, {unit, -unit, 0}, b);
+    const MoveResult moving = move_to({0, unit, -unit}, {unit, -unit, 0}, b);
     ASSERT_TRUE(moving);
     EXPECT_NEAR(moving.profile.duration(),
                 move_to({0, 1, -1}, {1, -1, 0}, within(2, 10, 1)).profile.duration(), 1e-12)
@@ -91,10 +92,10 @@ TEST(Move, IsTheSameInUnitsManyDecadesApart) {
 }
 
 TEST(Move, WhatMayStepStepsToTheTarget) {
-  const Move first = move_to({}, {1, 0.5, 0}, within(2));
+  const MoveResult first = move_to({}, {1, 0.5, 0}, within(2));
   ASSERT_TRUE(first);
   EXPECT_EQ(first.profile.end().velocity, 0.5);
-  const Move second = move_to({}, {1, 0, -1}, within(2, 2));
+  const MoveResult second = move_to({}, {1, 0, -1}, within(2, 2));
   ASSERT_TRUE(second);
   EXPECT_EQ(second.profile.end().acceleration, -1);
   EXPECT_EQ(move_velocity({0, 1, 0}, -1, within(2)).profile.end().velocity, -1);
@@ -112,7 +113,7 @@ TEST(Move, EachDirectionHasItsOwnBounds) {
   expect_sound(move_to(a, c, b), c, b);
   expect_sound(move_to(c, a, b), a, b);
   // Rising with acceleration 5 (jerks 40 and 20: 5/40 + 5/20 s less a half each way) to 3 ...
-  const Move up = move_to({0, 0, 0}, {100, 0, 0}, b);
+  const MoveResult up = move_to({0, 0, 0}, {100, 0, 0}, b);
   const double rise = 3.0 / 5 + (5.0 / 40 + 5.0 / 20) / 2;
   const double fall = 3.0 / 2 + (2.0 / 20 + 2.0 / 40) / 2;
   EXPECT_DOUBLE_EQ(extrema(up.profile.curve(), 1).max.value, 3);
@@ -126,7 +127,7 @@ TEST(Move, EachDirectionHasItsOwnBounds) {
 
 TEST(Move, ToWhereItIsTakesNoTime) {
   const MotionState s{3, 1, -2};
-  const Move move = move_to(s, s, within(5, 5, 5));
+  const MoveResult move = move_to(s, s, within(5, 5, 5));
   ASSERT_TRUE(move);
   EXPECT_EQ(move.profile.duration(), 0);
   EXPECT_EQ(move.profile.at(0).velocity, 1);
@@ -136,10 +137,10 @@ TEST(Move, FromBeyondTheVelocityLimitComesInsideAndArrives) {
   const Bounds b = within(2, 5, 50);
   const MotionState to{30, 0, 0};
   for (const MotionState& from : {MotionState{0, 7, 0}, {0, -7, 3}, {0, 1.9, 30}, {0, 0, -30}}) {
-    const Move move = move_to(from, to, b);
+    const MoveResult move = move_to(from, to, b);
     ASSERT_TRUE(move);
     const Trajectory f = move.profile.curve();
-    testing::expect_invariants(with(f, Outside::refuse), 2);
+    testing::expect_invariants(with(f, Extrapolation::refuse), 2);
     // Inside as fast as the bounds allow, and never out again.
     bool inside = false;
     for (int i = 0; i <= 10000; ++i) {
@@ -164,7 +165,7 @@ TEST(Move, LastsExactlyAsLongAsAsked) {
   const MotionState to{1, 0, 0};
   const double least = durations(from, to, b).minimum;
   for (const double factor : {1.0, 1.001, 1.3, 2.0, 10.0, 1000.0}) {
-    const Move move = move_to(from, to, b, factor * least);
+    const MoveResult move = move_to(from, to, b, factor * least);
     expect_sound(move, to, b);
     EXPECT_NEAR(move.profile.duration(), factor * least, 1e-13 * factor * least);
   }
@@ -178,10 +179,10 @@ TEST(Move, FromBeyondTheAccelerationLimitLastsAsLongAsAsked) {
   const MotionState from{1.891050840083218, 0, -1.2591629585278754};
   const MotionState to{-0.26578482380757729, 0.11989795430190574, 0.33841344201015777};
   const Bounds bounds = within(5.7297321649416419, 1.1338033686180311, 10.844420297214457);
-  const Move move = move_to(from, to, bounds, 65.5);
+  const MoveResult move = move_to(from, to, bounds, 65.5);
   ASSERT_TRUE(move);
   EXPECT_NEAR(move.profile.duration(), 65.5, 1e-12);
-  EXPECT_TRUE(check_continuity(with(move.profile.curve(), Outside::refuse), 2).ok());
+  EXPECT_TRUE(check_continuity(with(move.profile.curve(), Extrapolation::refuse), 2).ok());
 }
 
 TEST(Move, TheLeastDurationIsThatOfTheMotionWhereLittleIsLeft) {
@@ -209,7 +210,7 @@ TEST(Move, AMovingTargetBlocksDurations) {
   EXPECT_EQ(move_to(from, to, b, (begin + end) / 2).status, MoveStatus::blocked);
   EXPECT_EQ(d.at_least((begin + end) / 2), end);
   for (const double t : {begin, end, (d.minimum + begin) / 2, 2 * end}) {
-    const Move move = move_to(from, to, b, t);
+    const MoveResult move = move_to(from, to, b, t);
     expect_sound(move, to, b);
     EXPECT_NEAR(move.profile.duration(), t, 1e-12 * t);
   }
@@ -223,10 +224,10 @@ TEST(Move, StopsAtAWallWithoutTouchingIt) {
   for (const double share : {0.999, 0.985}) {
     const MotionState to{share * straight, 0, 0};
     b.position_max = Bounds::none;
-    const Move free = move_to(from, to, b);
+    const MoveResult free = move_to(from, to, b);
     EXPECT_GT(extrema(free.profile.curve(), 0).max.value, to.position);
     b.position_max = to.position;
-    const Move kept = move_to(from, to, b);
+    const MoveResult kept = move_to(from, to, b);
     ASSERT_TRUE(kept) << explain(kept.status);
     EXPECT_LE(extrema(kept.profile.curve(), 0).max.value, to.position * (1 + 1e-13));
     EXPECT_GT(kept.profile.duration(), free.profile.duration());
@@ -244,10 +245,10 @@ TEST(Move, SetsOutFromBehindAWall) {
   const MotionState to{0, -1.5, 0};
   const double run_up = stop({0, 1.5, 0}, b).profile.end().position;
   const MotionState from{0.99 * run_up, 0, 0};
-  const Move free = move_to(from, to, b);
+  const MoveResult free = move_to(from, to, b);
   EXPECT_GT(extrema(free.profile.curve(), 0).max.value, from.position);
   b.position_max = from.position;
-  const Move kept = move_to(from, to, b);
+  const MoveResult kept = move_to(from, to, b);
   ASSERT_TRUE(kept) << explain(kept.status);
   EXPECT_LE(extrema(kept.profile.curve(), 0).max.value, from.position * (1 + 1e-13));
   expect_sound(kept, to, b);
@@ -255,7 +256,7 @@ TEST(Move, SetsOutFromBehindAWall) {
 
 TEST(MoveVelocity, TakesTheTimeOfItsRamp) {
   // dv/a + a/j
-  const Move move = move_velocity({2, 0, 0}, 10, within(20, 5, 50));
+  const MoveResult move = move_velocity({2, 0, 0}, 10, within(20, 5, 50));
   ASSERT_TRUE(move);
   EXPECT_DOUBLE_EQ(move.profile.duration(), 2.1);
   EXPECT_DOUBLE_EQ(move.profile.end().position, 2 + 5 * 2.1);
@@ -267,12 +268,12 @@ TEST(MoveVelocity, StopsFromAnyState) {
   const Bounds b = within(3, 4, 30);
   for (int i = 0; i < 2000; ++i) {
     const MotionState from{random.uniform(-5, 5), random.uniform(-6, 6), random.uniform(-8, 8)};
-    const Move move = stop(from, b);
+    const MoveResult move = stop(from, b);
     ASSERT_TRUE(move);
     const Motion end = move.profile.at(move.profile.duration());
     EXPECT_EQ(end.velocity, 0);
     EXPECT_EQ(end.acceleration, 0);
-    testing::expect_invariants(with(move.profile.curve(), Outside::refuse), 2);
+    testing::expect_invariants(with(move.profile.curve(), Extrapolation::refuse), 2);
     if (HasFailure()) {
       ADD_FAILURE() << from.velocity << ' ' << from.acceleration;
       break;

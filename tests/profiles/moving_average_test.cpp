@@ -1,12 +1,13 @@
-#include "jounce/profiles/moving_average.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/vibration/moving_average.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/between.hpp"
+#include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -82,7 +83,7 @@ TEST(MovingAverage, MeetsAQuadratureOfTheDefinition) {
   for (const double window : {0.01, 0.3, f.length(), 3 * f.length()}) {
     SCOPED_TRACE(window);
     const Trajectory g = moving_average(f, window);
-    const Trajectory held = with(f, Outside::hold);
+    const Trajectory held = with(f, Extrapolation::hold);
     for (int i = 0; i <= 100; ++i) {
       const double t = g.start() + g.length() * i / 100;
       EXPECT_NEAR(g.at(t).position, mean_by_quadrature(held, t - window, t), 1e-13) << t;
@@ -122,7 +123,7 @@ TEST(MovingAverage, SinesStaySinesOfTheirFrequency) {
 }
 
 TEST(MovingAverage, GoesThroughTheSeamOfACurveThatWraps) {
-  const Trajectory f({line(1, 0, 1), line(2, 1, 0)}, 5, Outside::wrap);
+  const Trajectory f({line(1, 0, 1), line(2, 1, 0)}, 5, Extrapolation::wrap);
   const Trajectory g = moving_average(f, 0.5);
   EXPECT_EQ(g.start(), 5);
   EXPECT_NEAR(g.end(), 8, 1e-15);
@@ -184,14 +185,14 @@ TEST(MovingAverage, RefusesAWindowWithoutDigits) {
   for (const double window : {1e-14, 1e-12, 1e-9, 5e-5, 1e5})
     EXPECT_THROW(moving_average(f, window), InputError) << window;
   EXPECT_THROW(moving_average(scaled(f, 1, 1e8), 1e-4), InputError);
-  EXPECT_THROW(moving_average(with(f, Outside::wrap), 1e9), InputError);
+  EXPECT_THROW(moving_average(with(f, Extrapolation::wrap), 1e9), InputError);
 }
 
 TEST(MovingAverage, RefusesAMovingEnd) {
   const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
   EXPECT_THROW(moving_average(between(f, 0, 3), 0.1), InputError);
   EXPECT_THROW(moving_average(between(f, 3, f.end()), 0.1), InputError);
-  const Trajectory jog = with(between(f, 1, 3), Outside::wrap);
+  const Trajectory jog = with(between(f, 1, 3), Extrapolation::wrap);
   EXPECT_NO_THROW(moving_average(jog, 0.1)) << "it never ends";
 }
 

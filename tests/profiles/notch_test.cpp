@@ -1,12 +1,13 @@
-#include "jounce/profiles/notch.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/vibration/notch.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/vibration.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/vibration/vibration.hpp"
 
 #include "support/invariants.hpp"
 #include "support/spring.hpp"
@@ -91,7 +92,7 @@ TEST(Notch, RefusesWhatItCannotFilter) {
   EXPECT_THROW(notched(move(), {5, 1, 1}), InputError);
   EXPECT_THROW(notched(move(), {5, 1, 0, 0}), InputError);
   EXPECT_THROW(notched(move(), {.frequency = 1e9}), InputError);
-  EXPECT_THROW(notched(with(move(), Outside::wrap), {.frequency = 5}), InputError);
+  EXPECT_THROW(notched(with(move(), Extrapolation::wrap), {.frequency = 5}), InputError);
   EXPECT_THROW(notched(Trajectory({line(1, 2, 2)}), {.frequency = 5}), InputError);
 }
 

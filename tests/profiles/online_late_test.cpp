@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/online.hpp"
+#include "jounce/profiles/online/online.hpp"
 
 #include "support/random.hpp"
 

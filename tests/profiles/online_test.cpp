@@ -1,4 +1,5 @@
-#include "jounce/profiles/online.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/online/online.hpp"
 
 #include <array>
 #include <cmath>

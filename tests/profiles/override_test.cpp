@@ -1,4 +1,5 @@
-#include "jounce/profiles/override.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/override.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -29,12 +30,12 @@ Overridden play(const OverrideSpec& spec) {
 /// What must hold of whatever is asked.
 void expect_played(const Overridden& played, std::span<const Trajectory> axes,
                    std::span<const Limits> all) {
-  EXPECT_TRUE(check_continuity(with(played.clock, Outside::refuse), 2).ok());
+  EXPECT_TRUE(check_continuity(with(played.clock, Extrapolation::refuse), 2).ok());
   EXPECT_GE(extrema(played.clock, 1).min.value, -1e-12) << "never backwards";
   for (std::size_t i = 0; i < axes.size(); ++i) {
     EXPECT_TRUE(check(played.axes[i], all[i]).ok()) << "axis " << i + 1;
     EXPECT_TRUE(check_continuity(played.axes[i], 2).ok());
-    const Trajectory held = with(axes[i], Outside::hold);
+    const Trajectory held = with(axes[i], Extrapolation::hold);
     for (int n = 0; n <= 200; ++n) {
       const double t = played.clock.start() + played.clock.length() * n / 200;
       EXPECT_NEAR(played.axes[i].at(t).position, held.at(played.clock.at(t).position).position,
@@ -67,7 +68,7 @@ TEST(Override, AHoldInTheCruiseIsTheFastestStop) {
   EXPECT_FALSE(held.arrived);
   ASSERT_TRUE(held.ramps[0].granted);
   EXPECT_EQ(held.ramps[0].begin, 2);
-  const Move fastest = stop({0, 10, 0}, within(10, 20, 100));
+  const MoveResult fastest = stop({0, 10, 0}, within(10, 20, 100));
   EXPECT_NEAR(held.ramps[0].end - 2, fastest.profile.duration(), 1e-12);
   EXPECT_NEAR(held.axes[0].at(held.clock.end()).position,
               plan().at(2).position + fastest.profile.end().position, 1e-12 * 50);
@@ -100,7 +101,7 @@ TEST(Override, AHoldTakesAtMostThreeTimesTheFastestStop) {
         const Overridden held = overridden(axes, all, {.requests = {{t, 0}}});
         const double still = held.ramps[0].granted ? held.ramps[0].end : held.clock.end();
         const Jet now = axes[0].jet(t);
-        const Move fastest = stop({now[0], now[1], now[2]}, within(spec.velocity, a, j));
+        const MoveResult fastest = stop({now[0], now[1], now[2]}, within(spec.velocity, a, j));
         EXPECT_LE(still - t, 3.2 * fastest.profile.duration()) << "at " << t << ", room " << room;
         EXPECT_GE(still - t, fastest.profile.duration() * (1 - 1e-9)) << "at " << t;
       }
@@ -114,7 +115,7 @@ TEST(Override, AHoldWhileAcceleratingIsNoLaterThanOneInTheCruiseAfterIt) {
     expect_played(held);
     // No path can be stopped on faster than the axis itself can stop.
     const Jet now = plan().jet(t);
-    const Move fastest = stop({now[0], now[1], now[2]}, within(10, 20, 100));
+    const MoveResult fastest = stop({now[0], now[1], now[2]}, within(10, 20, 100));
     EXPECT_GE(held.ramps[0].end - t, fastest.profile.duration() * (1 - 1e-12));
     EXPECT_LE(held.ramps[0].end, 0.7 + 0.7 + 1e-12);
   }

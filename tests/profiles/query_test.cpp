@@ -1,12 +1,13 @@
-#include "jounce/profiles/query.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/query.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/move.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/random.hpp"
 
@@ -240,14 +241,14 @@ TEST(Queries, AreTheSolversAnswers) {
     const Bounds bounds = within(limit, ramp.acceleration, ramp.jerk);
 
     const Extent ramped = ramp_between(v, w, ramp).value();
-    const Move change = move_velocity({0, v, 0}, w, bounds);
+    const MoveResult change = move_velocity({0, v, 0}, w, bounds);
     ASSERT_TRUE(change);
     EXPECT_NEAR(ramped.duration, change.profile.duration(), 1e-14 * ramped.duration);
     EXPECT_NEAR(ramped.distance, change.profile.end().position, 1e-14 * ramped.distance);
 
     const double distance = ramped.distance + random.log_uniform(1e-3, 1e3);
     const double duration = minimum_duration(distance, {v, w, limit}, ramp).value();
-    const Move move = move_to({0, v, 0}, {distance, w, 0}, bounds);
+    const MoveResult move = move_to({0, v, 0}, {distance, w, 0}, bounds);
     ASSERT_TRUE(move);
     EXPECT_NEAR(duration, move.profile.duration(), 1e-13 * duration);
 
@@ -257,7 +258,7 @@ TEST(Queries, AreTheSolversAnswers) {
     const double parts = v + std::abs(rest - v);
     if (std::abs(rest) < 1e-6 * parts) continue;  // a stop that hangs on rounding
     const Extent stopped = stopping({v, a}, ramp).value();
-    const Move halt = stop({0, v, a}, within(Bounds::none, ramp.acceleration, ramp.jerk));
+    const MoveResult halt = stop({0, v, a}, within(Bounds::none, ramp.acceleration, ramp.jerk));
     ASSERT_TRUE(halt);
     EXPECT_NEAR(stopped.duration, halt.profile.duration(), 1e-12 * stopped.duration) << "a " << a;
     EXPECT_NEAR(stopped.distance, halt.profile.end().position, 1e-11 * parts * stopped.duration);

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/queue.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/sequences/queue.hpp"
 
 #include "support/random.hpp"
 

@@ -1,4 +1,5 @@
-#include "jounce/profiles/queue.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/queue.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/dynamics.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/dynamics.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -82,7 +83,7 @@ TEST(Queue, Pmc600Fig58SlowsFromThreeThousandToTwo) {
     EXPECT_EQ(m.commands[0].state, issued < 3 ? CommandState::aborted : CommandState::done);
     EXPECT_EQ(m.end.velocity, 2000);
     EXPECT_DOUBLE_EQ(m.trajectory.end(), issued < 3 ? 2.0 : 5.0 + 2.0);
-    EXPECT_EQ(m.trajectory.outside(), Outside::refuse);
+    EXPECT_EQ(m.trajectory.outside(), Extrapolation::refuse);
   }
 }
 
@@ -301,7 +302,7 @@ TEST(Queue, TakesNoStepOfAccelerationOverFromATrapezoid) {
   const Dynamics soft = dynamics(30, 20, 0, 1);
   const QueuedMotion m = queue({.commands = {{MoveAbsolute{1000}, dynamics(100, 20)},
                                              aborting(MoveAbsolute{2000}, soft, 1)}});
-  const Move oracle = move_to({10, 20, 0}, {2000, 0, 0}, within(30, 20, 1));
+  const MoveResult oracle = move_to({10, 20, 0}, {2000, 0, 0}, within(30, 20, 1));
   EXPECT_LE(extrema(m.trajectory, 1).max.value, 30 * (1 + 1e-12));
   EXPECT_NEAR(m.trajectory.end(), 1 + oracle.profile.duration(), 1e-11);
 }

@@ -1,4 +1,5 @@
-#include "jounce/profiles/roots.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/roots.hpp"
 
 #include <cmath>
 #include <numbers>

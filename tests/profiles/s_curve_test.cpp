@@ -1,12 +1,13 @@
-#include "jounce/profiles/s_curve.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"

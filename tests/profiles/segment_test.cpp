@@ -1,4 +1,5 @@
-#include "jounce/profiles/segment.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/segment.hpp"
 
 #include <cmath>
 #include <numbers>

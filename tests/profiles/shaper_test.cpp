@@ -1,4 +1,5 @@
-#include "jounce/profiles/shaper.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/vibration/shaper.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 #include "support/spring.hpp"
@@ -105,7 +106,7 @@ TEST(Shaper, ShapedIsTheSumOfDelayedCopies) {
   const Trajectory f = shifted(move(), 2, -7);
   const auto impulses = shaper({ShaperKind::zvd, {3, 0.1}});
   const Trajectory g = shaped(f, impulses);
-  const Trajectory held = with(f, Outside::hold);
+  const Trajectory held = with(f, Extrapolation::hold);
   EXPECT_EQ(g.start(), 2);
   EXPECT_NEAR(g.end(), f.end() + impulses.back().time, 1e-14);
   for (int i = 0; i <= 500; ++i) {
@@ -126,9 +127,9 @@ TEST(Shaper, TakesSinesAndWrappingCurves) {
   const Trajectory cycloid({f});
   EXPECT_LT(residual_vibration(shaped(cycloid, zvd), {3.3, 0}), 1e-12 * 10);
   testing::expect_invariants(shaped(cycloid, zvd), 2);
-  const Trajectory turn = with(concatenated(cycloid, reversed(cycloid)), Outside::wrap);
+  const Trajectory turn = with(concatenated(cycloid, reversed(cycloid)), Extrapolation::wrap);
   const Trajectory g = shaped(turn, zvd);
-  EXPECT_EQ(g.outside(), Outside::wrap);
+  EXPECT_EQ(g.outside(), Extrapolation::wrap);
   EXPECT_NEAR(g.length(), 4, 1e-14);
   EXPECT_TRUE(check_continuity(g, 2).ok());
 }

@@ -1,11 +1,12 @@
-#include "jounce/profiles/splice.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/splice.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/invariants.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "support/random.hpp"
 
@@ -49,7 +50,7 @@ TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
     axis.goal = MoveGoal::velocity;
     Profile out;
     ASSERT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::ok) << i;
-    const Move alone =
+    const MoveResult alone =
         move_velocity(axis.from, axis.to.velocity, axis.bounds, axis.to.acceleration);
     EXPECT_NEAR(out.duration(), alone.profile.duration(), 1e-9) << i;
     expect_end(out, alone.profile.end(), 1e-9);

@@ -1,4 +1,5 @@
-#include "jounce/profiles/synchronise.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include <algorithm>
 #include <cmath>

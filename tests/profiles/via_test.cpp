@@ -1,4 +1,5 @@
-#include "jounce/profiles/via.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/via.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "support/random.hpp"
 
@@ -289,7 +290,8 @@ TEST(Via, KeepsALimitOfTheNorm) {
   Random random(21);
   for (int n = 0; n < 20; ++n) {
     ViaSpec spec = random_via(random, true);
-    spec.norm = {random.log_uniform(0.05, 1), random.log_uniform(0.05, 1), random.log_uniform(1, 10)};
+    spec.norm = {random.log_uniform(0.05, 1), random.log_uniform(0.05, 1),
+                 random.log_uniform(1, 10)};
     SCOPED_TRACE(text(spec));
     const ViaMotion m = via(spec);
     EXPECT_LE(greatest_norm(m, 0, m.duration, 1), spec.norm.velocity * (1 + 1e-9));
@@ -333,10 +335,8 @@ TEST(Via, KeepsTheLimitsOfEachStretch) {
 TEST(Via, BeginsAndEndsInMotion) {
   const Bounds axis = within(2, 10, 100);
   // One axis, all points ahead: the move from the one state to the other.
-  const ViaMotion one = via({.axes = {axis},
-                             .points = {{0}, {1}, {4}},
-                             .start = {{1.5}, {2}},
-                             .end = {{1}, {}}});
+  const ViaMotion one =
+      via({.axes = {axis}, .points = {{0}, {1}, {4}}, .start = {{1.5}, {2}}, .end = {{1}, {}}});
   EXPECT_NEAR(one.duration, move_to({0, 1.5, 2}, {4, 1, 0}, axis).profile.duration(), 1e-12);
   const ViaMotion two = via({.axes = {axis, axis},
                              .points = {{0, 0}, {1, 0.5}, {3, 3}},
@@ -352,13 +352,12 @@ TEST(Via, BeginsAndEndsInMotion) {
   EXPECT_NEAR(rates(two, two.duration, 0), 0.5, 1e-9);
   EXPECT_NEAR(rates(two, two.duration, 1), 1, 1e-9);
   for (const Trajectory& f : two.axes) {
-    EXPECT_TRUE(check_continuity(with(f, Outside::refuse), 2).ok());
+    EXPECT_TRUE(check_continuity(with(f, Extrapolation::refuse), 2).ok());
     EXPECT_GE(extrema(f, 1).min.value, -1e-12);
   }
   // Too fast to stop at a point that is too near, but not to pass it.
-  const ViaMotion passed = via({.axes = {axis, axis},
-                                .points = {{0, 0}, {0.1, 0.1}, {3, 3}},
-                                .start = {{2, 2}, {}}});
+  const ViaMotion passed =
+      via({.axes = {axis, axis}, .points = {{0, 0}, {0.1, 0.1}, {3, 3}}, .start = {{2, 2}, {}}});
   EXPECT_TRUE(std::isfinite(passed.duration));
   EXPECT_TRUE(std::isinf(passed.stopping_duration));
 }

@@ -1,4 +1,5 @@
-#include "jounce/profiles/vibration_band.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/vibration/vibration_band.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -6,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/shaper.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/vibration/shaper.hpp"
 
 #include "support/random.hpp"
 

@@ -1,4 +1,5 @@
-#include "jounce/profiles/vibration.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/vibration/vibration.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 #include "support/random.hpp"
 #include "support/spring.hpp"

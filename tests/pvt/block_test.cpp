@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/pvt/cursor.hpp"
-#include "jounce/pvt/detail/sample_kernel.hpp"
 #include "jounce/pvt/table.hpp"
 
+#include "pvt/src/table/sample_kernel.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -18,11 +19,12 @@ namespace {
 
 using testing::Random;
 
-constexpr std::array rules{Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite};
-constexpr std::array policies{Outside::hold, Outside::wrap, Outside::advance};
+constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
+                           Interpolation::quintic_hermite};
+constexpr std::array policies{Extrapolation::hold, Extrapolation::wrap, Extrapolation::advance};
 
 /// Knots that are 1e-3 to 1e3 apart, values of any sign, in a scale of their own.
-Table random_table(Random& random, Rule rule, Outside outside) {
+Table random_table(Random& random, Interpolation rule, Extrapolation outside) {
   const int n = 2 + random.below(40);
   const double unit = random.log_uniform(1e-6, 1e6);
   Columns columns;
@@ -30,10 +32,10 @@ Table random_table(Random& random, Rule rule, Outside outside) {
   for (int i = 0; i < n; ++i, x += random.log_uniform(1e-3, 1e3)) {
     columns.x.push_back(x);
     columns.p.push_back(unit * random.uniform(-1, 1));
-    if (rule != Rule::linear) columns.v.push_back(unit * random.uniform(-1, 1));
-    if (rule == Rule::quintic_hermite) columns.a.push_back(unit * random.uniform(-1, 1));
+    if (rule != Interpolation::linear) columns.v.push_back(unit * random.uniform(-1, 1));
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(unit * random.uniform(-1, 1));
   }
-  return {Axis::time, rule, outside, std::move(columns)};
+  return {Domain::time, rule, outside, std::move(columns)};
 }
 
 struct Block {
@@ -87,15 +89,16 @@ TEST(Block, IsEveryJetToTheBit) {
 
 TEST(Block, TakesInstantsInAnyOrder) {
   Random random(2);
-  for (const Rule rule : rules) {
-    const Table table = random_table(random, rule, Outside::wrap);
+  for (const Interpolation rule : rules) {
+    const Table table = random_table(random, rule, Extrapolation::wrap);
     auto x = some_instants(random, table);
     std::reverse(x.begin(), x.end());
     Block out(x.size());
     table.sample(x, out.p, out.v, out.a);
     expect_jets(table, x, out.p.data(), out.v.data(), out.a.data(), "descending");
   }
-  const Table line(Axis::time, Rule::linear, Outside::hold, {{0, 1}, {0, 1}, {}, {}});
+  const Table line(Domain::time, Interpolation::linear, Extrapolation::hold,
+                   {{0, 1}, {0, 1}, {}, {}});
   line.sample(std::vector<double>{}, {}, {}, {});  // none at all
 }
 
@@ -123,7 +126,7 @@ void expect_kernel(const detail::SampleKernels& kernels) {
   Random random(4);
   for (int trial = 0; trial < 300; ++trial) {
     const Table table =
-        random_table(random, rules[static_cast<std::size_t>(trial) % 3], Outside::hold);
+        random_table(random, rules[static_cast<std::size_t>(trial) % 3], Extrapolation::hold);
     const detail::KnotColumns columns = detail::knots_of(table.columns());
     const auto n = static_cast<std::size_t>(1 + random.below(900));
     const double step = table.length() / static_cast<double>(n + 1);
@@ -181,10 +184,10 @@ Reference reference(const Table& table, std::size_t i, double at) {
   std::array<Long, 6> c{t.p[i], h};
   // The terms that a coefficient is the sum of, as large as they may be beside what remains of them.
   std::array<Long, 6> size{std::abs(c[0]), std::abs(Long(t.p[i])) + std::abs(Long(t.p[i + 1]))};
-  if (table.rule() != Rule::linear) {
+  if (table.rule() != Interpolation::linear) {
     const Long m0 = t.v[i] * length;
     const Long m1 = t.v[i + 1] * length;
-    const bool fifth = table.rule() == Rule::quintic_hermite;
+    const bool fifth = table.rule() == Interpolation::quintic_hermite;
     const Long k0 = fifth ? t.a[i] * length * length : 0;
     const Long k1 = fifth ? t.a[i + 1] * length * length : 0;
     if (fifth)
@@ -220,7 +223,7 @@ TEST(Block, IsWithinFourUlpOfLongDouble) {
   long double worst = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const Table table =
-        random_table(random, rules[static_cast<std::size_t>(trial) % 3], Outside::hold);
+        random_table(random, rules[static_cast<std::size_t>(trial) % 3], Extrapolation::hold);
     const std::size_t n = 64;
     Block out(n);
     const Grid grid{table.start(), table.length() / static_cast<double>(n)};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/check.hpp"
 
 #include <array>
@@ -9,10 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/pvt/detail/hull_kernel.hpp"
 #include "jounce/pvt/lazy_curve.hpp"
 #include "jounce/pvt/warnings.hpp"
 
+#include "pvt/src/table/hull_kernel.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -20,7 +21,8 @@ namespace {
 
 using testing::Random;
 
-constexpr std::array rules{Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite};
+constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
+                           Interpolation::quintic_hermite};
 
 /// What tables are made of: wild values, smooth motion, dwells, cruises that are exact and ones that
 /// rounding makes rough, the same piece again and again.
@@ -47,21 +49,22 @@ Jet value_of(Shape shape, Random& random, int i, double x, double unit) {
   return {unit * (i % 3), unit * (i % 2), -unit * (i % 4), 0};
 }
 
-Table random_table(Random& random, Rule rule, Shape shape, int most = 900) {
+Table random_table(Random& random, Interpolation rule, Shape shape, int most = 900) {
   const int n = 2 + random.below(random.below(3) == 0 ? 20 : most);
   const double unit = std::ldexp(1, random.below(20) - 10);
   const bool even = random.below(2) == 0;
-  constexpr std::array policies{Outside::hold, Outside::wrap, Outside::advance, Outside::refuse};
+  constexpr std::array policies{Extrapolation::hold, Extrapolation::wrap, Extrapolation::advance,
+                                Extrapolation::refuse};
   Columns columns;
   double x = even ? 0 : random.uniform(-10, 10);
   for (int i = 0; i < n; ++i, x += even ? 0.25 : random.log_uniform(0.01, 1)) {
     const Jet f = value_of(shape, random, i, x, unit);
     columns.x.push_back(x);
     columns.p.push_back(f[0]);
-    if (rule != Rule::linear) columns.v.push_back(f[1]);
-    if (rule == Rule::quintic_hermite) columns.a.push_back(f[2]);
+    if (rule != Interpolation::linear) columns.v.push_back(f[1]);
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(f[2]);
   }
-  return {Axis::time, rule, policies[static_cast<std::size_t>(random.below(4))],
+  return {Domain::time, rule, policies[static_cast<std::size_t>(random.below(4))],
           std::move(columns)};
 }
 
@@ -117,7 +120,7 @@ template <class Body>
 void for_tables(std::uint64_t seed, Body body) {
   Random random(seed);
   for (int trial = 0; trial < 40; ++trial)
-    for (const Rule rule : rules)
+    for (const Interpolation rule : rules)
       for (const Shape shape : shapes) {
         const Table table = random_table(random, rule, shape);
         SCOPED_TRACE(std::string(name(rule)) + ", shape " +
@@ -137,7 +140,8 @@ TEST(CheckTable, FindsTheExtremaOfAnyPartOfItsCurve) {
   for_tables(4, [](const Table& table, Random& random) {
     const int count = static_cast<int>(table.size()) - 1;
     const auto first = static_cast<std::size_t>(random.below(count));
-    const auto last = first + static_cast<std::size_t>(random.below(count - static_cast<int>(first)));
+    const auto last =
+        first + static_cast<std::size_t>(random.below(count - static_cast<int>(first)));
     expect_same(segment_extrema(table, first, last),
                 segment_extrema(table.curve<OverTime>(), first, last), place_rounding(table));
   });
@@ -180,7 +184,7 @@ TEST(CheckTable, FindsTheStepsOfItsCurve) {
 }
 
 TEST(CheckTable, NamesDerivativesOverTheMaster) {
-  const Table table(Axis::master, Rule::cubic_hermite, Outside::wrap,
+  const Table table(Domain::master, Interpolation::cubic_hermite, Extrapolation::wrap,
                     {{0, 1, 2}, {0, 1, 0}, {0, 0, 0}, {}});
   const Report report = check(table, {.velocity = 1});
   ASSERT_EQ(report.findings.size(), 2U);
@@ -192,7 +196,7 @@ TEST(CheckTable, NamesDerivativesOverTheMaster) {
 
 TEST(CheckTable, CatchesTheOvershootBetweenTheKnotsOfHmpl) {
   // HMPL 5.2.8, PVT in s: positions within 0 ... 177, and far beyond between them.
-  const Table table(Axis::time, Rule::cubic_hermite, Outside::hold,
+  const Table table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                     {{0, 2, 3, 4, 6, 11},
                      {0, 153.333, 42.123, 161.21, 177, 83.333},
                      {0, 1000, 800, 1660, 450, 0},
@@ -203,7 +207,7 @@ TEST(CheckTable, CatchesTheOvershootBetweenTheKnotsOfHmpl) {
 }
 
 TEST(CheckTable, RefusesWhatItsCurveRefuses) {
-  const Table steep(Axis::time, Rule::cubic_hermite, Outside::hold,
+  const Table steep(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                     {{0, 1, 1 + 1e-15}, {0, 1, 1e300}, {0, 0, 0}, {}});
   EXPECT_THROW((void)steep.curve<OverTime>(), InputError);
   EXPECT_THROW((void)check(steep, {.velocity = 1}), InputError);
@@ -227,7 +231,8 @@ TEST(LazyCurve, IsTheCurveOfItsTable) {
     for (std::size_t i = 0; i + 1 < table.size(); ++i)
       ASSERT_EQ(curve.segments()[i].c, wanted.segments()[i].c) << i;
   });
-  const Table cam(Axis::master, Rule::linear, Outside::wrap, {{0, 1, 2}, {0, 1, 0}, {}, {}});
+  const Table cam(Domain::master, Interpolation::linear, Extrapolation::wrap,
+                  {{0, 1, 2}, {0, 1, 0}, {}, {}});
   EXPECT_EQ(std::get<Cam>(*LazyCurve(cam)).at(0.5).position, 0.5);
 }
 

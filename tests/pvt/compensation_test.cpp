@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/compensation.hpp"
 
 #include <algorithm>
@@ -7,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
 namespace jounce {
 namespace {
@@ -248,7 +249,7 @@ TEST(Compensated, FollowsTwoAndThreeAxes) {
 TEST(Compensated, RefusesWhatGoesOnFromPassToPass) {
   const Compensation c(line_of_five());
   const Trajectory once = move(0, 100);
-  const Trajectory on = with(once, Outside::advance);
+  const Trajectory on = with(once, Extrapolation::advance);
   EXPECT_THROW(compensated(on, c, {{once}}, 1e-9), InputError);
   EXPECT_THROW(compensated(once, c, {{on}}, 1e-9), InputError);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/cursor.hpp"
 
 #include <array>
@@ -12,23 +13,25 @@ namespace {
 
 using testing::Random;
 
-Table table_of(Rule rule, Outside outside) {
+Table table_of(Interpolation rule, Extrapolation outside) {
   Random random(6);
   Columns columns;
   double x = -3;
   for (int i = 0; i < 50; ++i, x += random.log_uniform(0.01, 10)) {
     columns.x.push_back(x);
     columns.p.push_back(random.uniform(-1, 1));
-    if (rule != Rule::linear) columns.v.push_back(random.uniform(-1, 1));
-    if (rule == Rule::quintic_hermite) columns.a.push_back(random.uniform(-1, 1));
+    if (rule != Interpolation::linear) columns.v.push_back(random.uniform(-1, 1));
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(random.uniform(-1, 1));
   }
-  return {Axis::master, rule, outside, std::move(columns)};
+  return {Domain::master, rule, outside, std::move(columns)};
 }
 
 TEST(Cursor, AnswersWhatTheTableDoesInWhateverOrder) {
   Random random(7);
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite}) {
-    for (const Outside outside : {Outside::hold, Outside::wrap, Outside::advance}) {
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
+    for (const Extrapolation outside :
+         {Extrapolation::hold, Extrapolation::wrap, Extrapolation::advance}) {
       const Table table = table_of(rule, outside);
       Cursor cursor(table);
       double x = table.start();
@@ -46,7 +49,7 @@ TEST(Cursor, AnswersWhatTheTableDoesInWhateverOrder) {
 }
 
 TEST(Cursor, BeginsAnywhere) {
-  const Table table = table_of(Rule::cubic_hermite, Outside::hold);
+  const Table table = table_of(Interpolation::cubic_hermite, Extrapolation::hold);
   for (const double x : {table.start(), 0.0, table.end(), table.end() + 1, table.start() - 1}) {
     Cursor cursor(table);
     EXPECT_EQ(cursor.jet(x), table.jet(x)) << x;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/fill.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/random.hpp"
 
@@ -77,7 +78,7 @@ TEST(Fill, MinimumJerkIsTheQuinticSpline) {
   for (const auto& [name, table] : oracle().items()) {
     SCOPED_TRACE(name);
     FillSpec spec = knots_of(table);
-    spec.rule = Rule::quintic_hermite;
+    spec.rule = Interpolation::quintic_hermite;
     spec.filling = Filling::minimum_jerk;
     // Stiffness of an interval goes with length^-5: what differs five-fold loses nothing, 1 : 65000
     // half of the digits of an acceleration.
@@ -89,9 +90,9 @@ TEST(Fill, MinimumJerkIsTheQuinticSpline) {
       expect_near(found.a, all[which][1], tolerance);
     };
     expect("minimum_jerk");
-    spec.outside = Outside::advance;
+    spec.outside = Extrapolation::advance;
     expect("minimum_jerk periodic");
-    spec.outside = Outside::hold;
+    spec.outside = Extrapolation::hold;
     spec.v.resize(spec.x.size());
     spec.v.front() = spec.v.back() = 0;
     spec.a = spec.v;
@@ -166,10 +167,10 @@ TEST(Fill, MinimumJerkBeatsEveryPerturbationAndKeepsWhatIsGiven) {
   Random random(2);
   for (int round = 0; round < 200; ++round) {
     FillSpec spec = random_spec(random, 2 + random.below(12), 3);
-    spec.rule = Rule::quintic_hermite;
+    spec.rule = Interpolation::quintic_hermite;
     spec.filling = Filling::minimum_jerk;
     const bool around = random.below(3) == 0;
-    if (around) spec.outside = Outside::advance;
+    if (around) spec.outside = Extrapolation::advance;
     const std::size_t size = spec.x.size();
     spec.v.resize(size);
     spec.a.resize(size);
@@ -197,7 +198,8 @@ TEST(Fill, MinimumJerkBeatsEveryPerturbationAndKeepsWhatIsGiven) {
       auto& column = velocity ? other.v : other.a;
       column[i] += random.uniform(-1, 1);
       if (around && (i == 0 || i == size - 1)) column.front() = column.back() = column[i];
-      EXPECT_GE(square_jerk(Table(Axis::time, spec.rule, spec.outside, other)), least * (1 - 1e-12))
+      EXPECT_GE(square_jerk(Table(Domain::time, spec.rule, spec.outside, other)),
+                least * (1 - 1e-12))
           << printed(spec) << " knot " << i;
     }
   }
@@ -235,7 +237,7 @@ TEST(Fill, ReproducesPolynomials) {
     expect(Filling::natural, 3);
     expect(Filling::not_a_knot, 3);
     expect(Filling::minimum_jerk, 2);
-    spec.rule = Rule::quintic_hermite;  // quintics, with what makes one at the ends
+    spec.rule = Interpolation::quintic_hermite;  // quintics, with what makes one at the ends
     spec.v.assign(spec.x.size(), {});
     spec.a.assign(spec.x.size(), {});
     std::vector<double> velocities, accelerations;
@@ -275,7 +277,7 @@ TEST(Fill, MonotoneAndShapePreservingNeverRunAgainstTheirChord) {
   for (int round = 0; round < 2000; ++round) {
     FillSpec spec = random_spec(random, 2 + random.below(12), random.below(2) == 0 ? 3 : 1e4);
     if (random.below(2) == 0) std::sort(spec.p.begin(), spec.p.end());
-    spec.outside = random.below(2) == 0 ? Outside::hold : Outside::advance;
+    spec.outside = random.below(2) == 0 ? Extrapolation::hold : Extrapolation::advance;
     for (const Filling filling : {Filling::monotone, Filling::shape_preserving}) {
       spec.filling = filling;
       const Filled made = filled(spec);
@@ -369,7 +371,8 @@ TEST(Fill, WithinLimitsFindsAWayWhereverThereIsOneAndNoLimitIsExceeded) {
     Columns known{spec.x, spec.p, std::vector<double>(spec.x.size(), 0.0), {}};
     for (std::size_t i = 1; i + 1 < spec.x.size(); ++i) known.v[i] = random.uniform(-5, 5);
     const Ranges peaks =
-        extrema(Table(Axis::time, Rule::cubic_hermite, Outside::hold, known).curve<OverTime>());
+        extrema(Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold, known)
+                    .curve<OverTime>());
     if (peaks[1].peak().value == 0) continue;
     const int which = 1 + random.below(7);
     const auto limit = [&](int bit, std::size_t order) {
@@ -427,9 +430,10 @@ TEST(Fill, NoTimeIsEnoughForAGivenVelocityAboveTheLimit) {
 TEST(Fill, ScalesWithItsUnits) {
   Random random(7);
   for (const Filling filling : all_fillings)
-    for (const Rule rule : {Rule::cubic_hermite, Rule::quintic_hermite}) {
+    for (const Interpolation rule :
+         {Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
       const bool of_shape = filling == Filling::monotone || filling == Filling::shape_preserving;
-      if (of_shape && rule == Rule::quintic_hermite) continue;
+      if (of_shape && rule == Interpolation::quintic_hermite) continue;
       FillSpec spec = random_spec(random, 9, 5);
       spec.filling = filling;
       spec.rule = rule;
@@ -470,13 +474,13 @@ TEST(Fill, TwoAndThreeKnotsAndRepeatedValuesHaveAnAnswer) {
 TEST(Fill, AccelerationsMakeTheJerkLeastUnderTheVelocities) {
   FillSpec spec = knots_of(oracle()["hmpl"]);
   const double cubic = square_jerk(filled(spec).table);
-  spec.rule = Rule::quintic_hermite;
+  spec.rule = Interpolation::quintic_hermite;
   const Filled made = filled(spec);
   EXPECT_LT(square_jerk(made.table), cubic) << "the cubic is one of the quintics";
   Columns other = made.table.columns();
   for (const double by : {-1.0, 1.0}) {
     other.a[2] = made.table.columns().a[2] + by;
-    EXPECT_GT(square_jerk(Table(Axis::time, spec.rule, Outside::hold, other)),
+    EXPECT_GT(square_jerk(Table(Domain::time, spec.rule, Extrapolation::hold, other)),
               square_jerk(made.table));
   }
 }
@@ -518,11 +522,11 @@ TEST(Fill, NamesWhatItRefuses) {
   EXPECT_EQ(complaint(spec),
             "knot[1].acceleration = 1: only a quintic_hermite table has accelerations");
   spec = good;
-  spec.rule = Rule::linear;
+  spec.rule = Interpolation::linear;
   EXPECT_EQ(complaint(spec), "rule = linear: has no velocities");
   spec = good;
   spec.filling = Filling::monotone;
-  spec.rule = Rule::quintic_hermite;
+  spec.rule = Interpolation::quintic_hermite;
   EXPECT_EQ(complaint(spec), "rule = quintic_hermite: monotone velocities need cubic_hermite");
   spec = good;
   spec.filling = Filling::within_limits;
@@ -535,7 +539,7 @@ TEST(Fill, NamesWhatItRefuses) {
       "knot[3].velocity = 2: must equal that of the first knot, 1, where the table continues");
   spec.v.clear();
   spec.p[2] = 1;
-  spec.outside = Outside::wrap;
+  spec.outside = Extrapolation::wrap;
   EXPECT_NE(complaint(spec).find("a table that wraps is closed"), std::string::npos);
   for (const Filling filling : all_fillings) EXPECT_EQ(filling_named(name(filling)), filling);
   EXPECT_EQ(filling_named("smooth"), std::nullopt);

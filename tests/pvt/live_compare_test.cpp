@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/live_compare.hpp"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
 #include "support/random.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/position_compare.hpp"
 
 #include <array>
@@ -7,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/profiles/splice.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
 
 namespace jounce {
 namespace {
@@ -181,7 +182,7 @@ TEST(PositionCompare, NamesWhatIsMissing) {
   EXPECT_THROW(compared({.mode = CompareMode::equal, .points = {{1}}, .pulse = 1}, motion),
                InputError);
   EXPECT_THROW(compared({.points = {{std::nan("")}}, .pulse = 1}, motion), InputError);
-  EXPECT_THROW(compared(pulses_at({5}), with(motion, Outside::advance)), InputError);
+  EXPECT_THROW(compared(pulses_at({5}), with(motion, Extrapolation::advance)), InputError);
   EXPECT_THROW(evenly(1, 0, 2), InputError);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/pt.hpp"
 
 #include <array>
@@ -8,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "support/invariants.hpp"
 #include "support/random.hpp"
@@ -73,12 +74,12 @@ TEST(Pt, Example73IsATrapezoid) {
   EXPECT_EQ(rates[0].end, 2);
   EXPECT_EQ(rates[1].end, 2);
   EXPECT_EQ(rates[2].end, 0);
-  const Trajectory f = pt<OverTime>(ex_7_3, 0, Outside::hold);
+  const Trajectory f = pt<OverTime>(ex_7_3, 0, Extrapolation::hold);
   EXPECT_EQ(f.at(512).position, 256);  // 2 / 1024 / 2 * 512^2
   EXPECT_EQ(f.at(1536).position, 2048);
   EXPECT_EQ(f.at(3072).position, 4096);
   EXPECT_EQ(f.at(5000).velocity, 0);
-  EXPECT_TRUE(check_pt<OverTime>(ex_7_3, 0, Outside::hold).findings.empty());
+  EXPECT_TRUE(check_pt<OverTime>(ex_7_3, 0, Extrapolation::hold).findings.empty());
   expect_invariants(f, 1);
 }
 
@@ -107,7 +108,7 @@ TEST(Pt, Example74IsAsTheManualMakesIt) {
 }
 
 TEST(Pt, Example74StepsWhereTheStopBeginsInBothLoops) {
-  const Report report = check_pt<OverTime>(ex_7_4(), 0, Outside::hold);
+  const Report report = check_pt<OverTime>(ex_7_4(), 0, Extrapolation::hold);
   EXPECT_TRUE(report.ok());
   ASSERT_EQ(count(report, "pt/velocity_step"), 2U);
   EXPECT_EQ(report.findings.size(), 2U);
@@ -198,14 +199,14 @@ TEST(Pt, LoopsGoOnInTimeAndPositionAndANormalStartBeginsAtRestAgain) {
   EXPECT_EQ(five.end(), 5 * 3072);
   EXPECT_EQ(five.at(five.end()).position, 5 * 4096);
   EXPECT_EQ(five.at(3072 + 512).position, 4096 + 256);
-  const Trajectory endless = pt<OverTime>(ex_7_3, 0, Outside::advance);
+  const Trajectory endless = pt<OverTime>(ex_7_3, 0, Extrapolation::advance);
   EXPECT_EQ(endless.at(4 * 3072 + 512).position, five.at(4 * 3072 + 512).position);
-  EXPECT_TRUE(check_pt<OverTime>(ex_7_3, 0, Outside::advance).findings.empty());
+  EXPECT_TRUE(check_pt<OverTime>(ex_7_3, 0, Extrapolation::advance).findings.empty());
   const Points moving{{1, 1}, {2, 3}, {3, 5}};  // rates 2, 2, 2: never comes to rest
   const Trajectory two = pt_loops<OverTime>(moving, 2);
   EXPECT_EQ(two.at(3, Side::left).velocity, 2);
   EXPECT_EQ(two.at(3).velocity, 0);
-  const Report report = check_pt<OverTime>(moving, 0, Outside::advance);
+  const Report report = check_pt<OverTime>(moving, 0, Extrapolation::advance);
   ASSERT_NE(find(report, "pt/wrap"), nullptr);
   EXPECT_EQ(find(report, "pt/wrap")->value, -2);
   EXPECT_EQ(find(report, "pt/wrap")->where, 3);
@@ -245,7 +246,7 @@ TEST(Pt, BadInputNamesThePoint) {
 
 TEST(Pt, EvenSegmentsFromRestStepAndSayHowMuch) {
   const Points points{{1, 2, PtType::even}, {2, 4, PtType::even}, {3, 5, PtType::even}};
-  const Report report = check_pt<OverTime>(points, 0, Outside::hold);
+  const Report report = check_pt<OverTime>(points, 0, Extrapolation::hold);
   ASSERT_EQ(count(report, "pt/velocity_step"), 2U);  // rest to 2, then 2 to 1; not 2 to 2
   EXPECT_EQ(report.findings[0].value, 2);
   EXPECT_EQ(report.findings[0].where, 0);
@@ -260,7 +261,7 @@ TEST(Pt, EvenSegmentsFromRestStepAndSayHowMuch) {
 TEST(Pt, APlateauFromRestWithoutARampOscillates) {
   Points points;
   for (int i = 1; i <= 10; ++i) points.push_back({1.0 * i, 1.0 * i});
-  const Report report = check_pt<OverTime>(points, 0, Outside::hold);
+  const Report report = check_pt<OverTime>(points, 0, Extrapolation::hold);
   const Finding* found = find(report, "pt/oscillation");
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(std::abs(found->value), 2);

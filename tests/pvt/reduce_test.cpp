@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/reduce.hpp"
 
 #include <algorithm>
@@ -8,15 +9,15 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/law.hpp"
+#include "jounce/cam/laws/law.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
-#include "jounce/pvt/detail/interval.hpp"
-#include "jounce/pvt/detail/longest.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/pt.hpp"
 
 #include "cam/random_cams.hpp"
+#include "pvt/src/sample/interval.hpp"
+#include "pvt/src/sample/longest.hpp"
 #include "support/random.hpp"
 
 namespace jounce {
@@ -24,7 +25,8 @@ namespace {
 
 using testing::Random;
 
-constexpr Rule all_rules[] = {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite};
+constexpr Interpolation all_rules[] = {Interpolation::linear, Interpolation::cubic_hermite,
+                                       Interpolation::quintic_hermite};
 
 Cam cycloid() {
   return Cam(normalised(Law::inclined_sine));
@@ -69,7 +71,7 @@ void expect_dwell(const Table& table, double from, double to, double p, const st
 Cam up_and_down(double dwell = 12000, double end_of_dwell = 20000) {
   return Cam({quintic(dwell, 0, 0, 0, 50000, 0, 0), line(end_of_dwell - dwell, 50000, 50000),
               quintic(30000 - end_of_dwell, 50000, 0, 0, 0, 0, 0)},
-             0, Outside::wrap);
+             0, Extrapolation::wrap);
 }
 
 /// What the rounding of its numbers is measured against.
@@ -125,13 +127,14 @@ TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
 }
 
 TEST(Reduced, SharesOneErrorAmongItsIntervals) {
-  const Sampled made = reduced(cycloid(), {.rule = Rule::cubic_hermite, .tolerance = 1e-6});
+  const Sampled made =
+      reduced(cycloid(), {.rule = Interpolation::cubic_hermite, .tolerance = 1e-6});
   const auto& x = made.table.columns().x;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double e =
-        detail::share(cycloid(), Rule::cubic_hermite, detail::knot_at(cycloid(), x[i], Side::right),
-                      detail::knot_at(cycloid(), x[i + 1], Side::left),
-                      {made.error.position * (1 + 1e-9), 1e300});
+    const double e = detail::share(cycloid(), Interpolation::cubic_hermite,
+                                   detail::knot_at(cycloid(), x[i], Side::right),
+                                   detail::knot_at(cycloid(), x[i + 1], Side::left),
+                                   {made.error.position * (1 + 1e-9), 1e300});
     EXPECT_GT(e, 0.75) << i;
     EXPECT_NEAR(x[i] + x[x.size() - 1 - i], 1, 0.01) << "a symmetric curve: nearly symmetric knots";
   }
@@ -143,7 +146,7 @@ TEST(Reduced, HasNoKnotThatCanBeLeftOut) {
     const Cam cam = testing::random_cam(random, false);
     if (stroke_of(cam) == 0) continue;  // a dwell alone
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
-    for (const Rule rule : all_rules) {
+    for (const Interpolation rule : all_rules) {
       const Columns all = reduced(cam, {.rule = rule, .tolerance = tolerance}).table.columns();
       const std::size_t step = 1 + all.x.size() / 50;
       for (std::size_t i = 1; i + 1 < all.x.size(); i += step) {
@@ -163,7 +166,7 @@ TEST(Reduced, KeepsItsToleranceOnRandomCams) {
     Random random(seed);
     const Cam cam = testing::random_cam(random, random.below(2) == 0);
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-7, 1e-2);
-    for (const Rule rule : all_rules) {
+    for (const Interpolation rule : all_rules) {
       const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
       const Sampled made = reduced(cam, {.rule = rule, .tolerance = tolerance});
       EXPECT_LE(made.error.position, tolerance * (1 + 1e-9)) << which;
@@ -183,7 +186,7 @@ TEST(Reduced, KeepsTheVelocityToo) {
     const double v = extrema(cam, 1).peak().value;
     const double jump = std::abs(largest_jump(cam, 1).step);
     const double allowed = jump + std::abs(v) * random.log_uniform(1e-3, 1e-1);
-    for (const Rule rule : all_rules) {
+    for (const Interpolation rule : all_rules) {
       const Sampled made = reduced(cam, {.rule = rule, .velocity_tolerance = allowed});
       EXPECT_LE(made.error.velocity, allowed * (1 + 1e-9)) << name(rule) << " seed " << seed;
       EXPECT_GE(made.error.velocity * (1 + 1e-9), seen(made.table, cam, 5000).velocity * (1 - 1e-9))
@@ -196,7 +199,7 @@ TEST(Reduced, KeepsTheVelocityToo) {
 }
 
 TEST(Reduced, MakesTheBestOfSoManyKnots) {
-  for (const Rule rule : all_rules) {
+  for (const Interpolation rule : all_rules) {
     double before = 1;
     for (const std::size_t most : {5u, 9u, 17u, 33u}) {
       const Sampled made = reduced(cycloid(), {.rule = rule, .most = most});
@@ -237,8 +240,8 @@ double greatest(const Powers& f, double from, double to) {
 
 /// The same cubic counted from u0 on.
 Powers from(const Powers& f, double u0) {
-  return {{f.at(u0), f.c[1] + u0 * (2 * f.c[2] + u0 * 3 * f.c[3]), f.c[2] + 3 * f.c[3] * u0,
-           f.c[3]}};
+  return {
+      {f.at(u0), f.c[1] + u0 * (2 * f.c[2] + u0 * 3 * f.c[3]), f.c[2] + 3 * f.c[3] * u0, f.c[3]}};
 }
 
 /// A PVT table, and what straight lines or cubics between places of it err.
@@ -254,11 +257,11 @@ struct Pvt {
     const Powers f = from(piece(i), t - x[i]);
     return {f.c[0], f.c[1], 0, 0};
   }
-  [[nodiscard]] double error(Rule rule, double a, double b) const {
+  [[nodiscard]] double error(Interpolation rule, double a, double b) const {
     const Jet at_a = jet(a);
     const Jet at_b = jet(b);
     const double slope = (at_b[0] - at_a[0]) / (b - a);
-    const Powers chord = rule == Rule::linear
+    const Powers chord = rule == Interpolation::linear
                              ? Powers{{at_a[0], slope, 0, 0}}
                              : hermite(b - a, at_a[0], at_a[1], at_b[0], at_b[1]);
     double most = 0;
@@ -276,7 +279,8 @@ struct Pvt {
 };
 
 /// The least error of each number of knots, over all subsets of the places.
-std::vector<double> best_of_subsets(const Pvt& pvt, Rule rule, const std::vector<double>& places) {
+std::vector<double> best_of_subsets(const Pvt& pvt, Interpolation rule,
+                                    const std::vector<double>& places) {
   const std::size_t n = places.size();
   std::vector<std::vector<double>> e(n, std::vector<double>(n, 0));
   for (std::size_t i = 0; i < n; ++i)
@@ -310,7 +314,8 @@ Pvt random_pvt(Random& random, std::size_t knots) {
 }
 
 Trajectory curve_of(const Pvt& pvt) {
-  return Table(Axis::time, Rule::cubic_hermite, Outside::hold, {pvt.x, pvt.p, pvt.v, {}})
+  return Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+               {pvt.x, pvt.p, pvt.v, {}})
       .curve<OverTime>();
 }
 
@@ -318,7 +323,7 @@ TEST(Reduced, IsAsGoodAsTheBestSubsetOfTheKnotsOfASmallTable) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const Pvt pvt = random_pvt(random, 13);
-    for (const Rule rule : {Rule::linear, Rule::cubic_hermite}) {
+    for (const Interpolation rule : {Interpolation::linear, Interpolation::cubic_hermite}) {
       const std::vector<double> best = best_of_subsets(pvt, rule, pvt.x);
       for (const std::size_t most : {4u, 7u, 10u, 12u}) {
         const std::string which =
@@ -344,7 +349,7 @@ TEST(Reduced, IsTheBestOfAllTablesOnFewWholeSteps) {
     pvt.x.back() = 12;
     std::vector<double> places;
     for (int i = 0; i <= 12; ++i) places.push_back(i);
-    for (const Rule rule : {Rule::linear, Rule::cubic_hermite}) {
+    for (const Interpolation rule : {Interpolation::linear, Interpolation::cubic_hermite}) {
       const std::vector<double> best = best_of_subsets(pvt, rule, places);
       for (const std::size_t most : {3u, 5u, 8u, 11u}) {
         const std::string which =
@@ -360,23 +365,25 @@ TEST(Reduced, IsTheBestOfAllTablesOnFewWholeSteps) {
 TEST(Reduced, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
   const Trajectory move =
       s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
-  const Sampled made = reduced(move, {.rule = Rule::cubic_hermite, .tolerance = 1e-12});
+  const Sampled made = reduced(move, {.rule = Interpolation::cubic_hermite, .tolerance = 1e-12});
   EXPECT_EQ(made.table.size(), move.breaks().size());
   EXPECT_LT(made.error.position, 1e-13);
 }
 
 TEST(Reduced, MergesTheKnotsOfATable) {
-  const Table fine = sample(cycloid(), Rule::cubic_hermite, std::size_t{100'000}).table;
+  const Table fine = sample(cycloid(), Interpolation::cubic_hermite, std::size_t{100'000}).table;
   const Cam exact = fine.curve<OverMaster>();
-  EXPECT_EQ(reduced(exact, {.rule = Rule::cubic_hermite, .tolerance = 1e-6}).table.size(), 26u);
-  EXPECT_EQ(reduced(exact, {.rule = Rule::linear, .tolerance = 1e-6}).table.size(), 678u);
-  EXPECT_EQ(reduced(exact, {.rule = Rule::quintic_hermite, .tolerance = 1e-6}).table.size(), 8u);
+  EXPECT_EQ(reduced(exact, {.rule = Interpolation::cubic_hermite, .tolerance = 1e-6}).table.size(),
+            26u);
+  EXPECT_EQ(reduced(exact, {.rule = Interpolation::linear, .tolerance = 1e-6}).table.size(), 678u);
+  EXPECT_EQ(
+      reduced(exact, {.rule = Interpolation::quintic_hermite, .tolerance = 1e-6}).table.size(), 8u);
 }
 
 TEST(Reduced, KeepsStraightLinesOfATableAsTheyAre) {
   const Cam zigzag(
       {line(1, 0, 1), line(1, 1, 2), line(1, 2, 0), line(0.5, 0, -1), line(0.5, -1, -2)});
-  const Sampled made = reduced(zigzag, {.rule = Rule::linear, .tolerance = 1e-9});
+  const Sampled made = reduced(zigzag, {.rule = Interpolation::linear, .tolerance = 1e-9});
   EXPECT_EQ(made.table.columns().x, (std::vector<double>{0, 2, 4}));
   EXPECT_EQ(made.table.columns().p, (std::vector<double>{0, 2, -2}));
 }
@@ -384,9 +391,10 @@ TEST(Reduced, KeepsStraightLinesOfATableAsTheyAre) {
 TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Random random(seed);
-    const Outside outside = random.below(2) == 0 ? Outside::advance : Outside::wrap;
+    const Extrapolation outside =
+        random.below(2) == 0 ? Extrapolation::advance : Extrapolation::wrap;
     const double period = 1000 + random.below(5000);
-    const double travel = outside == Outside::wrap ? 0 : 500 + random.below(4000);
+    const double travel = outside == Extrapolation::wrap ? 0 : 500 + random.below(4000);
     const double middle = random.uniform(-3000, 3000);
     std::vector<Segment> segments;
     const double first = std::floor(period * random.uniform(0.2, 0.8)) + 0.25;  // off the steps
@@ -394,7 +402,7 @@ TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
     for (Segment f : testing::random_rise(random, false, period - first, middle, 0.3 + travel))
       segments.push_back(f);
     const Cam cam(segments, 0, outside);
-    for (const Rule rule : all_rules) {
+    for (const Interpolation rule : all_rules) {
       const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
       const Sampled made =
           reduced(cam, {.rule = rule, .tolerance = 20, .spacing = 3, .x_step = 1, .p_step = 1});
@@ -419,7 +427,7 @@ TEST(Reduced, ClosesAPeriodThatBeginsBetweenTwoCounts) {
   const double first = 0.5;  // rounds up, and what is a hair less rounds down
   const double last = std::nextafter(first, 0);
   const Cam cam({quintic(50, first, 0, 0, 40, 0, 0), quintic(50, 40, 0, 0, last, 0, 0)}, 0,
-                Outside::wrap);
+                Extrapolation::wrap);
   const Columns c = reduced(cam, {.tolerance = 1, .x_step = 1, .p_step = 1}).table.columns();
   EXPECT_EQ(c.p.front(), 1);
   EXPECT_EQ(c.p.back(), 1);
@@ -427,7 +435,7 @@ TEST(Reduced, ClosesAPeriodThatBeginsBetweenTwoCounts) {
 
 TEST(Reduced, WritesMillisecondsAsTheyAreRead) {
   const Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 21}).curve();
-  ASSERT_EQ(move.outside(), Outside::hold);
+  ASSERT_EQ(move.outside(), Extrapolation::hold);
   const Sampled made =
       reduced(move, {.tolerance = 1e-3, .x_step = 1e-3, .p_step = 0.01, .v_step = 0.1});
   const Columns& c = made.table.columns();
@@ -469,7 +477,7 @@ TEST(Reduced, KeepsADwell) {
                             {.most = 32, .x_step = 1, .p_step = 1, .v_step = 1e-3},
                             {.most = 32, .spacing = 500},
                             {.velocity_tolerance = 0.5}};
-  for (const Rule rule : all_rules)
+  for (const Interpolation rule : all_rules)
     for (std::size_t i = 0; i < std::size(targets); ++i) {
       Target target = targets[i];
       target.rule = rule;
@@ -480,7 +488,7 @@ TEST(Reduced, KeepsADwell) {
 }
 
 TEST(Reduced, MovesTheEndsOfADwellInwardsToTheGrid) {
-  for (const Rule rule : all_rules) {
+  for (const Interpolation rule : all_rules) {
     const Sampled made = reduced(up_and_down(12000.4, 19999.7),
                                  {.rule = rule, .most = 32, .x_step = 1, .p_step = 1});
     expect_dwell(made.table, 12001, 19999, 50000, name(rule));
@@ -494,7 +502,7 @@ TEST(Reduced, KeepsTheDwellsOfRandomCamsThatEnterThemWithSteps) {
     Random random(seed);
     const Cam cam = testing::random_cam(random, true);
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
-    for (const Rule rule : all_rules) {
+    for (const Interpolation rule : all_rules) {
       const Sampled made = reduced(cam, {.rule = rule, .tolerance = tolerance});
       EXPECT_LE(made.error.position, tolerance * (1 + 1e-9)) << seed;
       for (std::size_t i = 0; i < cam.segments().size(); ++i) {
@@ -515,7 +523,7 @@ TEST(Reduced, KeepsTheDwellsOfRandomCamsThatEnterThemWithSteps) {
 TEST(Reduced, KeepsAnAxisInSync) {
   const Cam cam(
       {quintic(100, 0, 0, 0, 100, 2, 0), line(200, 100, 500), quintic(100, 500, 2, 0, 600, 0, 0)});
-  for (const Rule rule : all_rules)
+  for (const Interpolation rule : all_rules)
     for (const double step : {0.0, 1.0}) {
       const Sampled made =
           reduced(cam, {.rule = rule, .tolerance = 2, .x_step = step, .p_step = step});
@@ -531,12 +539,13 @@ TEST(Reduced, KeepsAnAxisInSync) {
 
 TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
   const std::string text =
-      refusal(up_and_down(), {.rule = Rule::linear, .most = 3, .x_step = 1, .p_step = 1});
+      refusal(up_and_down(), {.rule = Interpolation::linear, .most = 3, .x_step = 1, .p_step = 1});
   EXPECT_NE(text.find("needs 4 knots: it keeps 1 dwell"), std::string::npos) << text;
   const std::string both = refusal(up_and_down(), {.tolerance = 1, .most = 3});
   EXPECT_NE(both.find("knots within the tolerance: it keeps 1 dwell"), std::string::npos) << both;
-  EXPECT_EQ(refusal(up_and_down(), {.rule = Rule::linear, .most = 4, .x_step = 1, .p_step = 1}),
-            "");
+  EXPECT_EQ(
+      refusal(up_and_down(), {.rule = Interpolation::linear, .most = 4, .x_step = 1, .p_step = 1}),
+      "");
 }
 
 TEST(Reduced, TakesTheStepsOfARecordingForNoDwells) {
@@ -545,8 +554,9 @@ TEST(Reduced, TakesTheStepsOfARecordingForNoDwells) {
     recorded.x.push_back(i);
     recorded.p.push_back(std::round(200 * cycloid().jet(i / 2000.0)[0]));
   }
-  const Table table(Axis::master, Rule::linear, Outside::hold, recorded);
-  const Sampled made = reduced(table.curve<OverMaster>(), {.rule = Rule::linear, .tolerance = 2});
+  const Table table(Domain::master, Interpolation::linear, Extrapolation::hold, recorded);
+  const Sampled made =
+      reduced(table.curve<OverMaster>(), {.rule = Interpolation::linear, .tolerance = 2});
   EXPECT_LT(made.table.size(), 25u);
 }
 
@@ -558,17 +568,18 @@ double offered(const std::string& text) {
 }
 
 TEST(Reduced, SaysWhatWouldDo) {
-  const Target few{.rule = Rule::cubic_hermite, .tolerance = 1e-6, .most = 16};
+  const Target few{.rule = Interpolation::cubic_hermite, .tolerance = 1e-6, .most = 16};
   const std::string text = refusal(cycloid(), few);
   EXPECT_NE(text.find("needs 26 knots"), std::string::npos) << text;
   const double enough = offered(text);
   EXPECT_LE(reduced(cycloid(), {.tolerance = enough, .most = 16}).table.size(), 16u) << text;
   EXPECT_NE(refusal(cycloid(), {.tolerance = enough * 0.97, .most = 16}), "");
 
-  const Target coarse{.rule = Rule::linear, .tolerance = 1e-3, .spacing = 0.1};
+  const Target coarse{.rule = Interpolation::linear, .tolerance = 1e-3, .spacing = 0.1};
   const std::string spaced = refusal(cycloid(), coarse);
-  EXPECT_EQ(
-      refusal(cycloid(), {.rule = Rule::linear, .tolerance = offered(spaced), .spacing = 0.1}), "")
+  EXPECT_EQ(refusal(cycloid(),
+                    {.rule = Interpolation::linear, .tolerance = offered(spaced), .spacing = 0.1}),
+            "")
       << spaced;
 }
 
@@ -580,7 +591,7 @@ TEST(Reduced, RefusesWhatCannotBe) {
   EXPECT_NE(refusal(cycloid(), {.most = 1}), "");
   EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .spacing = -1}), "");
   EXPECT_NE(refusal(cycloid(), {.tolerance = 1, .x_step = 0.3}), "") << "1 is not a multiple";
-  const Cam drifting({line(10, 0, 2.5)}, 0, Outside::advance);
+  const Cam drifting({line(10, 0, 2.5)}, 0, Extrapolation::advance);
   EXPECT_NE(refusal(drifting, {.tolerance = 1, .p_step = 1}).find("drift"), std::string::npos);
 }
 
@@ -631,7 +642,7 @@ TEST(ReducedToQuadraticPieces, IsWhatNormalSegmentsPlay) {
       return x_step == 0 || x == x_step * std::round(x / x_step);
     };
     EXPECT_TRUE(std::ranges::all_of(made.table.columns().x, on_steps));
-    const Sampled even = reduced(f, {.rule = Rule::linear, .most = 127, .x_step = x_step});
+    const Sampled even = reduced(f, {.rule = Interpolation::linear, .most = 127, .x_step = x_step});
     EXPECT_LT(8 * made.error.position, even.error.position);
     EXPECT_LE(made.error.position, 0.52) << "what normal segments in whole ms are known to reach";
   }
@@ -663,7 +674,7 @@ TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
   };
   EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-6, .most = 9}), "most");
   EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-3, .p_step = 0.01}), "p_step");
-  EXPECT_EQ(key({.rule = Rule::linear, .quadratic = true, .most = 9}), "rule");
+  EXPECT_EQ(key({.rule = Interpolation::linear, .quadratic = true, .most = 9}), "rule");
   EXPECT_EQ(key({.quadratic = true, .most = 9, .spacing = 0.4}), "");
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/segment_row.hpp"
 
 #include <cmath>
@@ -28,16 +29,17 @@ TEST(SegmentRow, OfATableIsTheTableToTheBit) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     testing::Random random(seed);
-    for (const Rule rule : {Rule::cubic_hermite, Rule::quintic_hermite}) {
+    for (const Interpolation rule :
+         {Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
       Columns c;
       double x = random.uniform(-5, 5);
       for (int i = 0; i < 20; ++i) {
         c.x.push_back(x += random.log_uniform(1e-3, 10));
         c.p.push_back(random.uniform(-100, 100));
         c.v.push_back(random.uniform(-10, 10));
-        if (rule == Rule::quintic_hermite) c.a.push_back(random.uniform(-10, 10));
+        if (rule == Interpolation::quintic_hermite) c.a.push_back(random.uniform(-10, 10));
       }
-      const Table table(Axis::time, rule, Outside::hold, c);
+      const Table table(Domain::time, rule, Extrapolation::hold, c);
       const auto rows = rows_of(table);
       ASSERT_EQ(rows.size(), 19U);
       EXPECT_TRUE(rows.back().last);
@@ -50,7 +52,8 @@ TEST(SegmentRow, OfATableIsTheTableToTheBit) {
 }
 
 TEST(SegmentRow, OfALinearTableAgreesToOneRounding) {
-  const Table table(Axis::time, Rule::linear, Outside::hold, {{0, 3, 10}, {0, 7, -2}, {}, {}});
+  const Table table(Domain::time, Interpolation::linear, Extrapolation::hold,
+                    {{0, 3, 10}, {0, 7, -2}, {}, {}});
   const auto rows = rows_of(table);
   for (double x = 0; x < 10; x += 0.0137) {
     const Jet row = played(rows, start_of(table), x);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/table.hpp"
 
 #include <cmath>
@@ -5,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/curve/signal.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
-#include "jounce/profiles/signal.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "support/oracle.hpp"
 
@@ -21,7 +22,7 @@ static_assert(Signal<Table>);
 
 /// HIMC HMPL manual 5.2.8, in s.
 Table hmpl() {
-  return Table(Axis::time, Rule::cubic_hermite, Outside::hold,
+  return Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                {{0, 2, 3, 4, 6, 11},
                 {0, 153.333, 42.123, 161.21, 177, 83.333},
                 {0, 1000, 800, 1660, 450, 0},
@@ -83,7 +84,7 @@ TEST(Table, GivesEachKnotAsItWasGiven) {
 }
 
 TEST(Table, WrapsAndMeetsItsKnots) {
-  const Table table(Axis::master, Rule::quintic_hermite, Outside::wrap,
+  const Table table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
                     {{0, 1, 3}, {0, 2, 0}, {0, 1, 0}, {0, -1, 0}});
   EXPECT_EQ(table.jet(3)[0], 0);
   EXPECT_NEAR(table.jet(4)[0], 2, 1e-15);
@@ -94,16 +95,16 @@ TEST(Table, WrapsAndMeetsItsKnots) {
 
 TEST(Table, ALinearTableIsWhatPmc600Example44Implies) {
   // (0,0) (5000,5000) (10000,7000): slope 1, then 0.4.
-  const Table table(Axis::master, Rule::linear, Outside::hold,
+  const Table table(Domain::master, Interpolation::linear, Extrapolation::hold,
                     {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}});
   EXPECT_DOUBLE_EQ(table.jet(2500)[1] * 10000, 10000);
   EXPECT_DOUBLE_EQ(table.jet(7500)[1] * 10000, 4000);
   EXPECT_DOUBLE_EQ(table.jet(5000, Side::left)[1], 1);
 }
 
-std::string complaint(Rule rule, Columns columns) {
+std::string complaint(Interpolation rule, Columns columns) {
   try {
-    const Table table(Axis::time, rule, Outside::hold, std::move(columns));
+    const Table table(Domain::time, rule, Extrapolation::hold, std::move(columns));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -111,29 +112,31 @@ std::string complaint(Rule rule, Columns columns) {
 }
 
 TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
-  EXPECT_EQ(complaint(Rule::linear, {{0}, {0}, {}, {}}), "knots = 1: a table needs at least two");
-  EXPECT_EQ(complaint(Rule::linear, {{}, {}, {}, {}}), "knots = 0: a table needs at least two");
-  EXPECT_EQ(complaint(Rule::linear, {{0, 1, 1}, {0, 1, 2}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear, {{0}, {0}, {}, {}}),
+            "knots = 1: a table needs at least two");
+  EXPECT_EQ(complaint(Interpolation::linear, {{}, {}, {}, {}}),
+            "knots = 0: a table needs at least two");
+  EXPECT_EQ(complaint(Interpolation::linear, {{0, 1, 1}, {0, 1, 2}, {}, {}}),
             "knot[3].time = 1: must be greater than 1, the knot before");
-  EXPECT_EQ(complaint(Rule::linear, {{0, 1, 0.5}, {0, 1, 2}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear, {{0, 1, 0.5}, {0, 1, 2}, {}, {}}),
             "knot[3].time = 0.5: must be greater than 1, the knot before");
-  EXPECT_EQ(complaint(Rule::linear, {{-0.0, 0.0}, {0, 1}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear, {{-0.0, 0.0}, {0, 1}, {}, {}}),
             "knot[2].time = 0: must be greater than -0, the knot before");
-  EXPECT_EQ(complaint(Rule::linear, {{0.0, -0.0}, {0, 1}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear, {{0.0, -0.0}, {0, 1}, {}, {}}),
             "knot[2].time = -0: must be greater than 0, the knot before");
   constexpr double most = std::numeric_limits<double>::max();
   constexpr double least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(
-      complaint(Rule::linear, {{-most, -least, 0, least, most}, {0, 1, most, -most, 0}, {}, {}}),
-      "no error");
-  EXPECT_EQ(complaint(Rule::linear, {{0, std::nan("")}, {0, 1}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear,
+                      {{-most, -least, 0, least, most}, {0, 1, most, -most, 0}, {}, {}}),
+            "no error");
+  EXPECT_EQ(complaint(Interpolation::linear, {{0, std::nan("")}, {0, 1}, {}, {}}),
             "knot[2].time = nan: must be a finite number");
-  EXPECT_EQ(complaint(Rule::cubic_hermite,
+  EXPECT_EQ(complaint(Interpolation::cubic_hermite,
                       {{0, 1}, {0, 1}, {0, std::numeric_limits<double>::infinity()}, {}}),
             "knot[2].velocity = inf: must be a finite number");
-  EXPECT_EQ(complaint(Rule::cubic_hermite, {{0, 1}, {0, 1}, {}, {}}),
+  EXPECT_EQ(complaint(Interpolation::cubic_hermite, {{0, 1}, {0, 1}, {}, {}}),
             "column velocity = 0 values: a cubic_hermite table of 2 knots needs 2");
-  EXPECT_EQ(complaint(Rule::linear, {{0, 1}, {0, 1}, {0, 0}, {}}),
+  EXPECT_EQ(complaint(Interpolation::linear, {{0, 1}, {0, 1}, {0, 0}, {}}),
             "column velocity = 2 values: a linear table of 2 knots needs 0");
   EXPECT_THROW((void)hmpl().curve<OverMaster>(), InputError) << "time cannot be played as master";
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/pvt/warnings.hpp"
 
 #include <array>
@@ -6,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/pvt/table.hpp"
 
 #include "support/random.hpp"
@@ -17,8 +18,9 @@ namespace {
 using ::testing::HasSubstr;
 using testing::Random;
 
-Trajectory cubics(Columns columns, Outside outside = Outside::hold) {
-  return Table(Axis::time, Rule::cubic_hermite, outside, std::move(columns)).curve<OverTime>();
+Trajectory cubics(Columns columns, Extrapolation outside = Extrapolation::hold) {
+  return Table(Domain::time, Interpolation::cubic_hermite, outside, std::move(columns))
+      .curve<OverTime>();
 }
 
 /// HIMC HMPL manual 5.2.8, in s.
@@ -88,9 +90,9 @@ TEST(Overshoot, DoesNotDependOnUnits) {
 }
 
 TEST(VelocitySteps, OfALinearTableAreItsCornersAndBothEnds) {
-  const Trajectory f =
-      Table(Axis::time, Rule::linear, Outside::hold, {{0, 1, 3, 4}, {0, 2, 2, 5}, {}, {}})
-          .curve<OverTime>();
+  const Trajectory f = Table(Domain::time, Interpolation::linear, Extrapolation::hold,
+                             {{0, 1, 3, 4}, {0, 2, 2, 5}, {}, {}})
+                           .curve<OverTime>();
   const Report report = velocity_steps(f);
   ASSERT_EQ(report.findings.size(), 4U);
   double sum = 0;
@@ -101,12 +103,13 @@ TEST(VelocitySteps, OfALinearTableAreItsCornersAndBothEnds) {
 }
 
 TEST(VelocitySteps, AtTheWrapAreToldOnce) {
-  const Report report = velocity_steps(cubics({{0, 1}, {0, 4}, {1, 3}, {}}, Outside::advance));
+  const Report report =
+      velocity_steps(cubics({{0, 1}, {0, 4}, {1, 3}, {}}, Extrapolation::advance));
   ASSERT_EQ(report.findings.size(), 1U);
   EXPECT_EQ(report.findings[0].rule, "pt/wrap");
   EXPECT_EQ(report.findings[0].value, -2);
-  EXPECT_TRUE(
-      velocity_steps(cubics({{0, 1}, {0, 4}, {3, 3}, {}}, Outside::advance)).findings.empty());
+  EXPECT_TRUE(velocity_steps(cubics({{0, 1}, {0, 4}, {3, 3}, {}}, Extrapolation::advance))
+                  .findings.empty());
 }
 
 }  // namespace

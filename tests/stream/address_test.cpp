@@ -1,9 +1,10 @@
-#include "jounce/stream/address.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/transport/address.hpp"
 
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/open_transport.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 namespace jounce {
 namespace {
@@ -36,7 +37,8 @@ TEST(Address, IsRefusedWithItsRule) {
   for (const char* const url :
        {"", "tcpq://", "udpm://", "udpm://:7667", "udpm://127.0.0.1:7667", "udpm://10.0.0.1:7667",
         "udpm://239.255.76.67:0", "udpm://239.255.76.67:65536", "udpm://239.255.76.67:x",
-        "udpm://239.255.76.67:7667?ttl", "udpm://239.255.76.67:7667?ttl=", "udpm://239.1.1.1?ttl=256",
+        "udpm://239.255.76.67:7667?ttl",
+        "udpm://239.255.76.67:7667?ttl=", "udpm://239.1.1.1?ttl=256",
         "udpm://239.255.76.67:7667?ttl=-1", "udpm://239.255.76.67:7667?ttl=1x",
         "udpm://239.255.76.67:7667?tll=1", "udpm://239.255.76.67:7667?interface=eth1",
         "udpm://239.255.76.67:7667?ttl=1&interface=", "udpm://239.1.1.1?ttl=0&interface=eth1"}) {

@@ -1,4 +1,5 @@
-#include "jounce/stream/assembly.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/assembly.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ const Sha256& content_of(const std::vector<wire::Message>& messages) {
   return header_of(messages).hash;
 }
 
-class AssemblyOfRule : public testing::TestWithParam<Rule> {};
+class AssemblyOfRule : public testing::TestWithParam<Interpolation> {};
 
 TEST_P(AssemblyOfRule, GivesTheTableBackWhateverTheOrder) {
   const Table table = test::sine_table(3000, GetParam());
@@ -38,7 +39,8 @@ TEST_P(AssemblyOfRule, GivesTheTableBackWhateverTheOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, AssemblyOfRule,
-                         testing::Values(Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite),
+                         testing::Values(Interpolation::linear, Interpolation::cubic_hermite,
+                                         Interpolation::quintic_hermite),
                          [](const auto& each) { return std::string(name(each.param)); });
 
 TEST(Assembly, SaysWhatHasArrived) {
@@ -120,7 +122,7 @@ TEST(Contradiction, NamesWhatAHeaderSaysWrongly) {
 
 TEST(Misfit, JudgesAxesAndUnitsByTheMode) {
   const Table move = test::sine_table(5);
-  const Table cam = test::sine_table(5, Rule::cubic_hermite, Axis::master);
+  const Table cam = test::sine_table(5, Interpolation::cubic_hermite, Domain::master);
   const Units milliseconds{"ms", "mm"}, degrees{"s", "deg"};
   const TableInUnits time{move, test::move_units}, over_master{cam, test::cam_units};
   const TableInUnits slow{move, milliseconds}, turning{move, degrees};

@@ -1,4 +1,5 @@
-#include "jounce/stream/chunk_window.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/chunk_window.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-#include "jounce/stream/claim.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/message/claim.hpp"
 
 #include <deque>
 #include <map>

@@ -1,4 +1,5 @@
-#include "jounce/stream/client.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/client.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

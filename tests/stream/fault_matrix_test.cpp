@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Streamer and executor over every kind of bad link, for tables of every size: what is played is the
 // table that was sent, bit for bit, or nothing; and every transfer ends, done or with a named error.
 #include <gtest/gtest.h>
@@ -73,10 +74,11 @@ class FaultMatrix : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(FaultMatrix, TheTableArrivesWholeOrNothingIsArmed) {
   const std::size_t knots = GetParam();
-  constexpr Rule rules[] = {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite};
+  constexpr Interpolation rules[] = {Interpolation::linear, Interpolation::cubic_hermite,
+                                     Interpolation::quintic_hermite};
   for (std::size_t i = 0; i < faults().size(); ++i) {
     const Fault& fault = faults()[i];
-    const Table table = sine_table(knots, knots < 100'000 ? rules[i % 3] : Rule::linear);
+    const Table table = sine_table(knots, knots < 100'000 ? rules[i % 3] : Interpolation::linear);
     for (std::uint64_t seed = 1; seed <= (knots < 100'000 ? 5U : 1U); ++seed) {
       LossSpec spec = fault.spec;
       spec.seed = seed;
@@ -99,7 +101,7 @@ class FaultMatrixOfAMillion : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(FaultMatrixOfAMillion, TheTableArrivesWholeOrNothingIsArmed) {
   const Fault& fault = faults()[GetParam()];
-  const Trial trial = attempt(sine_table(1'000'000, Rule::linear), fault.spec);
+  const Trial trial = attempt(sine_table(1'000'000, Interpolation::linear), fault.spec);
   EXPECT_EQ(broken(trial), "");
   if (fault.completes) {
     EXPECT_TRUE(trial.outcome.ok()) << name(trial.outcome.error) << ", " << trial.outcome.reason;

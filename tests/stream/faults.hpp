@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 /// The faults of docs/stream-faults.md.
 namespace jounce::test {

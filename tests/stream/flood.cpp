@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Floods a bus: flood URL RATE EXECUTOR [SECONDS]. Of all messages a second, most are foreign (channels and
 // magic numbers of somebody else), and every hundredth is malformed on a channel of this executor: cut
 // short, too long, random, or one bit turned over. To be run in a namespace of its own, beside an
@@ -10,8 +11,8 @@
 
 #include <time.h>
 
-#include "jounce/stream/open_transport.hpp"
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 #include "support/random.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>
@@ -10,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/lossy_transport.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 namespace jounce::test {
 
@@ -22,20 +23,20 @@ inline const Units move_units{"s", "mm"};
 inline const Units cam_units{"deg", "mm"};
 
 /// One sine over the knots, with exact derivatives by x; neighbours are 1 ms (or 1 unit) apart.
-inline Table sine_table(std::size_t knots, Rule rule = Rule::cubic_hermite, Axis axis = Axis::time,
-                        double amplitude = 10) {
-  const double step = axis == Axis::time ? 1e-3 : 1;
+inline Table sine_table(std::size_t knots, Interpolation rule = Interpolation::cubic_hermite,
+                        Domain axis = Domain::time, double amplitude = 10) {
+  const double step = axis == Domain::time ? 1e-3 : 1;
   const double omega = 6.283185307179586 / (step * static_cast<double>(knots - 1));
   Columns columns;
   for (std::size_t i = 0; i < knots; ++i) {
     const double x = step * static_cast<double>(i);
     columns.x.push_back(x);
     columns.p.push_back(amplitude * std::sin(omega * x));
-    if (rule != Rule::linear) columns.v.push_back(amplitude * omega * std::cos(omega * x));
-    if (rule == Rule::quintic_hermite)
+    if (rule != Interpolation::linear) columns.v.push_back(amplitude * omega * std::cos(omega * x));
+    if (rule == Interpolation::quintic_hermite)
       columns.a.push_back(-amplitude * omega * omega * std::sin(omega * x));
   }
-  return Table(axis, rule, Outside::wrap, std::move(columns));
+  return Table(axis, rule, Extrapolation::wrap, std::move(columns));
 }
 
 inline bool same(const Table& a, const Table& b) {

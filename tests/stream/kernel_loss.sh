@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # kernel_loss.sh PROGRAM: the fault matrix between two real links (docs/stream-faults.md). The kernel itself loses and
 # doubles the packets (iptables, `statistic` and `TEE`); relay.py doubles, corrupts and reorders them between two links.
 # Exit 77 after one line where there is no network namespace or no iptables.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table whose hash is told last: what the header that tells it may meet with.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -140,8 +141,8 @@ TEST_F(LateHash, BelongsToTheTableThatWasAnnounced) {
   put_chunks(0, chunks);
   static_cast<void>(receiver.poll(now));
   EXPECT_TRUE(refuses([](wire::Header& h) { h.knots += 1; }));
-  EXPECT_TRUE(refuses([](wire::Header& h) { h.rule = Rule::linear; }));
-  EXPECT_TRUE(refuses([](wire::Header& h) { h.outside = Outside::hold; }));
+  EXPECT_TRUE(refuses([](wire::Header& h) { h.rule = Interpolation::linear; }));
+  EXPECT_TRUE(refuses([](wire::Header& h) { h.outside = Extrapolation::hold; }));
   EXPECT_TRUE(refuses([](wire::Header& h) { h.units.position = "deg"; }));
   EXPECT_TRUE(refuses([](wire::Header& h) { h.units.x = "deg"; }));
   EXPECT_TRUE(refuses([](wire::Header& h) { h.per_chunk -= 1; }));

@@ -1,4 +1,5 @@
-#include "jounce/stream/lossy_transport.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -8,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 namespace jounce {
 namespace {

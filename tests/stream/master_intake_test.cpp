@@ -1,12 +1,13 @@
-#include "jounce/stream/master_intake.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/master_intake.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/lossy_transport.hpp"
-#include "jounce/stream/memory_transport.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
+#include "jounce/stream/transport/memory_transport.hpp"
 
 namespace jounce {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Streams over a real link, each side with its own transport and thread: see real_stream.sh.
 //
 //     real_stream no-route URL    where there is no route for multicast: expects the advice
@@ -16,7 +17,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 
-#include "jounce/stream/open_transport.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 #include "stream/harness.hpp"
 
@@ -33,7 +34,8 @@ int expect_advice(const std::string& url) {
     (void)open_transport(url);
   } catch (const TransportError& error) {
     std::printf("%s\n", error.what());
-    return std::string(error.what()).find("ip route add 239.255.76.67/32 dev eth1") == std::string::npos;
+    return std::string(error.what()).find("ip route add 239.255.76.67/32 dev eth1") ==
+           std::string::npos;
   }
   std::printf("a link without a route\n");
   return 1;
@@ -90,7 +92,8 @@ bool has_status(Transport& link) {
 /// A streamer's link, and the executor's.
 struct Urls {
   Urls(const std::string& both) : streamer(both), executor(both) {}
-  Urls(std::string its, std::string executors) : streamer(std::move(its)), executor(std::move(executors)) {}
+  Urls(std::string its, std::string executors)
+      : streamer(std::move(its)), executor(std::move(executors)) {}
   std::string streamer, executor;
 };
 
@@ -99,7 +102,7 @@ int stream_once(const Urls& url, const std::string& label, std::size_t knots, co
   ExecutorThread executor(url.executor);
   const auto link = open_transport(url.streamer);
   LossyTransport lossy(*link, spec, steady_now);
-  const Table table = test::sine_table(knots, Rule::quintic_hermite);
+  const Table table = test::sine_table(knots, Interpolation::quintic_hermite);
   const Nanos begin = steady_now();
   StreamOptions options;
   options.sender.patience = options.sender.command_patience = patience;
@@ -110,8 +113,8 @@ int stream_once(const Urls& url, const std::string& label, std::size_t knots, co
   const test::Executor& after = executor.join();
   const auto stored = after.pump.receiver().store().find(content_hash(table, test::move_units));
   const bool whole = stored && test::same(*stored->table, table);
-  std::printf("%s: %zu knots, %.1f MB in %.3f s, %zu of %zu chunks resent, %s%s%s\n", label.c_str(), knots,
-              static_cast<double>(knots) * 32e-6, seconds, outcome.progress.resent,
+  std::printf("%s: %zu knots, %.1f MB in %.3f s, %zu of %zu chunks resent, %s%s%s\n", label.c_str(),
+              knots, static_cast<double>(knots) * 32e-6, seconds, outcome.progress.resent,
               outcome.progress.chunks, outcome.ok() ? "ok" : name(outcome.error),
               whole ? "" : ", not whole", status ? "" : ", no status");
   const bool right = outcome.ok() ? outcome.started && whole : may_end && (!stored || whole);

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # real_stream.sh PROGRAM: whole streams between two links, through Unix sockets and, where scripts/own_network gives
 # a network namespace, over UDP multicast, of which not one packet reaches a real network.
 set -eu

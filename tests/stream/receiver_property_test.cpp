@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must hold whatever anybody sends, in any order: checked over random conversations.
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/receiver.hpp"
+#include "jounce/stream/receiver/receiver.hpp"
 
 #include "stream/harness.hpp"
 

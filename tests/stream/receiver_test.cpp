@@ -1,4 +1,5 @@
-#include "jounce/stream/receiver.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/receiver.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -330,7 +331,7 @@ TEST_F(ReceiverTest, IgnoresAnAnswerThatComesTooLate) {
 }
 
 TEST_F(ReceiverTest, ArmsAMasterAndASlaveTable) {
-  const Table cam = test::sine_table(361, Rule::quintic_hermite, Axis::master);
+  const Table cam = test::sine_table(361, Interpolation::quintic_hermite, Domain::master);
   const Table master = test::sine_table(50);
   const Units in_degrees{"s", "deg"};
   auto slave = test::messages_of(cam, 1, 0);

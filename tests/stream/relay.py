@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """relay.py PORT_A PORT_B SECONDS SEED NAME=SHARE...: joins two links of the loopback interface, group 239.255.76.67 on
 PORT_A and on PORT_B, and passes real datagrams from each to the other. SHARE is the probability from 0 to 1 that a
 datagram is lost, doubled, corrupted (one bit) or delayed (up to 5 ms, so that later ones overtake it). Prints

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rolling streams and single orders over every kind of bad link: what is played are the rows that were
 // sent, each in its place, or fewer of them; an order is given once, or not; and all of it ends, done
 // or with a named error.
 #include <gtest/gtest.h>
 
-#include "jounce/stream/client.hpp"
+#include "jounce/stream/sender/client.hpp"
 
 #include "stream/faults.hpp"
 #include "stream/rows.hpp"

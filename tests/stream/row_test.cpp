@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queues of rows: what the executor takes in, and a rolling stream through a bad link.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/row_intake.hpp"
-#include "jounce/stream/row_sender.hpp"
+#include "jounce/stream/receiver/row_intake.hpp"
+#include "jounce/stream/sender/row_sender.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/rows.hpp"
@@ -414,7 +415,8 @@ TEST(Swap, IsCheckedBeforeAnythingIsSent) {
   StreamPlan plan = test::plan_of(test::sine_table(100));
   plan.swaps = {{.slave = 1}};
   EXPECT_THROW(Sender(plan, 1), InputError) << "no such table";
-  plan.tables.push_back({test::sine_table(10, Rule::linear, Axis::master), test::cam_units});
+  plan.tables.push_back(
+      {test::sine_table(10, Interpolation::linear, Domain::master), test::cam_units});
   EXPECT_THROW(Sender(plan, 1), InputError) << "over master, cannot play by itself";
 }
 

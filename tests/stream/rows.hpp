@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "jounce/stream/row_sender.hpp"
+#include "jounce/stream/sender/row_sender.hpp"
 
 #include "stream/harness.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "jounce/stream/message.hpp"
+#include "jounce/stream/message/message.hpp"
 
 namespace jounce::test {
 
@@ -33,9 +34,9 @@ inline std::vector<wire::Message> samples() {
       {name, 11,
        wire::Header{3,
                     one,
-                    Axis::master,
-                    Rule::quintic_hermite,
-                    Outside::wrap,
+                    Domain::master,
+                    Interpolation::quintic_hermite,
+                    Extrapolation::wrap,
                     {"deg", "µm"},
                     1000,
                     4,
@@ -90,12 +91,13 @@ inline std::vector<wire::Message> samples() {
                     55,
                     "would_reverse",
                     true,
-                    true, 5}},
+                    true,
+                    5}},
       {name, 20,
        wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
        wire::Queue{66,
-                   Axis::master,
+                   Domain::master,
                    {"deg", "mm"},
                    wire::QueueMode::static_,
                    512,

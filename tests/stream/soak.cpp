@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps executors busy: soak SECONDS LOSS NAME...: each of them plays one of 64 tables, 1 s round, and every
 // second another one takes over in motion (protocol page, "Swaps"), told over real multicast with so many
 // packets lost each way, each axis by a thread of its own. No axis ever rests.
@@ -16,9 +17,9 @@
 #include <thread>
 #include <vector>
 
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/open_transport.hpp"
-#include "jounce/stream/lossy_transport.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 namespace {
 
@@ -47,7 +48,8 @@ Table around(double c) {
     columns.a.push_back(w * w * (-2 * s + 2 * c * (s * s + k - k * k)));
   }
   for (auto* column : {&columns.p, &columns.v, &columns.a}) column->back() = column->front();
-  return Table(Axis::time, Rule::quintic_hermite, Outside::wrap, std::move(columns));
+  return Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::wrap,
+               std::move(columns));
 }
 
 /// What became of one axis.

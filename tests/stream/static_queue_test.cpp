@@ -1,4 +1,5 @@
-#include "jounce/stream/static_queue.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/static_queue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

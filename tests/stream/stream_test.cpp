@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Streamer and executor together, over links of every quality, in virtual time.
 #include <optional>
 
@@ -35,7 +36,8 @@ void expect_whole_run(const StreamOutcome& outcome, const World& world, const Ta
 class StreamOfKnots : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(StreamOfKnots, ArrivesBitForBitWithoutARepeat) {
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite}) {
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
     World world;
     const Table table = sine_table(GetParam(), rule);
     const StreamOutcome outcome = world.stream(plan_of(table));
@@ -83,7 +85,7 @@ TEST(Stream, BringsCamAndMaster) {
   World world;
   StreamPlan plan{
       .executor = "feeder",
-      .tables = {{sine_table(361, Rule::quintic_hermite, Axis::master), test::cam_units},
+      .tables = {{sine_table(361, Interpolation::quintic_hermite, Domain::master), test::cam_units},
                  {sine_table(2000), {"s", "deg"}}},
       .mode = wire::ArmMode::follow_table};
   EXPECT_TRUE(world.stream(plan).ok());
@@ -110,7 +112,7 @@ TEST_P(StreamOverABadLink, LosesNothing) {
     LossSpec spec = GetParam().spec;
     spec.seed = seed;
     LossyTransport bad(world.link, spec, world.clock);
-    const Table table = sine_table(30'000, Rule::quintic_hermite);
+    const Table table = sine_table(30'000, Interpolation::quintic_hermite);
     StreamOptions many_chunks;
     many_chunks.sender.pace.chunk = 1600;
     const StreamOutcome outcome = stream_tables(bad, plan_of(table), many_chunks, world.clock, 1);

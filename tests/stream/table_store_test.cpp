@@ -1,4 +1,5 @@
-#include "jounce/stream/table_store.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/table_store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace {
 StoredTable stored(std::size_t knots, std::uint8_t mark) {
   StoredTable result;
   result.hash[0] = mark;
-  result.table = std::make_shared<const Table>(test::sine_table(knots, Rule::linear));
+  result.table = std::make_shared<const Table>(test::sine_table(knots, Interpolation::linear));
   return result;
 }
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Over multicast on the loopback interface, which leaves this machine nowhere and needs no route.
-#include "jounce/stream/udp_transport.hpp"
+#include "jounce/stream/transport/udp_transport.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/samples.hpp"
@@ -27,9 +28,9 @@ std::optional<Packet> next(Transport& link) {
 TEST(UdpTransport, CarriesEveryMessage) {
   UdpTransport link(place());
   UdpTransport other(place());
-  for (const auto lane : {wire::Lane::table, wire::Lane::command, wire::Lane::reply,
-                          wire::Lane::status, wire::Lane::masters, wire::Lane::event,
-                          wire::Lane::claim})
+  for (const auto lane :
+       {wire::Lane::table, wire::Lane::command, wire::Lane::reply, wire::Lane::status,
+        wire::Lane::masters, wire::Lane::event, wire::Lane::claim})
     link.subscribe(wire::channel("feeder_2-B", lane), 10);
   link.subscribe(wire::channel("line", wire::Lane::master), 10);
   for (const wire::Message& message : test::samples()) {
@@ -109,14 +110,13 @@ TEST(UdpTransport, AWholeStreamRunsThroughIt) {
   test::Executor executor(
       executors, [&] { return now; }, 9);
   link.subscribe(wire::channel("feeder", wire::Lane::reply), 64);
-  const Table table = test::sine_table(20'000, Rule::quintic_hermite);
+  const Table table = test::sine_table(20'000, Interpolation::quintic_hermite);
   Sender sender(test::plan_of(table), 1);
   for (int i = 0; i < 5000 && !sender.ended(); ++i, now += 1ms) {
     for (const auto& message : sender.poll(now)) send_message(link, message);
     executor.turn();
     Rejects rejects;
-    while (const auto message = next_message(link, Nanos{}, rejects))
-      sender.receive(*message, now);
+    while (const auto message = next_message(link, Nanos{}, rejects)) sender.receive(*message, now);
     if (sender.at_goal()) sender.release();
   }
   EXPECT_TRUE(sender.outcome().started) << sender.outcome().reason;

@@ -1,4 +1,5 @@
-#include "jounce/stream/unix_transport.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/transport/unix_transport.hpp"
 
 #include <array>
 #include <csignal>
@@ -14,13 +15,13 @@
 #include <unistd.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/detail/datagram.hpp"
-#include "jounce/stream/detail/unix_socket.hpp"
-#include "jounce/stream/open_transport.hpp"
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/samples.hpp"
+#include "stream/src/transport/datagram.hpp"
+#include "stream/src/transport/unix_socket.hpp"
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -186,7 +187,8 @@ TEST_F(UnixTransportTest, TakesNoHarmFromForeignDatagrams) {
   const std::vector<char> large(100'000, 'a');
   const int size = 1 << 20;
   setsockopt(stranger, SOL_SOCKET, SO_SNDBUF, &size, sizeof size);
-  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{65536}, large.size()})
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{1}, std::size_t{65536}, large.size()})
     EXPECT_EQ(send(stranger, large.data(), length, 0), static_cast<ssize_t>(length));
   close(stranger);
   send_byte(link, "a", 5);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page's test vectors: bytes that a script made from the page alone, and what they say. They are
 // also read by lcm-gen's own code.
 #include <fstream>
@@ -6,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/detail/lcm_body.hpp"
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
 
 #include "stream/samples.hpp"
+#include "stream/src/message/lcm_body.hpp"
 
 namespace jounce {
 namespace {
@@ -98,8 +99,8 @@ std::vector<Message> messages() {
                                     {0.25, 9, 40, 0, 0, 0, wire::RowOrder::cubic, true}};
   const auto ours = [](wire::Body body) { return Message{"feeder", 11, std::move(body), 99}; };
   return {
-      ours(wire::Header{3, hash, Axis::master, Rule::quintic_hermite, Outside::wrap, units, 401, 4,
-                        400, 2}),
+      ours(wire::Header{3, hash, Domain::master, Interpolation::quintic_hermite,
+                        Extrapolation::wrap, units, 401, 4, 400, 2}),
       ours(wire::Chunk{3, 1, 400, 1, 4, {360, 0.5, -0.25, 0.125}}),
       ours(wire::Arm{1, wire::ArmMode::follow_table, hash, reversed, coupling}),
       ours(wire::Start{2, -1, wire::StartAt::master_position, 90.5}),
@@ -109,8 +110,9 @@ std::vector<Message> messages() {
       ours(wire::Reply{77, 2, wire::Outcome::refused, wire::Refusal::axis, 41, "start_position"}),
       ours(status),
       ours(wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}),
-      ours(wire::Queue{64, Axis::master, units, wire::QueueMode::static_, 512, -3,
-                       wire::QueueEvent::pass, 12.5, -1, 100, false, -7.5, -2, wire::Queue::no_bound}),
+      ours(wire::Queue{64, Domain::master, units, wire::QueueMode::static_, 512, -3,
+                       wire::QueueEvent::pass, 12.5, -1, 100, false, -7.5, -2,
+                       wire::Queue::no_bound}),
       ours(wire::Rows{64, 1, 5, 1000, rows}),
       ours(wire::QueueAck{77,
                           64,

@@ -1,4 +1,5 @@
-#include "jounce/stream/wire.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/message/wire.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "jounce/io/printable.hpp"
+#include "jounce/base/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "jounce_lcm/ack_t.hpp"
@@ -408,27 +409,28 @@ TEST(Wire, EveryEnumeratorHasItsOwnName) {
 }
 
 TEST(Wire, CutsATableIntoFullChunksAndARest) {
-  const wire::Cut pvt = wire::cut(Rule::cubic_hermite, 1067);
+  const wire::Cut pvt = wire::cut(Interpolation::cubic_hermite, 1067);
   EXPECT_EQ(pvt.columns, 3U);
   EXPECT_EQ(pvt.per_chunk, 533U);  // floor(1600 / 3)
   EXPECT_EQ(pvt.chunks, 3U);
   EXPECT_EQ(pvt.knots_of(0, 1067), 533U);
   EXPECT_EQ(pvt.knots_of(2, 1067), 1U);
-  EXPECT_EQ(wire::cut(Rule::linear, 1600).chunks, 2U);
-  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 401).chunks, 2U);
-  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 0).chunks, 0U);
-  EXPECT_EQ(wire::cut(Rule::quintic_hermite, 8192, 4096).chunks, 8U);
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1600).chunks, 2U);
+  EXPECT_EQ(wire::cut(Interpolation::quintic_hermite, 401).chunks, 2U);
+  EXPECT_EQ(wire::cut(Interpolation::quintic_hermite, 0).chunks, 0U);
+  EXPECT_EQ(wire::cut(Interpolation::quintic_hermite, 8192, 4096).chunks, 8U);
 }
 
 TEST(Wire, LongChunksHaveRoomWhereAsManyBytesHadIt) {
-  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 16).chunks_for(8), 8U) << "short ones count as one";
-  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 1600).chunks_for(8), 8U);
-  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 4096).chunks_for(8), 4U);
-  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 7680).chunks_for(8), 2U);
-  EXPECT_EQ(wire::cut(Rule::linear, 1'000'000, 7680).chunks_for(1), 1U);
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1'000'000, 16).chunks_for(8), 8U)
+      << "short ones count as one";
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1'000'000, 1600).chunks_for(8), 8U);
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1'000'000, 4096).chunks_for(8), 4U);
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1'000'000, 7680).chunks_for(8), 2U);
+  EXPECT_EQ(wire::cut(Interpolation::linear, 1'000'000, 7680).chunks_for(1), 1U);
   // Datagrams that fill Linux's default buffer of 212 992 bytes where a frame has 1500, counted.
-  EXPECT_LE(wire::cut(Rule::linear, 1'000'000, 4266).chunks_for(8), 3U);
-  EXPECT_LE(wire::cut(Rule::linear, 1'000'000, 6398).chunks_for(8), 2U);
+  EXPECT_LE(wire::cut(Interpolation::linear, 1'000'000, 4266).chunks_for(8), 3U);
+  EXPECT_LE(wire::cut(Interpolation::linear, 1'000'000, 6398).chunks_for(8), 2U);
 }
 
 /// The message with this text in it replaced byte for byte, and the checksum made right.
@@ -445,8 +447,10 @@ TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
   const std::string mark = "wxyz";
   const Units units{mark, "mm"}, others{"mm", mark};
   const std::vector<wire::Body> bodies = {
-      wire::Header{.hash = {1}, .units = units, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
-      wire::Header{.hash = {1}, .units = others, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
+      wire::Header{
+          .hash = {1}, .units = units, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
+      wire::Header{
+          .hash = {1}, .units = others, .knots = 2, .columns = 2, .per_chunk = 2, .chunks = 1},
       wire::Queue{.queue = 64, .units = units, .capacity = 2, .prefill = 1},
       wire::Queue{.queue = 64, .units = others, .capacity = 2, .prefill = 1},
       wire::Ack{.boot = 1, .reason = mark},
@@ -458,11 +462,12 @@ TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
       wire::MasterStatus{.boot = 1, .master = "line", .unit = mark},
       wire::MasterStatus{.boot = 1, .master = mark, .unit = "mm"}};
   for (const wire::Body& body : bodies) {
-    const bool none = wire::lane(body) == wire::Lane::master || wire::lane(body) == wire::Lane::masters;
+    const bool none =
+        wire::lane(body) == wire::Lane::master || wire::lane(body) == wire::Lane::masters;
     const Bytes good = wire::encode({"feeder", none ? 0 : 1, body});
     ASSERT_TRUE(std::holds_alternative<wire::Message>(wire::decode(good))) << body.index();
-    for (const std::string bad : {"\xff\xfe\xfd", "a\x1b[J", "a\x7f", "\xc2\x9b", "\xc0\xaf", "\xed\xa0\x80",
-                                  "a\nb", "wxy\xe2", "\xe2\x80\xae"})
+    for (const std::string bad : {"\xff\xfe\xfd", "a\x1b[J", "a\x7f", "\xc2\x9b", "\xc0\xaf",
+                                  "\xed\xa0\x80", "a\nb", "wxy\xe2", "\xe2\x80\xae"})
       EXPECT_EQ(reject(with_text(good, mark, bad)), Reject::bad_field)
           << body.index() << " with " << printable(bad);
   }
@@ -470,7 +475,9 @@ TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
 
 TEST(Wire, WhatIsSentIsReceivedWhateverTextItWasMadeFrom) {
   const wire::Message message{
-      "feeder", 1, wire::Reply{.boot = 1, .command = 1, .reason = "file a\x1b[2J\xff: no\n" + std::string(300, 'x')}};
+      "feeder", 1,
+      wire::Reply{
+          .boot = 1, .command = 1, .reason = "file a\x1b[2J\xff: no\n" + std::string(300, 'x')}};
   const auto decoded = wire::decode(wire::encode(message));
   const auto* const back = std::get_if<wire::Message>(&decoded);
   ASSERT_NE(back, nullptr) << "an executor whose answer cannot be decoded does not answer";

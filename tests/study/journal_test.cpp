@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/study/journal.hpp"
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/io/file.hpp"
+#include "jounce/base/file.hpp"
 
 #include "support/errors.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/study/mpi_world.hpp"
 
 #include <chrono>
@@ -10,8 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/study/detail/mpi_calls.hpp"
-
+#include "study/src/sweep/mpi_calls.hpp"
 #include "support/errors.hpp"
 
 namespace jounce {

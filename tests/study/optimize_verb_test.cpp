@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,11 +16,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "jounce/io/file.hpp"
-#include "jounce/io/make.hpp"
+#include "jounce/base/file.hpp"
+#include "jounce/design/make.hpp"
 #include "jounce/io/table_file.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 
 #include "../support/random.hpp"
 
@@ -200,7 +201,9 @@ double greatest_jerk(const Table& table) {
     const double v = (c.v[i + 1] - c.v[i] - h * c.a[i]) * h;
     const double a = (c.a[i + 1] - c.a[i]) * h * h;
     const double c3 = 10 * p - 4 * v + a / 2, c4 = -15 * p + 7 * v - a, c5 = 6 * p - 3 * v + a / 2;
-    const auto jerk = [&](double s) { return (6 * c3 + s * (24 * c4 + s * 60 * c5)) / (h * h * h); };
+    const auto jerk = [&](double s) {
+      return (6 * c3 + s * (24 * c4 + s * 60 * c5)) / (h * h * h);
+    };
     greatest = std::max({greatest, std::abs(jerk(0)), std::abs(jerk(1))});
     if (const double s = -c4 / (5 * c5); s > 0 && s < 1)
       greatest = std::max(greatest, std::abs(jerk(s)));
@@ -213,7 +216,7 @@ TEST_F(OptimizeVerb, WritesATableThatKeepsTheJerk) {
   EXPECT_EQ(ran.status, 0) << ran.output;
   expect_checked("table-jerk");
   const Table table = read_table(path("out.csv")).table;
-  ASSERT_EQ(table.rule(), Rule::quintic_hermite);
+  ASSERT_EQ(table.rule(), Interpolation::quintic_hermite);
   EXPECT_LE(greatest_jerk(table), 0.001334 * (1 + 1e-9));
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/study/sweep.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/io/file.hpp"
+#include "jounce/base/file.hpp"
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -13,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "jounce/io/file.hpp"
+#include "jounce/base/file.hpp"
 
 // The program itself: threads, kills and mpirun give the same bytes.
 

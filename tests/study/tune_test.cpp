@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/study/tune.hpp"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "jounce/io/make.hpp"
+#include "jounce/design/make.hpp"
 
 #include "../support/errors.hpp"
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "jounce/cam/design.hpp"
+#include "jounce/cam/design/design.hpp"
 
 namespace jounce::testing {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
@@ -5,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/curve.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/limits.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce::testing {
 

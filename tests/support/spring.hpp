@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>
 
-#include "jounce/profiles/curve.hpp"
-#include "jounce/profiles/vibration.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/vibration/vibration.hpp"
 
 namespace jounce::testing {
 

@@ -1,4 +1,5 @@
-#include "jounce/validate/detail/drive_model.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/src/drive/drive_model.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Backlash and dry friction against tests/oracle/drive.py, which shares nothing with us.
 
 #include <fstream>

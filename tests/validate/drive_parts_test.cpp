@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each part of the drive model against a closed form.
 
 #include <algorithm>
@@ -44,11 +45,11 @@ Trajectory push(double acceleration, double time, double until) {
   const double p = v * time / 2;
   return Trajectory({quintic(time, 0, 0, acceleration, p, v, acceleration),
                      line(until - time, p, p + v * (until - time))},
-                    0, Outside::hold);
+                    0, Extrapolation::hold);
 }
 
 Trajectory standstill(double time, double position = 0) {
-  return Trajectory({line(time, position, position)}, 0, Outside::hold);
+  return Trajectory({line(time, position, position)}, 0, Extrapolation::hold);
 }
 
 void expect_complete(const DriveResult& run) {
@@ -141,7 +142,7 @@ TEST(Friction, HoldsUntilBreakaway) {
   const double step = 9;  // seen as a step of position after 0.1 s; T = K_v K_p e (1 + t / T_i)
   const double asked = 0.05 * 40 * step * radians;
   ASSERT_LT(asked, 0.4);
-  const Trajectory far({line(0.1, 0, 0), line(1, step, step)}, 0, Outside::hold);
+  const Trajectory far({line(0.1, 0, 0), line(1, step, step)}, 0, Extrapolation::hold);
   const DriveResult run = drive_through(far, drive, {.settle = 0, .samples = 110'001});
   expect_complete(run);
   const double breakaway = 0.1 + 0.02 * (0.4 / asked - 1);
@@ -198,7 +199,7 @@ TEST(Gear, LosesInTheDirectionThatPowerFlows) {
   drive.train[0].efficiency = 0.8;
   drive.train[0].load_torque = 0.5;
   const auto torque = [&](double velocity) {
-    const Trajectory move({line(2, 0, 2 * velocity)}, 0, Outside::hold);
+    const Trajectory move({line(2, 0, 2 * velocity)}, 0, Extrapolation::hold);
     return drive_through(move, drive, {.settle = 0, .samples = 101}).samples[99].torque;
   };
   EXPECT_NEAR(torque(360), 0.5 / 0.8, 1e-6);

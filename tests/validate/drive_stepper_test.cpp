@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/drive_stepper.hpp"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ TEST(DriveStepper, AgreesWithTheIntegrationOfAMotionWithAContinuousAcceleration)
     Drive drive = servo_400w();
     drive.position_per_rev = scale;
     Segment law{.length = 0.4, .degree = 7, .c = {0, 0, 0, 0, 35, -84, 70, -20}};
-    const Trajectory move({scaled(law, scale)}, 0, Outside::hold);
+    const Trajectory move({scaled(law, scale)}, 0, Extrapolation::hold);
     const Distance d = distance(move, drive, 0.001, integrated(move, drive, 0.2, 0.001));
     EXPECT_LT(d.motor, 1e-8);
     EXPECT_LT(d.load, 1e-8);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/drive.hpp"
 
 #include <algorithm>
@@ -12,11 +13,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "validate/exact_drive.hpp"
@@ -79,7 +80,8 @@ TEST(Drive, AgreesWithMatrixExponentials) {
 }
 
 TEST(Drive, AgreesWithMatrixExponentialsOnTables) {
-  for (const Rule rule : {Rule::linear, Rule::cubic_hermite, Rule::quintic_hermite})
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     for (const std::size_t intervals : {20u, 100u}) {
       const Table table = sample(test::law_345(3600, 0.4), rule, intervals).table;
       expect_exact(table, table.curve<OverTime>(), servo_400w());
@@ -230,7 +232,7 @@ TEST(Drive, APureDwellStaysAtRest) {
 /// Stand still, then out and back within `time`.
 Trajectory dwell_out_and_back(double dwell, double time) {
   const Trajectory out = test::law_345(36, time / 2);
-  return concatenated(concatenated(Trajectory({line(dwell, 0, 0)}, 0, Outside::hold), out),
+  return concatenated(concatenated(Trajectory({line(dwell, 0, 0)}, 0, Extrapolation::hold), out),
                       shifted(reversed(out), 0));
 }
 
@@ -250,7 +252,7 @@ TEST(Drive, AMoveAfterADwellIsNotMissed) {
 
 TEST(Drive, AMoveWhoseAccelerationVanishesAtEveryKnotIsNotMissed) {
   // Rest to rest between any two knots of the table: at the knots the right-hand side is zero.
-  const Table table(Axis::time, Rule::quintic_hermite, Outside::hold,
+  const Table table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
                     {{0, 1, 1.01, 1.02}, {0, 0, 36, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
   const Trajectory curve = table.curve<OverTime>();
   const Drive drive = unlimited(servo_400w());
@@ -293,7 +295,7 @@ TEST(Drive, AMoveHiddenWithinOneLongIntervalIsNotMissed) {
 TEST(Drive, BeginsAnewAtJumpsOnly) {
   // The start and the three steps of acceleration; the start; the start and the standstill.
   EXPECT_EQ(drive_through(test::trapezoid_move(), servo_400w()).integration.restarts, 4);
-  const Table table = sample(test::law_345(3600, 0.4), Rule::quintic_hermite, 400u).table;
+  const Table table = sample(test::law_345(3600, 0.4), Interpolation::quintic_hermite, 400u).table;
   EXPECT_EQ(drive_through(table, servo_400w(), {.settle = 0.1}).integration.restarts, 1);
   const Trajectory ramp({line(0.5, 0, 360)});
   EXPECT_EQ(drive_through(ramp, servo_400w()).integration.restarts, 2);
@@ -346,7 +348,7 @@ TEST(Drive, AFollowedCamIsAReference) {
     columns.v.push_back(m.velocity);
     columns.a.push_back(m.acceleration);
   }
-  const Table table(Axis::time, Rule::quintic_hermite, Outside::hold, columns);
+  const Table table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold, columns);
   EXPECT_NEAR(drive_through(table, servo_400w()).rms_torque, run.rms_torque, 1e-3 * run.rms_torque);
 }
 
@@ -490,7 +492,8 @@ concept Drivable = requires(const Reference& r, const Drive& d) {
 static_assert(Drivable<Trajectory> && Drivable<Table> && Drivable<Followed> && !Drivable<Cam>);
 
 TEST(Drive, RefusesATableOverMasterPosition) {
-  const Table table(Axis::master, Rule::linear, Outside::hold, {{0, 1}, {0, 1}, {}, {}});
+  const Table table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                    {{0, 1}, {0, 1}, {}, {}});
   try {
     drive_through(table, servo_400w());
     FAIL();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>
@@ -6,7 +7,7 @@
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "jounce/profiles/curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce::test {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -5,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/tolerances.hpp"
 
@@ -209,7 +210,7 @@ TEST(ExactThrough, TheFrequencyIsThatOfTheMode) {
 }
 
 TEST(ExactThrough, AStandstillDoesNothing) {
-  const Trajectory still({line(5, 10, 10)}, 3, Outside::hold);
+  const Trajectory still({line(5, 10, 10)}, 3, Extrapolation::hold);
   for (const Drive& drive : drives()) {
     const DriveResult found = run(still, drive);
     // the twist of a loaded shaft, a quarter of a degree, is solved for to rounding

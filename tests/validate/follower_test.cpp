@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/follower.hpp"
 
 #include <algorithm>
@@ -8,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "validate/references.hpp"
@@ -35,7 +36,7 @@ Trajectory harmonic(double w, double turns, double lift = h) {
   f.c[0] = lift / 2;
   f.sines = 1;
   f.sine[0] = {lift / 2, 2 * std::numbers::pi * turns, -std::numbers::pi / 2};
-  return Trajectory({f}, 0, Outside::hold);
+  return Trajectory({f}, 0, Extrapolation::hold);
 }
 
 /// The undamped follower on a harmonic cam, and its flight: closed forms, in absolute coordinates.
@@ -182,7 +183,7 @@ TEST(Follower, FindsAJumpWithinASegmentOfADwellCam) {
   f.metres_per_unit = 1e-3;
   const auto at_speed = [&](double degrees_per_second) {
     return follow(Followed(design(spec).cam, Trajectory({line(1080 / degrees_per_second, 0, 1080)},
-                                                        0, Outside::hold)),
+                                                        0, Extrapolation::hold)),
                   f, {.settle = 0.05});
   };
   EXPECT_TRUE(at_speed(2000).flights.empty());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a hostile reader would try: every balance that physics keeps, and input that nobody means.
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/validate/drive.hpp"
 #include "jounce/validate/follower.hpp"
 #include "jounce/validate/identify.hpp"
@@ -146,7 +147,7 @@ TEST(Energy, OfBacklashFrictionGravityAndALimitTogether) {
 // ---- rest ---------------------------------------------------------------------------------------
 
 Trajectory standstill(double time) {
-  return Trajectory({line(time, 0, 0)}, 0, Outside::hold);
+  return Trajectory({line(time, 0, 0)}, 0, Extrapolation::hold);
 }
 
 TEST(Rest, UnderGravityLastsWhileTheMotorHoldsItWithinItsLimit) {
@@ -193,7 +194,7 @@ TEST(Rest, OfABodyThatSticksWithLessThanItsBreakawayLasts) {
 // ---- references that nobody means --------------------------------------------------------------
 
 TEST(HostileReference, OfNoLengthInPlaceIsAStandstill) {
-  const Trajectory stays({line(1e-9, 5, 5)}, 0, Outside::hold);
+  const Trajectory stays({line(1e-9, 5, 5)}, 0, Extrapolation::hold);
   const DriveResult run = drive_through(stays, plain(), {.settle = 0.1});
   ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
   EXPECT_EQ(run.torque.value, 0);
@@ -206,7 +207,7 @@ TEST(HostileReference, OfOneInstantIsRefused) {
 }
 
 TEST(HostileReference, ThatMovesFromTheStartGivesMoreErrorButBalancesItsEnergy) {
-  const Trajectory moving({line(0.3, 0, 300)}, 0, Outside::hold);
+  const Trajectory moving({line(0.3, 0, 300)}, 0, Extrapolation::hold);
   const DriveResult run = drive_through(moving, plain(), {.settle = 0.3, .samples = 40'001});
   ASSERT_TRUE(run.integration.ok()) << run.integration.reason;
   EXPECT_NEAR(run.energy.driving - run.energy.regenerated, accounted(plain(), run),

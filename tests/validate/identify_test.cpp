@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Identification on synthetic recordings: the truth is known, the noise is seeded.
 #include "jounce/validate/identify.hpp"
 
@@ -13,12 +14,12 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/validate/detail/drive_response.hpp"
-#include "jounce/validate/detail/least_squares.hpp"
-#include "jounce/validate/detail/residual_tests.hpp"
 
 #include "support/random.hpp"
 #include "validate/references.hpp"
+#include "validate/src/drive/drive_response.hpp"
+#include "validate/src/identify/least_squares.hpp"
+#include "validate/src/identify/residual_tests.hpp"
 
 namespace jounce {
 namespace {

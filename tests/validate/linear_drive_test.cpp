@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/linear_drive.hpp"
 
 #include <cmath>
@@ -10,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/extrema.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "support/random.hpp"
@@ -103,7 +104,7 @@ Trajectory reference(const std::string& name) {
       f.sine[static_cast<std::size_t>(f.sines++)] = {s.at(0), s.at(1), s.at(2)};
     segments.push_back(f);
   }
-  return Trajectory(segments, 0, Outside::hold);
+  return Trajectory(segments, 0, Extrapolation::hold);
 }
 
 std::vector<double> milliseconds(double end) {
@@ -216,7 +217,7 @@ TEST(LinearDrive, IsTheWitnessOfASampledController) {
 }
 
 TEST(LinearDrive, IsTheWitnessOfTheIntegrationOfTables) {
-  const Table table = sample(reference("law_4567"), Rule::quintic_hermite, 50u).table;
+  const Table table = sample(reference("law_4567"), Interpolation::quintic_hermite, 50u).table;
   expect_witnessed(table, table.curve<OverTime>(), unlimited(two_mass()));
 }
 
@@ -253,7 +254,7 @@ TEST(LinearDrive, AFollowedCamBehindASteadyMasterHasSegments) {
   const Cam cam = design(spec).cam;
   for (const double to : {900.0, -900.0}) {
     const Followed slave(cam, Trajectory({line(1.7, 100, 100 + to), line(0.4, 100 + to, 100 + to)},
-                                         3, Outside::hold));
+                                         3, Extrapolation::hold));
     const auto same = SignalView(slave).trajectory();
     ASSERT_TRUE(same);
     for (int i = 0; i <= 1000; ++i) {
@@ -264,7 +265,7 @@ TEST(LinearDrive, AFollowedCamBehindASteadyMasterHasSegments) {
         ASSERT_NEAR(a[k], b[k], 1e-9 * std::pow(20, k) * 40) << t << ", " << k;
     }
   }
-  const Followed ramped(cam, Trajectory({quintic(1, 0, 0, 0, 360, 0, 0)}, 0, Outside::hold));
+  const Followed ramped(cam, Trajectory({quintic(1, 0, 0, 0, 360, 0, 0)}, 0, Extrapolation::hold));
   EXPECT_FALSE(SignalView(ramped).trajectory());
 }
 
@@ -412,7 +413,7 @@ TEST(LinearDrive, ResponsesAreAffineInTheReference) {
   const Trajectory a = reference("law_4567");
   std::vector<Segment> other{a.segments()[0]};
   other[0].c = {0, 0, 0, 100, 50, -20, 7, 3};
-  const Trajectory c(other, 0, Outside::hold);
+  const Trajectory c(other, 0, Extrapolation::hold);
   for (const DriveOutput output : {DriveOutput::torque, DriveOutput::following_error,
                                    DriveOutput::load_error, DriveOutput::load}) {
     const auto f = response(four_mass(), output, milliseconds(0.5));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poles and margins of loops, against closed forms and tests/oracle/loop.py.
 #include "jounce/validate/loop.hpp"
 

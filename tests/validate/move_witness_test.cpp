@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/moves/move.hpp"
 #include "jounce/validate/witness.hpp"
 
 #include "support/random.hpp"
@@ -26,9 +27,9 @@ TEST(MoveWitness, IntegratesASampleOfRandomMovesToTheirTargets) {
     const Durations possible = durations(from, to, b);
     if (possible.status != MoveStatus::ok) continue;
     const double stretched = possible.at_least(possible.minimum * random.uniform(1, 3));
-    for (const Move& move : {move_to(from, to, b), move_to(from, to, b, stretched)}) {
+    for (const MoveResult& move : {move_to(from, to, b), move_to(from, to, b, stretched)}) {
       ASSERT_TRUE(move) << i << explain(move.status);
-      const Witness w = witness(with(move.profile.curve(), Outside::refuse));
+      const Witness w = witness(with(move.profile.curve(), Extrapolation::refuse));
       EXPECT_TRUE(w.report.ok()) << i;
       EXPECT_LE(w.position.relative, 1e-9) << i;
       EXPECT_LE(w.velocity.relative, 1e-9) << i;

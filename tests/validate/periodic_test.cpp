@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/loop.hpp"
@@ -39,12 +40,12 @@ Drive without_integral() {
 /// A rise, and the way back at once: nothing comes to rest before the next period.
 Trajectory to_and_fro() {
   return Trajectory({quintic(0.06, 0, 0, 0, 90, 0, 0), quintic(0.05, 90, 0, 0, 0, 0, 0)}, 2,
-                    Outside::hold);
+                    Extrapolation::hold);
 }
 
 /// A rotary slave, with a step of velocity where the period begins anew.
 Trajectory advancing() {
-  return Trajectory({quintic(0.1, 0, 800, 0, 360, 5000, 0)}, 0, Outside::hold);
+  return Trajectory({quintic(0.1, 0, 800, 0, 360, 5000, 0)}, 0, Extrapolation::hold);
 }
 
 Trajectory repeated(const Trajectory& period, int times) {
@@ -53,7 +54,7 @@ Trajectory repeated(const Trajectory& period, int times) {
       period.jet(period.end(), Side::left)[0] - period.jet(period.start(), Side::right)[0];
   for (int k = 0; k < times; ++k)
     for (const Segment& f : period.segments()) segments.push_back(scaled(f, 1, k * advance));
-  return Trajectory(segments, period.start(), Outside::hold);
+  return Trajectory(segments, period.start(), Extrapolation::hold);
 }
 
 std::vector<double> instants(const Trajectory& period, int count) {
@@ -127,7 +128,7 @@ TEST(PeriodicDrive, OfACamBehindASteadyMaster) {
   CamSpec spec{{0, 0, 0, 0}, {}, true};
   spec.segments = {{Law::modified_sine, {150, 40, {}, {}}, ""},
                    {Law::poly345, {360, 0, {}, {}}, ""}};
-  const Followed slave(design(spec).cam, Trajectory({line(0.2, 0, 360)}, 0, Outside::hold));
+  const Followed slave(design(spec).cam, Trajectory({line(0.2, 0, 360)}, 0, Extrapolation::hold));
   const DriveResult run = drive_through(slave, strong(), {.periodic = true});
   EXPECT_TRUE(run.integration.ok());
   EXPECT_GT(run.rms_torque, 0);

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "jounce/profiles/curve.hpp"
-#include "jounce/profiles/jet.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/jet.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 
 namespace jounce::test {
 
@@ -33,7 +34,7 @@ inline Trajectory s_curve_move() {
 
 /// The 3-4-5 law, one segment.
 inline Trajectory law_345(double stroke, double time) {
-  return Trajectory({quintic(time, 0, 0, 0, stroke, 0, 0)}, 0, Outside::hold);
+  return Trajectory({quintic(time, 0, 0, 0, stroke, 0, 0)}, 0, Extrapolation::hold);
 }
 
 }  // namespace jounce::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/profile.hpp"
+#include "jounce/profiles/moves/profile.hpp"
 #include "jounce/validate/drive.hpp"
 
 #include "validate/references.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensitivities against closed forms and against matrix exponentials.
 #include <array>
 #include <cmath>
@@ -7,9 +8,8 @@
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "jounce/validate/detail/solver.hpp"
-
 #include "support/random.hpp"
+#include "validate/src/witness/solver.hpp"
 
 namespace jounce {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/witness.hpp"
 
 #include <cmath>
@@ -10,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/cam/design.hpp"
-#include "jounce/cam/followed.hpp"
+#include "jounce/cam/coupling/followed.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/s_curve.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
 #include "validate/references.hpp"
@@ -78,7 +79,8 @@ TEST(Witness, AgreesOnTrapezoidAndSCurve) {
 TEST(Witness, AgreesOnThePmc600CamAndOnItsTable) {
   expect_agreement(witness(pmc600_cam()), 1e-12);
   for (const std::size_t knots : {36u, 360u})
-    expect_agreement(witness(sample(pmc600_cam(), Rule::quintic_hermite, knots).table), 1e-12);
+    expect_agreement(witness(sample(pmc600_cam(), Interpolation::quintic_hermite, knots).table),
+                     1e-12);
 }
 
 TEST(Witness, AgreesOnTheCamThatFollowsATrapezoidalMaster) {
@@ -86,7 +88,7 @@ TEST(Witness, AgreesOnTheCamThatFollowsATrapezoidalMaster) {
 }
 
 TEST(Witness, AgreesOnCubicTablesWhoseAccelerationStepsAtEveryKnot) {
-  const Table table = sample(test::law_345(50, 2), Rule::cubic_hermite, 200).table;
+  const Table table = sample(test::law_345(50, 2), Interpolation::cubic_hermite, 200).table;
   expect_agreement(witness(table), 1e-12);
 }
 
@@ -118,7 +120,7 @@ TEST(Witness, AllowsForTheRoundingOfAPlaceFarFromZero) {
 TEST(Witness, NamesQuantitiesAfterTheAxis) {
   EXPECT_EQ(witness(test::s_curve_move()).report.findings[0].quantity.find("geo_"),
             std::string::npos);
-  const Table table = sample(pmc600_cam(), Rule::quintic_hermite, 36).table;
+  const Table table = sample(pmc600_cam(), Interpolation::quintic_hermite, 36).table;
   for (const Report& report : {witness(pmc600_cam()).report, witness(table).report}) {
     std::size_t geo = 0;
     for (const Finding& f : report.findings) geo += f.quantity.starts_with("geo_") ? 1 : 0;
@@ -181,7 +183,7 @@ TEST(Witness, CatchesAJumpOfPosition) {
 }
 
 TEST(Witness, AStepOfVelocityIsBrokenUnlessItIsDeclared) {
-  const Table table = sample(test::law_345(1, 1), Rule::linear, 50).table;
+  const Table table = sample(test::law_345(1, 1), Interpolation::linear, 50).table;
   EXPECT_TRUE(breaks_rule(witness(table), "witness/velocity"));
   expect_agreement(witness(table, {.velocity_steps = true}), 1e-13);
 }
@@ -189,8 +191,8 @@ TEST(Witness, AStepOfVelocityIsBrokenUnlessItIsDeclared) {
 TEST(Witness, SmallErrorsAddUp) {
   // A jerk too large by so little that no interval shows it: a hundredth of the limit in each of
   // 200.
-  const auto truth =
-      std::make_shared<Table>(sample(test::law_345(1, 1), Rule::quintic_hermite, 200u).table);
+  const auto truth = std::make_shared<Table>(
+      sample(test::law_345(1, 1), Interpolation::quintic_hermite, 200u).table);
   const double peak = 10 / std::sqrt(3.0);  // of the law's acceleration
   const MadeUp lie{[=](double t, Side side) {
                      Jet f = truth->jet(t, side);

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Attacks a live page as another user of its machine could, and asks for Stop meanwhile:
 attack_page.py ADDRESS_WITH_TOKEN EXECUTOR_PID [stop]; with `stop`: asks for Stop alone."""
 import json

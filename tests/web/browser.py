@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A headless Chromium, told what to do over its debugging pipe (Chrome DevTools Protocol)."""
 import base64
 import itertools

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/web/instruction.hpp"
 
 #include <string>
@@ -16,7 +17,8 @@ TEST(Instruction, IsReadFromJson) {
   EXPECT_EQ(stop.value, 0);
   EXPECT_EQ(read_instruction(R"({"axis":"a","what":"override","value":0.5})").value, 0.5);
   EXPECT_EQ(read_instruction(R"({"axis":"a","what":"move","value":-12})").value, -12);
-  const Instruction jog = read_instruction(R"({"axis":"a","what":"jog","value":-3,"hold":1795420044212})");
+  const Instruction jog =
+      read_instruction(R"({"axis":"a","what":"jog","value":-3,"hold":1795420044212})");
   EXPECT_EQ(jog.value, -3);
   EXPECT_EQ(jog.hold, 1795420044212);
   EXPECT_EQ(read_instruction(R"({"axis":"a","what":"release","hold":7})").hold, 7);
@@ -46,9 +48,10 @@ TEST(Instruction, IsRefusedWithTheKeyThatIsWrong) {
   EXPECT_EQ(key_of(R"({"axis":"a","what":"move","value":1e999})"), "order");
   EXPECT_EQ(key_of(R"({"axis":"a","what":"stop","when":1})"), "when");
   EXPECT_EQ(key_of(R"({"axis":"a","what":"stop","hold":1})"), "hold");
-  for (const char* hold : {"", R"(,"hold":0)", R"(,"hold":-1)", R"(,"hold":1.5)", R"(,"hold":"1")", R"(,"hold":1e300)",
-                           R"(,"hold":18446744073709551615)"})
-    EXPECT_EQ(key_of(std::string(R"({"axis":"a","what":"jog","value":1)") + hold + "}"), "hold") << hold;
+  for (const char* hold : {"", R"(,"hold":0)", R"(,"hold":-1)", R"(,"hold":1.5)", R"(,"hold":"1")",
+                           R"(,"hold":1e300)", R"(,"hold":18446744073709551615)"})
+    EXPECT_EQ(key_of(std::string(R"({"axis":"a","what":"jog","value":1)") + hold + "}"), "hold")
+        << hold;
   EXPECT_EQ(key_of(R"({"axis":"a","what":"jog","hold":1})"), "value");
   EXPECT_EQ(key_of(R"({"axis":"a","what":"release","hold":1,"value":1})"), "value");
 }

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Orders to an executor over its live page: orders_over_page.py ADDRESS_WITH_TOKEN"""
 import json
 import sys

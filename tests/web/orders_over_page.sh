@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # orders_over_page.sh JOUNCE: what a browser would send, to a real executor.
 set -eu
 . "$(dirname "$0")/../cli/namespace.sh"

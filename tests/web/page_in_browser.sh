@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # page_in_browser.sh JOUNCE: the page of a live axis in headless Chromium; 77: there is none.
 set -eu
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # page_process.sh JOUNCE: the process of a live page beside an axis in motion is attacked, killed and stopped. The axis
 # goes on, the page comes back under its address until its fifth end within a minute, Stop always has a connection, and
 # the page ends with the executor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/web/panel.hpp"
 
 #include <atomic>
@@ -9,8 +10,8 @@
 #include <httplib.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/stream/driver.hpp"
-#include "jounce/stream/wire.hpp"
+#include "jounce/stream/message/wire.hpp"
+#include "jounce/stream/sender/driver.hpp"
 
 namespace jounce::web {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "jounce/web/server.hpp"
 
 #include <atomic>
@@ -5,10 +6,10 @@
 #include <string>
 #include <thread>
 
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
-#include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -26,7 +27,9 @@ using testing::Not;
 const std::string token = "0123456789abcdef";
 
 Site site() {
-  return {page("Jounce <1>"), std::string(script()), style(),
+  return {page("Jounce <1>"),
+          std::string(script()),
+          style(),
           [](std::int64_t& seen) { return std::to_string(++seen); },
           [](const std::string& body) {
             if (body == "slow") std::this_thread::sleep_for(300ms);
@@ -117,13 +120,15 @@ class Raw {
   Raw& operator=(const Raw&) = delete;
 
   bool send(const std::string& text) const {
-    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
+    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
+           static_cast<ssize_t>(text.size());
   }
   /// All that comes until the server closes the connection, or resets it.
   [[nodiscard]] std::string rest() const {
     std::string all;
     char bytes[4096];
-    for (ssize_t n; (n = recv(socket_, bytes, sizeof bytes, 0)) > 0;) all.append(bytes, static_cast<std::size_t>(n));
+    for (ssize_t n; (n = recv(socket_, bytes, sizeof bytes, 0)) > 0;)
+      all.append(bytes, static_cast<std::size_t>(n));
     return all;
   }
   /// What comes first.
@@ -159,7 +164,8 @@ TEST(Server, TakesNoBodyWhoseLengthIsNotGiven) {
 TEST(Server, BoundsTheHeadOfARequest) {
   const Served served;
   const Raw raw(served.server.port());
-  static_cast<void>(raw.send("GET / HTTP/1.1\r\n" + raw.host() + "X: " + std::string(100'000, 'x') + "\r\n\r\n"));
+  static_cast<void>(
+      raw.send("GET / HTTP/1.1\r\n" + raw.host() + "X: " + std::string(100'000, 'x') + "\r\n\r\n"));
   EXPECT_THAT(raw.rest(), Not(HasSubstr(" 200 ")));
 }
 
@@ -183,7 +189,8 @@ TEST(Server, AStopFindsAConnectionAmongAnyNumberOfSlowOnes) {
     slow.emplace_back(served.server.port());
     ASSERT_TRUE(slow.back().send("POST /order HTTP/1.1\r\n"));
   }
-  const auto stop = served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
+  const auto stop =
+      served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
   ASSERT_TRUE(stop);
   EXPECT_EQ(stop->status, 200);
 }
@@ -197,11 +204,13 @@ TEST(Server, AStopWaitsForNoOtherOrder) {
     others.emplace_back([&] {
       httplib::Client client("127.0.0.1", served.server.port());
       client.set_read_timeout(30s);
-      const auto answer = client.Post("/order", {{"X-Jounce-Token", token}}, "slow", "application/json");
+      const auto answer =
+          client.Post("/order", {{"X-Jounce-Token", token}}, "slow", "application/json");
       if (answer && answer->status == 200) ++answered;
       if (answer && answer->status == 503) ++late;
     });
-  const auto stop = served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
+  const auto stop =
+      served.client.Post("/order", {{"X-Jounce-Token", token}}, "stop", "application/json");
   ASSERT_TRUE(stop);
   EXPECT_EQ(stop->status, 200);
   for (auto& other : others) other.join();
@@ -225,7 +234,8 @@ TEST(Server, AnOrderThatWaitedForOthersIsNotCarriedOut) {
   const auto post = [&](const char* body) {
     httplib::Client client("127.0.0.1", server.port());
     client.set_read_timeout(30s);
-    const auto answer = client.Post("/order", {{"X-Jounce-Token", token}}, body, "application/json");
+    const auto answer =
+        client.Post("/order", {{"X-Jounce-Token", token}}, body, "application/json");
     return answer ? answer->status : 0;
   };
   EXPECT_EQ(post("quick"), 200);
@@ -282,7 +292,8 @@ TEST(Server, AReaderWithTheTokenTakesThePlaceOfOneWithout) {
   std::deque<Raw> strangers;
   for (int i = 0; i < Server::most_readers; ++i) {
     strangers.emplace_back(served.server.port());
-    ASSERT_TRUE(strangers.back().send("GET /events HTTP/1.1\r\n" + strangers.back().host() + "\r\n"));
+    ASSERT_TRUE(
+        strangers.back().send("GET /events HTTP/1.1\r\n" + strangers.back().host() + "\r\n"));
   }
   const auto answer = [&](const std::string& more) {
     const Raw raw(served.server.port());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 'use strict';
 // The live page of `jounce page`: statuses come as server-sent events, orders go as POSTs.
 

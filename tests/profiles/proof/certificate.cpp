@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/certificate.hpp"
 
 #include <algorithm>
@@ -63,8 +64,15 @@ Real least_value(const Functional& f, const Question& q, Real early) {
 class Sum {
  public:
   Sum(const Functional& f, const Question& q, Real drift, Real late)
-      : f_(f), b_(q.bounds), from_(q.start), drift_(drift), late_(late), top_(q.top),
-        bottom_(q.bottom), q_(f.a), slope_(f.v) {}
+      : f_(f),
+        b_(q.bounds),
+        from_(q.start),
+        drift_(drift),
+        late_(late),
+        top_(q.top),
+        bottom_(q.bottom),
+        q_(f.a),
+        slope_(f.v) {}
 
   Real run();
   std::vector<Real> steps;  ///< where q changes its sign
@@ -197,7 +205,11 @@ Real bound(const Functional& f, const Question& q, Real drift, Real late) {
 namespace {
 
 Question asked(const Freedom& start, const MotionState& to, const Bounds& b, bool position) {
-  return {start,    to, b, position, envelope(start.v, start.a, upper(b)),
+  return {start,
+          to,
+          b,
+          position,
+          envelope(start.v, start.a, upper(b)),
           envelope(-start.v, -start.a, lower(b))};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,8 @@ namespace jounce::proof {
 struct Question {
   Freedom start = {};  ///< what comes before is forced, and no part of the durations
   MotionState to = {};
-  Bounds bounds = {};    ///< in force
-  bool position = true;  ///< false: velocity and acceleration alone (move_velocity)
+  Bounds bounds = {};              ///< in force
+  bool position = true;            ///< false: velocity and acceleration alone (move_velocity)
   Envelope top = {}, bottom = {};  ///< of the velocity, `bottom` of the negated one
 };
 Question question(const MotionState& from, const MotionState& to, const Bounds& bounds);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/checker.hpp"
 
 #include <algorithm>
@@ -125,7 +126,11 @@ State signed_by(const State& s, Real sign) {
 class Check {
  public:
   Check(const Profile& f, const Case& c, const Bounds& b, Real hold)
-      : f_(f), c_(c), b_(b), hold_(hold), pieces_(integrated(f)),
+      : f_(f),
+        c_(c),
+        b_(b),
+        hold_(hold),
+        pieces_(integrated(f)),
         sizes_(uncancelled(pieces_, c.from)) {
     verdict_.floor = floor_of(sizes_, c.bounds);
     verdict_.scale = scale_of(sums(pieces_, c), verdict_.floor);
@@ -230,7 +235,8 @@ bool Check::below(Real x, Real bound, Real scale, const char* what) {
   const Real excess = (x - bound) / scale;
   verdict_.excess = std::max(verdict_.excess, static_cast<double>(excess));
   if (excess <= tolerance) return true;
-  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) + " of its scale");
+  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) +
+       " of its scale");
   return false;
 }
 
@@ -339,8 +345,7 @@ void Check::position(Real sign) {
     std::vector<Real> times = zeros(piece.begin.v, piece.begin.a, piece.begin.j / 2, piece.length);
     times.push_back(piece.length);
     for (const Real t : times)
-      below(sign * piece.at(t).p, top, verdict_.scale.position,
-            "position");
+      below(sign * piece.at(t).p, top, verdict_.scale.position, "position");
   }
 }
 

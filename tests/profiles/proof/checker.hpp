@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/moves/move.hpp"
 
 namespace jounce::proof {
 
@@ -13,7 +14,8 @@ struct Case {
   MotionState to = {};
   Bounds bounds = {};
   std::optional<double> duration = {};
-  bool by_velocity = false;  ///< of move_velocity: the target's position is where that happens to end
+  bool by_velocity =
+      false;  ///< of move_velocity: the target's position is where that happens to end
 };
 
 /// The C++ line that asks it again, doubles as hex.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The checker must reject what is wrong: every good profile here is also spoilt in every way that a
 // solver could.
 #include "profiles/proof/checker.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/draw.hpp"
 
 #include <cassert>
@@ -185,7 +186,7 @@ Case lowered(Random& random) {
     Case c = r.below(2) == 0 ? test(r) : directional(r);
     c.from = {c.from.position, 0, 0};
     if (r.below(2) == 0) c.to = {c.to.position, 0, 0};
-    const Move before = move_to(c.from, c.to, c.bounds);
+    const MoveResult before = move_to(c.from, c.to, c.bounds);
     const Motion now = before.profile.at(before.profile.duration() * r.uniform(0, 1));
     c.from = {now.position, now.velocity, now.acceleration};
     const bool all = r.below(2) == 0;
@@ -252,7 +253,8 @@ Case resting(Random& r) {
 /// The state after a random jerk, held for t: as far as the acceleration stays inside and above zero.
 MotionState driven(const MotionState& s, const Bounds& b, double t, double share) {
   const double jerk = b.jerk_min + share * (b.jerk_max - b.jerk_min);
-  const double most = jerk > 0 ? (b.acceleration_max - s.acceleration) / jerk : s.acceleration / -jerk;
+  const double most =
+      jerk > 0 ? (b.acceleration_max - s.acceleration) / jerk : s.acceleration / -jerk;
   t = std::min(t, std::max(most, 0.0));
   return {s.position + t * (s.velocity + t * (s.acceleration / 2 + t * jerk / 6)),
           s.velocity + t * (s.acceleration + t * jerk / 2), s.acceleration + t * jerk};
@@ -265,7 +267,8 @@ Case leaving_from(Random& random, F base) {
   return reachable_case(random, [base](Random& r) {
     Case c = base(r);
     const Bounds& b = c.bounds;
-    c.from.acceleration = b.acceleration_max * (r.below(8) == 0 ? r.uniform(1, 2) : r.uniform(0, 1));
+    c.from.acceleration =
+        b.acceleration_max * (r.below(8) == 0 ? r.uniform(1, 2) : r.uniform(0, 1));
     const double out = c.from.acceleration * c.from.acceleration / (2 * -b.jerk_min);
     c.from.velocity = std::max(b.velocity_max - out * r.uniform(0, 1), b.velocity_min);
     MotionState s = c.from;
@@ -338,13 +341,13 @@ constexpr Draw all[] = {
     {"residual", "almost there already", residual},
     {"outside", "starts up to five times outside the limits", outside},
     {"lowered", "limits lowered in motion, target kept or changed", lowered, true},
-    {"ratios", "jerk in one direction up to a hundred times that in the other", ratios,
-     true},
+    {"ratios", "jerk in one direction up to a hundred times that in the other", ratios, true},
     {"extremes", "jerk in one direction up to a million times that in the other", extremes, true},
     {"resting", "from rest to rest", resting},
     {"leaving", "starts that run out of the limit, and targets that do", leaving, true},
     {"unequal", "every limit on its own over four decades", unequal, true},
-    {"leaving-unequal", "the same, starts and targets that run out of the limit", leaving_unequal, true},
+    {"leaving-unequal", "the same, starts and targets that run out of the limit", leaving_unequal,
+     true},
     {"unlimited", "no limit of velocity, of acceleration, or of both", unlimited},
     {"second", "no limit of jerk", second},
     {"first", "no limit of acceleration", first},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/envelope.hpp"
 
 #include <algorithm>
@@ -99,8 +100,7 @@ Envelope from_the_start(Real v, Real a, const Side& s) {
   }
   const std::vector<Arc> brake = braking(v, a, s);
   const Real first = releasable(a, s);
-  const Real natural =
-      a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
+  const Real natural = a > 0 ? brake.front().velocity(a / s.fall) : level({0, v, a, s.rise});
   const Real terms = std::abs(s.top) + std::abs(v) + std::abs(natural);
   if (natural - s.top > by_rounding * terms) return level_return(brake, first, s);
   const Real into = std::max((a - s.a_max) / s.fall, a < s.a_min ? first : 0);
@@ -191,8 +191,8 @@ std::vector<Freedom> forced_at(const MotionState& from, const Bounds& b, Real ho
   for (std::size_t i = 0; i < f.arcs.size(); ++i) {
     const Arc& arc = f.arcs[i];
     const Real end = i + 1 < f.arcs.size() ? std::min(f.arcs[i + 1].begin, f.until) : f.until;
-    const Real t = arc.begin + (arc.j != 0 ? (f.sign * a - arc.a) / arc.j
-                                           : (f.sign * v - arc.v) / arc.a);
+    const Real t =
+        arc.begin + (arc.j != 0 ? (f.sign * a - arc.a) / arc.j : (f.sign * v - arc.v) / arc.a);
     const Real slack = 1e-12L * f.until;
     if (t >= arc.begin - slack && t <= end + slack && arc.begin <= end)
       states.push_back(at(f, std::clamp(t, arc.begin, end)));
@@ -230,7 +230,8 @@ bool forward(const MotionState& to, const Bounds& bounds) {
 Real run_up(const MotionState& to, const Bounds& bounds) {
   const Side s = upper(bounds);
   const auto arcs = [&](Real high) {  // rise to `high`, fall to the end's acceleration
-    return std::vector<Arc>{{0, 0, 0, s.rise}, {high / s.rise, high * high / (2 * s.rise), high, -s.fall}};
+    return std::vector<Arc>{{0, 0, 0, s.rise},
+                            {high / s.rise, high * high / (2 * s.rise), high, -s.fall}};
   };
   const auto length = [&](Real high) { return high / s.rise + (high - to.acceleration) / s.fall; };
   const auto end = [&](Real high) { return along(arcs(high), 0, length(high)); };
@@ -243,7 +244,8 @@ Real run_up(const MotionState& to, const Bounds& bounds) {
     const Real high = bisected(enough, least, most);
     return end(high).x;
   }
-  const Real hold = (to.velocity - end(most).v) / most;  // all that follows is faster by hold * most
+  const Real hold =
+      (to.velocity - end(most).v) / most;  // all that follows is faster by hold * most
   const Real begin = most / s.rise;
   const Real v = most * begin / 2;
   return end(most).x + hold * (v + hold * most / 2) + hold * most * (length(most) - begin);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits that lie far apart from each other: random problems that the solver failed, each with the number
 // that was wrong.
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ void expect_right_edges(const MotionState& from, const MotionState& to, const Bo
   for (std::size_t i = 0; i < d.count; ++i) {
     EXPECT_NEAR(d.blocked[i].from, static_cast<double>(spans[i].to), 1e-14 * d.blocked[i].from);
     for (const double T : {d.blocked[i].from, d.blocked[i].to}) {
-      const Move move = move_to(from, to, bounds, T);
+      const MoveResult move = move_to(from, to, bounds, T);
       ASSERT_TRUE(move) << explain(move.status) << ", " << T << ": " << reproducer(c);
       EXPECT_EQ(check(move.profile, {from, to, bounds, T}).fault, "");
     }
@@ -125,7 +126,7 @@ TEST(FarApart, ADipOfAFewMillionthsOfTheVelocity) {
   // and beside the longest motion rounding of the peak velocity left less than no time to cruise.
   const auto expect_exact = [](const MotionState& from, const MotionState& to, const Bounds& b,
                                double T) {
-    const Move move = move_to(from, to, b, T);
+    const MoveResult move = move_to(from, to, b, T);
     ASSERT_TRUE(move) << explain(move.status);
     EXPECT_EQ(check(move.profile, {from, to, b, T}).fault, "");
   };
@@ -146,7 +147,7 @@ TEST(FarApart, ALongFallBesideALowLimit) {
   // a hundred times as large as the distance.
   const MotionState from{-0x1.3ea790451d551p+2, 0x1.3759e77bac4fcp+5, 0x1.02b23c4a1a45cp-6};
   const MotionState to{-0x1.1c5da91adf411p-1, -0x1.ed30d67c5542ap+2, 0x1.b09fc9f2edf92p-6};
-  const Bounds b{-0x1.577436599feeap+3, 0x1.9e9835d1e4723p+5,  -0x1.7961b8ecc6d4dp+5,
+  const Bounds b{-0x1.577436599feeap+3, 0x1.9e9835d1e4723p+5, -0x1.7961b8ecc6d4dp+5,
                  0x1.be2bc5feec734p-6,  -0x1.77fad2a9dcf8p+5, 0x1.64f58772e3419p+0};
   const double exact = static_cast<double>(minimum(reachable(from, to, b)));
   EXPECT_NEAR(durations(from, to, b).minimum, exact, 1e-12);

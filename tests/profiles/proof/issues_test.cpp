@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs on which other generators failed, as their users reported them. Each is named after the
 // issue; the numbers are those of the report, and what must hold is what was missed there. Where a
 // report leaves numbers out or they are cut off in what we have of it, ours are marked "ours".
@@ -7,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/extrema.hpp"
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -158,7 +159,7 @@ TEST(Issue, Ruckig60AStopOfVelocityAlone) {
   const Numbers a0{11816, 11298, 0.0, 0.0};
   for (std::size_t i = 0; i < 4; ++i) {
     const MotionState from{p0[i], v0[i], a0[i]};
-    const Move halt = stop(from, within(v[i], a[i], j[i]));
+    const MoveResult halt = stop(from, within(v[i], a[i], j[i]));
     ASSERT_TRUE(halt) << explain(halt.status);
     EXPECT_EQ(check(halt.profile, {from, halt.profile.end(), within(v[i], a[i], j[i]), {}}).fault,
               "");
@@ -245,7 +246,7 @@ TEST(Issue, Ruckig86AStartThatCannotStayInside) {
   expect_together(spec);
   // The third axis passes its limit, by no more than its start makes unavoidable.
   const std::vector<AxisMove> axes = spec.moves();
-  const Move third = move_to(axes[2].from, axes[2].to, axes[2].bounds);
+  const MoveResult third = move_to(axes[2].from, axes[2].to, axes[2].bounds);
   ASSERT_TRUE(third);
   EXPECT_NEAR(velocities(third.profile).max.value, 2.58052 + 0.686652 * 0.686652 / (2 * 65), 1e-12);
 }
@@ -275,7 +276,7 @@ TEST(Issue, Ruckig91AlreadyThere) {
   const double v = 0.1745329251994329;
   const Synchronised s = expect_together({.p0 = p, .p1 = p, .v = {v}, .a = {v}, .j = {4}});
   EXPECT_EQ(s.duration, 0);
-  const Move move = move_to({1, 0, 0}, {1, 0, 0}, within(v, v, 4));
+  const MoveResult move = move_to({1, 0, 0}, {1, 0, 0}, within(v, v, 4));
   ASSERT_TRUE(move);
   EXPECT_EQ(move.profile.at(0.04).position, 1);
 }
@@ -335,7 +336,7 @@ TEST(Issue, Ruckig108SixVelocitiesOnOneLineStop) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     const MotionState from{0, v0[i], a0[i]};
     const Bounds b = within(v[i], a[i], j[i]);
-    const Move halt = stop(from, b);
+    const MoveResult halt = stop(from, b);
     ASSERT_TRUE(halt);
     EXPECT_EQ(check(halt.profile, {from, halt.profile.end(), b, {}}).fault, "");
     EXPECT_NEAR(halt.profile.duration(),
@@ -395,7 +396,7 @@ TEST(Issue, Ruckig146AVelocityLimitLoweredAfterOneAndAHalfSeconds) {
 
 TEST(Issue, Ruckig147TheTargetThatWasInvalidIsNamed) {
   // Acceleration 30 at the target with jerk 100 needs a velocity 4.5 below: -6.2, the limit is 3.15.
-  const Move move =
+  const MoveResult move =
       move_to({-1.135053174917025, 0, 0},
               {-1.271207372084076, -1.711010717370143, 29.99999999998483}, within(3.15, 30, 100));
   EXPECT_EQ(move.status, MoveStatus::target_unreachable);
@@ -405,7 +406,7 @@ TEST(Issue, Ruckig157AnyDurationFromTheMinimumOn) {
   const Bounds b = within(1, 2, 3);
   const double least = expect_optimal({}, {1, 0, 0}, b).duration();
   for (const double T : {least, least * (1 + 1e-12), 2.0 * least, 5.0, 1e3, 1e6}) {
-    const Move move = move_to({}, {1, 0, 0}, b, T);
+    const MoveResult move = move_to({}, {1, 0, 0}, b, T);
     ASSERT_TRUE(move) << T;
     EXPECT_EQ(check(move.profile, {{}, {1, 0, 0}, b, T}).fault, "") << T;
   }
@@ -480,10 +481,10 @@ TEST(Issue, Ruckig245AStraightLineIsForced) {
 TEST(Issue, Rsruckig4AMinimumDurationIsKeptByAMovingTarget) {
   const Bounds b = within(1, 2, 3);
   // Acceleration 1 at velocity 1 is the limit's edge: reachable, as it comes from below.
-  const Move free = move_to({}, {1, 1, 1}, b);
+  const MoveResult free = move_to({}, {1, 1, 1}, b);
   ASSERT_TRUE(free) << explain(free.status);
   const double T = durations({}, {1, 1, 1}, b).at_least(5);
-  const Move slow = move_to({}, {1, 1, 1}, b, T);
+  const MoveResult slow = move_to({}, {1, 1, 1}, b, T);
   ASSERT_TRUE(slow) << explain(slow.status);
   EXPECT_GE(T, 5);
   EXPECT_EQ(check(slow.profile, {{}, {1, 1, 1}, b, T}).fault, "");
@@ -558,7 +559,7 @@ TEST(Issue, Jounce17FromOutsideTheFastestWay) {
 
 TEST(Issue, Jounce17AVelocityThatIsTheNewLimit) {
   // Was .391 s, by way of 1.5.
-  const Move move = move_velocity({.velocity = 3}, 2, within(2, 10, 100));
+  const MoveResult move = move_velocity({.velocity = 3}, 2, within(2, 10, 100));
   ASSERT_TRUE(move);
   EXPECT_NEAR(move.profile.duration(), 0.2, 1e-12);
   EXPECT_GE(velocities(move.profile).min.value, 2 - 1e-12);
@@ -576,7 +577,7 @@ TEST(Issue, Jounce17AStopThatReleasesTooLate) {
   for (const double times : {1.0, 1.1}) {
     Bounds larger = b;
     larger.jerk_max *= times;
-    const Move halt = stop(from, larger);
+    const MoveResult halt = stop(from, larger);
     ASSERT_TRUE(halt);
     const Freedom wanted = fastest_stop(from, larger);
     EXPECT_NEAR(halt.profile.duration(), static_cast<double>(wanted.time), 1e-9);
@@ -591,7 +592,7 @@ TEST(Issue, Jounce17ADurationThatIsNotBlocked) {
   const MotionState to{4.7517837303768866, 0.80367053894485285, -0.44123967088281679};
   const Bounds b = within(1.0106817062284312, 6.3444950311666233, 0.66334880452317102);
   EXPECT_TRUE(durations(from, to, b).allows(5.6199203));
-  const Move move = move_to(from, to, b, 5.6199203);
+  const MoveResult move = move_to(from, to, b, 5.6199203);
   ASSERT_TRUE(move) << explain(move.status);
   EXPECT_EQ(check(move.profile, {from, to, b, 5.6199203}).fault, "");
   expect_optimal(from, to, b);
@@ -631,7 +632,7 @@ TEST(Issue, Jounce17ATargetThatRunsOutAsTheStartDoes) {
   const Durations d = durations(from, to, b);
   ASSERT_EQ(d.count, 1U);  // after that, the axis has to come inside first
   for (const double t : {d.minimum, d.blocked[0].to, 2 * d.blocked[0].to}) {
-    const Move move = move_to(from, to, b, t);
+    const MoveResult move = move_to(from, to, b, t);
     ASSERT_TRUE(move) << explain(move.status);
     EXPECT_EQ(check(move.profile, {from, to, b, t}).fault, "");
   }
@@ -642,7 +643,7 @@ TEST(Issue, Jounce17AVelocityThatRunsOutAsTheStartDoes) {
   // What runs out may be met before it is out; nothing else passes a limit.
   const MotionState from{0, 0, -4};
   const Bounds b = within(1, 4, 4);
-  const Move move = move_velocity(from, -1, b, -4);
+  const MoveResult move = move_velocity(from, -1, b, -4);
   ASSERT_TRUE(move);
   EXPECT_NEAR(move.profile.duration(), 0.25, 1e-15);
   const Case c{from, move.profile.end(), b, {}, true};
@@ -661,7 +662,7 @@ TEST(Issue, Jounce17SecondOrderALittleLongerThanTheDirectChange) {
     for (const double v : {-4.0, 0.0, 0.3, 0.8, 1.2, 4.0}) {
       const Case c{from, at_mean(v * more * direct), b, direct * (1 + more)};
       const Durations d = durations(c.from, c.to, b);
-      const Move move = move_to(c.from, c.to, b, *c.duration);
+      const MoveResult move = move_to(c.from, c.to, b, *c.duration);
       EXPECT_EQ(move ? check(move.profile, c).fault : "", "") << reproducer(c);
       EXPECT_TRUE(move || !d.allows(*c.duration)) << reproducer(c);
     }
@@ -678,7 +679,7 @@ TEST(Issue, Jounce17NoAccelerationIsLeftInACruise) {
   const MotionState to{-0x1.5db597125dde5p+0, 0x1.a7351ba4dafd5p-2, -0x1.ce00dde6b0081p-8};
   const Bounds b{-0x1.044c3888eccc6p+4, 0x1.6f642cf0b0255p+3,  -0x1.0a0b9f94509cbp-1,
                  0x1.775b5760b78d4p+3,  -0x1.57cfa3718050ep-1, 0x1.e88b933635ad3p+3};
-  const Move move = move_to(from, to, b);
+  const MoveResult move = move_to(from, to, b);
   ASSERT_TRUE(move);
   EXPECT_LT(check(move.profile, {from, to, b, {}}).end_error, 1e-13);  // was 3.2e-12
 }
@@ -688,17 +689,16 @@ TEST(Issue, Jounce20FromRestToRest) {
   Random random(7);
   for (int i = 0; i < 20000; ++i) {
     const Case c = draw("resting", random);
-    const Move move = move_to(c.from, c.to, c.bounds);
+    const MoveResult move = move_to(c.from, c.to, c.bounds);
     ASSERT_TRUE(move);
     const double t = move.profile.duration();
     const double instant = 1e-3 * t;
     const Motion now = move.profile.at(instant);
-    const Move rest =
-        move_to({now.position, now.velocity, now.acceleration}, c.to, c.bounds);
+    const MoveResult rest = move_to({now.position, now.velocity, now.acceleration}, c.to, c.bounds);
     ASSERT_TRUE(rest);
     EXPECT_NEAR(instant + rest.profile.duration(), t, 1e-12 * t) << reproducer(c);
     const double longer = t * (1 + random.log_uniform(1e-9, 1e3));
-    const Move slow = move_to(c.from, c.to, c.bounds, longer);
+    const MoveResult slow = move_to(c.from, c.to, c.bounds, longer);
     ASSERT_TRUE(slow);
     EXPECT_EQ(check(slow.profile, {c.from, c.to, c.bounds, longer}).fault, "") << reproducer(c);
   }

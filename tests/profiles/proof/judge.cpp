@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/judge.hpp"
 
 #include <array>
@@ -83,7 +84,8 @@ void compare(Real is, const Reference& reference, const Case& c, Tally& tally) {
 
 Case any(Random& r) {
   for (;;)
-    if (const Draw& d = draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))];
+    if (const Draw& d =
+            draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))];
         !d.alone)
       return d.draw(r);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@ namespace jounce::proof {
 
 /// The move and its verdict; counts one case. A refusal is a failure, as every draw is solvable.
 struct Solved {
-  Move move;
+  MoveResult move;
   Verdict verdict;
   explicit operator bool() const { return move && verdict.ok(); }
 };

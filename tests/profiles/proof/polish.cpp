@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/polish.hpp"
 
 #include <algorithm>
@@ -40,8 +41,7 @@ void snap(Functional& f) {
         Real best = begin;
         Real least = now.t;
         for (const Real root : {(-slope + std::sqrt(d)) / f.p, (-slope - std::sqrt(d)) / f.p})
-          if (const Real t = now.t - root;
-              t > before && t < now.t && std::abs(t - begin) < least) {
+          if (const Real t = now.t - root; t > before && t < now.t && std::abs(t - begin) < least) {
             best = t;
             least = std::abs(t - begin);
           }
@@ -69,8 +69,7 @@ std::vector<Dial> dials(const Functional& f) {
   const Real T = f.at.back().t;
   std::vector<Dial> all;
   if (f.p != 0) all.push_back({&Functional::v, nullptr, 0, std::abs(f.p) * T / 16});
-  all.push_back({&Functional::a, nullptr, 0,
-                 std::abs(f.p) * T * T / 64 + std::abs(f.v) * T / 16});
+  all.push_back({&Functional::a, nullptr, 0, std::abs(f.p) * T * T / 64 + std::abs(f.v) * T / 16});
   for (std::size_t i = 0; i + 1 < f.at.size(); ++i) {
     const Real room = std::min(f.at[i].t - (i > 0 ? f.at[i - 1].t : 0), f.at[i + 1].t - f.at[i].t);
     all.push_back({nullptr, &Instant::t, i, room / 4});
@@ -124,7 +123,7 @@ Trial explored(Trial best, const std::vector<Dial>& dials, Real scale, const Que
 Functional onward(const Functional& from, const Functional& to, const std::vector<Dial>& dials) {
   Functional f = to;
   Functional old = from;
-  for (const Dial& dial : dials) dial.in(f) += dial.in(f) - dial.in(old);
+  for (const Dial& dial : dials) dial.in(f) += dial.in(f)-dial.in(old);
   return f;
 }
 

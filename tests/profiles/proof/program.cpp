@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/program.hpp"
 
 #include <algorithm>
@@ -177,8 +178,7 @@ void Program::between(std::size_t i) {
   const int row = add_row(std::isfinite(lo) ? scaled(lo, velocity) - loose : -COIN_DBL_MAX,
                           std::isfinite(hi) ? scaled(hi, velocity) + loose : COIN_DBL_MAX);
   before(row, i, velocity, 1);
-  before(row, i, acceleration,
-         static_cast<double>(half * unit_[acceleration] / unit_[velocity]));
+  before(row, i, acceleration, static_cast<double>(half * unit_[acceleration] / unit_[velocity]));
 }
 
 Functional Program::solve() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // prove [--count N | --total N] [--seed S] [--workload NAME ...] [--examples N] [--list]
 //
 // Throws random problems at the solver and checks every answer: one line a workload, exit status 1

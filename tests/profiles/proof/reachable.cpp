@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which durations are possible, from first principles.
 //
 // Let x be what shall change by d, y = x', z = x'' and so on down to the control, each within its
@@ -377,11 +378,11 @@ std::vector<Span> durations_of(const MotionState& from, const MotionState& to, c
   const Level a = level(free.a, to.acceleration, b.acceleration_min, b.acceleration_max);
   const Real k = third ? b.jerk_max : b.acceleration_max;
   const Real m = third ? -b.jerk_min : -b.acceleration_min;
-  return later(third ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
-                               third_order(v, a, k, m),
-                               third_order(v.mirrored(), a.mirrored(), m, k), x.to - x.from,
-                               slack.position)
-                     : second(x, v, -m, k, slack.position, slack.velocity),
+  return later(third
+                   ? between(second(v, a, -m, k, slack.velocity, slack.acceleration),
+                             third_order(v, a, k, m), third_order(v.mirrored(), a.mirrored(), m, k),
+                             x.to - x.from, slack.position)
+                   : second(x, v, -m, k, slack.position, slack.velocity),
                free.time);
 }
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <vector>
 
-#include "jounce/profiles/move.hpp"
+#include "jounce/profiles/moves/move.hpp"
 
 #include "profiles/proof/envelope.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The witness against closed forms, and against motions made at random.
 #include "profiles/proof/reachable.hpp"
 

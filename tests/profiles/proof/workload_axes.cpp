@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several axes, against the witness.
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "profiles/proof/judge.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Durations that are impossible, certified by weak duality.
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ void certified(Random& r, Tally& tally) {
   const Case c = draw(kinds[r.below(6)], r);
   if (c.from == c.to) return;
   const Durations d = durations(c.from, c.to, c.bounds);
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   if (d.status != MoveStatus::ok || !move) return tally.fail("refused", c);
   certify(question(c.from, c.to, c.bounds), 0, move.profile.duration(), c, tally);
   for (std::size_t i = 0; i < d.count; ++i)
@@ -47,7 +48,7 @@ void certified(Random& r, Tally& tally) {
 void certified_velocity(Random& r, Tally& tally) {
   const char* const kinds[] = {"outside", "lowered", "directional", "ties"};
   Case c = draw(kinds[r.below(4)], r);
-  const Move move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
+  const MoveResult move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
   if (!move) return tally.fail(std::string("move_velocity refused: ") + explain(move.status), c);
   c.to.position = move.profile.end().position;
   if (move.profile.phases() > 0)

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long moves last, or may last, against the witness.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "jounce/profiles/extrema.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -48,7 +49,7 @@ Possible possible(const Case& c, const Verdict& shortest, double T) {
 void ask(Case c, double T, const Durations& known, const Verdict& shortest, Tally& tally) {
   c.duration = T;
   ++tally.cases;
-  const Move move = move_to(c.from, c.to, c.bounds, T);
+  const MoveResult move = move_to(c.from, c.to, c.bounds, T);
   if (move) tally.note(check(move.profile, c), c);
   const Possible is = possible(c, shortest, T);
   if (is.easily != is.hardly) {
@@ -65,7 +66,7 @@ void ask(Case c, double T, const Durations& known, const Verdict& shortest, Tall
 void ask_edge(Case c, double T, int side, const Verdict& shortest, Tally& tally) {
   c.duration = T;
   ++tally.cases;
-  const Move move = move_to(c.from, c.to, c.bounds, T);
+  const MoveResult move = move_to(c.from, c.to, c.bounds, T);
   if (move) tally.note(check(move.profile, c), c);
   if (!possible(c, shortest, T * (1 + side * same)).hardly)
     ++tally.ties;
@@ -75,7 +76,7 @@ void ask_edge(Case c, double T, int side, const Verdict& shortest, Tally& tally)
 
 void ask_durations(const Case& c, Random& r, Tally& tally) {
   const Durations d = durations(c.from, c.to, c.bounds);
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   if (d.status != MoveStatus::ok || !move) return tally.fail("refused", c);
   const Verdict shortest = check(move.profile, c);
   const double base = d.minimum > 0 ? d.minimum : 1;
@@ -105,7 +106,7 @@ namespace {
 void expect_blocked(const Case& c, Tally& tally) {
   ++tally.cases;
   const Durations d = durations(c.from, c.to, c.bounds);
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   if (d.status != MoveStatus::ok || !move) return tally.fail("refused", c);
   const Verdict shortest = check(move.profile, c);
   // The set that is known lies between the sets that slightly harder and easier data give.
@@ -166,7 +167,7 @@ void velocity(Random& r, Tally& tally) {
   Case c = r.below(8) == 0 ? draw("leaving", r) : any(r);
   if (!std::isfinite(c.bounds.acceleration_max)) return;
 
-  const Move move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
+  const MoveResult move = move_velocity(c.from, c.to.velocity, c.bounds, c.to.acceleration);
   ++tally.cases;
   if (!move) return tally.fail(std::string("move_velocity refused: ") + explain(move.status), c);
   c.to.position = move.profile.end().position;
@@ -189,7 +190,7 @@ void stops(Random& r, Tally& tally) {
   const char* const kinds[] = {"extremes", "outside", "lowered", "directional"};
   const int kind = r.below(4);
   Case c = draw(kinds[kind], r);
-  const Move halt = stop(c.from, c.bounds);
+  const MoveResult halt = stop(c.from, c.bounds);
   ++tally.cases;
   if (!halt) return tally.fail(std::string("stop refused: ") + explain(halt.status), c);
   c.to = {halt.profile.end().position, 0, 0};
@@ -210,8 +211,8 @@ void stops(Random& r, Tally& tally) {
   // What rounding does to the duration, it does to the distance at the greatest velocity.
   const Range v = halt.profile.phases() > 0 ? extrema(halt.profile.curve(), 1) : Range{};
   const Real fastest = std::max(std::abs(v.min.value), std::abs(v.max.value));
-  if (!(std::abs(x - wanted.x) <= same * verdict.scale.position +
-                                      std::abs(verdict.duration - wanted.time) * fastest))
+  if (!(std::abs(x - wanted.x) <=
+        same * verdict.scale.position + std::abs(verdict.duration - wanted.time) * fastest))
     tally.fail("stops after " + text(x) + ", the fastest stop after " + text(wanted.x), c);
 }
 

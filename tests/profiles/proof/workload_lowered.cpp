@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits lowered in motion: neither past the target nor backwards.
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ void overshoot(Random& r, Tally& tally) {
   Case c = draw("lowered", r);
   if (c.to.position < c.from.position) c = negated(c);
   ++tally.cases;
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   if (!move) return tally.fail(std::string("refused: ") + explain(move.status), c);
   if (!has_room(c)) return;
   const Extremes e = extremes(move.profile);

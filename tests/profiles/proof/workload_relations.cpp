@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relations between answers, and motions made by plain integration: neither solves anything.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "jounce/profiles/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronise.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -23,7 +24,7 @@ bool third(const Bounds& b) {
 
 /// The witness gives both durations for data that are off by rounding.
 bool is_tie(const Case& c, Real one, Real other) {
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   if (!move) return false;
   const Verdict verdict = check(move.profile, c);
   const Real least = minimum(reachable(c, verdict, rounding)) * (1 - same);
@@ -45,8 +46,8 @@ void expect_same(const Case& c, const Case& other, const char* what, Tally& tall
 }
 
 Bounds swapped(const Bounds& b) {
-  return {-b.velocity_max, -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
-          -b.jerk_max,     -b.jerk_min};
+  return {-b.velocity_max,     -b.velocity_min, -b.acceleration_max,
+          -b.acceleration_min, -b.jerk_max,     -b.jerk_min};
 }
 
 MotionState negated(const MotionState& s) {
@@ -71,13 +72,13 @@ Case backwards(const Case& c) {
 /// way takes no longer than one by way of another state.
 void relations(Random& r, Tally& tally) {
   const Case c = of_all(r);
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   const Case mirror{negated(c.from), negated(c.to), swapped(c.bounds)};
-  const Move mirrored = move_to(mirror.from, mirror.to, mirror.bounds);
+  const MoveResult mirrored = move_to(mirror.from, mirror.to, mirror.bounds);
   ++tally.cases;
   if (!move || !mirrored) return tally.fail("refused", c);
   const bool equal = std::abs(mirrored.profile.duration() - move.profile.duration()) <=
-               same * move.profile.duration();
+                     same * move.profile.duration();
   if (!equal && !is_tie(c, move.profile.duration(), mirrored.profile.duration()))
     tally.fail("the mirror image lasts " + text(mirrored.profile.duration()) + ", not " +
                    text(move.profile.duration()),
@@ -105,12 +106,11 @@ void relations(Random& r, Tally& tally) {
 
   Case first = c;
   first.to = of_all(r).to;
-  if (!safe_target(first.to, c.bounds) || !safe_start(first.to, c.bounds) ||
-      !third(c.bounds))
+  if (!safe_target(first.to, c.bounds) || !safe_start(first.to, c.bounds) || !third(c.bounds))
     return;
   const Case then{first.to, c.to, c.bounds};
-  const Move there = move_to(first.from, first.to, first.bounds);
-  const Move on = move_to(then.from, then.to, then.bounds);
+  const MoveResult there = move_to(first.from, first.to, first.bounds);
+  const MoveResult on = move_to(then.from, then.to, then.bounds);
   ++tally.cases;
   if (!there || !on) return tally.fail("refused by way of another state", first);
   const Real whole = Real{there.profile.duration()} + on.profile.duration();
@@ -163,8 +163,9 @@ bool drive(Driven& s, const Bounds& b, Real t, Real j, Real share) {
 
 /// An axis' own measure of time.
 Real pace(const Bounds& b) {
-  return std::min(std::max(b.acceleration_max / b.jerk_max, b.acceleration_min / b.jerk_min),
-                  std::max(b.velocity_max / b.acceleration_max, b.velocity_min / b.acceleration_min));
+  return std::min(
+      std::max(b.acceleration_max / b.jerk_max, b.acceleration_min / b.jerk_min),
+      std::max(b.velocity_max / b.acceleration_max, b.velocity_min / b.acceleration_min));
 }
 
 struct Journey {
@@ -195,8 +196,10 @@ std::optional<Journey> driven(Random& r, const Bounds& b, Real T) {
     bool found = false;
     for (int k = 0; k < 30 && !found; ++k) {
       const Real t = T > 0 ? T / n : pace(b) * r.log_uniform(1e-4, 3);
-      const Real jerk = r.below(4) == 0 ? 0 : Real{r.below(2) == 0 ? b.jerk_min : b.jerk_max} *
-                                                  (r.below(2) == 0 ? 0.999 : r.log_uniform(1e-6, 0.999));
+      const Real jerk = r.below(4) == 0
+                            ? 0
+                            : Real{r.below(2) == 0 ? b.jerk_min : b.jerk_max} *
+                                  (r.below(2) == 0 ? 0.999 : r.log_uniform(1e-6, 0.999));
       found = drive(s, b, t, jerk, share);
       if (found) j.duration += t;
     }
@@ -209,14 +212,14 @@ std::optional<Journey> driven(Random& r, const Bounds& b, Real T) {
 
 Bounds any_bounds(Random& r) {
   for (;;)
-    if (const Bounds b = of_all(r).bounds; third(b) && std::isfinite(b.velocity_max) &&
-                                           std::isfinite(b.acceleration_max))
+    if (const Bounds b = of_all(r).bounds;
+        third(b) && std::isfinite(b.velocity_max) && std::isfinite(b.acceleration_max))
       return b;
 }
 
 /// The witness excludes the duration for data that are a little harder: its end was rounded.
 bool is_excused(const Journey& j) {
-  const Move move = move_to(j.c.from, j.c.to, j.c.bounds);
+  const MoveResult move = move_to(j.c.from, j.c.to, j.c.bounds);
   return move && !contains(reachable(j.c, check(move.profile, j.c), -rounding), j.duration);
 }
 
@@ -230,9 +233,10 @@ void driven_one(Random& r, Tally& tally) {
   Case c = j->c;
   const double T = static_cast<double>(j->duration);
   const Durations d = durations(c.from, c.to, c.bounds);
-  if (d.status != MoveStatus::ok) return tally.fail(std::string("refused: ") + explain(d.status), c);
+  if (d.status != MoveStatus::ok)
+    return tally.fail(std::string("refused: ") + explain(d.status), c);
   c.duration = T;
-  const Move move = move_to(c.from, c.to, c.bounds, T);
+  const MoveResult move = move_to(c.from, c.to, c.bounds, T);
   if (move) tally.note(check(move.profile, c), c);
   if (move && d.allows(T) && d.minimum <= T * (1 + same)) return;
   if (is_excused(*j))

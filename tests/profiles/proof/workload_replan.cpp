@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same motion asked for again: on the way, and in other units.
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ void invariance(Random& r, Tally& tally) {
   if (!s) return;
   const int power = r.below(41) - 20;
   const Case twos = in_units(c, std::ldexp(1.0, power), 1);
-  const Move exact = move_to(twos.from, twos.to, twos.bounds);
+  const MoveResult exact = move_to(twos.from, twos.to, twos.bounds);
   bool equal = bool(exact) && exact.profile.phases() == s.move.profile.phases();
   for (std::size_t i = 0; equal && i < exact.profile.phases(); ++i)
     equal = exact.profile.phase(i).duration == s.move.profile.phase(i).duration;

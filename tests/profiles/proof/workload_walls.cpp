@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Position limits.
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ bool stops_inside(const MotionState& s, const Bounds& b) {
   Bounds open = b;
   open.position_max = Bounds::none;
   open.position_min = -Bounds::none;
-  const Move halt = stop(s, open);
+  const MoveResult halt = stop(s, open);
   return halt && clearly_inside(halt.profile, {s, halt.profile.end(), b, {}});
 }
 
@@ -42,14 +43,14 @@ bool starts_inside(const MotionState& s, Bounds b) {
 
 void walls(Random& r, Tally& tally) {
   Case c = any(r);
-  const Move open = move_to(c.from, c.to, c.bounds);
+  const MoveResult open = move_to(c.from, c.to, c.bounds);
   const double lo = std::min(c.from.position, c.to.position);
   const double hi = std::max(c.from.position, c.to.position);
   const double room = hi - lo + std::abs(c.from.velocity) + std::abs(c.to.velocity);
   c.bounds.position_min = lo - room * r.uniform(0, 0.5) * r.below(2);
   c.bounds.position_max = hi + room * r.uniform(0, 0.5) * r.below(2);
   if (!(c.bounds.position_min < c.bounds.position_max)) return;
-  const Move move = move_to(c.from, c.to, c.bounds);
+  const MoveResult move = move_to(c.from, c.to, c.bounds);
   ++tally.cases;
   const bool free = open && clearly_inside(open.profile, c);
   if (move) {

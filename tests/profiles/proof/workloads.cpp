@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "profiles/proof/workloads.hpp"
 
 #include "profiles/proof/judge.hpp"
@@ -24,8 +25,9 @@ std::vector<Workload> listed() {
       {"invariance", "other units of length and time", invariance, 100},
       {"velocity", "changes of velocity, against the witness", velocity, 100},
       {"stops", "stops of any start, against integrated ones", stops, 100},
-      {"overshoot", "limits lowered in motion: what can stop in front of its target does not pass it",
-       overshoot, 300},
+      {"overshoot",
+       "limits lowered in motion: what can stop in front of its target does not pass it", overshoot,
+       300},
       {"relations", "mirrored, backwards in time, wider limits, by way of another state", relations,
        50},
       {"driven", "motions made by integration: their durations are possible", driven_one, 50},

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/command.hpp"
+#include "jounce/axis/homing.hpp"
+#include "jounce/axis/inputs.hpp"
+#include "jounce/axis/move_plan.hpp"
+#include "jounce/axis/outputs.hpp"
+#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/supervision.hpp"
+#include "jounce/axis/transitions.hpp"
+#include "jounce/axis/waiting_moves.hpp"
+
+namespace jounce {
+
+/// A group that was broken, and when.
+struct GroupBreak {
+  std::int64_t group = 0;  ///< 0: none yet
+  std::int64_t tick = -1;
+};
+
+/// An armed member of a group.
+struct GroupStart {
+  std::int64_t group = 0;  ///< 0: no group
+  bool accepted = false;   ///< its start was accepted
+  std::int64_t tick = -1;  ///< tick of its start; -1: another event starts it
+};
+
+/// The outputs of an axis in one tick.
+struct Tick {
+  std::int64_t tick = 0;
+  double time = 0;  ///< tick * period, s
+  State state = State::disabled;
+  double master = 0;                   ///< m
+  double master_velocity = 0;          ///< m/s
+  double position = 0;                 ///< commanded, u
+  double velocity = 0;                 ///< u/s
+  double acceleration = 0;             ///< u/s^2
+  std::uint64_t job = 0;               ///< id of the played motion, 0: none
+  std::uint64_t armed = 0;             ///< id of the armed motion, 0: none
+  bool waiting = false;                ///< a start was accepted for later
+  Progress progress = Progress::done;  ///< progress of the motion
+  Cause fault = Cause::none;           ///< latched
+  std::int64_t skipped = 0;            ///< ticks skipped since the tick before
+  std::uint64_t finished = 0;          ///< motions so far that reached their end
+  std::uint64_t stopped = 0;           ///< motions so far that a stop brought to rest
+  Cause reason =
+      Cause::none;       ///< reason for the end of the last motion: its fault, stopped, halted, ...
+  double override_ = 1;  ///< effective override factor
+  double rate = 1;       ///< present rate of path time
+  bool held = false;     ///< the motion is held until the command resume
+  bool homed = false;    ///< the position refers to the home position
+  bool power = false;    ///< the drive shall follow setpoints
+  std::int64_t group = 0;  ///< group of the motion; 0: none
+  GroupStart next{};       ///< start of the armed movement
+  /// The groups of its motion and its armed movement when a stop, a halt, a fault or a refused start last ended these.
+  /// They stay until the axis arms a movement of that group.
+  std::array<std::int64_t, 2> broken{};
+  bool frozen = false;  ///< the velocity fell to 0 in this tick; see fault
+  double offset = 0;    ///< u; set_position so far: the drive's position = position - offset
+  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: unknown
+  double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
+  double torque = std::numeric_limits<double>::quiet_NaN();  ///< relative to the rated torque
+  bool in_position = false;  ///< at rest, with the drive within the window for its time
+  SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
+  CompareStep compare{};     ///< the output of the position compare, likewise
+
+  std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
+  std::optional<Refusal> dropped{};  ///< reason why the waiting motion did not begin
+  std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
+};
+
+/// True if the axis moves, or will without a further command: by a movement, its own move, or braking
+/// in a fault. A held motion does; one that an underrun has brought to rest does not.
+bool in_motion(const Tick& tick);
+
+/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither
+/// allocates nor frees, locks, logs nor throws.
+///
+///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
+///     axis.step(0, {.kind = Command::Kind::enable});
+///     axis.step(1, {.kind = Command::Kind::arm, .movement = &job});
+///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
+///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
+///
+/// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend; one that is
+/// left out is left out of the motion too, which follows time.
+///
+/// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
+/// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
+/// either a superimposed move. Rules: transitions.hpp and docs/executor/axis.md.
+///
+/// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
+/// in the tick after which the axis no longer looks at it.
+///
+/// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new position, or new master
+/// at the start of a job, is a new place: outputs may change there, but no edge is passed. They work in every
+/// state, also disabled and in a fault.
+///
+/// **Drives.** Feedback is of the drive's own position; a set_position moves the axis's count by
+/// `offset`, not the drive. While the axis is disabled its position is the drive's, where that is
+/// known, so that enabling moves nothing.
+///
+/// **Homing** (homing.hpp) finds the machine's home position by what the drive reports of its switches
+/// and index. Until it has come to rest the position range does not hold, and it may stand on a limit switch.
+///
+/// **Safety.** Arming checks a movement against the limits, independent of its sender. In motion,
+/// every setpoint is compared with the one before and the limits before it is given out. A fault
+/// stays until a reset; reaction_to() is the reaction of the axis.
+class MotionAxis {
+ public:
+  /// Throws InputError for a bad configuration, bad switches, or a bad list of a compare.
+  explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
+                      const AxisCompare& compare = {});
+
+  /// The point of this tick, after its command. `tick` must be greater than in the step before.
+  Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
+
+  [[nodiscard]] const AxisConfig& config() const { return config_; }
+  [[nodiscard]] State state() const { return state_; }
+
+ private:
+  enum class Base : std::uint8_t { rest, movement, move };
+  /// table: what was played ended at a velocity.
+  enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
+  enum class Boundary : std::uint8_t { none, swap, finish };
+
+  // axis.cpp: one tick
+  void take(const Inputs& inputs);
+  void see_renamed(double by);
+  void watch();
+  void play();
+  Cause advance(Setpoint& next);
+  void lift(Setpoint& next);
+  [[nodiscard]] Cause judge(const Setpoint& next) const;
+  [[nodiscard]] bool inside_as_a_whole() const;
+  void give_out(const Setpoint& next);
+  void operate_outputs();
+  void report();
+  void hand_back(const Movement* movement);
+  void refuse(Cause cause, double value = 0, double limit = 0);
+  void drop(const Refusal& why);
+  [[nodiscard]] bool moving() const { return base_ != Base::rest; }
+  [[nodiscard]] bool on_path() const;
+  [[nodiscard]] MotionState last() const;
+  [[nodiscard]] Moment moment(double t) const;
+  [[nodiscard]] Moment coupled(Moment now) const;
+  [[nodiscard]] double seconds(std::int64_t ticks) const;
+  [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
+
+  // axis_commands.cpp: commands
+  void obey(const Command& command);
+  void take_up(const Command& command);
+  [[nodiscard]] bool needs_home(const Command& command) const;
+  void act(const Command& command);
+  void power(bool on);
+  void reset();
+  void set_position(double position);
+  void end_motion(Ending ending, const Command& command);
+  void break_group();
+  void join_group(std::int64_t group);
+  void stop_with_group();
+  [[nodiscard]] bool unplayed() const;
+  void hold(bool on);
+  void set_override(double factor);
+  void finish();
+
+  // axis_homing.cpp: the search for its home position
+  void home(const Command& command);
+  void seek();
+  void find_home();
+  [[nodiscard]] Homing::Seen seen() const;
+  /// The limits that hold now: without the position range until a homing has come to rest.
+  [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
+
+  // axis_starts.cpp: its slots
+  void arm(Movement* movement);
+  void disarm();
+  void start(const Command& command);
+  void gear_in(const Command& command);
+  void begin_due();
+  [[nodiscard]] std::optional<Moment> begins_at();
+  [[nodiscard]] std::optional<Moment> crossing() const;
+  [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
+  void begin_pending(const Moment& at);
+  [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
+  [[nodiscard]] std::optional<MotionState> expected_end() const;
+  [[nodiscard]] bool stands() const;
+
+  // axis_swap.cpp: from one path onto the next
+  void start_at_end();
+  void start_at_pass_end();
+  bool ready_to_swap();
+  [[nodiscard]] bool ends_somewhere() const;
+  void seek_boundary();
+  Cause swap_at_boundary();
+  void swap(double boundary, MotionState end);
+  [[nodiscard]] bool swaps_at_master() const;
+  [[nodiscard]] std::optional<double> passing(double to) const;
+  void swap_at_master(double s);
+
+  // axis_path.cpp: the time of a path
+  Cause advance_path(Setpoint& next);
+  [[nodiscard]] bool starves() const;
+  void govern();
+  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
+  [[nodiscard]] double wanted_rate() const;
+  [[nodiscard]] double most_rate() const;
+  [[nodiscard]] double granted(double wanted) const;
+  [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
+  bool change_rate(double rate);
+  [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
+  bool stop_on_path();
+  bool replan();
+  bool replan_path();
+
+  // axis_moves.cpp: moves of its own
+  void move(const Command& command);
+  [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
+                                               Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> velocity_goal(double velocity, const MotionState& from,
+                                                     MoveDynamics dynamics, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
+  [[nodiscard]] Peaks beneath() const;
+  [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
+  void superimpose(double distance, MoveDynamics dynamics);
+  void decouple();
+  [[nodiscard]] std::optional<Profile> plan_lift(const Motion& from, const Goal& goal,
+                                                 double factor) const;
+  bool go(const Goal& goal);
+  bool adopt(const Goal& goal, double factor);
+  bool replan_move();
+  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
+  void brake(double deceleration);
+  void leave(Goal::Kind kind);
+  bool stop_at_limit(Cause limit);
+  [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
+
+  // axis_buffer.cpp: what waits for its tick, and the moves after this one
+  void postpone(const Command& command);
+  void obey_due();
+  void forget_later();
+  void buffer(const Command& command);
+  [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
+  [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
+  [[nodiscard]] bool passes() const {
+    return !next_.empty() && base_ == Base::move && goal_.through != 0;
+  }
+  Cause pass_target();
+  void take_back_next();
+  void begin_next();
+  void forget(const WaitingMoves& moves);
+  void forget_next();
+
+  // axis_ends.cpp: how a motion ends
+  void conclude();
+  void rest();
+  void freeze();
+  void cut_off();
+  void fail(Cause cause);
+  void drop_movement();
+
+  AxisConfig config_;
+  AxisConfig unranged_;  // the same without the position range
+  State state_ = State::disabled;
+  std::int64_t last_tick_ = -1;
+  std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
+  Inputs inputs_;
+  Jet last_master_ = Inputs{}.master;  // last master of the live one
+  double renamed_ = 0;  // m: what its count has gained since the movement was coupled to it
+  Supervision windows_;
+
+  Movement* active_ = nullptr;
+  Movement* pending_ = nullptr;
+  bool waiting_ = false;  // a start of the pending one was accepted
+  StartAt start_at_ = StartAt::tick;
+  std::int64_t start_tick_ = 0;
+  double start_position_ = 0;    // start position of the master
+  std::int64_t accepted_ = -1;   // tick in which that start was
+  std::int64_t group_ = 0;       // group of the motion
+  std::int64_t next_group_ = 0;  // group of the armed movement
+  GroupBreak last_break_;
+
+  Base base_ = Base::rest;
+  Ending ending_ = Ending::none;
+  std::int64_t begun_ = 0;   // tick at which the motion began
+  std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
+  bool joint_ = false;       // this tick joins one motion to another
+  PathClock clock_;          // clock of a path
+  PathClock shown_;          // the same as the last setpoint was given out
+  std::int64_t from_ = 0;    // the first tick in which that may still be changed
+  double played_to_ = 0;     // path time of the tick before, s
+  Peaks peaks_;              // peaks of it
+  Boundary boundary_ = Boundary::none;
+  double boundary_at_ = 0;  // path time, s
+  Goal goal_;               // goal of the move
+  Profile plan_;
+  double ahead_ = 0;              // s of it that were over at its origin
+  WaitingMoves next_;             // for the end of this motion
+  std::optional<Command> later_;  // the one that waits for its tick
+  MotionState bare_;              // the last setpoint without what is superimposed
+  double factor_ = 1;             // override
+  bool held_ = false;
+
+  bool lifting_ = false;     // a superimposed move runs
+  bool lift_rests_ = false;  // until the path beneath it is resumed
+  Profile lift_;
+  Goal lift_goal_;    // u from where the first of them began
+  Limits lift_most_;  // limits left by the motion below
+  std::int64_t lift_origin_ = 0;
+  double shift_ = 0;  // u, of those that are over
+
+  std::optional<Homing> homing_;  // until it has come to rest, however it ends
+  double home_position_ = 0;      // u: the position that the home position will get
+
+  bool has_master_ = false;  // since a cam was started; until the next table without one
+  Outputs outputs_;
+  Tick now_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+
+/// Homing of an axis, after CiA 402. A value of 0 means the default, which resolved() fills in.
+struct HomingSpec {
+  int method = 37;             ///< 6098h; 35, 37: where the axis stands
+  double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's limit
+  double index_velocity = 0;   ///< u/s, 6099h:2, of edge and index; 0: a quarter of search_velocity
+  double acceleration = 0;     ///< u/s^2, 609Ah; 0: the limit of the axis
+  double offset = 0;           ///< u, 607Ch: the position that the home position gets
+  double timeout = 60;         ///< s, of all of it, > 0
+  double distance = 0;         ///< u that each search may go; 0: not limited
+};
+
+/// Configuration of an axis, fixed when the executor starts. A value of 0 means off, unless noted
+/// otherwise.
+struct AxisConfig {
+  std::int64_t period = 1'000'000;  ///< period of the tick, ns, > 0
+  Limits limits = {};               ///< velocity and acceleration are required
+  double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
+  double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
+  double position = 0;              ///< u; where the axis stands at first
+  std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
+
+  double abort_acceleration = 0;  ///< u/s^2 of an abort; 0: the setpoint freezes at once
+  double limit_acceleration = 0;  ///< u/s^2 before a soft limit; 0: stop_acceleration
+  double modulo = 0;              ///< u of a turn; 0: a linear axis
+  double following_error = 0;     ///< u; more than this for following_time: a fault
+  double following_time = 0;      ///< s
+  double in_position = 0;         ///< u; within this for in_position_time: in position
+  double in_position_time = 0;    ///< s
+
+  HomingSpec homing = {};
+  bool require_home = false;  ///< before it is homed no motion goes to a position
+};
+
+/// The same with the defaults filled in. Throws InputError for a value out of range.
+AxisConfig resolved(AxisConfig config);
+
+}  // namespace jounce

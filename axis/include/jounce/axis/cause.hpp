@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace jounce {
+
+/// Why an axis is in ErrorStop, why it did not obey a command, or why a table was not admitted. The
+/// numbers are part of the wire format: new ones go to the end of their block.
+enum class Cause : std::uint8_t {
+  none = 0,
+
+  // Faults: latched in the axis until it is reset.
+  aborted = 1,
+  disabled_in_motion = 2,
+  stalled = 3,
+  overspeed = 4,
+  out_of_range = 5,
+  following_error = 6,
+  positive_soft_limit = 7,
+  negative_soft_limit = 8,
+  positive_switch = 9,
+  negative_switch = 10,
+  underrun = 11,
+  watchdog = 12,
+  drive_fault = 13,
+  drive_not_ready = 14,
+  master_lost = 15,
+  jump = 16,
+  master_reversed = 17,
+
+  // Commands that were not obeyed; the axis goes on as before.
+  not_enabled = 20,
+  in_error = 21,
+  in_motion = 22,
+  not_armed = 23,
+  not_at_start = 24,
+  too_late = 25,
+  no_value = 26,
+  leaving = 27,
+  synchronized = 28,
+  stopping = 29,
+  not_on_path = 30,
+  no_movement = 31,
+  not_synchronized = 32,
+  direction_blocked = 33,
+  rate_changing = 34,
+  no_such_move = 35,
+  halting = 36,
+  buffer_full = 37,
+  not_positive = 38,
+
+  // Tables that were not admitted.
+  bad_table = 40,
+  start_position = 41,
+  start_velocity = 42,
+  end_velocity = 43,
+  not_closed = 44,
+  master_outside_cam = 45,
+  position_limit = 46,
+  velocity_limit = 47,
+  acceleration_limit = 48,
+  jerk_limit = 49,
+  position_step = 50,
+  velocity_step = 51,
+  acceleration_step = 52,
+  wrong_unit = 53,
+  no_master_input = 54,
+  would_reverse = 55,
+  master_stands = 56,
+  no_ramp = 57,
+  not_in_sync = 58,
+
+  // Homing: faults, then commands that were not obeyed.
+  home_timeout = 60,
+  home_not_found = 61,
+  index_not_found = 62,
+  both_switches = 63,
+  not_homed = 66,
+  no_such_method = 67,
+  no_sensor = 68,
+
+  // Why the last motion ended where no fault ended it; none: it reached its end.
+  stopped = 80,
+  halted = 81,
+  pass_ended = 82,
+  replaced = 83,
+  released = 84,
+  group_stopped = 85,
+};
+
+/// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.
+const char* name(Cause cause);
+
+/// One sentence: what happened.
+const char* meaning(Cause cause);
+
+/// True if it is a fault, which stays latched until a reset.
+constexpr bool is_fault(Cause cause) {
+  return (cause >= Cause::aborted && cause <= Cause::master_reversed) ||
+         (cause >= Cause::home_timeout && cause <= Cause::both_switches);
+}
+
+/// Why a command is not obeyed or a movement not admitted, with the number, the bound it breaks,
+/// and the instant along the movement in s of its local time; NaN: at no known instant.
+struct Refusal {
+  Cause cause = Cause::none;
+  double value = 0;
+  double limit = 0;
+  double where = std::numeric_limits<double>::quiet_NaN();
+
+  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; without an instant
+  /// that is not known, and without the numbers where none broke a bound.
+  [[nodiscard]] std::string text() const;
+};
+
+}  // namespace jounce

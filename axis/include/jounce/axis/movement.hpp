@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "jounce/axis/cause.hpp"
+#include "jounce/profiles/curve/jet.hpp"
+#include "jounce/profiles/moves/profile.hpp"
+
+namespace jounce {
+
+struct AxisConfig;
+
+/// The commanded point at one instant.
+struct Setpoint {
+  double master = 0;           ///< m; 0 without a master
+  double master_velocity = 0;  ///< m/s
+  Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
+};
+
+/// One instant of the cycle, as a movement sees it.
+struct Moment {
+  double t = 0;   ///< s: the movement's own time, see Course
+  double dt = 0;  ///< s since the step before: more than a period where ticks were left out
+  Jet master =
+      {};  ///< master of the axis's live master: m, m/s, ...; NaN where it has none, or lost it
+};
+
+/// Independent variable of a movement; it determines how the axis holds, slows and stops it.
+enum class Course : std::uint8_t {
+  path,  ///< its own time alone: the axis runs that time slower, to rest in the end, and the setpoint
+         ///< never leaves the path. `t` is path time: bit for bit ticks * period at full speed
+  live,  ///< a master that moves as it likes: the axis leaves it by a move of its own from the state
+         ///< that it is in. `t` is the time since the movement began
+};
+
+/// Progress of a movement.
+enum class Progress : std::uint8_t {
+  waiting,   ///< for its master, or an event: the slave stands
+  engaging,  ///< on its way to where it belongs: ramp, clutch
+  running,   ///< a path is played, a slave is in gear, in sync
+  starving,  ///< buffer underrun: the available path ends; the axis stops
+  done,      ///< it has ended; its last setpoint is at rest
+  broken,    ///< it cannot continue: see cause(); its last setpoint is the one before
+};
+
+/// The greatest magnitudes of a path, u/s, u/s^2, u/s^3: from which a stop on it is computed.
+struct Peaks {
+  double velocity = 0;
+  double acceleration = 0;
+  double jerk = 0;
+  double velocity_step = 0;  ///< u/s, the largest sum of its steps within one tick; 0: smooth
+};
+
+/// A motion of an axis, constructed and checked outside the cyclic thread, which steps it:
+///
+///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
+///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
+///
+/// begin() and at() neither allocate nor free, lock, log nor throw. Moments ascend.
+class Movement {
+ public:
+  explicit Movement(std::uint64_t id, Course course) : id_(id), course_(course) {}
+  virtual ~Movement() = default;
+  Movement(const Movement&) = delete;
+  Movement& operator=(const Movement&) = delete;
+
+  [[nodiscard]] std::uint64_t id() const noexcept { return id_; }
+  [[nodiscard]] Course course() const noexcept { return course_; }
+
+  /// The axis, in this state, is to begin now; none: it does, and at() gives its first point.
+  virtual Cause begin(const MotionState& axis, const Moment& now) noexcept = 0;
+  virtual Setpoint at(const Moment& now) noexcept = 0;
+
+  [[nodiscard]] virtual Progress progress() const noexcept = 0;
+  [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
+
+  /// Sets the number of the last available row, for rows that arrive during play. The axis calls it
+  /// at the beginning of every tick (Inputs::rows).
+  virtual void see(std::uint64_t /*number*/) noexcept {}
+
+  /// True if its positions are absolute, not relative to the position of the axis.
+  [[nodiscard]] virtual bool absolute() const noexcept { return true; }
+
+  /// Refusal of the movement for a start in the state `from`; checked when it is armed.
+  [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
+                                                     const MotionState& /*from*/) const noexcept {
+    return std::nullopt;
+  }
+  /// True if the axis is a slave: synchronized_motion, not discrete_motion.
+  [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
+
+  /// For a path: its available length, s of its own time (infinite: it repeats), and its peaks. For a live one:
+  /// what it adds now to what its master does, while it engages.
+  [[nodiscard]] virtual double known() const noexcept { return 0; }
+  [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
+  /// For a path: more of it will arrive. The axis stops on it, with the fault `underrun`, before less
+  /// is known than the stop takes: the same as `starving`, but the axis works it out.
+  [[nodiscard]] virtual bool growing() const noexcept { return false; }
+  /// For a path: its available part stays within the range of its admission. Where it does not,
+  /// the axis looks before every setpoint whether it can still stop within its limits.
+  [[nodiscard]] virtual bool bounded() const noexcept { return true; }
+  /// u, where begin() would have had the axis stand when it refused with start_position; NaN: not known.
+  [[nodiscard]] virtual double place() const noexcept {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  /// For a live one: if it is done at a velocity, the axis keeps that; otherwise it comes to rest.
+  [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
+  /// For a live one: true if it has passes, and the time between its last moment and this one at
+  /// which a pass ends; nothing: none does.
+  [[nodiscard]] virtual bool passes() const noexcept { return false; }
+  [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
+    return std::nullopt;
+  }
+  /// For a path: the length of a pass, s of its own time, and the state at its end; where a swap is
+  /// made. 0 and nothing: it has none.
+  [[nodiscard]] virtual double pass() const noexcept { return 0; }
+  [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
+
+ private:
+  std::uint64_t id_;
+  Course course_;
+};
+
+}  // namespace jounce

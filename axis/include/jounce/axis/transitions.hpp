@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "jounce/axis/cause.hpp"
+#include "jounce/axis/command.hpp"
+
+namespace jounce {
+
+/// The PLCopen states (PMC600 manual 4.1, nAxisState). The numbers are part of the wire format.
+enum class State : std::uint8_t {
+  disabled = 0,
+  standstill = 1,
+  discrete_motion = 2,      ///< a table over time, or a move to a target
+  synchronized_motion = 3,  ///< follows a master
+  stopping = 4,             ///< on its way to rest; nothing but a fault ends that
+  error_stop = 5,           ///< at rest, or on its way there, until a reset
+  continuous_motion = 6,    ///< at a velocity, until the next command
+  homing = 7,               ///< searches for its home position; where it stands there: for one step
+};
+inline constexpr std::size_t states = 8;
+const char* name(State state);
+
+/// Refusal of a command in a state, or none if it is accepted. Its further conditions
+/// (a movement, a target within the range) are checked later. The table is in transitions.cpp and
+/// in docs/executor/axis.md.
+Cause permitted(State state, Command::Kind kind) noexcept;
+
+}  // namespace jounce

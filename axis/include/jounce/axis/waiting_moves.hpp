@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "jounce/axis/command.hpp"
+
+namespace jounce {
+
+/// Moves that wait, each for the end of the one before it: the motion buffer of an axis (PLCopen part 1,
+/// 2.4.2 asks for one place; motion controllers have several). A value of fixed size.
+///
+///     WaitingMoves moves;
+///     if (!moves.full()) moves.push(command);
+///     const Command next = moves.front();       // of one that is not empty
+///     moves.pop();
+class WaitingMoves {
+ public:
+  static constexpr std::size_t most = 8;
+
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] bool full() const { return size_ == most; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const Command& front() const { return moves_[0]; }
+  [[nodiscard]] const Command* begin() const { return moves_.data(); }
+  [[nodiscard]] const Command* end() const { return moves_.data() + size_; }
+
+  void push(const Command& move) { moves_[size_++] = move; }
+  void pop() {
+    for (std::size_t i = 1; i < size_; ++i) moves_[i - 1] = moves_[i];
+    --size_;
+  }
+  void clear() { size_ = 0; }
+
+ private:
+  std::array<Command, most> moves_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace jounce

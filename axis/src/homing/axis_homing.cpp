@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// How an axis is homed: Homing says which velocity it shall have, and the axis plans the way there like any
+// other move of its own, but for the position range: that counts from a home which is not known yet.
+
+namespace jounce {
+namespace {
+
+/// What the command changes of the axis's homing.
+HomingSpec chosen(const Command& command, HomingSpec spec) {
+  const auto take = [](double& value, double given) {
+    if (!std::isnan(given)) value = given;
+  };
+  if (command.homing.method != 0) spec.method = command.homing.method;
+  take(spec.offset, command.position);
+  take(spec.search_velocity, command.dynamics.velocity);
+  take(spec.index_velocity, command.homing.index_velocity);
+  take(spec.acceleration, command.dynamics.acceleration);
+  take(spec.timeout, command.homing.timeout);
+  take(spec.distance, command.homing.distance);
+  return spec;
+}
+
+std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) {
+  for (const double velocity : {spec.search_velocity, spec.index_velocity}) {
+    MoveDynamics dynamics{.velocity = velocity, .acceleration = spec.acceleration};
+    if (const auto no = fill(dynamics, config)) return no;
+  }
+  if (!(spec.timeout > 0)) return Refusal{Cause::not_positive, spec.timeout, 0, 0};
+  if (!(spec.distance >= 0)) return Refusal{Cause::not_positive, spec.distance, 0, 0};
+  return std::nullopt;
+}
+
+}  // namespace
+
+void MotionAxis::home(const Command& command) {
+  const HomingSpec spec = chosen(command, config_.homing);
+  const auto method = homing_method(spec.method);
+  if (!method) return refuse(Cause::no_such_method, spec.method);
+  if (now_.refused = misses(spec, config_); now_.refused) return;
+  if (!(std::abs(spec.offset) <= furthest(config_)))
+    return refuse(Cause::position_limit, spec.offset, furthest(config_));
+  if (waiting_) return refuse(Cause::in_motion);
+  if (!has_sensors(*method, inputs_.feedback.sensors)) return refuse(Cause::no_sensor);
+  state_ = State::homing;
+  now_.reason = Cause::none;
+  now_.homed = method->last == 0;
+  if (now_.homed) return set_position(spec.offset);
+  homing_.emplace(*method, spec, seen());
+  begun_ = emitted_ = now_.tick;
+  MoveDynamics dynamics{.acceleration = spec.acceleration, .deceleration = spec.acceleration};
+  fill(dynamics, config_);
+  home_position_ = spec.offset;
+  if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) fail(Cause::jump);
+}
+
+Homing::Seen MotionAxis::seen() const {
+  const bool at_rest = base_ == Base::move && goal_.kind == Goal::Kind::rest &&
+                       seconds(emitted_ - origin_) >= plan_.duration();
+  Sensors sensors = inputs_.feedback.sensors;
+  sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
+  sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
+  return {sensors, inputs_.feedback.position, at_rest, dt()};
+}
+
+/// One tick of the search.
+void MotionAxis::seek() {
+  const double before = homing_->velocity();
+  homing_->step(seen());
+  if (homing_->cause() != Cause::none) return fail(homing_->cause());
+  if (homing_->done()) return find_home();
+  const double velocity = homing_->velocity();
+  if (velocity == before) return;
+  Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity, goal_.dynamics};
+  if (velocity != 0) goal.dynamics.velocity = std::abs(velocity);
+  if (!adopt(goal, wanted_rate())) fail(Cause::jump);
+}
+
+/// The axis stands beyond its home position, which gets its name.
+void MotionAxis::find_home() {
+  const double home = homing_->home() + now_.offset;
+  if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
+  rest();
+  set_position(now_.position + (home_position_ - home));
+  now_.homed = true;
+}
+
+}  // namespace jounce

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/homing.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace jounce {
+namespace {
+
+constexpr HomingMethod leaving(Sensor Sensors::*sensor, int search, int last) {
+  return {sensor, search, true, last, false};
+}
+
+constexpr HomingMethod entering(Sensor Sensors::*sensor, int search, int last) {
+  return {sensor, search, false, last, false};
+}
+
+/// 17 to 30. A home switch is on either from a place to the end of the travel (19 to 22) or in between
+/// (23 to 30).
+constexpr std::array<HomingMethod, 14> by_edge{{
+    leaving(&Sensors::negative, -1, 1),
+    leaving(&Sensors::positive, 1, -1),
+    leaving(&Sensors::home, 1, -1),
+    entering(&Sensors::home, 1, 1),
+    leaving(&Sensors::home, -1, 1),
+    entering(&Sensors::home, -1, -1),
+    leaving(&Sensors::home, 1, -1),
+    entering(&Sensors::home, 1, 1),
+    entering(&Sensors::home, 1, -1),
+    leaving(&Sensors::home, 1, 1),
+    leaving(&Sensors::home, -1, 1),
+    entering(&Sensors::home, -1, -1),
+    entering(&Sensors::home, -1, 1),
+    leaving(&Sensors::home, -1, -1),
+}};
+
+int sign(double x) {
+  return (x > 0) - (x < 0);
+}
+
+}  // namespace
+
+std::optional<HomingMethod> homing_method(int number) noexcept {
+  constexpr int with_index = 1;
+  constexpr int without = 17;
+  const auto count = static_cast<int>(by_edge.size());
+  const auto at = [&](int first) { return by_edge[static_cast<std::size_t>(number - first)]; };
+  if (number >= without && number < without + count) return at(without);
+  if (number >= with_index && number < with_index + count) {
+    HomingMethod method = at(with_index);
+    method.index = true;
+    return method;
+  }
+  if (number == 33 || number == 34)
+    return HomingMethod{.last = number == 33 ? -1 : 1, .index = true};
+  if (number == 35 || number == 37) return HomingMethod{};
+  return std::nullopt;
+}
+
+bool has_sensors(const HomingMethod& method, const Sensors& sensors) noexcept {
+  return (method.sensor == nullptr || (sensors.*method.sensor).wired) &&
+         (!method.index || sensors.index.wired);
+}
+
+Homing::Homing(const HomingMethod& method, const HomingSpec& spec, const Seen& now) noexcept
+    : method_(method), spec_(spec), position_(now.position) {
+  if (method.sensor == nullptr) return;
+  on_ = (now.sensors.*method.sensor).on;
+  if (on_) side_ = 0;
+}
+
+void Homing::step(const Seen& now) noexcept {
+  elapsed_ += now.dt;
+  observe(now);
+  cause_ = check(now);
+  if (cause_ != Cause::none) return;
+  if (velocity_ != 0) return move(now);
+  if (now.at_rest && quiet_ >= settle) proceed(now);
+}
+
+/// What became of the switch, and on which side of it the axis is now.
+void Homing::observe(const Seen& now) noexcept {
+  if (const int way = sign(now.position - position_); way != 0) heading_ = way;
+  position_ = now.position;
+  change_.reset();
+  quiet_ += now.dt;
+  if (method_.sensor == nullptr) return;
+  const Sensor& sensor = now.sensors.*method_.sensor;
+  if (std::isfinite(sensor.edge))
+    change_ = sensor.edge;
+  else if (sensor.on != on_)
+    change_ = now.position;  // a drive without a latch
+  on_ = sensor.on;
+  if (!change_) return;
+  quiet_ = 0;
+  side_ = on_ ? 0 : heading_;
+}
+
+Cause Homing::check(const Seen& now) const noexcept {
+  if (now.sensors.negative.on && now.sensors.positive.on) return Cause::both_switches;
+  if (elapsed_ > spec_.timeout) return Cause::home_timeout;
+  if (velocity_ == 0) return Cause::none;
+  if (spec_.distance > 0 && std::abs(now.position - from_) > spec_.distance)
+    return phase_ == Phase::index ? Cause::index_not_found : Cause::home_not_found;
+  const Cause limit = limit_ahead(now.sensors, velocity_);
+  if (phase_ != Phase::seek) return limit;
+  return limit != Cause::none && turned_ ? Cause::home_not_found : Cause::none;
+}
+
+/// The limit switch on which an axis stands that goes this way, unless it is what is searched for.
+Cause Homing::limit_ahead(const Sensors& sensors, double velocity) const noexcept {
+  const bool up = velocity > 0;
+  Sensor Sensors::*const limit = up ? &Sensors::positive : &Sensors::negative;
+  if (limit == method_.sensor || !(sensors.*limit).on) return Cause::none;
+  return up ? Cause::positive_switch : Cause::negative_switch;
+}
+
+/// From rest to the next motion.
+void Homing::proceed(const Seen& now) noexcept {
+  const double fast = spec_.search_velocity;
+  const double slow = spec_.index_velocity;
+  if (phase_ == Phase::last) {
+    phase_ = Phase::done;
+  } else if (method_.sensor == nullptr) {
+    begin(Phase::index, method_.last * slow, now);
+  } else if (!side_) {
+    if (!turned_ && limit_ahead(now.sensors, method_.search) != Cause::none) turn_round();
+    begin(Phase::seek, method_.search * fast, now);
+  } else if (*side_ == wanted_side()) {
+    begin(Phase::edge, method_.last * slow, now);
+  } else if (method_.leaves) {
+    begin(Phase::place, -*side_ * slow, now);
+  } else {
+    begin(Phase::place, -method_.last * fast, now);
+  }
+}
+
+void Homing::begin(Phase phase, double velocity, const Seen& now) noexcept {
+  phase_ = phase;
+  velocity_ = velocity;
+  from_ = now.position;
+}
+
+/// Whether the present motion has come to what it is for.
+void Homing::move(const Seen& now) noexcept {
+  if (phase_ == Phase::seek && !side_ && limit_ahead(now.sensors, velocity_) != Cause::none)
+    return turn_round();
+  if (phase_ == Phase::seek && side_) velocity_ = 0;
+  if (phase_ == Phase::place && side_ == wanted_side()) velocity_ = 0;
+  if (phase_ == Phase::edge && change_ && heading_ != method_.last) {
+    velocity_ = 0;  // the machine still came from the other way: that was another edge
+  } else if (phase_ == Phase::edge && change_) {
+    home_ = *change_;
+    if (!method_.index) return find(home_);
+    begin(Phase::index, velocity_, now);
+  }
+  if (phase_ != Phase::index) return;
+  const double index = now.sensors.index.edge;
+  const bool before = (index - home_) * method_.last < 0;  // in the cycle of the edge
+  if (std::isfinite(index) && !before) find(index);
+}
+
+void Homing::turn_round() noexcept {
+  turned_ = true;
+  method_.search = -method_.search;
+  velocity_ = 0;
+}
+
+void Homing::find(double position) noexcept {
+  home_ = position;
+  phase_ = Phase::last;
+  velocity_ = 0;
+}
+
+}  // namespace jounce

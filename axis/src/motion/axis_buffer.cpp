@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include "jounce/axis/axis.hpp"
+
+// What waits: a command for its tick; and the moves that wait for the end of the motion under way (BufferMode),
+// and how the first of them takes over: from rest, or where the move before passes its target. Each is taken to
+// end at rest until it is under way itself: so whatever is taken back, all that moves can stop where it was told.
+
+namespace jounce {
+
+/// One command with a tick of its own waits for that. What it needs is looked at then.
+void MotionAxis::postpone(const Command& command) {
+  const auto at = static_cast<double>(command.at);
+  if (command.at < now_.tick) return refuse(Cause::too_late, at, static_cast<double>(now_.tick));
+  if (later_) return refuse(Cause::buffer_full, at, static_cast<double>(later_->at));
+  if (command.movement) {
+    refuse(Cause::no_value);
+    return hand_back(command.movement);
+  }
+  later_ = command;
+}
+
+/// In its tick, or the next one that is stepped, it is obeyed before the command of that tick.
+void MotionAxis::obey_due() {
+  if (!later_ || later_->at > now_.tick) return;
+  Command command = *later_;
+  later_.reset();
+  command.at = -1;
+  obey(command);
+  if (now_.refused) now_.dropped = now_.refused;  // nobody waits for its answer
+  now_.refused.reset();
+}
+
+void MotionAxis::forget_later() {
+  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0};
+  later_.reset();
+}
+
+/// It is looked at where the one before will end, if that is known, and again when it begins.
+void MotionAxis::buffer(const Command& command) {
+  constexpr auto most = static_cast<double>(WaitingMoves::most);
+  if (next_.full()) return refuse(Cause::buffer_full, most, most);
+  if (base_ == Base::movement && !on_path()) return refuse(Cause::synchronized);
+  Goal goal;
+  if (now_.refused = goal_of(command, end_of_waiting().value_or(last()), goal); now_.refused)
+    return;
+  next_.push(command);
+  const bool follows = next_.size() == 1;  // the move under way, which may pass its target now
+  if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
+}
+
+/// Where the last of what waits will have come to rest; nothing: nobody knows.
+std::optional<MotionState> MotionAxis::end_of_waiting() const {
+  auto end = expected_end();
+  for (const Command& move : next_) {
+    Goal goal;
+    if (!end || goal_of(move, *end, goal) || goal.kind != Goal::Kind::position) return std::nullopt;
+    end = MotionState{goal.value, 0, 0};
+  }
+  return end;
+}
+
+/// At which velocity a move to this goal passes it on to the next one. Where something was superimposed
+/// on it that ends at rest: the next one's target is a place without that.
+double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
+  if (next_.empty() || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
+  Goal further;
+  if (goal_of(next_.front(), {goal.value, 0, 0}, further)) return 0;
+  return passing_velocity(from, goal, further, next_.front().buffer, factor, config_);
+}
+
+/// The target was passed since the tick before: the plan from there goes on at the very instant. Or why
+/// it cannot: as long as it moves that way, only for a limit switch.
+Cause MotionAxis::pass_target() {
+  const double beyond = plan_time() - plan_.duration();
+  const MotionState there = plan_.end();
+  Goal goal;
+  if (goal_of(next_.front(), {goal_.value, 0, 0}, goal))
+    return there.velocity > 0 ? Cause::positive_switch : Cause::negative_switch;
+  next_.pop();
+  if (!plan_from(there, now_.tick, goal, factor_)) return Cause::jump;
+  ahead_ = beyond;
+  ++now_.finished;
+  state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
+  return Cause::none;
+}
+
+/// The move under way ends at its target then. Where it is too late for that it goes on as it was told.
+void MotionAxis::take_back_next() {
+  const WaitingMoves waited = std::exchange(next_, {});
+  const bool blends = base_ == Base::move && goal_.through != 0;
+  if (!waited.empty() && blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
+    next_ = waited;
+    return refuse(Cause::no_such_move, goal_.value);
+  }
+  forget(waited);
+}
+
+/// What waited first begins in the tick in which the motion before has ended. Where it cannot, what was to
+/// come after it does not begin either: it would begin elsewhere.
+void MotionAxis::begin_next() {
+  const Command command = next_.front();
+  next_.pop();
+  Goal goal;
+  auto no = goal_of(command, last(), goal);
+  if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
+  if (!no) return;
+  now_.dropped = no;
+  next_.clear();
+}
+
+/// Something else has taken their place; the first of them is told.
+void MotionAxis::forget(const WaitingMoves& moves) {
+  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0};
+}
+
+void MotionAxis::forget_next() {
+  forget(std::exchange(next_, {}));
+}
+
+}  // namespace jounce

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/setpoint_check.hpp"
+
+// How a motion ends: at its end, by a stop, or in a fault.
+
+namespace jounce {
+
+void MotionAxis::conclude() {
+  if (state_ == State::homing) return;  // it says itself when it has ended
+  if (base_ == Base::move) {
+    if (plan_time() < plan_.duration()) return;
+    if (ending_ != Ending::none) return rest();
+    if (wanted_rate() == 0) return;
+    if (goal_.kind == Goal::Kind::position || goal_.value == 0) return rest();
+    if (!next_.empty()) begin_next();
+    return;
+  }
+  if (!on_path()) {
+    if (active_->progress() != Progress::done) return;
+    const double still = 1e-9 * *config_.limits.velocity;  // rounding
+    if (!(std::abs(now_.velocity) > still)) return rest();
+    const bool keeps = active_->keeps_velocity();
+    leave(keeps ? Goal::Kind::velocity : Goal::Kind::rest);
+    origin_ = now_.tick;  // of what was given out just now, not in the tick before
+    return;
+  }
+  const bool passed = boundary_ == Boundary::finish && clock_.at(now_.tick).s >= boundary_at_;
+  if (active_->progress() == Progress::done || passed) return rest();
+  const bool at_rest = clock_.target() == 0 && clock_.steady(now_.tick);
+  const bool resumable = ending_ == Ending::fault && now_.fault == Cause::underrun;
+  if (ending_ != Ending::none && at_rest && !resumable) rest();
+}
+
+/// The motion is over, in whatever way.
+void MotionAxis::rest() {
+  const bool stopped = ending_ >= Ending::stop && ending_ <= Ending::halt;
+  if (stopped) ++now_.stopped;
+  if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
+  now_.reason = ending_ == Ending::stop         ? Cause::stopped
+                : ending_ == Ending::release    ? Cause::released
+                : ending_ == Ending::group      ? Cause::group_stopped
+                : ending_ == Ending::halt       ? Cause::halted
+                : ending_ == Ending::table      ? Cause::end_velocity
+                : ending_ == Ending::fault      ? now_.fault
+                : boundary_ == Boundary::finish ? Cause::pass_ended
+                                                : Cause::none;
+  state_ = ending_ == Ending::fault ? State::error_stop : State::standstill;
+  const bool goes_on = lifting_ && ending_ == Ending::none;
+  const double more =
+      goes_on ? lift_goal_.value - lift_.at(seconds(now_.tick - lift_origin_)).position : 0;
+  const MotionState from = last();
+  const double target = now_.position + more;
+  const bool ended = ending_ != Ending::fault;
+  const bool held = held_;
+  freeze();
+  if (!goes_on) {
+    if (!next_.empty() && ended) begin_next();
+    return;
+  }
+  // What was superimposed runs on alone.
+  base_ = Base::move;
+  bare_ = from;
+  now_.velocity = from.velocity;
+  now_.acceleration = from.acceleration;
+  state_ = State::discrete_motion;
+  held_ = held;
+  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, lift_goal_.dynamics},
+                 wanted_rate()))
+    fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
+}
+
+/// The setpoint stays where it is; the state is the caller's affair.
+void MotionAxis::freeze() {
+  drop_movement();
+  base_ = Base::rest;
+  ending_ = Ending::none;
+  boundary_ = Boundary::none;
+  held_ = lifting_ = false;
+  homing_.reset();
+  shift_ = 0;
+  now_.master_velocity = now_.velocity = now_.acceleration = 0;
+}
+
+/// The same in the middle of a motion.
+void MotionAxis::cut_off() {
+  now_.frozen = now_.velocity != 0;
+  freeze();
+}
+
+void MotionAxis::fail(Cause cause) {
+  // The first fault is the one that stays: what follows is its consequence.
+  const bool first = now_.fault == Cause::none;
+  if (first) now_.fault = cause;
+  if (first && moving()) now_.reason = cause;
+  break_group();
+  disarm();
+  forget_next();
+  forget_later();
+  Reaction reaction = reaction_to(cause);
+  if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
+  if (reaction == Reaction::power_off) {
+    now_.power = false;
+    cut_off();
+    state_ = State::disabled;
+    return;
+  }
+  if (state_ == State::disabled) return;
+  state_ = State::error_stop;
+  if (!moving()) return;
+  if (reaction == Reaction::freeze) return cut_off();
+  if (base_ == Base::move && ending_ == Ending::fault && cause != Cause::aborted) return;
+  const bool on_it = reaction == Reaction::stop_on_path && on_path() && !lifting_;
+  boundary_ = Boundary::none;
+  ending_ = Ending::fault;
+  if (on_it && stop_on_path()) return;
+  const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
+  if (limit && stop_at_limit(cause)) return;
+  brake(cause == Cause::aborted ? config_.abort_acceleration : config_.stop_acceleration);
+}
+
+void MotionAxis::drop_movement() {
+  if (active_) hand_back(active_);
+  active_ = nullptr;
+}
+
+}  // namespace jounce

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/setpoint_check.hpp"
+
+// The moves that an axis plans itself (move_plan.hpp), each from the last setpoint that went out.
+
+namespace jounce {
+
+using Kind = Command::Kind;
+
+namespace {
+
+/// A move on top of another one takes what that leaves of the limits: so both together keep them, whatever
+/// the phase in which they meet.
+std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
+  constexpr double least = 1e-9;  // of a limit
+  const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
+    const double most = std::exchange(limit, limit - used);
+    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
+  };
+  Limits& limits = config.limits;
+  if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
+  if (auto no = take(*limits.acceleration, below.acceleration, Cause::acceleration_limit))
+    return no;
+  return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
+}
+
+/// Whether a motion keeps these limits.
+bool keeps(const Profile& motion, const Limits& limits) {
+  constexpr double same = 1 + 1e-9;
+  const Peaks most = peaks(motion);
+  return most.velocity <= *limits.velocity * same &&
+         most.acceleration <= *limits.acceleration * same &&
+         (!limits.jerk || most.jerk <= *limits.jerk * same);
+}
+
+}  // namespace
+
+void MotionAxis::move(const Command& command) {
+  const bool under_way = moving() && ending_ == Ending::none;
+  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion) {
+    if (!std::isfinite(command.position)) return refuse(Cause::no_value, command.position);
+    return superimpose(command.position, command.dynamics);
+  }
+  const bool buffers = command.kind == Kind::move_absolute || command.kind == Kind::move_relative ||
+                       command.kind == Kind::move_velocity;
+  if (buffers && command.buffer != BufferMode::aborting && moving()) return buffer(command);
+  Goal goal;
+  if (now_.refused = goal_of(command, last(), goal); now_.refused) return;
+  const WaitingMoves waited = std::exchange(next_, {});
+  if (go(goal)) return forget(waited);
+  next_ = waited;
+  refuse(Cause::no_such_move, goal.value);
+}
+
+/// The goal of a move that begins in this state.
+std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionState& from,
+                                           Goal& goal) const {
+  const double value = command.position;
+  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0};
+  MoveDynamics dynamics = command.dynamics;
+  if (command.kind == Kind::move_velocity) dynamics.velocity = as_configured;
+  if (const auto no = fill(dynamics, config_)) return no;
+  if (command.kind == Kind::move_velocity) return velocity_goal(value, from, dynamics, goal);
+  std::optional<double> target = from.position + value;
+  if (command.kind == Kind::move_absolute)
+    target = target_of(value, command.direction, from, dynamics, config_);
+  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
+  if (command.kind == Kind::move_additive && aimed) target = goal_.value + shift_ + value;
+  if (!target) return Refusal{Cause::no_such_move, value, 0};
+  goal = {Goal::Kind::position, *target, dynamics};
+  return forbidden(*target, from.position);
+}
+
+/// The goal of a move at this velocity; 0: to rest.
+std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionState& from,
+                                                 MoveDynamics dynamics, Goal& goal) const {
+  const double most = dynamics.velocity;
+  if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most};
+  const bool blocked =
+      (velocity > 0 && inputs_.positive_switch) || (velocity < 0 && inputs_.negative_switch);
+  if (blocked) return Refusal{Cause::direction_blocked, velocity, 0};
+  const auto limit = velocity > 0   ? config_.limits.position_max
+                     : velocity < 0 ? config_.limits.position_min
+                                    : std::nullopt;
+  const double near = 1e-9 * most * seconds(1);
+  if (limit && (*limit - from.position) * std::copysign(1.0, velocity) < near)
+    return Refusal{Cause::position_limit, from.position, *limit};
+  dynamics.velocity = std::abs(velocity);
+  goal = {Goal::Kind::velocity, velocity, dynamics};
+  return std::nullopt;
+}
+
+/// Why no move may have this target.
+std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
+  const auto& [low, high, v, a, j] = config_.limits;
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
+  const bool blocked =
+      (inputs_.positive_switch && target > from) || (inputs_.negative_switch && target < from);
+  return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from}) : std::nullopt;
+}
+
+/// What is under way below a superimposed move, at most.
+Peaks MotionAxis::beneath() const {
+  if (on_path()) {
+    const double r = std::max(1.0, clock_.target());
+    const double kinks = peaks_.velocity_step / seconds(1);
+    return {peaks_.velocity * r, std::max(peaks_.acceleration, kinks) * r * r,
+            peaks_.jerk * r * r * r};
+  }
+  if (base_ != Base::move) {
+    const Peaks ramp = active_->peaks();
+    return {std::abs(bare_.velocity), std::max(std::abs(bare_.acceleration), ramp.acceleration),
+            ramp.jerk};
+  }
+  const MoveDynamics& d = goal_.dynamics;
+  // What it was in the middle of when it was told may take it beyond its own dynamics.
+  const Peaks planned = peaks(plan_);
+  return {std::max(planned.velocity, d.velocity * std::max(1.0, factor_)),
+          std::max({planned.acceleration, d.acceleration, d.deceleration}),
+          config_.limits.jerk ? std::max(planned.jerk, d.jerk) : 0};
+}
+
+/// Why a distance on top of what is under way would end outside the range.
+std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
+  const auto end = expected_end();
+  if (!end || lifting_) return std::nullopt;
+  const double target = end->position + distance;
+  const auto& [low, high, v, a, j] = config_.limits;
+  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
+  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
+  return std::nullopt;
+}
+
+void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
+  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
+  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
+  AxisConfig left = config_;
+  if (now_.refused = take_away(left, beneath()); now_.refused) return;
+  if (now_.refused = fill(dynamics, left); now_.refused) return;
+  if (now_.refused = ends_outside(distance); now_.refused) return;
+  const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
+  const Goal goal{Goal::Kind::position, up.position + distance, dynamics};
+  left.limits.position_min = left.limits.position_max = std::nullopt;
+  const Limits before = std::exchange(lift_most_, left.limits);
+  const auto profile = plan_lift(up, goal, 1);
+  if (!profile || !keeps(*profile, lift_most_)) {
+    lift_most_ = before;
+    return refuse(Cause::no_such_move, distance);
+  }
+  lifting_ = true;
+  lift_rests_ = false;
+  lift_ = *profile;
+  lift_goal_ = goal;
+  lift_origin_ = now_.tick;
+}
+
+std::optional<Profile> MotionAxis::plan_lift(const Motion& from, const Goal& goal,
+                                             double factor) const {
+  AxisConfig left = config_;
+  left.limits = lift_most_;
+  return plan({from.position, from.velocity, from.acceleration}, goal, factor, left);
+}
+
+/// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
+void MotionAxis::decouple() {
+  if (!active_) return refuse(Cause::not_synchronized);
+  leave(Goal::Kind::velocity);
+  if (base_ != Base::move) refuse(Cause::no_such_move);
+}
+
+// ---- planning ----------------------------------------------------------------------------------
+
+/// A move takes the place of whatever moves the axis, and goes on from its last setpoint.
+bool MotionAxis::go(const Goal& goal) {
+  const bool was_moving = moving();
+  if (!adopt(goal, factor_)) return false;
+  held_ = false;
+  if (!was_moving) begun_ = emitted_ = now_.tick;  // more may be told in this very tick
+  ending_ = Ending::none;
+  now_.reason = was_moving ? Cause::replaced : Cause::none;
+  state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
+  return true;
+}
+
+bool MotionAxis::adopt(const Goal& goal, double factor) {
+  if (!plan_from(last(), moving() ? emitted_ : now_.tick, goal, factor)) return false;
+  if (boundary_ == Boundary::swap) disarm();
+  boundary_ = Boundary::none;
+  drop_movement();
+  lifting_ = false;
+  shift_ = 0;
+  bare_ = last();
+  base_ = Base::move;
+  return true;
+}
+
+bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goal& goal,
+                           double factor) {
+  Goal aim = goal;
+  aim.through = through(from, goal, factor);
+  // A homing waits by its own acceleration; any other move, by that of the axis.
+  const bool waits = homing_ && !(factor > 0);
+  const Goal rest{Goal::Kind::rest, 0, goal.dynamics};
+  const auto profile = waits ? plan(from, rest, 1, rules()) : plan(from, aim, factor, rules());
+  if (!profile) return false;
+  plan_ = *profile;
+  goal_ = aim;
+  origin_ = tick;
+  ahead_ = 0;
+  return true;
+}
+
+/// At another rate. Where it comes to rest what is superimposed becomes a part of it.
+bool MotionAxis::replan_move() {
+  const double rate = wanted_rate();
+  if (rate > 0 || (!lifting_ && shift_ == 0)) return plan_from(bare_, emitted_, goal_, rate);
+  Goal both = goal_;
+  both.value += shift_ + (lifting_ ? lift_goal_.value : 0);
+  if (!plan_from(last(), emitted_, both, rate)) return false;
+  bare_ = last();
+  lifting_ = false;
+  shift_ = 0;
+  return true;
+}
+
+/// From the last setpoint that was good, and from the tick in which it went out.
+void MotionAxis::brake(double deceleration) {
+  const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
+  for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
+    if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
+    ending_ = Ending::fault;
+    if (stays_inside(plan_, rules())) return;  // else harder
+  }
+}
+
+/// To rest at the end of the range, with the gentlest stop that the last good setpoint has.
+bool MotionAxis::stop_at_limit(Cause limit) {
+  const auto& [low, high, v_most, a_most, j_most] = config_.limits;
+  const auto end = limit == Cause::positive_soft_limit ? high : low;
+  const MotionState from = last();
+  const Stop stop = gentlest_stop(from, config_);
+  const bool outside =
+      end && (limit == Cause::positive_soft_limit ? from.position > *end : from.position < *end);
+  if (!end || outside || stop == Stop::none) return false;
+  const double a = stop == Stop::soft ? config_.limit_acceleration : config_.stop_acceleration;
+  const double j = j_most ? config_.stop_jerk : Bounds::none;
+  const double own = std::abs(from.velocity) + from.acceleration * from.acceleration / (2 * j);
+  // From rest, what it gains in this tick: an axis that has just begun gets there, too.
+  const double velocity = std::min(std::max(own, a * dt()), *v_most);
+  const MoveDynamics dynamics{velocity, a, a, j};
+  const auto rest = plan(from, {Goal::Kind::rest, 0, dynamics}, 1, config_);
+  const double near = 10 * velocity * dt();  // else it does not move towards the limit
+  if (!rest || std::abs(*end - rest->end().position) > near) return false;
+  if (!adopt({Goal::Kind::position, *end, dynamics}, 1)) return false;
+  ending_ = Ending::fault;
+  return true;
+}
+
+/// The coupling ends: the velocity stays, or the axis comes to rest.
+void MotionAxis::leave(Goal::Kind kind) {
+  const bool rests = kind == Goal::Kind::rest;
+  MoveDynamics dynamics;
+  fill(dynamics, config_);
+  const double most = *config_.limits.velocity;
+  const double velocity = rests ? 0 : std::clamp(now_.velocity, -most, most);
+  if (!adopt({kind, velocity, dynamics}, 1)) return fail(Cause::jump);
+  state_ = rests ? State::discrete_motion : State::continuous_motion;
+  ending_ = rests ? Ending::table : Ending::none;
+}
+
+}  // namespace jounce

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/cam/coupling/passing.hpp"
+
+// The slots of an axis: a movement is armed, its start accepted, and begun when it is due.
+
+namespace jounce {
+
+void MotionAxis::arm(Movement* movement) {
+  if (!movement) return refuse(Cause::no_value);
+  const auto from = expected_end();
+  if (from || ends_somewhere())
+    now_.refused = movement->admit(config_, from.value_or(last()));
+  else if (movement->course() == Course::path)
+    refuse(Cause::in_motion);
+  if (now_.refused && stands()) now_.refused = movement->admit(config_, last());
+  // For a swap where the master passes a position, or where rows will end: where it begins is looked
+  // at there.
+  if (now_.refused && on_path() && (active_->synchronized() || ends_somewhere()) &&
+      (now_.refused->cause == Cause::start_position ||
+       now_.refused->cause == Cause::start_velocity))
+    now_.refused.reset();
+  if (now_.refused) return hand_back(movement);
+  disarm();
+  pending_ = movement;
+}
+
+/// Where what is under way will come to rest, or where a pass of it ends; nothing: nobody knows.
+std::optional<MotionState> MotionAxis::expected_end() const {
+  if (!moving()) return MotionState{now_.position, 0, 0};
+  const double above = shift_ + (lifting_ ? lift_goal_.value : 0);
+  if (base_ == Base::move) {
+    if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
+    const bool there = goal_.kind == Goal::Kind::position;
+    return MotionState{(there ? goal_.value : plan_.end().position) + above, 0, 0};
+  }
+  auto end = active_->end();
+  if (end) end->position += above;
+  return end;
+}
+
+void MotionAxis::disarm() {
+  if (pending_) hand_back(pending_);
+  if (pending_ && next_group_ != 0) now_.broken[1] = next_group_;
+  if (pending_ && next_group_ != 0 && waiting_) last_break_ = {next_group_, now_.tick};
+  pending_ = nullptr;
+  waiting_ = false;
+  if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
+}
+
+void MotionAxis::start(const Command& command) {
+  if (!pending_) return refuse(Cause::not_armed);
+  if (command.start_at == StartAt::end_of_table && moving()) return start_at_end();
+  if (command.start_at == StartAt::tick && command.at >= 0 && command.at < now_.tick)
+    return refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
+    return refuse(Cause::no_value, command.position);
+  const bool swaps = command.start_at == StartAt::master_position && on_path();
+  const bool rests = !moving() || (stands() && !swaps);
+  if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
+  if (swaps && !ready_to_swap()) return;
+  // A coupling that begins later is judged where it begins: its master will be elsewhere.
+  const bool later = command.start_at == StartAt::master_position || command.at > now_.tick;
+  if (rests && !(later && pending_->course() == Course::live)) {
+    now_.refused = pending_->admit(config_, last());
+    const Cause no = pending_->begin(last(), moment(0));
+    if (no != Cause::none && !now_.refused) now_.refused = begin_refusal(no, last());
+    if (no != Cause::none) now_.refused->cause = no;
+    if (now_.refused) return;
+  }
+  waiting_ = true;
+  accepted_ = now_.tick;
+  start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
+  start_tick_ = std::max(command.at, now_.tick);
+  start_position_ = command.position;
+}
+
+/// Held on its path, or stopped there by an underrun and reset: what is armed may begin from here.
+bool MotionAxis::stands() const {
+  return on_path() && !lifting_ && ending_ == Ending::none && clock_.target() == 0 &&
+         clock_.steady(now_.tick) && now_.velocity == 0;
+}
+
+void MotionAxis::gear_in(const Command& command) {
+  Movement* const movement = command.movement;
+  if (!movement) return refuse(Cause::no_value);
+  if (movement->course() != Course::live) {
+    refuse(Cause::bad_table);
+    return hand_back(movement);
+  }
+  now_.refused = movement->admit(config_, last());
+  if (command.at >= 0 && command.at < now_.tick)
+    refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (now_.refused) return hand_back(movement);
+  disarm();
+  pending_ = movement;
+  waiting_ = true;
+  accepted_ = now_.tick;
+  next_group_ = 0;
+  start_at_ = StartAt::tick;
+  start_tick_ = std::max(command.at, now_.tick);
+}
+
+/// Begins what waits, if this is its tick, or the master passes its position, or a pass of the cam that
+/// is played ends.
+void MotionAxis::begin_due() {
+  if (!waiting_) return;
+  const bool on_cam = on_path() && pending_->course() == Course::path;
+  if (start_at_ == StartAt::master_position && on_cam) return;  // swap_at_master()
+  if (start_at_ == StartAt::end_of_table && on_path()) return;  // swap_at_boundary()
+  const auto at = begins_at();
+  if (!at) return;
+  if (pending_->course() == Course::path && moving() && !stands())
+    return drop({.cause = Cause::in_motion});
+  begin_pending(*at);
+}
+
+/// The instant at which it begins, `t` s after this tick (0 or less); nothing: it is not due.
+std::optional<Moment> MotionAxis::begins_at() {
+  if (start_at_ == StartAt::tick) {
+    if (start_tick_ > now_.tick) return std::nullopt;
+    Moment at = moment(0);
+    at.t = -seconds(now_.tick - start_tick_);
+    return at;
+  }
+  if (start_at_ == StartAt::master_position) return crossing();
+  if (base_ != Base::movement) {  // that movement has ended
+    drop({.cause = Cause::no_movement});
+    return std::nullopt;
+  }
+  const double t = seconds(now_.tick - origin_);
+  auto at = active_->pass_end(coupled(moment(t)));
+  if (!at) return at;
+  at->t -= t;
+  at->master[0] += renamed_;
+  return at;
+}
+
+/// Where the live master passes the position of the start, between the tick before and this one.
+std::optional<Moment> MotionAxis::crossing() const {
+  const double before = last_master_[0] - start_position_;
+  const double after = inputs_.master[0] - start_position_;
+  if (!(before * after <= 0 && before != after)) return std::nullopt;
+  const Sample earlier{-dt(), last_master_};
+  const Sample now{0, inputs_.master};
+  const Sample at =
+      before == 0 ? earlier : jounce::passing(earlier, now, start_position_).value_or(now);
+  return Moment{at.t, dt(), at.master};
+}
+
+/// The axis at that instant: what a coupling goes on from.
+std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
+  if (!moving() || pending_->course() != Course::live) return last();
+  Setpoint next;
+  if (start_at_ != StartAt::tick && base_ == Base::movement && !on_path()) {
+    Moment there = coupled(at);
+    there.t += seconds(now_.tick - origin_);
+    next = active_->at(there);
+    if (active_->progress() == Progress::broken) no = active_->cause();
+  } else {
+    no = advance(next);
+  }
+  if (no != Cause::none) return std::nullopt;
+  lift(next);
+  return MotionState{next.slave[0], next.slave[1], next.slave[2]};
+}
+
+/// What the movement that waits said to an axis in this state.
+Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
+  const bool placed = no == Cause::start_position;
+  return {.cause = no,
+          .value = placed ? pending_->place() : state.position,
+          .limit = placed ? state.position : 0};
+}
+
+void MotionAxis::begin_pending(const Moment& at) {
+  if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
+  const bool live = pending_->course() == Course::live;
+  const double ahead = -at.t;
+  Cause no = Cause::none;
+  const auto state = state_at(at, no);
+  if (!state) return drop({.cause = no});
+  if (const auto refusal = live ? pending_->admit(config_, *state) : std::nullopt)
+    return drop(*refusal);
+  const Moment begin = live && start_at_ != StartAt::tick ? at : moment(0);
+  no = pending_->begin(*state, begin);
+  if (no != Cause::none) return drop(begin_refusal(no, *state));
+  Movement* const next = pending_;
+  pending_ = nullptr;
+  waiting_ = false;
+  const bool was_moving = moving();
+  drop_movement();
+  forget_next();
+  active_ = next;
+  group_ = next_group_;
+  base_ = Base::movement;
+  ending_ = Ending::none;
+  held_ = lifting_ = false;
+  shift_ = 0;
+  joint_ = true;
+  peaks_ = active_->peaks();
+  origin_ = now_.tick;
+  renamed_ = 0;
+  if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  if (!live) {
+    const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
+    played_to_ = 0;
+    // At full speed path time is bit for bit ticks * period since the tick of the start.
+    if (start_at_ == StartAt::tick)
+      clock_.start(start_tick_, 0, rate);
+    else
+      clock_.start(now_.tick, ahead * rate, rate);
+    shown_ = clock_;
+    from_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  }
+  now_.reason = Cause::none;
+  state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  has_master_ = active_->synchronized();
+  outputs_.place(SwitchesOf::master);
+}
+
+}  // namespace jounce

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "jounce/axis/axis.hpp"
+
+// From one path onto the next without a stop: at the end of the one that is played, or of its pass, or
+// where its master passes a position.
+
+namespace jounce {
+
+/// A swap where the path, or its present pass, ends.
+void MotionAxis::start_at_end() {
+  if (base_ == Base::movement && !on_path()) return start_at_pass_end();
+  const auto end = expected_end();
+  if (!on_path() || !(end || ends_somewhere())) return refuse(Cause::not_on_path);
+  if (end) now_.refused = pending_->admit(config_, *end);
+  if (now_.refused || !ready_to_swap()) return;
+  const double s = clock_.at(now_.tick).s;
+  const bool repeats = std::isinf(active_->known());
+  boundary_ = Boundary::swap;
+  boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
+  if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
+  accepted_ = now_.tick;
+  start_at_ = StartAt::end_of_table;
+}
+
+/// Another coupling, where a pass of the cam behind the live master ends.
+void MotionAxis::start_at_pass_end() {
+  if (!active_->passes()) return refuse(Cause::no_movement);
+  if (pending_->course() != Course::live || lifting_) return refuse(Cause::in_motion);
+  waiting_ = true;
+  accepted_ = now_.tick;
+  start_at_ = StartAt::end_of_table;
+}
+
+/// Rows end where the last of them does, at rest: which one that is may not be known yet.
+bool MotionAxis::ends_somewhere() const {
+  return on_path() && active_->pass() <= 0;
+}
+
+/// The boundary of what plays, as soon as it is known; until it is reached, rows may be added.
+void MotionAxis::seek_boundary() {
+  if (boundary_ == Boundary::swap && ends_somewhere() && !active_->growing())
+    boundary_at_ = active_->known();
+}
+
+/// What plays has come to its boundary. Where that was not known when the swap was told, whether
+/// both meet is looked at now; where they do not, what plays just ends.
+Cause MotionAxis::swap_at_boundary() {
+  if (!ends_somewhere()) {
+    swap(boundary_at_, *active_->end());
+    return Cause::none;
+  }
+  const Setpoint last = active_->at(moment(boundary_at_));
+  if (active_->progress() == Progress::broken) return active_->cause();
+  const MotionState end{last.slave[0] + shift_, 0, 0};
+  if (const auto no = pending_->admit(config_, end))
+    drop(*no);
+  else
+    swap(boundary_at_, {last.slave[0], 0, 0});
+  return Cause::none;
+}
+
+/// Until the swap the rate may only be what both paths take. It comes down to that by the dynamics of
+/// the one that is played.
+bool MotionAxis::ready_to_swap() {
+  if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
+  if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
+  if (now_.refused) return false;
+  waiting_ = true;
+  change_rate(granted_rate());
+  return true;
+}
+
+/// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
+void MotionAxis::swap(double boundary, MotionState end) {
+  boundary_ = Boundary::none;
+  if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
+  // The boundary may have come before the rate was down.
+  const double rate = clock_.at(now_.tick).rate;
+  const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
+  if (rate > most * (1 + 1e-9))
+    return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
+  end.position += shift_;
+  if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
+    return drop({.cause = no, .value = end.position});
+  hand_back(active_);
+  active_ = pending_;
+  group_ = next_group_;
+  pending_ = nullptr;
+  waiting_ = false;
+  ++now_.finished;
+  joint_ = true;
+  shift_ = 0;
+  peaks_ = active_->peaks();
+  clock_.shift(boundary);
+  shown_ = clock_;
+  from_ = now_.tick;
+  change_rate(granted_rate());
+  state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  has_master_ = active_->synchronized();
+  outputs_.place(SwitchesOf::master);
+}
+
+/// Whether what waits begins where the master of this path passes a position.
+bool MotionAxis::swaps_at_master() const {
+  return waiting_ && start_at_ == StartAt::master_position && active_->synchronized();
+}
+
+/// When the master passes that position on the way to path time `to`, by halving. Where a pass ends on
+/// the way the master leaps to its beginning: that passes nothing.
+std::optional<double> MotionAxis::passing(double to) const {
+  const auto beyond = [&](double s) { return active_->at(moment(s)).master - start_position_; };
+  const auto crossing = [&](double low, double high) -> std::optional<double> {
+    const double before = beyond(low);
+    const double after = beyond(high);
+    if (!(before * after <= 0 && before != after)) return std::nullopt;
+    if (before == 0) return low;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      ((beyond(middle) < 0) == (before < 0) ? low : high) = middle;
+    }
+    return high;
+  };
+  const double pass = active_->pass();
+  const double leap = pass * std::floor(to / pass);
+  if (!std::isinf(active_->known()) || !(leap > played_to_)) return crossing(played_to_, to);
+  const auto there = crossing(played_to_, std::nextafter(leap, 0));
+  return there ? there : crossing(leap, to);
+}
+
+/// The swap there, if both paths meet.
+void MotionAxis::swap_at_master(double s) {
+  const Jet& there = active_->at(moment(s)).slave;
+  const MotionState end{there[0], there[1], there[2]};
+  if (const auto no =
+          pending_->admit(config_, {end.position + shift_, end.velocity, end.acceleration}))
+    return drop(*no);
+  swap(s, end);
+}
+
+}  // namespace jounce

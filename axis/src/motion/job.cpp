@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/job.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/check.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double same = 1e-9;  // relative: forgives rounded input, as check_continuity does
+
+double seconds(std::int64_t ns) {
+  return static_cast<double>(ns) / 1e9;
+}
+
+void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
+  Range& range = ranges[order];
+  if (value < range.min.value) range.min = {value, where, side};
+  if (value > range.max.value) range.max = {value, where, side};
+}
+
+/// Where the derivative of the given order is zero in (a, b), at whose ends its signs differ.
+double turning_point(const Coupled& f, std::size_t order, double a, double b) {
+  const bool rising = f.jet(a)[order] < 0;
+  double middle = a + (b - a) / 2;
+  while (middle > a && middle < b) {
+    ((f.jet(middle)[order] < 0) == rising ? a : b) = middle;
+    middle = a + (b - a) / 2;
+  }
+  return middle;
+}
+
+void survey(const Coupled& f, double a, double b, Ranges& ranges) {
+  constexpr int points = 16;
+  double t = a;
+  Jet here = f.jet(a);
+  for (int i = 1; i <= points; ++i) {
+    const double next_t = i == points ? b : a + (b - a) * i / points;
+    const Jet next = f.jet(next_t, Side::left);
+    for (std::size_t k = 0; k < 4; ++k) {
+      include(ranges, k, here[k], t, Side::right);
+      include(ranges, k, next[k], next_t, Side::left);
+      if (k == 3 || here[k + 1] * next[k + 1] >= 0) continue;
+      const double peak = turning_point(f, k + 1, t, next_t);
+      include(ranges, k, f.jet(peak)[k], peak, Side::right);
+    }
+    t = next_t;
+    here = f.jet(t);
+  }
+}
+
+Ranges survey(const Coupled& f) {
+  const Jet first = f.jet(f.start());
+  Ranges ranges;
+  for (std::size_t k = 0; k < 4; ++k)
+    ranges[k] = {{first[k], f.start(), Side::right}, {first[k], f.start(), Side::right}};
+  for (std::size_t i = 0; i + 1 < f.breaks().size(); ++i)
+    survey(f, f.breaks()[i], f.breaks()[i + 1], ranges);
+  return ranges;
+}
+
+/// Every jump of the `order`th derivative, ascending; of a run that repeats also those after its
+/// end, over one more tick.
+template <Signal S>
+std::vector<Jump> steps_of(const S& f, std::size_t order, bool repeats, double tick) {
+  std::vector<Jump> steps;
+  const auto add = [&](double left, double right, double where) {
+    if (left != right) steps.push_back({right - left, where});
+  };
+  const std::span<const double> breaks = f.breaks();
+  for (const double t : breaks.subspan(1, breaks.size() - 2))
+    add(f.jet(t, Side::left)[order], f.jet(t)[order], t);
+  if (!repeats) return steps;
+  const std::size_t inside = steps.size();
+  add(f.jet(f.end(), Side::left)[order], f.jet(f.start())[order], f.end());
+  for (std::size_t i = 0; i < inside && steps[i].where < f.start() + tick; ++i)
+    steps.push_back({steps[i].step, steps[i].where + f.end() - f.start()});
+  return steps;
+}
+
+/// The largest sum of jumps within one tick, and where it begins.
+template <Signal S>
+Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
+  const std::vector<Jump> steps = steps_of(f, order, repeats, tick);
+  Jump largest;
+  double sum = 0;  // of the magnitudes of steps [first, next)
+  for (std::size_t first = 0, next = 0; first < steps.size(); ++first) {
+    while (next < steps.size() && steps[next].where < steps[first].where + tick * (1 - same))
+      sum += std::abs(steps[next++].step);
+    const bool alone = next == first + 1;
+    if (sum > std::abs(largest.step))
+      largest = {alone ? steps[first].step : sum, steps[first].where};
+    sum = alone ? 0 : sum - std::abs(steps[first].step);
+  }
+  return largest;
+}
+
+/// By how much the master, scaled, leaves a cam that refuses it; rounding is forgiven.
+Extremum excess(const Table& cam, const Placement& placement, const Range& master) {
+  if (cam.outside() != Extrapolation::refuse) return {};
+  const double below = cam.start() - placement.at(master.min.value);
+  const double above = placement.at(master.max.value) - cam.end();
+  const Extremum worst = below > above ? Extremum{below, master.min.where, Side::right}
+                                       : Extremum{above, master.max.where, Side::right};
+  return worst.value > same * cam.length() ? worst : Extremum{};
+}
+
+Cause cause_of(CouplingStatus status) {
+  switch (status) {
+    case CouplingStatus::would_reverse:
+      return Cause::would_reverse;
+    case CouplingStatus::master_stands:
+      return Cause::master_stands;
+    default:
+      return Cause::no_ramp;
+  }
+}
+
+}  // namespace
+
+Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
+         double tick, const CouplingSpec& coupling, double position)
+    : Movement(id, Course::path),
+      time_(std::move(time)),
+      cam_(std::move(cam)),
+      in_sync_(time_->start()) {
+  if (time_->outside() == Extrapolation::advance)
+    throw InputError("outside", "advance", "is for cams only: a table over time ends, or wraps");
+  if (cam_) {
+    couple(coupling, position, tick);
+  } else {
+    const Trajectory trajectory = time_->curve<OverTime>();
+    ranges_ = extrema(*time_);
+    survey_steps(trajectory, tick);
+  }
+  first_ = follow(master(0), 0);
+  last_ = follow(master(duration(), Side::left), duration());
+}
+
+void Job::couple(const CouplingSpec& spec, double position, double tick) {
+  // Held instead of refused, so that a master that leaves the cam is a finding of admit().
+  const Cam curve = cam_->outside() == Extrapolation::refuse
+                        ? with(cam_->curve<OverMaster>(), Extrapolation::hold)
+                        : cam_->curve<OverMaster>();
+  const Coupling coupling(curve, spec);
+  const Engagement in = engage(coupling, {.position = position}, master(0), start());
+  engaged_ = in.engaged;
+  coupled_ = in.status;
+  const Trajectory trajectory = time_->curve<OverTime>();
+  const Coupled slave(coupling, engaged_, trajectory);
+  least_ = slave.end() - start();
+  in_sync_ = slave.in_sync();
+  ranges_ = survey(slave);
+  survey_steps(slave, tick);
+  master_excess_ = excess(*cam_, engaged_.placement, extrema(trajectory, 0));
+}
+
+template <Signal S>
+void Job::survey_steps(const S& slave, double tick) {
+  for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats(), tick);
+}
+
+/// What the time table says at local time t; after its end it rests there.
+Jet Job::master(double t, Side side) const {
+  if (side == Side::left && t == time_->length()) return time_->jet(time_->end(), side);
+  if (repeats() || t < time_->length()) return time_->jet(start() + t);
+  return {time_->jet(time_->end(), Side::left)[0], 0, 0, 0};
+}
+
+Setpoint Job::follow(const Jet& x, double t) const {
+  if (!cam_) return {0, 0, x};
+  const double now = start() + t;
+  const bool in_sync = in_sync_ && now >= *in_sync_;
+  return {x[0], x[1],
+          in_sync ? placed(*cam_, engaged_.placement, x) : point(*cam_, engaged_, x, now)};
+}
+
+Setpoint Job::at(double t) const {
+  if (repeats() || t < duration()) return follow(master(t), t);
+  return {last_.master, 0, {last_.slave[0], 0, 0, 0}};
+}
+
+double Job::tolerance() const {
+  const double stroke = ranges_[0].max.value - ranges_[0].min.value;
+  return same * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
+}
+
+Cause Job::begin(const MotionState& axis, const Moment& now) noexcept {
+  progress_ = Progress::running;
+  (void)now;
+  const bool there = std::abs(first_.slave[0] - axis.position) <= tolerance();
+  return there ? Cause::none : Cause::not_at_start;
+}
+
+Setpoint Job::at(const Moment& now) noexcept {
+  progress_ = !repeats() && now.t >= duration() ? Progress::done : Progress::running;
+  return at(now.t);
+}
+
+double Job::known() const noexcept {
+  return repeats() ? std::numeric_limits<double>::infinity() : duration();
+}
+
+Peaks Job::peaks() const noexcept {
+  return {std::abs(ranges_[1].peak().value), std::abs(ranges_[2].peak().value),
+          std::abs(ranges_[3].peak().value), std::abs(steps_[1].step)};
+}
+
+std::optional<MotionState> Job::end() const noexcept {
+  const Jet& last = last_.slave;
+  if (repeats()) return MotionState{last[0], last[1], last[2]};
+  return MotionState{last[0], 0, 0};
+}
+
+std::optional<Refusal> Job::admit(const AxisConfig& config,
+                                  const MotionState& from) const noexcept {
+  return jounce::admit(*this, config, from);
+}
+
+std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const MotionState& from) {
+  const AxisConfig config = resolved(given);
+  const Limits& limits = config.limits;
+  const auto& [p, v, a, j] = job.ranges();
+  const auto& [p_step, v_step, a_step] = job.steps();
+  const double dt = seconds(config.period);
+  const double v_most = *limits.acceleration * dt;
+  const double near = job.tolerance();
+  const double p0 = job.first().slave[0];
+  const double position = from.position;
+  const double p1 = job.last().slave[0];
+  const double end = job.start() + job.duration();
+
+  std::optional<Refusal> refusal;
+  const auto rule = [&](bool holds, Cause cause, double value, double limit, double where) {
+    if (!holds && !refusal) refusal = Refusal{cause, value, limit, where - job.start()};
+  };
+  const auto within = [&](Cause cause, double value, double limit, double where) {
+    rule(std::abs(value) <= limit * (1 + same), cause, value, limit, where);
+  };
+  const auto peak = [&](Cause cause, const Range& range, const std::optional<double>& limit) {
+    if (limit) within(cause, range.peak().value, *limit, range.peak().where);
+  };
+
+  rule(job.coupled() == CouplingStatus::ok, cause_of(job.coupled()), position, p0, job.start());
+  rule(job.gets_in_sync(), Cause::not_in_sync, p1, position, end);
+  within(Cause::master_outside_cam, job.master_excess().value, 0, job.master_excess().where);
+  rule(std::abs(p0 - position) <= near, Cause::start_position, p0, position, job.start());
+  within(Cause::start_velocity, job.first().slave[1] - from.velocity, v_most, job.start());
+  if (job.repeats())
+    rule(std::abs(p1 - p0) <= near && !job.ramps(), Cause::not_closed, p1, p0, end);
+  if (!job.repeats()) within(Cause::end_velocity, job.last().slave[1], v_most, end);
+  within(Cause::position_step, p_step.step, near, p_step.where);
+  const double lowest = limits.position_min.value_or(p.min.value);
+  const double highest = limits.position_max.value_or(p.max.value);
+  rule(p.min.value >= lowest - near, Cause::position_limit, p.min.value, lowest, p.min.where);
+  rule(p.max.value <= highest + near, Cause::position_limit, p.max.value, highest, p.max.where);
+  peak(Cause::velocity_limit, v, limits.velocity);
+  peak(Cause::acceleration_limit, a, limits.acceleration);
+  peak(Cause::jerk_limit, j, limits.jerk);
+  within(Cause::velocity_step, v_step.step, v_most, v_step.where);
+  if (!limits.jerk) return refusal;
+
+  const double a_most = *limits.jerk * dt;
+  const double a1 = job.repeats() ? 0 : job.last().slave[2];
+  within(Cause::acceleration_step, job.first().slave[2] - from.acceleration, a_most, job.start());
+  within(Cause::acceleration_step, a_step.step, a_most, a_step.where);
+  within(Cause::acceleration_step, a1, a_most, end);
+  return refusal;
+}
+
+}  // namespace jounce

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/setpoint_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/move_plan.hpp"
+#include "jounce/profiles/moves/move.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double same = 2e-9;  // relative: admit() forgives half of that
+
+/// What counts as the same position here: rounding, and what the limit velocity does in 1e-9 ticks.
+double slack(double position, const AxisConfig& config, double dt) {
+  return 1e-12 * std::abs(position) + 1e-9 * *config.limits.velocity * dt;
+}
+
+/// admit() forgives a path 1e-9 of its stroke, which is at most the range where both ends are set.
+double range_slack(double position, const AxisConfig& config) {
+  const double low = config.limits.position_min.value_or(position);
+  const double high = config.limits.position_max.value_or(position);
+  return same * std::max({high - low, std::abs(low), std::abs(high)});
+}
+
+double rounding(double from, double to) {
+  return 1e-12 * (std::abs(from) + std::abs(to - from));
+}
+
+MotionState mirrored(const MotionState& state) {
+  return {-state.position, -state.velocity, -state.acceleration};
+}
+
+/// An upper bound of the way of any stop with this deceleration, upwards: its velocity never exceeds (1),
+/// and it lasts no longer than (2), the sum of its three phases.
+///
+///     (1)  w = max(v, 0) + a^2 / (2 j)            where a > 0
+///     (2)  a / j  +  w / s  +  s / j
+double most_way(double v, double a, double s, double j) {
+  const double rise = std::max(a, 0.0);
+  const double w = std::max(v, 0.0) + rise * rise / (2 * j);
+  return w * (rise / j + w / s + s / j);
+}
+
+/// How far it goes up before it turns round, with the jerk -j to the acceleration -s, and on with that.
+///
+///     (3)  v + a t - j t^2 / 2 = 0                 where it turns before the acceleration is -s
+double way_to_turn(double v, double a, double s, double j) {
+  if (std::isinf(j)) return v > 0 ? v * v / (2 * s) : 0;
+  const double root = a * a + 2 * j * v;
+  if (!(root > 0) || (v <= 0 && a <= 0)) return 0;
+  const double T = std::max(0.0, (a + s) / j);
+  const double t = (a + std::sqrt(root)) / j;  // (3)
+  if (t <= T) return std::max(0.0, t * (v + t * (a / 2 - t * j / 6)));
+  const double then = v + T * (a - T * j / 2);
+  return std::max(0.0, T * (v + T * (a / 2 - T * j / 6)) + then * then / (2 * s));
+}
+
+/// The gentlest stop that stays below a position.
+Stop gentlest_below(double most, const MotionState& state, const AxisConfig& config) {
+  const auto& [p, v, a] = state;
+  const double j = config.limits.jerk ? config.stop_jerk : Bounds::none;
+  const auto inside = [&, from = p](double furthest) {
+    return furthest <= most + rounding(from, furthest);
+  };
+  if (!inside(p)) return Stop::none;
+  if (v <= 0 && (a <= 0 || std::isinf(j))) return Stop::soft;
+  const double soft = config.limit_acceleration;
+  const double hard = config.stop_acceleration;
+  if (inside(p + most_way(v, a, soft, j))) return Stop::soft;
+  const auto rests = [&](double deceleration) {
+    const MoveResult stop = move_velocity(state, 0, within(Bounds::none, deceleration, j));
+    return stop && inside(positions(stop.profile)[1]);
+  };
+  if (rests(soft)) return Stop::soft;
+  if (rests(hard)) return Stop::hard;
+  return inside(p + way_to_turn(v, a, hard, j)) ? Stop::turning : Stop::none;
+}
+
+}  // namespace
+
+Cause check_setpoint(const MotionState& last, const MotionState& next, const StepAllowance& step,
+                     const AxisConfig& config) noexcept {
+  const auto& [p, v, a] = next;
+  if (!std::isfinite(p) || !std::isfinite(v) || !std::isfinite(a)) return Cause::jump;
+  const double way = *config.limits.velocity * step.dt * (1 + same) + slack(p, config, step.dt);
+  if (std::abs(p - last.position) > way) return Cause::overspeed;
+  if (std::abs(v) > *config.limits.velocity * (1 + same)) return Cause::overspeed;
+  const double near = range_slack(p, config);
+  if (config.limits.position_max && p > *config.limits.position_max + near && p > last.position)
+    return Cause::out_of_range;
+  if (config.limits.position_min && p < *config.limits.position_min - near && p < last.position)
+    return Cause::out_of_range;
+  const double change = config.stop_acceleration * step.dt + step.velocity_step;
+  const double rounding = 1e-12 * *config.limits.velocity;
+  if (std::abs(v - last.velocity) > change * (1 + same) + rounding) return Cause::jump;
+  if (std::abs(a) > config.stop_acceleration * (1 + same)) return Cause::jump;
+  return Cause::none;
+}
+
+Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const double p = state.position;
+  const Stop up = high ? gentlest_below(std::max(*high, p), state, config) : Stop::soft;
+  const Stop down = low ? gentlest_below(std::max(-*low, -p), mirrored(state), config) : Stop::soft;
+  return std::max(up, down);
+}
+
+Cause check_range(const MotionState& last, const MotionState& next,
+                  const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const auto loses = [&](double limit, const MotionState& before, const MotionState& after) {
+    const double most = std::max(limit, before.position);  // from outside it may come back
+    const Stop left = gentlest_below(most, after, config);
+    return left != Stop::soft && left > gentlest_below(most, before, config);
+  };
+  if (high && loses(*high, last, next)) return Cause::positive_soft_limit;
+  if (low && loses(-*low, mirrored(last), mirrored(next))) return Cause::negative_soft_limit;
+  return Cause::none;
+}
+
+bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept {
+  const auto& [p, v, a] = state;
+  const bool grows = config.limits.jerk && v * a >= 0;
+  const double highest = std::abs(v) + (grows ? a * a / (2 * config.stop_jerk) : 0);
+  return highest > *config.limits.velocity * (1 + same);
+}
+
+bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept {
+  const auto& [low, high, v, a, j] = config.limits;
+  const auto [least, most] = positions(motion);
+  const double from = motion.start().position;
+  return (!high || most <= std::max(*high, from) + rounding(from, most)) &&
+         (!low || least >= std::min(*low, from) - rounding(from, least));
+}
+
+}  // namespace jounce

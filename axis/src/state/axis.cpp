@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/axis.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "jounce/axis/setpoint_check.hpp"
+
+// One tick of an axis, from what it sees to what it says; read from step() down. What it can be told
+// is in axis_commands.cpp, axis_moves.cpp and axis_starts.cpp, the time of a path in axis_path.cpp,
+// going over from one movement to the next in axis_swap.cpp, and how a motion ends in axis_ends.cpp.
+
+namespace jounce {
+
+MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
+                       const AxisCompare& compare)
+    : config_(resolved(config)),
+      unranged_(config_),
+      clock_(config_.period),
+      shown_(config_.period),
+      outputs_(switches, compare) {
+  now_.position = config_.position;
+  unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
+}
+
+Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
+  assert(tick > last_tick_);
+  now_.skipped = tick - last_tick_ - 1;
+  now_.tick = tick;
+  now_.time = seconds(tick);
+  now_.refused.reset();
+  now_.dropped.reset();
+  now_.handed_back = {};
+  now_.frozen = false;
+  joint_ = false;
+  const bool rested = !moving();
+  if (state_ == State::homing && !moving()) state_ = State::standstill;
+  for (Movement* const movement : {active_, pending_, command.movement})
+    if (movement != nullptr) movement->see(inputs.rows);
+  take(inputs);
+  obey_due();
+  obey(command);
+  watch();
+  begin_due();
+  if (state_ == State::homing && moving()) seek();
+  if (rested && moving()) outputs_.begin();
+  if (moving()) play();
+  operate_outputs();
+  last_tick_ = tick;
+  last_master_ = inputs_.master;
+  report();
+  return now_;
+}
+
+/// What is left to say of the tick.
+void MotionAxis::report() {
+  now_.in_position =
+      windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
+  now_.state = state_;
+  now_.job = active_ ? active_->id() : 0;
+  now_.armed = pending_ ? pending_->id() : 0;
+  now_.group = active_ ? group_ : 0;
+  now_.next = {};
+  if (pending_ && next_group_ != 0)
+    now_.next = {next_group_, waiting_, start_at_ == StartAt::tick ? start_tick_ : -1};
+  now_.held = held_;
+  now_.waiting = waiting_ || !next_.empty() || later_;
+  now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
+  if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
+    now_.progress = Progress::starving;
+  now_.override_ = on_path() ? granted(std::min(factor_, most_rate())) : factor_;
+  now_.rate = on_path() ? clock_.at(now_.tick).rate : 1;
+}
+
+// ---- what it sees ------------------------------------------------------------------------------
+
+void MotionAxis::take(const Inputs& inputs) {
+  const double renamed = inputs.master_offset - inputs_.master_offset;
+  inputs_ = sound(inputs, config_);
+  inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
+  inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
+  see_renamed(renamed);
+  now_.actual_position = inputs_.feedback.position + now_.offset;
+  now_.torque = inputs_.feedback.torque;
+  // While nothing is commanded the axis is where the drive is: enabling it moves nothing.
+  if (state_ == State::disabled && std::isfinite(now_.actual_position))
+    now_.position = now_.actual_position;
+  now_.following_error = now_.position - now_.actual_position;
+}
+
+/// Another name for where the master is passes nothing and moves nothing.
+void MotionAxis::see_renamed(double by) {
+  if (by == 0) return;
+  last_master_[0] += by;
+  renamed_ += by;
+  if (base_ == Base::movement && !on_path()) outputs_.place(SwitchesOf::master);
+}
+
+void MotionAxis::watch() {
+  if (inputs_.feedback.fault) now_.homed = false;  // the drive's count may have been lost
+  if (!now_.power) return windows_.reset();
+  Cause wrong = check_inputs(inputs_);
+  if (state_ == State::disabled) {  // the drive is being switched on
+    if (wrong == Cause::drive_fault) return fail(wrong);
+    if (wrong == Cause::drive_not_ready) return;
+    state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
+  }
+  // Without a sign of life what moves is stopped; what stands just stands.
+  const bool stops = state_ == State::error_stop || !(moving() || waiting_ || later_);
+  if (wrong == Cause::watchdog && stops) wrong = Cause::none;
+  if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
+    wrong = Cause::following_error;
+  if (wrong != Cause::none) return fail(wrong);
+  stop_with_group();
+}
+
+// ---- the next setpoint -------------------------------------------------------------------------
+
+void MotionAxis::play() {
+  // What was left out before the motion began, or while it was held, does not count.
+  const bool held = on_path() && now_.velocity == 0 && clock_.at(now_.tick).rate == 0;
+  if (!held && std::min(now_.skipped, now_.tick - begun_) >= config_.longest_gap)
+    return fail(Cause::stalled);
+  constexpr int reactions = 3;  // stop on the path, then off it
+  for (int i = 0; i < reactions && moving(); ++i) {
+    Setpoint next;
+    Cause wrong = advance(next);
+    const MotionState bare{next.slave[0], next.slave[1], next.slave[2]};
+    if (wrong == Cause::none) {
+      lift(next);
+      wrong = judge(next);
+    }
+    if (wrong == Cause::none) {
+      bare_ = bare;
+      give_out(next);
+      return conclude();
+    }
+    fail(wrong);
+  }
+}
+
+Cause MotionAxis::advance(Setpoint& next) {
+  if (on_path()) return advance_path(next);
+  if (base_ == Base::movement) {
+    next = active_->at(coupled(moment(seconds(now_.tick - origin_))));
+    next.master += renamed_;
+    if (active_->progress() != Progress::broken) return Cause::none;
+    return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
+  }
+  while (passes() && plan_time() >= plan_.duration())  // a late cycle may pass several
+    if (const Cause no = pass_target(); no != Cause::none) return no;
+  const double t = plan_time();
+  const auto [p, v, a, j] = plan_.at(t);
+  const double beyond = std::max(t - plan_.duration(), 0.0);  // at its last velocity
+  next = {now_.master, 0, {p + v * beyond, v, a, j}};
+  return Cause::none;
+}
+
+/// Adds what is superimposed.
+void MotionAxis::lift(Setpoint& next) {
+  next.slave[0] += shift_;
+  if (!lifting_) return;
+  const double t = seconds(now_.tick - lift_origin_);
+  const auto [p, v, a, j] = lift_.at(t);
+  next.slave[0] += p;
+  next.slave[1] += v;
+  next.slave[2] += a;
+  next.slave[3] += j;
+  if (t < lift_.duration() || lift_rests_) return;
+  lifting_ = false;
+  shift_ += lift_.end().position;
+}
+
+/// Whether it may go out; what brings the axis to rest after a fault may.
+Cause MotionAxis::judge(const Setpoint& next) const {
+  if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
+  const MotionState state{next.slave[0], next.slave[1], next.slave[2]};
+  const double kinks = on_path() ? peaks_.velocity_step : 0;
+  const double joint = joint_ ? *config_.limits.acceleration * seconds(1) : 0;
+  const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
+  const Cause no = check_setpoint(last(), state, step, rules());
+  const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
+  if (supervised && (no == Cause::none || no == Cause::out_of_range))
+    if (const Cause limit = check_range(last(), state, rules()); limit != Cause::none) return limit;
+  if (no != Cause::none) return no;
+  if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
+  if (homing_) return Cause::none;
+  if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
+  if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
+  return Cause::none;
+}
+
+/// The whole motion is known and was admitted against the range: a path, and a move planned to a target.
+/// Each can be stopped inside: the path on itself; the move with the stop limits, which are greater than its own.
+bool MotionAxis::inside_as_a_whole() const {
+  if (lifting_ || shift_ != 0) return false;
+  if (on_path()) return active_->bounded();
+  return base_ == Base::move && goal_.kind == Goal::Kind::position && ending_ == Ending::none &&
+         wanted_rate() > 0;
+}
+
+void MotionAxis::give_out(const Setpoint& next) {
+  const auto& [p, v, a, j] = next.slave;
+  emitted_ = now_.tick;
+  shown_ = clock_;
+  from_ = now_.tick + 1;
+  now_.master = next.master;
+  now_.master_velocity = next.master_velocity;
+  now_.position = p;
+  now_.velocity = v;
+  now_.acceleration = a;
+}
+
+void MotionAxis::operate_outputs() {
+  OutputPlaces places;
+  places.commanded = {now_.position, now_.velocity};
+  places.actual = {now_.actual_position, inputs_.feedback.velocity};
+  if (has_master_) places.master = {now_.master, now_.master_velocity};
+  outputs_.step(places, dt());
+  now_.switches = outputs_.switches();
+  now_.compare = outputs_.compare();
+}
+
+// ---- small things ------------------------------------------------------------------------------
+
+bool in_motion(const Tick& tick) {
+  const bool left = tick.state == State::error_stop && tick.job != 0 && tick.rate == 0;
+  return tick.waiting || (!left && (tick.job != 0 || tick.progress != Progress::done));
+}
+
+void MotionAxis::hand_back(const Movement* movement) {
+  // At most three in one step: the one played, the one armed, and the one just refused.
+  auto free = std::find(now_.handed_back.begin(), now_.handed_back.end(), nullptr);
+  assert(free != now_.handed_back.end());
+  *free = movement;
+}
+
+void MotionAxis::refuse(Cause cause, double value, double limit) {
+  now_.refused = Refusal{cause, value, limit};
+}
+
+/// What waits does not begin. An answer to the command of this tick only if that asked for it.
+void MotionAxis::drop(const Refusal& why) {
+  (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
+  disarm();
+}
+
+bool MotionAxis::on_path() const {
+  return base_ == Base::movement && active_->course() == Course::path;
+}
+
+MotionState MotionAxis::last() const {
+  return {now_.position, now_.velocity, now_.acceleration};
+}
+
+Moment MotionAxis::moment(double t) const {
+  return {t, dt(), inputs_.master};
+}
+
+/// As the live movement that is played counts its master.
+Moment MotionAxis::coupled(Moment now) const {
+  now.master[0] -= renamed_;
+  return now;
+}
+
+double MotionAxis::seconds(std::int64_t ticks) const {
+  return static_cast<double>(ticks * config_.period) / 1e9;
+}
+
+}  // namespace jounce

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace jounce {
+
+/// The candidate that differs from `word` by at most two edits, or "": for "did you mean" hints.
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace jounce

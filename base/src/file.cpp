@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/file.hpp"
+
+#include <atomic>
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+void write_all(int handle, const Output& file) {
+  for (std::size_t done = 0; done < file.bytes.size();) {
+    const ssize_t written = write(handle, file.bytes.data() + done, file.bytes.size() - done);
+    if (written < 0) fail("cannot write " + file.path);
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+struct Handle {
+  int number;
+  explicit Handle(int n) : number(n) {}
+  Handle(Handle&& other) noexcept : number(std::exchange(other.number, -1)) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (number >= 0) close(number);
+  }
+};
+
+/// The name of a file that is removed at the end, unless it was released.
+struct Unlinked {
+  std::string name;
+  explicit Unlinked(std::string n) : name(std::move(n)) {}
+  Unlinked(Unlinked&& other) noexcept : name(std::exchange(other.name, "")) {}
+  Unlinked& operator=(Unlinked&&) = delete;
+  ~Unlinked() {
+    if (!name.empty()) unlink(name.c_str());
+  }
+};
+
+/// A file under a temporary name beside its own; removed unless it was renamed.
+class Temporary {
+ public:
+  explicit Temporary(const Output& file) : path_(target(file.path)), at_(path_ + ".XXXXXX") {
+    const Handle handle(mkstemp(at_.name.data()));
+    if (handle.number < 0) {
+      at_.name.clear();
+      fail("cannot write " + path_);
+    }
+    write_all(handle.number, file);
+    if (fsync(handle.number) != 0 && errno != EINVAL) fail("cannot write " + path_);
+    fchmod(handle.number, rights());
+  }
+
+  void rename() {
+    if (std::rename(at_.name.c_str(), path_.c_str()) != 0) fail("cannot write " + path_);
+    at_.name.clear();
+  }
+
+ private:
+  /// The file that a link points to, which need not exist: the link itself is kept.
+  static std::string target(std::filesystem::path path) {
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++links) {
+      if (links == most_links) {
+        errno = ELOOP;
+        fail("cannot write " + path.string());
+      }
+      path = path.parent_path() / std::filesystem::read_symlink(path);  // an absolute one replaces it
+    }
+    return path.string();
+  }
+  static constexpr int most_links = 40;  ///< as of the kernel
+
+  /// mkstemp makes a private file; a file keeps its rights, a new one gets those the user asked for.
+  [[nodiscard]] mode_t rights() const {
+    struct stat existing {};
+    if (stat(path_.c_str(), &existing) == 0) return existing.st_mode & 07777U;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666U & ~mask;
+  }
+
+  std::string path_;
+  Unlinked at_;
+};
+
+/// Whether the name stands for something that must not be replaced: a device, a pipe, a terminal.
+bool is_special(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
+}
+
+constexpr int patience_of_pipe = 5;  ///< s
+
+/// Opens a pipe for writing when a program reads it: a blocking open() has no limit.
+int opened_pipe(const std::string& path) {
+  constexpr int slice = 20'000;  // us
+  for (int waited = 0; waited < 1'000'000 * patience_of_pipe; waited += slice) {
+    const int pipe = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (pipe >= 0) fcntl(pipe, F_SETFL, 0);
+    if (pipe >= 0 || errno != ENXIO) return pipe;
+    usleep(slice);
+  }
+  throw std::system_error(ENXIO, std::generic_category(),
+                          "cannot write " + path + ": no program reads this pipe within " +
+                              std::to_string(patience_of_pipe) + " s");
+}
+
+void write_directly(const Output& file) {
+  const Handle handle(file.path == "-"                            ? dup(STDOUT_FILENO)
+                      : std::filesystem::is_fifo(file.path) ? opened_pipe(file.path)
+                                                            : open(file.path.c_str(), O_WRONLY));
+  if (handle.number < 0) fail("cannot write " + file.path);
+  write_all(handle.number, file);
+}
+
+/// Whether both names lead to one file.
+bool is_same(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const auto one = std::filesystem::weakly_canonical(a, error);
+  if (error) return a == b;
+  const auto other = std::filesystem::weakly_canonical(b, error);
+  return error ? a == b : one == other;
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none);
+}
+
+}  // namespace
+
+namespace {
+
+constexpr std::size_t most_of_device = std::size_t{1} << 28;  ///< bytes; it may have no end
+
+[[noreturn]] void fail_to_read(const std::string& path, int cause) {
+  throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
+}
+
+/// True if a program has the empty pipe open for writing: tee() of nothing then fails, and returns 0 otherwise.
+/// It takes no byte away.
+bool has_writer(int pipe) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return true;
+  const Handle out(ends[0]);
+  const Handle in(ends[1]);
+  return tee(pipe, in.number, 1, SPLICE_F_NONBLOCK) != 0;
+}
+
+/// Waits until a program has the pipe open for writing, or has had it. A blocking open() has no such limit.
+void wait_for_writer(int pipe, const std::string& path) {
+  constexpr int slice = 20;  // ms
+  for (int waited = 0; waited < 1000 * patience_of_pipe; waited += slice) {
+    pollfd seen{pipe, POLLIN, 0};
+    if (poll(&seen, 1, slice) > 0) return;
+    if (has_writer(pipe)) return;
+  }
+  throw InputError("", "",
+                   "is a pipe that no program opened for writing within " +
+                       std::to_string(patience_of_pipe) + " s: start its writer, or name a file")
+      .at(path);
+}
+
+/// To be read from its start to its end.
+Handle opened(const std::string& path) {
+  if (is_folder(path)) fail_to_read(path, EISDIR);
+  std::error_code none;
+  const bool pipe = std::filesystem::is_fifo(path, none);
+  Handle file(open(path.c_str(), O_RDONLY | O_CLOEXEC | (pipe ? O_NONBLOCK : 0)));
+  if (file.number < 0) fail_to_read(path, errno);
+  if (pipe) {
+    wait_for_writer(file.number, path);
+    fcntl(file.number, F_SETFL, 0);
+  }
+  return file;
+}
+
+std::string read_bytes(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  const Handle file = opened(path);
+  std::string bytes;
+  std::vector<char> chunk(1 << 16);
+  while (const ssize_t n = read(file.number, chunk.data(), chunk.size())) {
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail_to_read(path, errno);
+    if (bytes.size() >= most_of_device && is_special(path))
+      throw InputError("", "", "is no regular file and gives more than 256 MiB").at(path);
+    bytes.append(chunk.data(), static_cast<std::size_t>(n));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+struct KeptInputs::Files {
+  using Id = std::pair<dev_t, ino_t>;
+
+  static std::optional<Id> id_of(const std::string& path) {
+    struct stat about {};
+    if (path == "-" || stat(path.c_str(), &about) != 0) return std::nullopt;
+    return Id{about.st_dev, about.st_ino};
+  }
+
+  std::mutex mutex;
+  std::set<Id> read;
+};
+
+namespace {
+
+std::atomic<const KeptInputs*> kept = nullptr;
+
+/// Names what stands where text was meant.
+void require_text(const std::string& path, const std::string& bytes) {
+  const auto fail_with = [&](const char* rule) { throw InputError("", "", rule).at(path, 1); };
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    fail_with("is text in UTF-16: save it in UTF-8 (spreadsheets: CSV UTF-8)");
+  if (bytes.starts_with("\x1F\x8B")) fail_with("is compressed by gzip: unpack it first (gunzip)");
+  if (bytes.starts_with("PK\x03\x04"))
+    fail_with("is a zip archive or a spreadsheet: save its table as CSV");
+}
+
+}  // namespace
+
+KeptInputs::KeptInputs() : files_(std::make_unique<Files>()) {
+  assert(kept == nullptr);
+  kept = this;
+}
+
+KeptInputs::~KeptInputs() {
+  kept = nullptr;
+}
+
+void require_not_read(const std::string& path, const std::string& option) {
+  const KeptInputs* const inputs = kept;
+  const auto id = KeptInputs::Files::id_of(path);
+  if (inputs == nullptr || !id) return;
+  const std::lock_guard lock(inputs->files_->mutex);
+  if (inputs->files_->read.contains(*id))
+    throw InputError(option, path, "is also an input: choose another name");
+}
+
+std::string read_file(const std::string& path) {
+  std::string bytes = read_bytes(path);
+  require_text(path, bytes);
+  const KeptInputs* const inputs = kept;
+  if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
+    const std::lock_guard lock(inputs->files_->mutex);
+    inputs->files_->read.insert(*id);
+  }
+  if (bytes.starts_with("\xEF\xBB\xBF"))
+    bytes.erase(0, 3);  // a byte order mark says nothing in UTF-8
+  return bytes;
+}
+
+void write_files(const std::vector<Output>& files) {
+  for (const Output& file : files)
+    if (!is_special(file.path)) require_not_read(file.path, "output");
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_same(files[i].path, files[k].path))
+        throw InputError("output", files[i].path, "two outputs need two names");
+  std::vector<Temporary> written;
+  for (const Output& file : files)
+    if (file.path != "-" && !is_special(file.path)) {
+      if (is_folder(file.path)) {
+        errno = EISDIR;
+        fail("cannot write " + file.path);
+      }
+      written.emplace_back(file);
+    }
+  for (const Output& file : files)
+    if (file.path == "-" || is_special(file.path)) write_directly(file);
+  for (Temporary& file : written) file.rename();
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  write_files({{path, bytes}});
+}
+
+}  // namespace jounce

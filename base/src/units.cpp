@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/units.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include <udunits2.h>
+
+#include "jounce/profiles/error.hpp"
+
+// The grammar, the products and the conversion are UDUNITS-2's. The units are declared here rather
+// than read from its XML data base: its radian is dimensionless, so that degrees would pass for
+// pulses, and a tool that starts a hundred times a minute in CI should not parse XML each time.
+
+namespace jounce {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+
+class System {
+ public:
+  System() : system_(ut_new_system()) {
+    ut_set_error_message_handler(ut_ignore);
+    for (const char* symbol : {"m", "rad", "s", "kg", "A", "pulse"}) {
+      const Unit base(ut_new_base_unit(system_));
+      ut_map_symbol_to_unit(symbol, UT_UTF8, base.get());  // keeps a copy
+    }
+    constexpr double pi = 3.14159265358979323846;
+    define("mm", 1e-3, "m"), define("um", 1e-6, "m"), define("cm", 1e-2, "m"),
+        define("in", 0.0254, "m");
+    define("deg", pi / 180, "rad"), define("rev", 2 * pi, "rad");
+    define("arcmin", pi / 10800, "rad"), define("arcsec", pi / 648000, "rad");
+    define("count", 1, "pulse"), define("inc", 1, "pulse");
+    define("ms", 1e-3, "s"), define("us", 1e-6, "s"), define("ns", 1e-9, "s"),
+        define("min", 60, "s"), define("h", 3600, "s");
+    define("g", 1e-3, "kg");
+    define("N", 1, "kg.m/s^2"), define("J", 1, "N.m"), define("W", 1, "J/s"),
+        define("Hz", 1, "1/s"), define("kHz", 1e3, "Hz"), define("MHz", 1e6, "Hz");
+    define("rpm", 1, "rev/min"), define("V", 1, "W/A"), define("ohm", 1, "V/A");
+  }
+
+  ~System() { ut_free_system(system_); }
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  [[nodiscard]] Unit parse(std::string_view text) const {
+    // A number alone parses as a dimensionless unit, and an offset ("m @ 3") as a shifted one:
+    // neither is a unit to us, except the 1 of "1/s".
+    if (text.empty() || text.find('@') != std::string_view::npos) return nullptr;
+    if (!text.starts_with("1/") && text.find_first_of("0123456789.+-") == 0) return nullptr;
+    if (text.find_first_not_of("0123456789.+-eE ") == std::string_view::npos) return nullptr;
+    if (std::count(text.begin(), text.end(), '(') != std::count(text.begin(), text.end(), ')'))
+      return nullptr;
+    return Unit(ut_parse(system_, std::string(text).c_str(), UT_UTF8));
+  }
+
+ private:
+  void define(const char* symbol, double factor, const char* of) const {
+    const Unit base(ut_parse(system_, of, UT_UTF8));
+    const Unit scaled(ut_scale(factor, base.get()));
+    ut_map_symbol_to_unit(symbol, UT_UTF8, scaled.get());
+  }
+
+  ut_system* system_;
+};
+
+/// UDUNITS-2 parses with global variables.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+const System& units() {
+  static const System system;
+  return system;
+}
+
+Unit require_unit(std::string_view text) {
+  Unit unit = units().parse(text);
+  if (!unit)
+    throw InputError("unit", std::string(text),
+                     "is not a known unit (m mm um cm in, rad deg rev, pulse, s ms us ns "
+                     "min, kg g, N, J, W, Hz kHz MHz, rpm, A V ohm and their products)");
+  return unit;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+bool is_unit(std::string_view text) {
+  const std::lock_guard lock(one_at_a_time());
+  return units().parse(text) != nullptr;
+}
+
+double conversion(std::string_view from, std::string_view to) {
+  if (from == to) return 1;
+  const std::lock_guard lock(one_at_a_time());
+  const Unit a = require_unit(from);
+  const Unit b = require_unit(to);
+  if (ut_are_convertible(a.get(), b.get()) == 0)
+    throw InputError("unit", std::string(from), "cannot be converted to " + std::string(to));
+  const std::unique_ptr<cv_converter, decltype(&cv_free)> converter(
+      ut_get_converter(a.get(), b.get()), &cv_free);
+  // 1/s converts into s by inversion; only a plain factor is a change of unit.
+  const double factor = cv_convert_double(converter.get(), 1);
+  if (std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) > 1e-12 * std::abs(factor))
+    throw InputError("unit", std::string(from), "cannot be converted to " + std::string(to));
+  return factor;
+}
+
+double quantity(std::string_view text, std::string_view unit) {
+  const std::string_view whole = trimmed(text);
+  double value = 0;
+  const char* begin = whole.data() + (whole.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, whole.data() + whole.size(), value);
+  const std::string shown = '"' + std::string(text) + '"';
+  if (error != std::errc() || !std::isfinite(value))
+    throw InputError("", shown,
+                     "must be a finite number, with or without a unit, such as \"12.5 " +
+                         std::string(unit) + '"');
+  const std::string_view given =
+      trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())));
+  if (given.empty()) return value;
+  if (!is_unit(given))
+    throw InputError(
+        "", shown,
+        '"' + std::string(given) + "\" is not a unit; the value must be in " + std::string(unit));
+  try {
+    return value * conversion(given, unit);
+  } catch (const InputError&) {
+    throw InputError("", shown,
+                     "the unit " + std::string(given) + " does not fit; the value must be in " +
+                         std::string(unit));
+  }
+}
+
+std::string rate_unit(const std::string& position, const std::string& x, int order) {
+  if (order == 0 || x.empty()) return position;
+  std::string unit = (position.empty() ? "1" : position) + "/" +
+                     (x.find('/') == std::string::npos ? x : "(" + x + ")");
+  if (order > 1) unit += "^" + std::to_string(order);
+  return unit;
+}
+
+}  // namespace jounce

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/signal.hpp"
+
+namespace jounce {
+
+/// The chain rule: the derivatives by time of f(x(t)), where f holds the derivatives by x at x(t) and
+/// x those by time; equations (1) to (3) of Followed.
+inline Jet chained(const Jet& f, const Jet& x) {
+  return {f[0], f[1] * x[1],                                                  // (1)
+          f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
+          f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
+}
+
+/// Direction of a master on the given side of an instant: the sign of its first derivative that
+/// is not zero. So a master at rest that is about to move backwards counts as moving backwards.
+inline bool backwards(const Jet& x, Side side = Side::right) {
+  const double s = side == Side::right ? 1 : -1;
+  if (x[1] != 0) return x[1] < 0;
+  if (x[2] != 0) return s * x[2] < 0;
+  return x[3] < 0;
+}
+
+/// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to `last`, or
+/// periods from 1e15 on: far more than any machine needs, and before memory runs out.
+void require_few_periods(double first, double last, std::size_t breaks);
+
+/// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
+///
+///     TrapezoidSpec travel{.to = 1080, .velocity = 200, .acceleration = 1000};
+///     const Followed slave(cam, trapezoid(travel).curve());
+///     Motion now = slave.at(0.5);
+///
+/// Full chain rule, with the master's acceleration and jerk (f = cam, x = master):
+///
+///     (1)  y'   = f' x'
+///     (2)  y''  = f'' x'^2 + f' x''
+///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
+///
+/// Its breaks are the master's breaks and every instant at which the master passes a break of the
+/// cam. While the master runs backwards, right and left limits of the cam are exchanged. Throws
+/// InputError where the master leaves a cam that refuses it, and as require_few_periods().
+class Followed {
+ public:
+  Followed(Cam cam, Trajectory master);
+
+  [[nodiscard]] double start() const { return master_.start(); }
+  [[nodiscard]] double end() const { return master_.end(); }
+  [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
+  [[nodiscard]] Motion at(double t, Side side = Side::right) const {
+    return point<OverTime>(jet(t, side));
+  }
+
+  [[nodiscard]] const Cam& cam() const { return cam_; }
+  [[nodiscard]] const Trajectory& master() const { return master_; }
+
+ private:
+  Cam cam_;
+  Trajectory master_;
+  std::vector<double> breaks_;
+};
+
+static_assert(Signal<Trajectory> && Signal<Cam> && Signal<Followed>);
+
+}  // namespace jounce

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+#include <optional>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+
+/// The follower of the plate cam: a roller (radius 0: a knife edge) on a follower that slides, or at
+/// the end of an arm that swings.
+enum class Follower {
+  translating,  ///< along a line `offset` beside the cam's centre
+  oscillating,  ///< on an arm of `arm_length`, whose pivot is `centre_distance` from the cam's centre
+};
+
+/// Direction of the cam as the master advances.
+enum class Rotation { counterclockwise, clockwise };
+
+/// A plate cam's geometry; lengths in the unit u of the slave.
+///
+///     Cam cam = design(spec).cam;                   // 360 deg of master, mm of lift
+///     Disc disc(cam, {.base_radius = 30, .roller_radius = 8});
+///     DiscPoint now = disc.at(90);                  // roller centre, contact, pressure angle
+///     DiscExtremes worst = extremes(disc);          // exact, with where
+///     Report report = check(disc, {.pressure_angle = 0.52});
+///     Contour profile = contour(disc, -8, 0.001);   // see disc_contour.hpp
+///
+/// **Vocabulary.** The *base circle* is the smallest circle of the profile about the cam's centre,
+/// and belongs to the least position of the slave: *lift* is what the slave is above that. The
+/// *pitch curve* is the way of the roller's centre, seen from the cam; the *profile*, which the
+/// roller touches, is parallel to it at the roller's radius. *Pressure angle*: between the normal of
+/// the profile, along which the cam pushes, and the way the roller centre can go.
+///
+/// **Frame.** The cam's centre is the origin, and the cam is drawn as it stands at master 0. The
+/// translating follower then moves along +y at x = offset: a positive offset lowers the pressure
+/// angle of the rise if the cam turns counterclockwise, and raises it if clockwise. The arm's pivot is
+/// at (centre_distance, 0), the roller on its side of +y; lift turns the arm clockwise, away from the
+/// cam.
+struct DiscSpec {
+  Follower follower = Follower::translating;
+  double base_radius = 0;      ///< u, > 0
+  double roller_radius = 0;    ///< u, >= 0
+  double offset = 0;           ///< u; translating
+  double arm_length = 0;       ///< u, > 0; oscillating
+  double centre_distance = 0;  ///< u, > 0; oscillating
+  Rotation rotation = Rotation::counterclockwise;
+  double angle = std::numbers::pi / 180;  ///< rad per master unit: that of a master in deg
+  /// rad of the arm per slave unit, for a slave that is an angle; left out, the slave is the way of
+  /// the roller's centre along its arc, 1 / arm_length.
+  std::optional<double> arm_angle = {};
+};
+
+/// A place in the plane of the cam, u.
+struct Place {
+  double x = 0;
+  double y = 0;
+};
+
+/// The cam at one position of the master; places and directions seen from the cam.
+struct DiscPoint {
+  Place centre;                ///< centre of the roller: a point of the pitch curve
+  Place contact;               ///< a point of the profile
+  Place normal;                ///< normal of both, outwards, of length 1
+  double pressure_angle = 0;   ///< rad; > 0 where the follower would rather yield to the side in
+                               ///< which the cam turns, as on the rise; beyond pi/2 it jams
+  double pitch_curvature = 0;  ///< 1/u, > 0 where convex
+};
+
+/// A plate cam with its follower: an immutable value.
+///
+/// The cam must turn into itself: its length is a turn, or a whole part of one (then it has as many
+/// lobes), and it ends where it began. Its policy outside is ignored: it wraps.
+///
+/// **Throws** InputError for lengths that are not finite or have the wrong sign, a cam that does not
+/// close, an offset that is not less than base + roller radius, and an arm that does not reach the
+/// base circle or swings through the line of centres ("arm_length").
+class Disc {
+ public:
+  Disc(const Cam& cam, const DiscSpec& spec);
+
+  /// Over one whole turn, least value 0, wraps.
+  [[nodiscard]] const Cam& lift() const { return lift_; }
+  [[nodiscard]] const DiscSpec& spec() const { return spec_; }
+
+  /// Position of the roller at lift 0: the height over the cam's centre of a translating one (u), the
+  /// angle between arm and line of centres of an oscillating one (rad).
+  [[nodiscard]] double start() const { return start_; }
+
+  /// At any master position. At a step of the velocity there are two, one a side.
+  [[nodiscard]] DiscPoint at(double master, Side side = Side::right) const;
+
+ private:
+  DiscSpec spec_;
+  Cam lift_;
+  double start_ = 0;
+};
+
+/// The ranges over the turn. Nothing is sampled: stretches are dropped only when an enclosure
+/// (interval arithmetic, second order) shows that they hold nothing greater, and a peak is bracketed
+/// only where the second derivative's enclosure excludes zero. `error`: by how much, at most, the
+/// true extrema may lie beyond, as a share of the peak; 1e-12 or less unless the cam is degenerate.
+struct DiscExtremes {
+  Range pressure_angle;   ///< rad: of the rise (max) and the return (min)
+  Range pitch_curvature;  ///< 1/u: most convex (max) and most concave (min)
+  double error = 0;
+};
+DiscExtremes extremes(const Disc& disc);
+
+/// Two master positions that cannot be on one profile: the circle of radius `radius` that touches
+/// it at `circle` covers its point at `covered` by `depth` u.
+struct Interference {
+  double circle = 0;
+  double covered = 0;
+  double depth = 0;
+};
+
+/// True if a circle rolled around the outside of the profile (radius roller_radius: the roller; a
+/// larger one: a cutter) somewhere cuts into a distant stretch of it. Proven by enclosures over all
+/// pairs of stretches; within a quarter turn of the tangent the curvature alone decides, so an
+/// undercut or too narrow a hollow is not looked for here. Nothing: it does not; the deepest overlap
+/// otherwise, its depth to 1e-3 of the radius. A clearance below 1e-5 of the radius counts as none.
+std::optional<Interference> interference(const Disc& disc, double radius);
+
+/// Limits of the disc; an omitted value is not limited. A profile must always have a radius > 0.
+struct DiscLimits {
+  std::optional<double> pressure_angle = {};  ///< rad, in (0, pi/2), of rise and return
+  std::optional<double> profile_radius = {};  ///< u, least radius of curvature where convex
+  std::optional<double> cutter_radius = {};   ///< u: this tool must get into every hollow
+};
+
+/// Pressure angle (in deg), undercut, interference, cutter and corners against the limits, with
+/// `where` in master units. Advice names the smallest base radius that would do, if there is one.
+/// Rules: "disc/pressure_angle", "disc/profile_radius", "disc/interference", "disc/cutter_radius",
+/// "disc/corner". Throws InputError for a limit out of its range.
+Report check(const Disc& disc, const DiscLimits& limits);
+
+/// The least base radius with which the cam keeps the limits on pressure angle and profile radius,
+/// everything else as in `spec` (its base_radius does not count); nothing if none does. The one
+/// returned keeps them by the exact extrema, and one smaller by 1e-9 of it breaks one. It is the first
+/// found going up a ladder of 2 % (translating) or 1/400 of what the arm can reach (oscillating):
+/// a narrower window further down would be missed.
+std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
+                                        const DiscLimits& limits);
+
+}  // namespace jounce

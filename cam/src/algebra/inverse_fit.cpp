@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "jounce/cam/algebra/inverse.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/error.hpp"
+
+// Reversion of a series: w = a1 d + a2 d^2 + ..., the slave's way by the master's, is solved for d by
+//
+//   (1)  d = (w - sum over k >= 2 of a_k d^k) / a1,
+//
+// each pass of which gains one order. With |a_k| <= A_k for k >= 2 and |a1| >= m over a whole piece,
+// the series of
+//
+//   (2)  D = (w + sum over k >= 2 of A_k D^k) / m
+//
+// has only positive coefficients, which bound those of d at every point of the piece.
+
+namespace jounce {
+namespace {
+
+/// (1), and with sign = -1 and majorants (2). a[0] and a[1] of `higher` are not looked at.
+template <std::size_t n>
+detail::Series<n> reverted(detail::Series<n> higher, double a1, double sign = 1) {
+  higher[0] = higher[1] = 0;
+  detail::Series<n> d{};
+  for (std::size_t pass = 1; pass < n; ++pass) {
+    const auto rest = detail::substituted(higher, d);
+    for (std::size_t k = 1; k < n; ++k) d[k] = ((k == 1 ? 1 : 0) - sign * rest[k]) / a1;
+  }
+  return d;
+}
+
+/// A stretch of the slave between two breaks of the inverse, and where it lies in a cam's segment.
+struct Stroke {
+  const Inverse* inverse;
+  std::size_t segment;
+  double from, to;  ///< slave
+  double s0, s1;    ///< in the segment, there
+
+  [[nodiscard]] const Segment& f() const { return inverse->cam().segments()[segment]; }
+  [[nodiscard]] double s_at(double slave, Side side) const {
+    const double x = inverse->at(slave, side).position - inverse->cam().breaks()[segment];
+    return std::clamp(x / f().length, 0.0, 1.0);
+  }
+
+  [[nodiscard]] double length() const { return to - from; }
+  [[nodiscard]] detail::EndSeries end(int which) const {
+    const double s = which == 0 ? s0 : s1;
+    const detail::EndSeries a = detail::taylor(f(), s);
+    detail::EndSeries d = reverted(a, a[1]);
+    double unit = f().length;
+    for (double& c : d) {
+      c *= unit;
+      unit *= length();
+    }
+    d[0] = inverse->cam().breaks()[segment] + s * f().length;
+    return d;
+  }
+  [[nodiscard]] double twelfth() const {
+    const Segment piece = part(f(), std::min(s0, s1), std::max(s0, s1));
+    const Range slope = extrema(Cam({piece}), 1);
+    const double least = std::min(std::abs(slope.min.value), std::abs(slope.max.value));
+    const auto d = reverted(detail::majorant(piece, 1), least * piece.length, -1);
+    return d.back() * std::pow(length(), 12) * piece.length;
+  }
+  [[nodiscard]] std::pair<Stroke, Stroke> halves() const {
+    Stroke left = *this;
+    Stroke right = *this;
+    left.to = right.from = from + (to - from) / 2;
+    left.s1 = right.s0 = s_at(left.to, Side::right);
+    return {left, right};
+  }
+};
+
+Stroke stroke(const Inverse& g, double from, double to) {
+  const auto breaks = g.cam().breaks();
+  const double middle = g.at(from + (to - from) / 2).position;
+  const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, middle);
+  Stroke piece{&g, static_cast<std::size_t>(after - breaks.begin()) - 1, from, to, 0, 0};
+  piece.s0 = piece.s_at(from, Side::right);
+  piece.s1 = piece.s_at(to, Side::left);
+  return piece;
+}
+
+void require_motion(const Inverse& g, double slave, Side side) {
+  if (!std::isfinite(g.at(slave, side).geo_velocity))
+    throw InputError("slave", slave,
+                     "is where the slave is at rest: the slope of the master is infinite there, "
+                     "which no polynomial can follow. Stay away from it, or use the Inverse");
+}
+
+}  // namespace
+
+Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance) {
+  if (!(from >= g.start() && from < to && to <= g.end()))
+    throw InputError(
+        "slave", number(from) + " to " + number(to),
+        "must ascend and lie within the branch, " + number(g.start()) + " to " + number(g.end()));
+  detail::require_tolerance(tolerance,
+                            std::max(std::abs(g.master_from()), std::abs(g.master_to())));
+  std::vector<double> ends{from};
+  for (const double y : g.breaks())
+    if (y > from && y < to) ends.push_back(y);
+  ends.push_back(to);
+  std::vector<Segment> segments;
+  Jet error{};
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    require_motion(g, ends[i], Side::right);
+    require_motion(g, ends[i + 1], Side::left);
+    detail::fit(stroke(g, ends[i], ends[i + 1]), tolerance, segments, error);
+  }
+  return {Cam(std::move(segments), from), error};
+}
+
+}  // namespace jounce

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/coupling/master_limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
+
+// Over all signs of the master's rates, the slave's greatest velocity, acceleration and jerk at a
+// place z are, by (1) of the header,
+//
+//   (2)  |f'| w,   |f''| w^2 + |f'| a,   |f'''| w^3 + 3 |f''| w a + |f'| j
+//
+// each a sum of three terms, factor x^power |f^(k)|, in the unknown x (w or a), growing with x and
+// convex. Wanted is the greatest x with
+//
+//   (3)  D(x) = max over z of the sum <= limit
+//
+// For one x, D is exact: with the signs of the three terms chosen, the sum is a linear combination of
+// f', f'', f''', which is a segment again, and its extrema are isolated. From an x that is too
+// large, with its worst place z,
+//
+//   (4)  x <- the x at which the sum at z is the limit
+//
+// is smaller and never below the answer, since (3) must hold at z, too. This is Dinkelbach's
+// iteration: it converges faster than linearly, mostly in three to six steps.
+
+namespace jounce {
+namespace {
+
+constexpr double rounding = 1e-9;
+constexpr int most_steps = 100;
+
+using Sizes = std::array<double, 3>;  // of |f'|, |f''|, |f'''|, or their weights
+
+struct Place {
+  double where = 0;
+  Sizes size{};
+  double sum = -1;
+};
+
+/// A limit of the slave and its sum (2): weight k is factor[k] * x^power[k].
+struct Constraint {
+  const char* quantity;
+  double limit;
+  Sizes factor;
+  std::array<int, 3> power;
+
+  [[nodiscard]] Sizes weights(double x) const {
+    Sizes w{};
+    for (std::size_t k = 0; k < w.size(); ++k) w[k] = factor[k] * std::pow(x, power[k]);
+    return w;
+  }
+};
+
+double weighted(const Sizes& weights, const Sizes& sizes) {
+  return weights[0] * sizes[0] + weights[1] * sizes[1] + weights[2] * sizes[2];
+}
+
+/// A cam's derivatives, and where a weighted sum of their magnitudes is greatest.
+class Transfers {
+ public:
+  explicit Transfers(const Cam& cam) : cam_(cam) {
+    for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+      const Segment d1 = derivative(cam.segments()[i]);
+      const Segment d2 = derivative(d1);
+      segments_.push_back({d1, d2, derivative(d2)});
+      const Ranges ranges = segment_extrema(cam, i);
+      Sizes& peak = peaks_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        peak[k] = std::abs(ranges[k + 1].peak().value);
+        most_[k] = std::max(most_[k], peak[k]);
+      }
+    }
+  }
+
+  /// The greatest magnitude of each derivative.
+  [[nodiscard]] const Sizes& most() const { return most_; }
+
+  [[nodiscard]] Place worst(const Sizes& weights) const {
+    Place worst;
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (weighted(weights, peaks_[i]) > worst.sum) search(i, weights, worst);
+    return worst;
+  }
+
+ private:
+  void search(std::size_t i, const Sizes& weights, Place& worst) const {
+    const auto& [d1, d2, d3] = segments_[i];
+    for (const double s2 : {1.0, -1.0}) {
+      if (s2 < 0 && weights[1] == 0) continue;
+      for (const double s3 : {1.0, -1.0}) {
+        if (s3 < 0 && weights[2] == 0) continue;
+        const auto combined = sum(*sum(scaled(d1, weights[0]), scaled(d2, s2 * weights[1])),
+                                  scaled(d3, s3 * weights[2]));
+        const Range range = extrema(Cam({*combined}), 0);  // always fits: the sines are the same
+        take(i, range.min.where, weights, worst);
+        take(i, range.max.where, weights, worst);
+      }
+    }
+  }
+
+  void take(std::size_t i, double u, const Sizes& weights, Place& worst) const {
+    const Segment& slope = segments_[i][0];
+    const Jet jet = evaluate(slope, std::min(1.0, u / slope.length));
+    const Sizes size{std::abs(jet[0]), std::abs(jet[1]), std::abs(jet[2])};
+    const double sum = weighted(weights, size);
+    if (sum > worst.sum) worst = {cam_.breaks()[i] + u, size, sum};
+  }
+
+  const Cam& cam_;
+  std::vector<std::array<Segment, 3>> segments_;
+  std::vector<Sizes> peaks_;
+  Sizes most_{};
+};
+
+/// An x that is not too small: each term alone must keep the limit where it is greatest.
+double upper_bound(const Constraint& c, const Sizes& most) {
+  double x = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < most.size(); ++k)
+    if (const double slope = c.factor[k] * most[k]; c.power[k] > 0 && slope > 0)
+      x = std::min(x, std::pow(c.limit / slope, 1.0 / c.power[k]));
+  return x;
+}
+
+/// (4): Newton's method from above, which a growing convex sum never lets below the answer.
+double at_limit(const Constraint& c, const Sizes& size, double x) {
+  if (weighted(c.weights(0), size) >= c.limit) return 0;
+  for (int i = 0; i < most_steps; ++i) {
+    const double excess = weighted(c.weights(x), size) - c.limit;
+    double slope = 0;
+    for (std::size_t k = 0; k < size.size(); ++k)
+      if (c.power[k] > 0) slope += c.power[k] * c.factor[k] * std::pow(x, c.power[k] - 1) * size[k];
+    const double next = x - excess / slope;
+    if (!(next < x)) break;
+    x = next;
+  }
+  return x;
+}
+
+MasterLimit greatest(const Transfers& f, const Constraint& c) {
+  double x = upper_bound(c, f.most());
+  const bool unlimited = std::isinf(x);
+  if (unlimited) x = 0;  // no term depends on it
+  for (int i = 0; i < most_steps; ++i) {
+    const Place place = f.worst(c.weights(x));
+    if (place.sum <= c.limit * (1 + 1e-14))
+      return unlimited ? MasterLimit{} : MasterLimit{x, c.quantity, place.where};
+    const double next = at_limit(c, place.size, x);
+    if (!(next < x)) return {next, c.quantity, place.where};
+    x = next;
+  }
+  return {x, c.quantity, f.worst(c.weights(x)).where};
+}
+
+/// Where the nth derivative steps, so that the next one is endless.
+std::optional<double> step_of(const Cam& cam, int n, double peak) {
+  const Jump jump = largest_jump(cam, n);
+  if (std::abs(jump.step) <= rounding * peak) return std::nullopt;
+  return jump.where;
+}
+
+MasterLimit least(const Cam& cam, const std::vector<Constraint>& constraints) {
+  const Transfers f(cam);
+  const Range travel = extrema(cam, 0);
+  const auto position_step = step_of(cam, 0, travel.max.value - travel.min.value);
+  const auto velocity_step = step_of(cam, 1, f.most()[0]);
+  const auto acceleration_step = step_of(cam, 2, f.most()[1]);
+  MasterLimit least;
+  for (const Constraint& c : constraints) {
+    const std::string quantity = c.quantity;
+    if (position_step) return {0, quantity, *position_step};
+    if (quantity != "velocity" && velocity_step) return {0, quantity, *velocity_step};
+    if (quantity == "jerk" && acceleration_step) return {0, quantity, *acceleration_step};
+    const MasterLimit one = greatest(f, c);
+    if (one.value < least.value) least = one;
+  }
+  return least;
+}
+
+}  // namespace
+
+MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
+                                     const MasterRates& rates) {
+  require_valid(slave);
+  require_not_negative("acceleration", rates.acceleration);
+  require_not_negative("jerk", rates.jerk);
+  const double a = rates.acceleration;
+  std::vector<Constraint> all;  // (2), x = w
+  if (slave.velocity) all.push_back({"velocity", *slave.velocity, {1, 0, 0}, {1, 0, 0}});
+  if (slave.acceleration)
+    all.push_back({"acceleration", *slave.acceleration, {a, 1, 0}, {0, 2, 0}});
+  if (slave.jerk) all.push_back({"jerk", *slave.jerk, {rates.jerk, 3 * a, 1}, {0, 1, 3}});
+  return least(cam, all);
+}
+
+MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
+                                         double jerk) {
+  require_valid(slave);
+  require_not_negative("velocity", velocity);
+  require_not_negative("jerk", jerk);
+  const double w = velocity;
+  std::vector<Constraint> all;  // (2), x = a
+  if (slave.velocity) all.push_back({"velocity", *slave.velocity, {w, 0, 0}, {0, 0, 0}});
+  if (slave.acceleration)
+    all.push_back({"acceleration", *slave.acceleration, {1, w * w, 0}, {1, 0, 0}});
+  if (slave.jerk) all.push_back({"jerk", *slave.jerk, {jerk, 3 * w, w * w * w}, {0, 1, 0}});
+  return least(cam, all);
+}
+
+}  // namespace jounce

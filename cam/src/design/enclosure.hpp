@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+
+#include "cam/src/design/taylor.hpp"
+
+namespace jounce::detail {
+
+/// A stretch of a curve: a segment of it, from s0 to s1 in [0, 1]; a single place where they agree.
+struct SegmentPart {
+  std::size_t segment = 0;
+  double s0 = 0;
+  double s1 = 1;
+
+  [[nodiscard]] double middle() const { return (s0 + s1) / 2; }
+  [[nodiscard]] SegmentPart left() const { return {segment, s0, middle()}; }
+  [[nodiscard]] SegmentPart right() const { return {segment, middle(), s1}; }
+  [[nodiscard]] SegmentPart at(double s) const { return {segment, s, s}; }
+};
+
+/// Position on the curve's axis of s on a segment, the segment's ends exactly.
+double position(const Cam& f, std::size_t segment, double s);
+
+/// f and four derivatives over a stretch, by x = angle * (position on the curve's axis).
+Taylor<4> enclosure(const Cam& f, const SegmentPart& over, double angle);
+
+/// A function of the curve: its value with two derivatives over a stretch, by x as above.
+using Observed = std::function<Taylor<2>(const SegmentPart&)>;
+
+/// An upper bound's excess over the value beside it.
+struct Certified {
+  Extremum extremum;
+  double excess = 0;  ///< the true maximum is at most this much greater
+};
+
+/// The greatest value of `observed` over the curve, both sides of every break included; the first of
+/// equal ones. Branch and bound, to 1e-13 of the magnitude of the values (or of `scale`, where that
+/// is more): a value for which rounding is larger than that tells so by its excess.
+Certified maximum(const Cam& f, double angle, const Observed& observed, double scale);
+
+}  // namespace jounce::detail

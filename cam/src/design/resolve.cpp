@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// A spec -> its segments with every derivative filled in.
+//
+// Velocities first, as accelerations follow from them: what is given, what a line, a dwell or a
+// reversal demands, what a spline has at an end that is left open, zero. Then accelerations: given,
+// demanded; then the segments are built from left to right, and one that has an acceleration of its
+// own brings it to its knots.
+#include "cam/src/design/resolve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::camming {
+namespace {
+
+constexpr double same = 1e-9;      // forgives rounded input
+constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
+
+class Resolver {
+ public:
+  explicit Resolver(const CamSpec& spec) : spec_(spec) {
+    if (spec.segments.empty())
+      throw InputError("segment", "none", "a cam needs at least one segment");
+    for (std::size_t i = 0; i <= spec.segments.size(); ++i) add_knot(i);
+    if (spec.slave_period) require_whole_turns();
+  }
+
+  std::vector<Placed> resolve() {
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i) demand(i);
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_form_and_points(i);
+    share_seam();
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i)
+      if (is_spline(law(i)) || law(i) == Law::hermite) take_open_ends(i);
+    share_seam();
+    for (CamKnot& knot : knots_) knot.geo_velocity = knot.geo_velocity.value_or(0);
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i) {
+      placed.push_back(place(i, placed));
+      take_own_accelerations(placed.back(), i);
+    }
+    share_seam();
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      placed[i].from = filled(knots_[i]);
+      placed[i].to = filled(knots_[i + 1]);
+    }
+    return placed;
+  }
+
+ private:
+  [[nodiscard]] const CamKnot& given(std::size_t i) const {
+    return i == 0 ? spec_.start : spec_.segments[i - 1].end;
+  }
+  [[nodiscard]] Law law(std::size_t segment) const { return spec_.segments[segment].law; }
+  [[nodiscard]] double chord(std::size_t i) const {
+    return (knots_[i + 1].slave - knots_[i].slave) / (knots_[i + 1].master - knots_[i].master);
+  }
+  static CamKnot filled(CamKnot knot) {
+    knot.geo_acceleration = knot.geo_acceleration.value_or(0);
+    return knot;
+  }
+
+  /// The segment before (-1) or after (1): across the seam of a periodic cam, too.
+  [[nodiscard]] std::optional<std::size_t> beside(std::size_t segment, int step) const {
+    const std::size_t count = spec_.segments.size();
+    const bool outside = step < 0 ? segment == 0 : segment + 1 == count;
+    if (outside && (!spec_.periodic || count == 1)) return std::nullopt;
+    return (segment + count + static_cast<std::size_t>(step < 0 ? count - 1 : 1)) % count;
+  }
+  /// Whether it has no acceleration at its ends.
+  [[nodiscard]] bool rests(std::size_t segment) const {
+    const Ends ends = info(law(segment)).ends;
+    return ends == Ends::straight || ends == Ends::standing || ends == Ends::moving;
+  }
+
+  void add_knot(std::size_t i);
+  void require_whole_turns() const;
+  void require_form_and_points(std::size_t segment) const;
+  void demand(std::size_t segment);
+  void demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
+                 double demanded, std::size_t segment, double scale);
+  void share_seam();
+  Placed place(std::size_t segment, const std::vector<Placed>& before) const;
+  [[nodiscard]] bool reversal_first(std::size_t segment, const std::vector<Placed>& before) const;
+  void require_no_rest(std::size_t segment, bool reversal_first) const;
+  void find_inflection(Placed& placed, std::size_t segment) const;
+  void take_own_accelerations(const Placed& placed, std::size_t segment);
+  void take_open_ends(std::size_t segment);
+  void take_own(std::size_t knot, double own, std::size_t segment, double scale);
+
+  const CamSpec& spec_;
+  std::vector<CamKnot> knots_;
+};
+
+void Resolver::add_knot(std::size_t i) {
+  const CamKnot& knot = given(i);
+  require_finite(key_of(i, "master").c_str(), knot.master);
+  require_finite(key_of(i, "slave").c_str(), knot.slave);
+  for (const auto& [field, value] : {std::pair{"master", knot.master}, {"slave", knot.slave}})
+    if (std::abs(value) > largest)
+      throw InputError(key_of(i, field), value, "must be at most 1e100 in magnitude");
+  if (knot.geo_velocity) require_finite(key_of(i, "geo_velocity").c_str(), *knot.geo_velocity);
+  if (knot.geo_acceleration)
+    require_finite(key_of(i, "geo_acceleration").c_str(), *knot.geo_acceleration);
+  if (i > 0 && !(knot.master > knots_.back().master))
+    throw InputError(key_of(i, "master"), knot.master,
+                     "must be greater than " + number(knots_.back().master) + ", the knot before");
+  knots_.push_back(knot);
+}
+
+void Resolver::require_whole_turns() const {
+  const double period = *spec_.slave_period;
+  require_positive("slave_period", period);
+  if (!spec_.periodic)
+    throw InputError("slave_period", period,
+                     "needs a periodic cam on a rotary slave; this cam is not periodic");
+  const double advance = knots_.back().slave - knots_.front().slave;
+  const double turns = std::round(advance / period);
+  const double scale = std::max(std::abs(knots_.back().slave), std::abs(knots_.front().slave));
+  if (std::abs(advance - turns * period) > 1e-12 * std::max(scale, period))
+    throw InputError(key_of(spec_.segments.size(), "slave"), knots_.back().slave,
+                     "must be a whole number of slave periods (" + number(period) +
+                         ") from the start, as " + number(knots_.front().slave + turns * period) +
+                         " is");
+}
+
+void Resolver::require_form_and_points(std::size_t i) const {
+  const CamSegment& segment = spec_.segments[i];
+  try {
+    require_valid(segment.law, segment.form);
+  } catch (const InputError& error) {
+    throw InputError("segment[" + std::to_string(i + 1) + "]." + error.key(), error.value(),
+                     error.rule());
+  }
+  const std::string key = "segment[" + std::to_string(i + 1) + "].points";
+  if (has_own_shape(segment.law) && !segment.points.empty())
+    throw InputError(
+        key, static_cast<double>(segment.points.size()),
+        std::string("the law `") + name(segment.law) +
+            "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");
+  for (std::size_t p = 0; p < segment.points.size(); ++p) {
+    const double master = segment.points[p].master;
+    const std::string point = key + "[" + std::to_string(p + 1) + "].master";
+    require_finite(point.c_str(), master);
+    if (master < knots_[i].master || master > knots_[i + 1].master)
+      throw InputError(point, master,
+                       "must lie in its segment, " + number(knots_[i].master) + " to " +
+                           number(knots_[i + 1].master));
+    if (p > 0 && !(master > segment.points[p - 1].master))
+      throw InputError(
+          point, master,
+          "must be greater than " + number(segment.points[p - 1].master) + ", the point before");
+  }
+}
+
+/// The law on one side of a knot demands a derivative there: take it, or check what was given.
+void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
+                         double demanded, std::size_t segment, double scale) {
+  auto& value = knots_[knot].*field;
+  if (!value) value = demanded;
+  if (std::abs(*value - demanded) > same * scale)
+    throw InputError(key_of(knot, name), *value,
+                     "must be " + number(demanded) + ", which the law `" +
+                         jounce::name(law(segment)) + "` beside it has there");
+}
+
+void Resolver::demand(std::size_t i) {
+  const Ends ends = info(law(i)).ends;
+  if (ends == Ends::standing && knots_[i].slave != knots_[i + 1].slave)
+    throw InputError(key_of(i + 1, "slave"), knots_[i + 1].slave,
+                     "a dwell must stay at " + number(knots_[i].slave));
+  const double slope = chord(i);
+  const double velocity = ends == Ends::straight ? slope : 0;
+  for (std::size_t k = i; k <= i + 1; ++k) {
+    if (ends == Ends::straight || ends == Ends::standing || ends == Ends::rest_to_reversal)
+      demand_at(k, &CamKnot::geo_velocity, "geo_velocity", velocity, i, std::abs(slope));
+    if (rests(i))
+      demand_at(k, &CamKnot::geo_acceleration, "geo_acceleration", 0, i,
+                std::abs(slope) / (knots_[i + 1].master - knots_[i].master));
+  }
+}
+
+/// Start and last knot of a periodic cam are one: what one of them has, the other takes.
+void Resolver::share_seam() {
+  if (!spec_.periodic) return;
+  for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
+    auto& first = knots_.front().*field;
+    auto& last = knots_.back().*field;
+    if (!first) first = last;
+    if (!last) last = first;
+  }
+}
+
+bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) const {
+  if (given(i).geo_acceleration) return *given(i).geo_acceleration != 0;
+  if (given(i + 1).geo_acceleration) return *given(i + 1).geo_acceleration == 0;
+  const auto previous = beside(i, -1);
+  const auto next = beside(i, 1);
+  const bool rest_before = previous ? rests(*previous) : !spec_.periodic;  // held: at rest
+  const bool rest_after = next ? rests(*next) : !spec_.periodic;
+  if (rest_before != rest_after) return rest_after;
+  if (i == 0) return false;
+  const Ends ends = info(law(i - 1)).ends;
+  return ends == Ends::moving_free || (ends == Ends::rest_to_reversal && !before[i - 1].reversed);
+}
+
+void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
+  const std::size_t knot = reversal_first ? i : i + 1;
+  const auto neighbour = beside(i, reversal_first ? -1 : 1);
+  if (!neighbour || !rests(*neighbour)) return;
+  throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
+                   "reverses at master " + number(knots_[knot].master) + ", where the law `" +
+                       name(law(*neighbour)) +
+                       "` beside it has no acceleration; a law from rest to rest would do");
+}
+
+/// Where the reversal's knot gives an acceleration that the inflection can meet.
+void Resolver::find_inflection(Placed& placed, std::size_t i) const {
+  const std::size_t knot = placed.reversed ? i : i + 1;
+  const auto& wanted = given(knot).geo_acceleration;
+  if (!wanted || placed.form.inflection || !info(placed.spec->law).inflection) return;
+  const double stroke = placed.to.slave - placed.from.slave;
+  if (stroke == 0)
+    throw InputError(key_of(knot, "geo_acceleration"), *wanted,
+                     "must be left out: the segment has no stroke");
+  const double unit = (placed.reversed ? 1 : -1) * stroke / (placed.length() * placed.length());
+  const double deceleration = *wanted / unit;
+  const double least = least_deceleration(placed.spec->law);
+  if (!(deceleration > least))
+    throw InputError(key_of(knot, "geo_acceleration"), *wanted,
+                     "must be beyond " + number(least * unit) +
+                         ": a smaller value puts the inflection of the law `" +
+                         name(placed.spec->law) + "` outside its segment");
+  placed.form.inflection = inflection_for(placed.spec->law, deceleration);
+  if (!(*placed.form.inflection < 1))
+    throw InputError(key_of(knot, "geo_acceleration"), *wanted,
+                     "is too large: the inflection of the law `" +
+                         std::string(name(placed.spec->law)) + "` would be at its reversal");
+}
+
+Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
+  const CamSegment& segment = spec_.segments[i];
+  Placed placed{i, &segment, segment.form, false, knots_[i], knots_[i + 1]};
+  if (info(segment.law).ends != Ends::rest_to_reversal) return placed;
+  placed.reversed = reversal_first(i, before);
+  require_no_rest(i, placed.reversed);
+  find_inflection(placed, i);
+  return placed;
+}
+
+/// A knot's acceleration where a law has its own: taken if nothing else is there. What the spec
+/// gives must agree; what a neighbour demands may not, and is a step that a check finds.
+void Resolver::take_own(std::size_t knot, double own, std::size_t segment, double scale) {
+  if (given(knot).geo_acceleration)
+    demand_at(knot, &CamKnot::geo_acceleration, "geo_acceleration", own, segment, scale);
+  else if (!knots_[knot].geo_acceleration)
+    knots_[knot].geo_acceleration = own;
+}
+
+/// A spline is natural where nothing is given, a hermite law has its own points at its ends: what it
+/// has there is then true of its neighbour.
+void Resolver::take_open_ends(std::size_t i) {
+  const bool alone = spec_.periodic && spec_.segments.size() == 1;
+  const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});
+  const auto& points = spec_.segments[i].points;
+  const auto own_at = [&](const CamKnot& knot, const CamPoint& point, Jet jet) {
+    if (point.master != knot.master) return jet;  // a point there is so to the bit
+    jet[1] = point.geo_velocity.value_or(jet[1]);
+    jet[2] = point.geo_acceleration.value_or(jet[2]);
+    return jet;
+  };
+  Jet from = evaluate(segments.front(), 0);
+  Jet to = evaluate(segments.back(), 1);
+  if (!points.empty()) from = own_at(knots_[i], points.front(), from);
+  if (!points.empty()) to = own_at(knots_[i + 1], points.back(), to);
+  const auto take = [](CamKnot& knot, const Jet& own, bool bends) {
+    if (!knot.geo_velocity) knot.geo_velocity = own[1];
+    if (bends && !knot.geo_acceleration) knot.geo_acceleration = own[2];
+  };
+  const bool bends = info(law(i)).ends == Ends::given;
+  take(knots_[i], from, bends);
+  share_seam();
+  take(knots_[i + 1], to, bends);
+  share_seam();
+}
+
+void Resolver::take_own_accelerations(const Placed& placed, std::size_t i) {
+  const Ends ends = info(placed.spec->law).ends;
+  if (ends != Ends::moving_free && ends != Ends::rest_to_reversal) return;
+  const auto segments = built(placed);
+  const double from = evaluate(segments.front(), 0)[2];
+  const double to = evaluate(segments.back(), 1)[2];
+  const double scale =
+      std::max({std::abs(from), std::abs(to), std::abs(chord(i)) / placed.length()});
+  const bool reversal = ends == Ends::rest_to_reversal;
+  take_own(i, reversal && !placed.reversed ? 0 : from, i, scale);
+  take_own(i + 1, reversal && placed.reversed ? 0 : to, i, scale);
+}
+
+}  // namespace
+
+std::string key_of(std::size_t knot, const char* field) {
+  return knot == 0 ? std::string("start.") + field
+                   : "segment[" + std::to_string(knot) + "].end." + field;
+}
+
+std::vector<Placed> resolve(const CamSpec& spec) {
+  return Resolver(spec).resolve();
+}
+
+}  // namespace jounce::camming

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/cam/laws/spline.hpp"
+
+#include "cam/src/design/least_energy.hpp"
+
+namespace jounce::detail {
+
+/// Throws InputError unless there are at least `least` points, all finite, masters ascending, and
+/// the tolerances zero or, where they are allowed, finite and >= 0.
+void require_points(const std::vector<SplinePoint>& points, std::size_t least, bool tolerances);
+
+/// Throws InputError for derivatives given at ends that are not SplineEnds::natural, and for any
+/// that is not finite.
+void require_ends(const SplineSpec& spec);
+
+/// Fixes the derivatives that the end gives and frees the others.
+void give(EnergyKnot& knot, const SplineEnd& end);
+
+}  // namespace jounce::detail

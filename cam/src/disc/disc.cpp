@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/disc/disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+#include "cam/src/disc/pitch.hpp"
+
+// The geometry is derived in detail/pitch.hpp; here is where it stands at lift 0, with prime radius
+// R = base radius + roller radius:
+//
+//   (1)  d = sqrt(R^2 - e^2)                            height of a translating roller
+//   (2)  cos psi0 = (l^2 + c^2 - R^2) / (2 l c)         angle of the arm to the line of centres
+
+namespace jounce {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+void require_lengths(const DiscSpec& spec) {
+  require_positive("base_radius", spec.base_radius);
+  require_not_negative("roller_radius", spec.roller_radius);
+  require_positive("angle", spec.angle);
+  if (spec.follower == Follower::translating) return require_finite("offset", spec.offset);
+  require_positive("arm_length", spec.arm_length);
+  require_positive("centre_distance", spec.centre_distance);
+  if (spec.arm_angle) require_positive("arm_angle", *spec.arm_angle);
+}
+
+/// (1)
+double start_height(const DiscSpec& spec) {
+  const double prime = spec.base_radius + spec.roller_radius;
+  if (!(std::abs(spec.offset) < prime))
+    throw InputError("offset", spec.offset,
+                     "must be less than " + number(prime) + ", base_radius + roller_radius");
+  return std::sqrt((prime - spec.offset) * (prime + spec.offset));
+}
+
+/// (2)
+double start_angle(const DiscSpec& spec, double travel) {
+  const double prime = spec.base_radius + spec.roller_radius;
+  const double l = spec.arm_length;
+  const double c = spec.centre_distance;
+  if (!(std::abs(c - l) < prime && prime < c + l))
+    throw InputError("arm_length", l,
+                     "does not reach the base circle: base_radius + roller_radius = " +
+                         number(prime) + " must lie between " + number(std::abs(c - l)) + " and " +
+                         number(c + l) + ", the difference and sum of arm and centre distance");
+  // From the half angle: an arc cosine loses half the digits near a stretched or folded arm.
+  const double start = 2 * std::atan2(std::sqrt((prime - (c - l)) * (prime + (c - l))),
+                                      std::sqrt(((c + l) - prime) * ((c + l) + prime)));
+  const double swing = detail::arm_angle(spec) * travel;
+  if (!(start + swing < std::numbers::pi))
+    throw InputError("arm_length", l,
+                     "lets the arm swing to " + number((start + swing) * 360 / turn) +
+                         " deg from the line of centres: it must stay below 180 deg");
+  return start;
+}
+
+/// The cam repeated until the turn is full, with least value 0.
+Cam whole_turn(const Cam& cam, double angle) {
+  const double lobes = turn / (cam.length() * angle);
+  const double whole = std::round(lobes);
+  if (!(whole >= 1 && whole <= 1000 && std::abs(lobes - whole) <= 1e-9 * whole))
+    throw InputError("cam", number(cam.length() * angle * 360 / turn) + " deg long",
+                     "must be one turn, or a whole part of one, to become a disc");
+  const Range travel = extrema(cam, 0);
+  const double step = cam.jet(cam.end(), Side::left)[0] - cam.jet(cam.start())[0];
+  if (std::abs(step) > 1e-9 * (travel.max.value - travel.min.value))
+    throw InputError(
+        "cam", number(cam.jet(cam.end(), Side::left)[0]) + " at its end",
+        "must end where it begins, at " + number(cam.jet(cam.start())[0]) + ", to become a disc");
+  const Jump jump = largest_jump(cam, 0);
+  if (std::abs(jump.step) > 1e-9 * (travel.max.value - travel.min.value))
+    throw InputError(
+        "cam", number(jump.step),
+        "is a step of the slave at master " + number(jump.where) + ", which no disc can have");
+  const Cam lift = with(shifted(cam, 0, -travel.min.value), Extrapolation::wrap);
+  return repeated(lift, static_cast<int>(whole));
+}
+
+/// What a Range holds twice: the greatest of g and of -g.
+struct Both {
+  Range range;
+  double error;
+};
+template <class Function>
+Both range_of(const Disc& disc, double scale, Function g) {
+  const auto greatest = [&](double sign) {
+    return detail::maximum(
+        disc.lift(), disc.spec().angle,
+        [&](const detail::SegmentPart& over) { return sign * g(detail::pitch(disc, over)); },
+        scale);
+  };
+  const detail::Certified max = greatest(1);
+  detail::Certified min = greatest(-1);
+  min.extremum.value = -min.extremum.value;
+  const double peak = std::max({std::abs(max.extremum.value), std::abs(min.extremum.value), scale});
+  return {{min.extremum, max.extremum}, std::max(max.excess, min.excess) / peak};
+}
+
+}  // namespace
+
+Disc::Disc(const Cam& cam, const DiscSpec& spec)
+    : spec_((require_lengths(spec), spec)), lift_(whole_turn(cam, spec.angle)) {
+  start_ = spec.follower == Follower::translating ? start_height(spec)
+                                                  : start_angle(spec, extrema(lift_, 0).max.value);
+}
+
+DiscPoint Disc::at(double master, Side side) const {
+  double x = wrapped(master, lift_.start(), lift_.length());
+  if (side == Side::left && x == lift_.start()) x = lift_.end();
+  const Jet f = lift_.jet(x, side);
+  detail::Taylor<4> lift;
+  double factor = 1;
+  for (std::size_t k = 0; k < 3; ++k, factor /= spec_.angle * static_cast<double>(k))
+    lift.c[k] = detail::Interval(f[k] * factor);
+  const detail::Pitch p = detail::pitch(spec_, start_, lift);
+  const auto place = [&](const auto& a) {
+    const auto b =
+        detail::seen_from_cam(a.template to<0>(), detail::Taylor<0>(spec_.angle * master), p.sigma);
+    return Place{b.x.c[0].middle(), b.y.c[0].middle()};
+  };
+  DiscPoint point;
+  point.centre = place(p.centre);
+  point.contact = place(p.parallel(-spec_.roller_radius));
+  point.normal = place(p.normal());
+  point.pressure_angle = std::atan2(p.across().c[0].middle(), p.along().c[0].middle());
+  point.pitch_curvature = p.curvature().c[0].middle();
+  return point;
+}
+
+DiscExtremes extremes(const Disc& disc) {
+  const double prime = disc.spec().base_radius + disc.spec().roller_radius;
+  Both tangent =
+      range_of(disc, 1e-3, [](const detail::Pitch& p) { return p.across() / p.along(); });
+  const Both curvature =
+      range_of(disc, 1 / prime, [](const detail::Pitch& p) { return p.curvature(); });
+  for (Extremum* e : {&tangent.range.min, &tangent.range.max}) e->value = std::atan(e->value);
+  return {tangent.range, curvature.range, std::max(tangent.error, curvature.error)};
+}
+
+}  // namespace jounce

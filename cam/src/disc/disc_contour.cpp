@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/cam/disc/disc_contour.hpp"
+
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+
+#include "cam/src/disc/pitch.hpp"
+
+// A stretch of the curve p over the angle w = 2k, from a over the middle m to b:
+//
+//   (1)  a line from p(a) to p(b) is nowhere further from p than  max|p''| w^2 / 8
+//
+//   (2)  the circle (c, R) through p(a), p(m), p(b): g = |p - c|^2 - R^2 vanishes at all three, so
+//            |g| <= max|g'''|/6  max|x (x^2 - k^2)| = max|g'''|/6  2 k^3 / (3 sqrt 3)
+//        and | |p - c| - R | <= tol where |g| <= tol (2R - tol), R > tol
+//
+// An arc is taken only where p' has a positive part along the chord throughout: then p nowhere runs
+// beyond the arc's ends. g is enclosed in the standing frame, in which a dwell is one point.
+
+namespace jounce {
+namespace {
+
+using detail::Interval;
+using detail::Plane;
+using detail::SegmentPart;
+using detail::Taylor;
+
+struct Circle {
+  Place centre;
+  double radius = 0;
+  double bulge = 0;
+};
+
+/// Through a, m and b; nothing where they are as good as straight.
+std::optional<Circle> through(const Vertex& a, const Vertex& m, const Vertex& b) {
+  const Place u{m.x - a.x, m.y - a.y};
+  const Place v{b.x - a.x, b.y - a.y};
+  const double uu = u.x * u.x + u.y * u.y;
+  const double vv = v.x * v.x + v.y * v.y;
+  const double twice = 2 * (u.x * v.y - u.y * v.x);
+  if (!(std::abs(twice) > 1e-6 * vv)) return std::nullopt;
+  const Place c{(uu * v.y - vv * u.y) / twice, (vv * u.x - uu * v.x) / twice};
+  const double radius = std::hypot(c.x, c.y);
+  const double half = std::min(1.0, std::sqrt(vv) / (2 * radius));  // sine of half the angle
+  const double bulge = half / (1 + std::sqrt(1 - half * half));
+  return Circle{{a.x + c.x, a.y + c.y}, radius, std::copysign(bulge, twice)};
+}
+
+class Flattening {
+ public:
+  Flattening(const Disc& disc, double distance, double tolerance, Pieces pieces)
+      : disc_(disc), distance_(distance), tolerance_(tolerance), pieces_(pieces) {
+    for (std::size_t i = 0; i < disc.lift().segments().size(); ++i) run({i, 0, 1});
+  }
+
+  [[nodiscard]] Contour contour() && { return std::move(contour_); }
+
+ private:
+  [[nodiscard]] Vertex vertex(std::size_t segment, double s) const {
+    const Plane<3> p = seen({segment, s, s});
+    return {p.x.c[0].middle(), p.y.c[0].middle(), 0, detail::position(disc_.lift(), segment, s)};
+  }
+
+  [[nodiscard]] Plane<3> seen(const SegmentPart& over) const {
+    const detail::Pitch pitch = detail::pitch(disc_, over);
+    return detail::seen_from_cam(pitch.parallel(distance_), detail::turned<3>(disc_, over),
+                                 pitch.sigma);
+  }
+
+  [[nodiscard]] double half_width(const SegmentPart& over) const {
+    return (over.s1 - over.s0) / 2 * disc_.lift().segments()[over.segment].length *
+           disc_.spec().angle;
+  }
+
+  void run(const SegmentPart& over) {
+    Vertex a = vertex(over.segment, over.s0);
+    const Vertex b = vertex(over.segment, over.s1);
+    const Plane<3> p = seen(over);
+    if (const auto bulge = arc(over, a, b, p)) {
+      a.bulge = *bulge;
+      contour_.push_back(a);
+    } else if (is_line(over, p) || over.s1 - over.s0 < 1e-12) {
+      contour_.push_back(a);
+    } else {
+      run(over.left());
+      run(over.right());
+    }
+  }
+
+  /// (1)
+  [[nodiscard]] bool is_line(const SegmentPart& over, const Plane<3>& p) const {
+    const double k = half_width(over);
+    const double second = 2 * std::hypot(p.x.c[2].magnitude(), p.y.c[2].magnitude());
+    return second * k * k / 2 <= tolerance_;
+  }
+
+  /// (2)
+  [[nodiscard]] std::optional<double> arc(const SegmentPart& over, const Vertex& a, const Vertex& b,
+                                          const Plane<3>& p) const {
+    if (pieces_ == Pieces::lines) return std::nullopt;
+    const Interval along = Interval(b.x - a.x) * p.x.c[1] + Interval(b.y - a.y) * p.y.c[1];
+    if (!(along.lo > 0)) return std::nullopt;
+    const auto circle = through(a, vertex(over.segment, over.middle()), b);
+    if (!circle || !(circle->radius > tolerance_)) return std::nullopt;
+    const detail::Pitch pitch = detail::pitch(disc_, over);
+    const Plane<3> centre =
+        detail::seen_from_cam(Plane<3>{Taylor<3>(circle->centre.x), Taylor<3>(circle->centre.y)},
+                              detail::turned<3>(disc_, over), -pitch.sigma);
+    const Plane<3> from = pitch.parallel(distance_) - centre;
+    const double third = (square(from.x) + square(from.y)).c[3].magnitude();
+    const double k = half_width(over);
+    const double g = third * 2 * k * k * k / (3 * std::numbers::sqrt3);
+    if (!(g <= tolerance_ * (2 * circle->radius - tolerance_))) return std::nullopt;
+    return circle->bulge;
+  }
+
+  const Disc& disc_;
+  double distance_;
+  double tolerance_;
+  Pieces pieces_;
+  Contour contour_;
+};
+
+void require_tolerance(const Disc& disc, double distance, double tolerance) {
+  require_positive("tolerance", tolerance);
+  const double size = disc.spec().base_radius + disc.spec().roller_radius +
+                      extrema(disc.lift(), 0).max.value + std::abs(distance);
+  if (!(tolerance >= 1e-10 * size))
+    throw InputError("tolerance", tolerance,
+                     "must be at least " + number(1e-10 * size) + ", 1e-10 of the cam's size");
+}
+
+}  // namespace
+
+Contour contour(const Disc& disc, double distance, double tolerance, Pieces pieces) {
+  require_finite("distance", distance);
+  require_tolerance(disc, distance, tolerance);
+  const Jump jump = largest_jump(disc.lift(), 1);
+  if (std::abs(jump.step) > 1e-9 * std::abs(extrema(disc.lift(), 1).peak().value))
+    throw InputError("cam", number(jump.step),
+                     "is a step of the velocity at master " + number(jump.where) +
+                         ": the contour would have a corner there, which no roller follows");
+  return Flattening(disc, distance, tolerance, pieces).contour();
+}
+
+}  // namespace jounce

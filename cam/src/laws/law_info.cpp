@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "jounce/cam/laws/law.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::array laws{
+    LawInfo{Law::line, "line", "Straight line", Ends::straight, false,
+            "in step with the master: cutting, sealing, printing at constant speed",
+            "constant velocity, exactly",
+            "the velocity jumps unless the neighbouring laws reach it (quintic, or any law that "
+            "moves)"},
+    LawInfo{Law::dwell, "dwell", "Dwell", Ends::standing, false, "the slave waits",
+            "no motion, no load", "none"},
+    LawInfo{Law::quintic, "quintic", "5th degree polynomial", Ends::given, false,
+            "between any two states; the law of most controllers' cam editors (Poly5, XYVA)",
+            "takes every velocity and acceleration; least rms jerk for the given ends",
+            "may swing past its ends: look at the overshoot warnings"},
+    LawInfo{Law::septic, "septic", "7th degree polynomial", Ends::given, false,
+            "like quintic, but with a continuous jerk (Poly7)",
+            "jerk 0 at both ends: little excitation", "higher peaks than quintic"},
+    LawInfo{Law::nonic, "nonic", "9th degree polynomial", Ends::given, false,
+            "like septic, with jounce 0 at both ends", "the smoothest join",
+            "the highest peaks of the three"},
+    LawInfo{Law::polynomial, "polynomial", "Free polynomial", Ends::given, false,
+            "one polynomial through `points` and their derivatives inside the segment",
+            "infinitely smooth inside; meets all given values exactly, up to degree 11",
+            "oscillates if points are close together or contradict each other"},
+    LawInfo{Law::cubic_spline, "cubic_spline", "Cubic spline", Ends::moving_free, false,
+            "measured or taught `points`, for controllers that hold cubic (PVT) tables",
+            "acceleration continuous through all points", "the jerk steps at every point"},
+    LawInfo{Law::quintic_spline, "quintic_spline", "Quintic spline", Ends::given, false,
+            "measured or taught `points`, with a tolerance where they are noisy",
+            "least rms jerk of all curves through the points; jerk and jounce continuous",
+            "an outlier bends its neighbourhood"},
+    LawInfo{Law::hermite, "hermite", "Piecewise polynomial", Ends::given, false,
+            "`points` with geo_velocity and geo_acceleration, as XYVA tables hold them and "
+            "`jounce optimize` writes them: quintic pieces, of degree 7 with a geo_jerk, too",
+            "any shape, exactly; each point changes only its neighbourhood",
+            "only as smooth as its numbers: the jerk may step at every point"},
+    LawInfo{Law::cubic, "cubic", "2-3 polynomial", Ends::moving_free, false,
+            "the least rms acceleration (motor heat) of all laws",
+            "lowest rms acceleration and low peak velocity", "acceleration jumps at both ends"},
+    LawInfo{Law::poly345, "345", "3-4-5 polynomial", Ends::moving, true,
+            "general purpose, medium speed", "lowest rms jerk; simple; easy on every controller",
+            "peak acceleration 21.5 % above the least for its jerk"},
+    LawInfo{Law::poly4567, "4567", "4-5-6-7 polynomial", Ends::moving, true,
+            "high speed with an elastic follower", "jerk begins and ends at 0: little vibration",
+            "high peak velocity and acceleration"},
+    LawInfo{Law::poly56789, "56789", "5-6-7-8-9 polynomial", Ends::moving, true,
+            "very high speed, output of a polydyne cam", "jerk and jounce begin and end at 0",
+            "the highest peak velocity and acceleration of the polynomials here"},
+    LawInfo{Law::parabola, "parabola", "Quadratic parabola", Ends::moving_free, true,
+            "slow machines; a lower bound for comparison", "lowest possible peak acceleration",
+            "acceleration jumps three times: noise, vibration"},
+    LawInfo{Law::simple_sine, "simple_sine", "Simple sine (harmonic)", Ends::moving_free, true,
+            "there and back without a dwell (U-U), like a crank",
+            "lowest dynamic torque of the sines; one harmonic only",
+            "acceleration jumps next to a dwell"},
+    LawInfo{Law::inclined_sine, "inclined_sine", "Inclined sine (Bestehorn, cycloid)", Ends::moving,
+            true, "high speed, light loads", "smooth and quiet: low residual vibration",
+            "high peak acceleration and torque"},
+    LawInfo{Law::modified_sine, "modified_sine", "Modified sine", Ends::moving, true,
+            "indexers and heavy loads; the usual first choice",
+            "low peak velocity, and the lowest torque of the smooth laws; forgiving in manufacture",
+            "a little more acceleration than the modified trapezoid"},
+    LawInfo{Law::modified_trapezoid, "modified_trapezoid", "Modified acceleration trapezoid",
+            Ends::moving, true, "when the peak torque of the motor is the limit",
+            "lowest peak acceleration of the smooth laws",
+            "high peak velocity and torque; more vibration than modified sine"},
+    LawInfo{Law::modified_constant_velocity, "modified_constant_velocity",
+            "Modified constant velocity", Ends::moving, true,
+            "long strokes when the speed is the limit; work in the middle of the stroke",
+            "low peak velocity: a `straight` share of the segment (1/2) runs at constant speed",
+            "high acceleration at both ends"},
+    LawInfo{Law::scca, "scca", "Sine-constant-cosine acceleration", Ends::moving_free, true,
+            "your own law from `shares` of sine, constant and cosine, and a `straight` share",
+            "varies continuously from one classical law to another",
+            "without a share of sine its acceleration jumps at both ends"},
+    LawInfo{Law::gutman13, "gutman_13", "Gutman 1-3", Ends::moving, true,
+            "high speed with a known natural frequency of the drive",
+            "two harmonics only: no excitation above the third", "more jerk than inclined sine"},
+    LawInfo{Law::freudenstein13, "freudenstein_13", "Freudenstein 1-3", Ends::moving, true,
+            "like Gutman 1-3", "two harmonics, less jerk than Gutman 1-3",
+            "a little more acceleration than Gutman 1-3"},
+    LawInfo{Law::freudenstein135, "freudenstein_135", "Freudenstein 1-3-5", Ends::moving, true,
+            "like Gutman 1-3", "three harmonics: lower acceleration than 1-3",
+            "excites up to the fifth harmonic"},
+    LawInfo{Law::minimum_peak_jerk, "minimum_peak_jerk", "Minimum peak jerk (perfect spline)",
+            Ends::moving, true, "when the jerk is the limit; a lower bound for comparison",
+            "lowest possible peak jerk: 32", "high acceleration; the jerk steps inside"},
+    LawInfo{Law::sine_straight, "sine_straight", "Sine-straight", Ends::moving_free, true,
+            "there and back without a dwell (U-U) with a `straight` share (1/2) of constant speed",
+            "low peak velocity", "acceleration jumps next to a dwell"},
+    LawInfo{Law::harmonic_combination, "harmonic_combination", "Harmonic combination",
+            Ends::rest_to_reversal, true, "from a dwell to a reversal, and back (R-U, U-R)",
+            "no stop at the reversal: low acceleration; `inflection` or the knot's acceleration "
+            "shapes it",
+            "acceleration steps at the reversal unless the next segment begins with the same"},
+    LawInfo{Law::modified_trapezoid_ru, "modified_trapezoid_ru", "Modified trapezoid R-U",
+            Ends::rest_to_reversal, true, "like harmonic_combination, with lower peak acceleration",
+            "lowest peak acceleration of the R-U laws here", "higher peak velocity"},
+    LawInfo{Law::double_harmonic, "double_harmonic", "Double harmonic", Ends::rest_to_reversal,
+            false, "slow start from a dwell to a reversal", "two harmonics only; gentle start",
+            "twice the acceleration at the reversal"},
+    LawInfo{Law::eighth_degree, "eighth_degree", "8th degree polynomial R-U",
+            Ends::rest_to_reversal, false, "automotive valves: from a dwell to a reversal",
+            "equal peaks of acceleration and deceleration, no jerk at the reversal",
+            "no choice of shape"},
+};
+
+}  // namespace
+
+std::span<const LawInfo> all_laws() {
+  return laws;
+}
+
+const LawInfo& info(Law law) {
+  const LawInfo& found = laws[static_cast<std::size_t>(law)];
+  assert(found.law == law && "the table is in the order of the enum");
+  return found;
+}
+
+const char* name(Law law) {
+  return info(law).name;
+}
+
+std::optional<Law> law_named(std::string_view wanted) {
+  const auto it = std::find_if(laws.begin(), laws.end(),
+                               [&](const LawInfo& law) { return law.name == wanted; });
+  return it == laws.end() ? std::nullopt : std::optional(it->law);
+}
+
+bool is_spline(Law law) {
+  return law == Law::cubic_spline || law == Law::quintic_spline;
+}
+
+bool has_own_shape(Law law) {
+  return law != Law::polynomial && law != Law::hermite && !is_spline(law);
+}
+
+}  // namespace jounce

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/cam/laws/spline.hpp"
+
+#include "cam/src/design/least_energy.hpp"
+
+namespace jounce::detail {
+
+/// What holds a point of a table in place.
+enum class Pin {
+  none,
+  lower,  ///< the least the tolerance allows
+  upper,  ///< the most
+  exact,  ///< no tolerance
+  held,   ///< for the moment, where it is: there are not enough others to determine the curve
+};
+
+/// Least integral of geo_jerk^2 of all curves within the tolerances of a table.
+class ToleranceProgram {
+ public:
+  /// The curve with some points pinned.
+  struct Solution {
+    std::vector<Pin> pins;
+    std::vector<std::size_t> joints;  ///< points where segments meet, ends included
+    std::vector<Segment> segments;
+    std::vector<double> at;  ///< its value at every point
+    std::vector<double>
+        gradient;          ///< gradient of the integral by every pinned point's value, or zero
+    int solutions = 0;     ///< linear systems solved on the way
+    bool optimal = false;  ///< within all tolerances, and no pin holds the wrong way
+  };
+
+  explicit ToleranceProgram(const SplineSpec& spec);
+
+  /// Downhill from the table itself, never outside a tolerance. Always ends.
+  [[nodiscard]] Solution solve() const;
+
+  /// By how much the integral can at most exceed the least possible.
+  [[nodiscard]] double gap(const Solution& s) const;
+
+ private:
+  [[nodiscard]] Solution start() const;
+  void minimum_of_face(Solution& s, const std::vector<double>& now) const;
+  void hold(std::vector<Pin>& pins) const;
+  void evaluate(Solution& s) const;
+  [[nodiscard]] std::vector<EnergyKnot> knots_of(const Solution& s,
+                                                 const std::vector<double>& now) const;
+  [[nodiscard]] bool wrong(const Solution& s, std::size_t i) const;
+  [[nodiscard]] bool release_wrong(Solution& s) const;
+  [[nodiscard]] bool advance(Solution& s, std::vector<double>& now) const;
+  [[nodiscard]] double excess(std::size_t i, double value) const;
+  [[nodiscard]] double bound(std::size_t i, Pin pin) const;
+  void set(Solution& s, std::size_t i, Pin pin) const;
+
+  const SplineSpec& spec_;
+  bool periodic_;
+  double rounding_;          ///< rounding of the slave positions
+  std::size_t determining_;  ///< points that determine a curve without jerk
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "jounce/cam/switches/cam_switch.hpp"
+
+#include "cam/src/switches/switch_path.hpp"
+
+namespace jounce::detail {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// When something happens next along a path: where it is looked for, and what was found.
+struct Event {
+  std::size_t path = 0;
+  std::size_t stretch = 0;  ///< stretch of the path: the first one not done with
+  double next = never;      ///< s since the piece's start
+  bool rising = true;       ///< the compensated position goes up there
+};
+
+/// One boundary of a switch, repeated each period. It counts how many of it lie behind the axis.
+struct Boundary : Event {
+  double position = 0;
+  double period = 0;  ///< 0: there is one
+  double hysteresis = 0;
+  std::int64_t passed = 0;  ///< the highest index behind the axis; of a single one 0, or -1
+  bool locked = false;      ///< the axis is still near `lock`, where it made an edge
+  std::int64_t lock = 0;
+
+  [[nodiscard]] double at(std::int64_t index) const {
+    return position + static_cast<double>(index) * period;
+  }
+  void place(double y);
+  /// What y has to pass next, upwards or downwards, to change anything.
+  [[nodiscard]] double target(bool up) const;
+  void follow(const MonotonePart& /*stretch*/) {}
+  /// y has passed the target: the change of `passed`, 1, 0 or -1.
+  int pass(bool up);
+};
+
+/// Which way the axis moves, with hysteresis: 1, -1, or 0 before it has moved.
+struct Heading : Event {
+  double hysteresis = 0;
+  int sign = 0;
+  double low = 0, high = 0;  ///< extremes since the sign changed
+
+  void place(double x, double velocity);
+  [[nodiscard]] double target(bool up) const;
+  void follow(const MonotonePart& done);
+  void turn(bool up);
+};
+
+/// Both faces of the cam switches: fed a motion piece by piece, it answers the edges in order.
+///
+///     machine.place(x0, v0);
+///     machine.begin(motion);                          // a Segment over s, which begins at x0
+///     while (const auto edge = machine.next()) ...    // edge->time: s since the piece's start
+///
+/// It is a simulation of discrete events: each boundary, heading and running duration knows when
+/// its next event comes, and the earliest happens. What switches at one instant is one change.
+/// begin() and next() do not allocate for a piece of degree 3 at the most.
+class SwitchMachine {
+ public:
+  explicit SwitchMachine(const CamSwitchSpec& spec);
+
+  /// The axis is at x; nothing has been passed on the way there.
+  void place(double x, double velocity);
+  void begin(const Segment& motion);
+  /// Instead of begin(): time passes, and nothing is said of a motion.
+  void wait(double length);
+  std::optional<SwitchEdge> next();
+  /// Positions count from so many periods further on: those of the next piece are less by that.
+  void shift(std::int64_t periods);
+  void enable(std::uint32_t mask) { enabled_ = mask; }
+
+  [[nodiscard]] std::uint32_t outputs() const { return outputs_; }
+  /// The outputs become what they should be, without an edge.
+  std::uint32_t settle() { return outputs_ = wanted(); }
+
+ private:
+  struct Switch {
+    std::size_t track = 0;
+    AxisDirection direction = AxisDirection::both;
+    Boundary lower = {}, upper = {};  // time mode has a lower one only
+    double pulse = 0;                 // s; 0: position mode
+    double off = never;               // when a running duration ends; never: none runs
+  };
+  struct Track {
+    SwitchTrack options;
+    Heading heading = {};
+  };
+
+  std::size_t path(double forwards, double backwards);
+  std::size_t track(const SwitchTrack& options);
+  void add(const CamSwitch& s, const CamSwitchSpec& spec);
+
+  template <class Source>
+  void seek(Source& source) const;
+  [[nodiscard]] double earliest() const;
+  void happen();
+  void happen(Switch& s);
+  [[nodiscard]] std::uint32_t wanted() const;
+  void finish();
+
+  double period_;
+  double length_ = 0;  // length of the piece
+  std::vector<SwitchPath> paths_;
+  std::vector<Track> tracks_;
+  std::vector<Switch> switches_;
+  TurningPiece piece_;
+  std::uint32_t enabled_ = 0;
+  std::uint32_t outputs_ = 0;
+  double now_ = 0;
+};
+
+}  // namespace jounce::detail

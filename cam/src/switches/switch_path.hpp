@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve/segment.hpp"
+
+namespace jounce::detail {
+
+/// One piece of an axis' motion x(s), and where within it the axis turns round.
+struct TurningPiece {
+  Segment x, velocity;
+  std::vector<double> turns = {};  ///< s in [0, 1], 0 and 1 included
+
+  TurningPiece();
+  /// Allocates nothing while `turns` has room, which it has for a degree of 3.
+  void set(const Segment& motion);
+};
+
+/// A stretch of a piece over which the compensated position is monotone.
+struct MonotonePart {
+  double begin = 0, end = 0;  ///< s in [0, 1]; equal: a jump
+  double from = 0, to = 0;    ///< positions
+  bool forwards = true;       ///< the axis; the compensated position may go the other way
+};
+
+/// The compensated position y = x - c v of one boundary over a piece, in monotone stretches: c is
+/// one time for an axis that moves forwards, and another for one that moves backwards.
+class SwitchPath {
+ public:
+  SwitchPath(double forwards, double backwards);
+
+  [[nodiscard]] double forwards() const { return forwards_; }
+  [[nodiscard]] double backwards() const { return backwards_; }
+
+  void place(double x, double velocity);
+  void begin(const TurningPiece& piece);
+  void shift(double distance) { last_ -= distance; }
+
+  [[nodiscard]] std::span<const MonotonePart> stretches() const { return stretches_; }
+  /// When y takes the target, which lies within the stretch: s from the piece's start.
+  [[nodiscard]] double time(const MonotonePart& stretch, double target) const;
+  /// y at the end of the piece before.
+  [[nodiscard]] double last() const { return last_; }
+
+ private:
+  void add(const TurningPiece& piece, double begin, double end);
+
+  double forwards_, backwards_;
+  Segment ahead_, back_;  // y for either direction
+  std::vector<MonotonePart> stretches_;
+  std::vector<double> turns_;
+  double last_ = 0;
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <span>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "jounce/base/nearest.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/io/table_file.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "cli/common/verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// Breaks lines of words so that they hold at most so many characters.
+std::string wrapped(std::string text, std::size_t width) {
+  for (std::size_t begin = 0; text.size() - begin > width;) {
+    std::size_t at = text.rfind(' ', begin + width);
+    if (at == std::string::npos || at <= begin) at = text.find(' ', begin);
+    if (at == std::string::npos) break;
+    text[at] = '\n';
+    begin = at + 1;
+  }
+  return text;
+}
+
+/// Help for people: a wide enough column, lines that fit, no type names in capitals beside every
+/// option; what takes a value has its default or three dots.
+class Help : public CLI::Formatter {
+ public:
+  Help() { column_width(column); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_positional() || option->get_items_expected_max() == 0) return "";
+    if (option->get_default_str().empty()) return " ...";
+    return " [" + option->get_default_str() + "]";
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    const bool needed = option->get_required() && !option->get_positional();
+    return wrapped((needed ? "Required. " : "") + option->get_description(), line - column);
+  }
+  std::string make_subcommand(const CLI::App* verb) const override {
+    std::ostringstream out;
+    CLI::detail::format_help(out, verb->get_name(), wrapped(verb->get_description(), line - column),
+                             column);
+    return out.str();
+  }
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t column = 34, line = 104;
+};
+
+/// "-x" or "--x", not "-", nor a negative number.
+bool looks_like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
+}
+
+InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
+  const bool named = i > 0 && looks_like_option(words[i - 1]);
+  return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
+          "is empty: leave it out, or give it a value"};
+}
+
+/// The words in the parser's order, last first. "--log=" has no value, of which the parser would make the
+/// next word; and -.5 is a number, which it would take for an option.
+std::vector<std::string> meant(std::span<char*> given) {
+  std::vector<std::string> words(given.begin(), given.end());
+  const auto end = std::find(words.begin(), words.end(), "--");
+  for (std::string& word : std::span(words.begin(), end)) {
+    if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
+    if (word.starts_with("--") && word.ends_with('='))
+      throw InputError(word.substr(0, word.size() - 1), "", "has no value behind its =");
+    if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
+      word.insert(1, "0");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+/// The first of the words that is meant as an option and is none.
+std::string stranger(const CLI::App& app, std::span<char*> words) {
+  std::vector<std::string> options;
+  for (const auto* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) options.push_back("--" + name);
+    for (const auto& name : option->get_snames()) options.push_back("-" + name);
+  }
+  for (const std::string word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!looks_like_option(name) ||
+        std::find(options.begin(), options.end(), name) != options.end())
+      continue;
+    const std::string near = name.size() > 2 ? nearest(name, options) : "";
+    return "`" + name + "` is not an option of this verb" +
+           (near.empty() ? "" : ". Did you mean " + near + "?");
+  }
+  return "";
+}
+
+/// What was wrong with the command line, with the nearest verb or option where one is near, and
+/// where to look.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
+  std::vector<std::string> verbs;
+  for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  const std::string given = words.size() > 1 ? words[1] : "";
+  const std::string all = " (jounce --help shows all)";
+  if (given.empty()) return "no verb given" + all;
+  const bool is_verb = std::find(verbs.begin(), verbs.end(), given) != verbs.end();
+  if (!is_verb && given[0] != '-') {
+    const std::string near = nearest(given, verbs);
+    return "`" + given + "` is not a verb" + (near.empty() ? "" : ". Did you mean " + near + "?") +
+           all;
+  }
+  const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
+  const std::string strange = stranger(asked, words.subspan(is_verb ? 2 : 1));
+  return (strange.empty() ? error.what() : strange) +
+         (is_verb ? " (jounce " + given + " --help shows all)" : all);
+}
+
+}  // namespace
+
+CommandLine::CommandLine()
+    : app_(std::make_unique<CLI::App>("Design, check, optimise, prove and play motion tables.",
+                                      "jounce")) {
+  app_->formatter(std::make_shared<Help>());
+  app_->set_version_flag("--version", made_by());
+  app_->require_subcommand(1);
+  app_->footer(
+      "Name files as arguments; - is standard input or output.\n"
+      "Exit status: 0 success, 1 a finding, 2 bad input or usage, 3 a fault at run time.\n"
+      "jounce VERB --help shows an example of each verb.");
+}
+
+CommandLine::~CommandLine() = default;
+
+Verb CommandLine::verb(const std::string& name, const std::string& description,
+                       const std::string& examples) {
+  CLI::App* verb = app_->add_subcommand(name, description);
+  std::string lines = "Example:\n" + examples;
+  for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 3)
+    lines.insert(at + 1, "  ");
+  verb->footer(lines);
+  return Verb(*verb, chosen_);
+}
+
+int CommandLine::run(int argc, char** argv) {
+  try {
+    app_->parse(meant(std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app_->help());
+    return fine;
+  } catch (const CLI::CallForVersion&) {
+    fmt::print("{}\n", made_by());
+    return fine;
+  } catch (const CLI::ParseError& error) {
+    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, words)));
+    return bad_input;
+  }
+  return chosen_();
+}
+
+}  // namespace jounce::cli

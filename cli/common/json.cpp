@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/common/json.hpp"
+
+namespace jounce::cli {
+
+nlohmann::ordered_json document_of(AxisDocuments axes) {
+  if (axes.size() == 1) return std::move(axes.front().second);
+  auto all = nlohmann::ordered_json::object();
+  for (auto& [name, document] : axes) {
+    if (document.contains("ok")) all["ok"] = all.value("ok", true) && document["ok"].get<bool>();
+    all["axes"][name] = std::move(document);
+  }
+  return all;
+}
+
+}  // namespace jounce::cli

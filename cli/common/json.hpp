@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace jounce::cli {
+
+/// Results of a verb for each axis, by its name.
+using AxisDocuments = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+
+/// One axis: its document as it is. Several: {"ok": ..., "axes": {"x": ..., "y": ...}}, where `ok`,
+/// if they have one, is true if all are.
+nlohmann::ordered_json document_of(AxisDocuments axes);
+
+}  // namespace jounce::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/transport/transport.hpp"
+
+#include "cli/common/verb.hpp"
+#include "cli/machine/page.hpp"
+
+namespace jounce::cli {
+namespace {
+
+int run(int argc, char** argv) {
+  CommandLine line;
+  for (const auto add :
+       {add_new,      add_laws,     add_design, add_check,   add_optimize, add_sweep,
+        add_validate, add_identify, add_diff,   add_convert, add_plot,     add_map,
+        add_events,   add_contour,  add_report, add_stream,  add_master,   add_run,
+        add_replay,   add_monitor,  add_page,   add_stop,    add_order})
+    add(line);
+  return line.run(argc, argv);
+}
+
+/// A standard stream that the caller has closed discards what it is given: a file that is opened later must not
+/// take its number.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) std::abort();
+}
+
+/// Prints what went wrong, which may hold any bytes of a file, a file's name or a packet.
+int complain(const char* prefix, const char* what, int status) {
+  fmt::print(stderr, "jounce: {}{}\n", prefix, printable_lines(what));
+  return status;
+}
+
+/// What was printed is written at the latest here: a full disk is a fault. A reader that has left is none.
+int flushed(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  if (errno == EPIPE) return status;
+  return complain(
+      "cannot write to standard output: ", std::generic_category().message(errno).c_str(), fault);
+}
+
+}  // namespace
+}  // namespace jounce::cli
+
+int main(int argc, char** argv) {
+  using namespace jounce::cli;
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit of the file's size is an error of write(), as a full disk is
+  open_standard_streams();
+  const jounce::KeptInputs inputs;
+  try {
+    return flushed(run(argc, argv));
+  } catch (const jounce::InputError& error) {
+    return complain("", error.what(), bad_input);
+  } catch (const jounce::TransportError& error) {
+    return complain("", error.what(), fault);
+  } catch (const std::bad_alloc&) {
+    return complain("", "out of memory", fault);
+  } catch (const std::system_error& error) {
+    return complain("", error.what(), fault);
+  } catch (const std::exception& error) {
+    return complain("internal fault: ", error.what(), fault);
+  }
+}

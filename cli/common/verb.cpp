@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/common/verb.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "jounce/base/nearest.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// The whole word; whole numbers are decimal, with a 0 before them, too.
+template <class Number>
+bool read(const std::string& word, Number& number) {
+  if constexpr (std::is_integral_v<Number>) {
+    const char* const end = word.data() + word.size();
+    const auto [rest, error] = std::from_chars(word.data(), end, number);
+    return error == std::errc() && rest == end;
+  } else {
+    return CLI::detail::lexical_cast(word, number);
+  }
+}
+
+/// Puts a word into the target; the rule that it breaks, if it does not fit.
+template <class Target>
+std::string put(const std::string& word, Target& target) {
+  if constexpr (std::is_assignable_v<Target&, const std::string&>) {
+    target = word;
+    return "";
+  } else {
+    if (std::is_unsigned_v<Target> && word.starts_with('-'))
+      return "must be a number, not negative";
+    return read(word, target) ? "" : "must be a number";
+  }
+}
+
+template <class Target>
+std::string put(const std::string& word, std::optional<Target>& target) {
+  return put(word, target.emplace());
+}
+
+template <class Target>
+std::string shown_of(const Target& target) {
+  if constexpr (std::is_arithmetic_v<Target>) return fmt::format("{}", target);
+  if constexpr (std::is_same_v<Target, std::string>) return target;
+  return "";
+}
+
+/// As it is given: --output, FILE; of hidden ones too.
+std::string name_of(const CLI::Option& option) {
+  return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
+}
+
+template <class Target>
+constexpr bool is_list = std::is_same_v<Target, std::vector<std::string>>;
+
+}  // namespace
+
+Check one_of(std::vector<std::string> words) {
+  return [words = std::move(words)](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+    const std::string near = nearest(text, words);
+    return fmt::format("must be one of {}{}", fmt::join(words, ", "),
+                       near.empty() ? "" : "; did you mean " + near + "?");
+  };
+}
+
+Check whole(std::int64_t low, std::int64_t high) {
+  return [=](const std::string& text) -> std::string {
+    std::int64_t value = 0;
+    if (put(text, value).empty() && value >= low && value <= high) return "";
+    if (high == std::numeric_limits<std::int64_t>::max())
+      return fmt::format("must be a whole number, {} or more", low);
+    return fmt::format("must be a whole number, {} to {}", low, high);
+  };
+}
+
+Check within(double low, double high) {
+  return [=](const std::string& text) {
+    const auto value = number_in(text);
+    const bool good = value && *value >= low && *value <= high;
+    return good ? std::string() : fmt::format("must be a number, {} to {}", low, high);
+  };
+}
+
+Check seconds() {
+  return [](const std::string& text) {
+    const auto value = number_in(text);
+    const bool good = value && *value >= 1e-3 && *value <= 1e12;
+    return good ? std::string() : "must be a number of seconds, 0.001 to 1e12";
+  };
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  return put(text, value).empty() ? std::optional(value) : std::nullopt;
+}
+
+const Option& Option::required() const {
+  option_->required();
+  return *this;
+}
+
+const Option& Option::check(Check check) const {
+  option_->check([option = option_, check = std::move(check)](const std::string& text) {
+    const std::string rule = check(text);
+    if (!rule.empty()) throw InputError(name_of(*option), text, rule);
+    return std::string();
+  });
+  return *this;
+}
+
+const Option& Option::shown() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+const Option& Option::hidden() const {
+  option_->group("");
+  return *this;
+}
+
+const Option& Option::one_each() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+const Option& Option::separated() const {
+  option_->delimiter(',');
+  return *this;
+}
+
+const Option& Option::needs(const Option& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+const Option& Option::excludes(const std::vector<Option>& others) const {
+  for (const Option& other : others) option_->excludes(other.option_);
+  return *this;
+}
+
+template <class Target>
+Option Verb::option(const std::string& name, Target& target, const std::string& help) const {
+  CLI::Option* option = verb_->add_option(
+      name,
+      [&target, name](const CLI::results_t& words) {
+        if constexpr (is_list<Target>) {
+          target = words;
+        } else if (const std::string rule = put(words.front(), target); !rule.empty()) {
+          throw InputError(name.substr(name.rfind(',') + 1), words.front(), rule);
+        }
+        return true;
+      },
+      help, false, [&target] { return shown_of(target); });
+  option->type_name("value");
+  if constexpr (is_list<Target>) option->expected(CLI::detail::expected_max_vector_size);
+  return Option(option);
+}
+
+// All that the verbs take.
+template Option Verb::option(const std::string&, std::string&, const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<std::string>&,
+                             const std::string&) const;
+template Option Verb::option(const std::string&, double&, const std::string&) const;
+template Option Verb::option(const std::string&, int&, const std::string&) const;
+template Option Verb::option(const std::string&, std::int64_t&, const std::string&) const;
+template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
+template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::uint16_t>&,
+                             const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::size_t>&,
+                             const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::filesystem::path>&,
+                             const std::string&) const;
+
+Option Verb::flag(const std::string& name, bool& target, const std::string& help) const {
+  return Option(verb_->add_flag(name, target, help));
+}
+
+Option Verb::axis(std::string& target) const {
+  return option(
+      "--axis", target,
+      "NAME of the axis in a spec with several axes, or of the cam in a file with several cams");
+}
+
+void Verb::work(Work work) const {
+  verb_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
+}
+
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option) {
+  std::error_code none;  // a file that is not there is another one
+  if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
+    throw InputError(option, output, "is also the input: choose another name");
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+/// The words of the command line: verbs, and the options that each takes.
+///
+///   const auto options = std::make_shared<Options>();
+///   const Verb verb = line.verb("map", "How fast the line may run", "jounce map knife.toml");
+///   verb.option("FILE", options->file, "Spec of a knife; - is standard input").required();
+///   verb.option("--steps", options->steps, "Lengths").check(whole(2, 100'000));
+///   verb.work([options] { return run(*options); });
+///
+/// The parser behind it (CLI11) stays in verb.cpp, command_line.cpp.
+namespace jounce::cli {
+
+/// Exit statuses, the same in every verb.
+enum Exit : int {
+  fine = 0,
+  finding = 1,    ///< a limit is broken, a validation failed, the problem is infeasible
+  bad_input = 2,  ///< or bad usage
+  fault = 3,      ///< fault of the machine or of Jounce itself
+};
+
+/// Action of a verb after parsing the command line; returns the exit status.
+using Work = std::function<int()>;
+
+/// The rule that a value breaks; empty where it breaks none.
+using Check = std::function<std::string(const std::string& text)>;
+
+Check one_of(std::vector<std::string> words);
+/// A whole number, both ends included.
+Check whole(std::int64_t low, std::int64_t high);
+/// A number, both ends included; nan is none.
+Check within(double low, double high);
+/// A number of seconds, a millisecond at the least.
+Check seconds();
+
+/// The whole text as a number, as options take theirs; nothing where it is none.
+std::optional<double> number_in(const std::string& text);
+
+/// An option of a verb, for further settings. Each call returns the same option.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  const Option& required() const;
+  const Option& check(Check check) const;
+  const Option& shown() const;      ///< --help names the value that it has where it is not given
+  const Option& hidden() const;     ///< not in --help
+  const Option& one_each() const;   ///< option of a list: one value each time it is given
+  const Option& separated() const;  ///< option of a list: values between commas
+  const Option& needs(const Option& other) const;
+  const Option& excludes(const std::vector<Option>& others) const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A verb, while its options and its action are defined.
+class Verb {
+ public:
+  explicit Verb(CLI::App& verb, Work& chosen) : verb_(&verb), chosen_(&chosen) {}
+
+  /// A name without dashes is a positional. The target is a string, a number, an optional number or
+  /// a list of strings (verb.cpp names the types), and outlives the command line.
+  template <class Target>
+  Option option(const std::string& name, Target& target, const std::string& help) const;
+  Option flag(const std::string& name, bool& target, const std::string& help) const;
+  /// --axis NAME, for specs of several axes.
+  Option axis(std::string& target) const;
+
+  void work(Work work) const;
+
+ private:
+  CLI::App* verb_;
+  Work* chosen_;
+};
+
+/// The command line of the program.
+class CommandLine {
+ public:
+  CommandLine();
+  ~CommandLine();
+
+  /// A new verb, with the examples that close its --help, a line each.
+  Verb verb(const std::string& name, const std::string& description, const std::string& examples);
+
+  /// Executes the command and returns the exit status. Prints help and errors.
+  int run(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  Work chosen_;
+};
+
+/// Each adds one verb: its options, its help with an example, and what it does.
+void add_new(CommandLine& line);
+void add_laws(CommandLine& line);
+void add_design(CommandLine& line);
+void add_check(CommandLine& line);
+void add_convert(CommandLine& line);
+void add_diff(CommandLine& line);
+void add_optimize(CommandLine& line);
+void add_validate(CommandLine& line);
+void add_sweep(CommandLine& line);
+void add_identify(CommandLine& line);
+void add_contour(CommandLine& line);
+void add_plot(CommandLine& line);
+void add_map(CommandLine& line);
+void add_events(CommandLine& line);
+void add_report(CommandLine& line);
+void add_stream(CommandLine& line);
+void add_master(CommandLine& line);
+void add_stop(CommandLine& line);
+void add_order(CommandLine& line);
+void add_run(CommandLine& line);
+void add_monitor(CommandLine& line);
+void add_replay(CommandLine& line);
+
+/// Throws InputError where both are one file: what is made must not replace what it is made from.
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option = "--output");
+
+}  // namespace jounce::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/transport/address.hpp"
+#include "jounce/stream/transport/lossy_transport.hpp"
+#include "jounce/stream/transport/open_transport.hpp"
+
+#include "cli/machine/open_network.hpp"
+
+namespace jounce::cli {
+
+std::string said_of(StreamError error, const std::string& reason) {
+  std::string said = std::string(name(error)) + ": " + reason;
+  if (error == StreamError::no_answer) said += std::string("; ") + unheard_hint;
+  return said;
+}
+
+void require_name_on_bus(const std::string& argument, const std::string& name) {
+  if (!wire::is_executor_name(name))
+    throw InputError(argument, name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+}
+
+Nanos nanos(double seconds) {
+  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(std::min(seconds, 1e9)));
+}
+
+void add_link_options(const Verb& verb, LinkOptions& options) {
+  verb.option("--url", options.url,
+              "Address of the bus: udpm://GROUP:PORT is LCM multicast, on this machine only unless "
+              "?ttl=1 is added; unix://FOLDER needs no network")
+      .shown();
+  verb.option("--key", options.key,
+              "File with the key that signs the commands; see jounce new key");
+  verb.option("--inject-loss", options.inject_loss,
+              "For tests: share of packets to lose in each direction")
+      .hidden();
+  verb.option("--seed", options.seed, "Of --inject-loss").hidden();
+}
+
+bool is_open(const LinkOptions& options) {
+  return options.key.empty() && !is_local(options.url);
+}
+
+Link::Link(const LinkOptions& options) : link_(open_transport(options.url)) {
+  if (!options.key.empty()) key_ = read_key(options.key);
+  if (options.inject_loss > 0)
+    lossy_ = std::make_unique<LossyTransport>(
+        *link_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "jounce/stream/security/key.hpp"
+#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/transport/transport.hpp"
+
+#include "cli/common/verb.hpp"
+
+namespace jounce::cli {
+
+/// Bus address of executors and streamers.
+struct LinkOptions {
+  std::string url = "udpm://239.255.76.67:7667";
+  std::string key;         ///< file; empty: none
+  double inject_loss = 0;  ///< share of packets to lose, for tests
+  std::uint64_t seed = 1;
+};
+
+/// Hint for a missing answer of an executor.
+inline constexpr const char* unheard_hint =
+    "is it running, on the same --url, with the same --key?";
+
+/// Throws InputError, of this argument, where no executor, axis or master can be called so.
+void require_name_on_bus(const std::string& argument, const std::string& name);
+
+/// The error as text, with the hint if there was no answer.
+std::string said_of(StreamError error, const std::string& reason);
+
+/// Seconds as the stream counts time; more than thirty years counts as unlimited.
+Nanos nanos(double seconds);
+
+/// Adds --url and --key, and the hidden --inject-loss and --seed.
+void add_link_options(const Verb& verb, LinkOptions& options);
+
+/// A link made from the options, and made worse if they ask for it. Throws TransportError with
+/// advice where the network is missing.
+class Link {
+ public:
+  explicit Link(const LinkOptions& options);
+  [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *link_; }
+  [[nodiscard]] const std::optional<wire::Key>& key() const { return key_; }
+
+ private:
+  std::unique_ptr<Transport> link_;
+  std::unique_ptr<Transport> lossy_;
+  std::optional<wire::Key> key_;
+};
+
+}  // namespace jounce::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/driver.hpp"
+
+#include "cli/common/verb.hpp"
+#include "cli/machine/link.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string executor;
+  LinkOptions link;
+  bool abort = false;
+  double patience = 10;
+};
+
+/// The state in which the axis has come to rest, as its status says; nothing if it does not in
+/// time.
+std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string& executor,
+                                             Nanos patience, const std::optional<wire::Key>& key) {
+  using State = wire::AxisState;
+  for (const Nanos begin = steady_now(); steady_now() - begin < patience;) {
+    const auto message =
+        next_status(link, executor, std::chrono::milliseconds(100), steady_now, key);
+    const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
+    if (status == nullptr) continue;
+    if (status->state == State::standstill || status->state == State::disabled ||
+        status->state == State::error_stop)
+      return status->state;
+  }
+  return std::nullopt;
+}
+
+int run(const Options& options) {
+  require_name_on_bus("NAME", options.executor);
+  Link link(options.link);
+  const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
+  link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
+  if (operator_stop(link.transport(), options.executor, mode, std::chrono::seconds(2), steady_now,
+                    link.key())) {
+    const auto state =
+        state_at_rest(link.transport(), options.executor, nanos(options.patience), link.key());
+    if (!state) {
+      fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
+                 options.executor, options.patience);
+      return fault;
+    }
+    fmt::print("{} is at rest: {}\n", options.executor, name(*state));
+    return fine;
+  }
+  fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor, unheard_hint);
+  return fault;
+}
+
+}  // namespace
+
+void add_stop(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  const Verb verb = line.verb("stop", "Stop an axis, also one that another session moves",
+                              "jounce stop feeder\n"
+                              "jounce stop feeder --abort");
+  verb.option("NAME", options->executor, "Name of the executor").required();
+  verb.flag("--abort", options->abort,
+            "Stop as fast as possible, also off the path; the axis is then in error_stop");
+  verb.option("--patience", options->patience, "Wait at most this number of seconds for standstill")
+      .check(seconds())
+      .shown();
+  add_link_options(verb, options->link);
+  verb.work([options] { return run(*options); });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Free shapes optimised through a drive: --against.
+#include <fmt/format.h>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/make.hpp"
+#include "jounce/spec/edit.hpp"
+#include "jounce/study/against.hpp"
+
+#include "cli/optimize/optimizing.hpp"
+#include "cli/optimize/shape_text.hpp"
+#include "cli/optimize/watched.hpp"
+
+namespace jounce::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The drive of --against in the units of the cam.
+Against against_of(const OptimizeOptions& options, const Spec& spec) {
+  const Spec file = read_spec(options.against);
+  if (!file.drive)
+    throw file.document.located(InputError("drive", "", "is missing: --against needs a [drive]"));
+  if (!spec.master)
+    throw spec.document.located(
+        InputError("master", "", "is missing: it gives the speed of the drive"));
+  Against against{
+      .drive = file.drive->drive, .settle = file.drive->settle, .periodic = file.drive->periodic};
+  against.velocity = spec.master->velocity / conversion(spec.time_unit, "s");
+  try {
+    against.drive.position_per_rev *= conversion(file.units.position, spec.units.position);
+  } catch (const InputError&) {
+    throw file.document.located(
+        InputError("units.position", '"' + file.units.position + '"',
+                   "must be convertible to the unit of the slave, " + spec.units.position));
+  }
+  return against;
+}
+
+std::string unit_of(const DriveFigureResult& figure, const ShapeWords& words) {
+  return figure.name.ends_with("torque") ? "N m" : words.labels().units.position;
+}
+
+void print_drive(std::FILE* out, const AgainstOutcome& outcome, const ShapeWords& words) {
+  if (outcome.figures.empty()) return;
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}\n", "by integration", "given", "reached",
+             "", "saved");
+  for (const DriveFigureResult& f : outcome.figures)
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", f.name, rounded(f.given),
+               rounded(f.reached), "",
+               f.given > 0 ? fmt::format("{:.2f} %", 100 * (1 - f.reached / f.given)) : "-",
+               unit_of(f, words));
+  for (const auto& [whose, run] : {std::pair{"given", &outcome.given}, {"reached", &outcome.best}})
+    if (!run->saturation.empty())
+      fmt::print(out, "  - the torque of the {} cam reaches its limit {} times\n", whose,
+                 run->saturation.size());
+}
+
+Json json_of(const AgainstOutcome& outcome, const ShapeWords& words) {
+  Json figures = Json::array();
+  for (const DriveFigureResult& f : outcome.figures)
+    figures.push_back({{"figure", f.name},
+                       {"unit", unit_of(f, words)},
+                       {"given", f.given},
+                       {"reached", f.reached}});
+  return {{"real", outcome.real},
+          {"rounds", outcome.rounds},
+          {"figures", figures},
+          {"saturated", !outcome.best.saturation.empty()}};
+}
+
+}  // namespace
+
+int optimize_against(const OptimizeOptions& options, const Spec& spec) {
+  const CamShapeProblem problem = make_shape_problem(spec, true);
+  const Against against = against_of(options, spec);
+  const ShapeWords words(spec);
+  const AgainstOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
+    return jounce::optimize_against(problem, against, keep_going);
+  });
+  Json document = json_of(outcome.shapes, words);
+  document["usable"] = outcome.usable();
+  document["drive"] = json_of(outcome, words);
+  if (!options.json) {
+    print_text(told_on(options), outcome.shapes, words);
+    print_drive(told_on(options), outcome, words);
+  }
+  return finish(
+      options, spec, std::move(document),
+      outcome.usable() ? std::optional(with_shapes(spec, outcome.shapes.best)) : std::nullopt);
+}
+
+}  // namespace jounce::cli

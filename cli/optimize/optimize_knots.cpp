@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Knots of a cam that are free within bounds.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/make.hpp"
+#include "jounce/design/ramped_limits.hpp"
+#include "jounce/optimize/optimize.hpp"
+#include "jounce/report/report_text.hpp"
+#include "jounce/spec/edit.hpp"
+
+#include "cli/common/interrupt.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/optimize/optimizing.hpp"
+
+namespace jounce::cli {
+namespace {
+
+std::string objective_unit(Objective objective, const Units& units) {
+  return rate_unit(units.position, units.x, objective == Objective::peak_jerk ? 3 : 2);
+}
+
+Labels labels_of(const Spec& spec) {
+  Labels labels{spec.units, true, {}};
+  for (const auto& segment : std::get<CamSpec>(spec.subject).segments)
+    labels.segments.push_back(std::to_string(labels.segments.size() + 1) +
+                              (segment.name.empty() ? "" : " " + segment.name));
+  return labels;
+}
+
+std::string active_sentence(const Finding& finding, const Labels& labels) {
+  if (finding.rule.starts_with("bound/"))
+    return fmt::format("{} is at its bound {}", finding.quantity, rounded(finding.limit));
+  const std::string where =
+      fmt::format("{} {} (segment {})", rounded(finding.where), labels.units.x,
+                  labels.segments[finding.segment.value_or(0)]);
+  if (finding.rule.starts_with("objective/"))
+    return fmt::format("{} is attained at {}", finding.rule.substr(10), where);
+  return fmt::format("{} reaches its limit {} at {}", finding.quantity, rounded(finding.limit),
+                     where);
+}
+
+void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
+  fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
+             "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
+  for (const auto& r : outcome.objectives) {
+    const bool known = r.bound > 0 || r.reached == 0;
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>11}   {}\n", name(r.objective),
+               rounded(r.given), rounded(r.reached), known ? rounded(r.bound) : "-",
+               known ? fmt::format("{:.2f} %", 100 * r.gap()) : "-",
+               objective_unit(r.objective, labels.units));
+  }
+  if (outcome.usable())
+    for (const auto& finding : outcome.active)
+      fmt::print(out, "  - {}\n", active_sentence(finding, labels));
+  else
+    fmt::print(out, "least violated:\n{}", full_text(outcome.limits, labels));
+}
+
+nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
+  using Json = nlohmann::ordered_json;
+  Json objectives = Json::array();
+  for (const auto& r : outcome.objectives)
+    objectives.push_back({{"objective", name(r.objective)},
+                          {"unit", objective_unit(r.objective, labels.units)},
+                          {"given", r.given},
+                          {"reached", r.reached},
+                          {"bound", r.bound},
+                          {"gap", r.gap()}});
+  Json active = Json::array();
+  for (const auto& finding : outcome.active)
+    active.push_back({{"rule", finding.rule},
+                      {"quantity", finding.quantity},
+                      {"where", finding.where},
+                      {"value", finding.value},
+                      {"limit", finding.limit}});
+  return {{"status", name(outcome.status)},
+          {"usable", outcome.usable()},
+          {"reason", outcome.reason},
+          {"objectives", objectives},
+          {"active", active},
+          {"limits", Json::parse(to_json(outcome.limits, labels))},
+          {"evaluations", outcome.evaluations},
+          {"starts", outcome.starts}};
+}
+
+}  // namespace
+
+int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
+  const CamProblem problem = make_problem(spec);
+  const RampedLimits ramped = ramped_limits(spec);
+  const Labels labels = labels_of(spec);
+  Outcome outcome;
+  {
+    Progress progress("optimising");
+    const Interrupt interrupt;
+    outcome = optimize(problem, ramped, [&](const OptimizeProgress& p) {
+      const double stages = static_cast<double>(problem.minimize.size());
+      const double done =
+          static_cast<double>(p.objective) +
+          static_cast<double>(p.start) / static_cast<double>(std::max<std::size_t>(p.starts, 1));
+      progress.show(done / stages, name(problem.minimize[p.objective]));
+      return !interrupt.asked();
+    });
+  }
+  if (!options.json) print_text(told_on(options), outcome, labels);
+  return finish(options, spec, json_of(outcome, labels),
+                outcome.usable() ? std::optional(with_knots(spec, outcome.best)) : std::nullopt);
+}
+
+}  // namespace jounce::cli

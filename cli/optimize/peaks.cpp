@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/optimize/peaks.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "jounce/design/input.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Peak {
+  std::string name;  ///< "geo_jerk"; of several axes "x jerk"
+  std::string unit;
+  std::optional<double> given;
+  double optimised = 0;
+  std::optional<double> limit;
+};
+
+double peak_of(const Input& input, std::size_t order) {
+  return std::visit(
+      [&](const auto& curve) {
+        return std::abs(extrema(curve, static_cast<int>(order)).peak().value);
+      },
+      *input.curve);
+}
+
+/// Nothing where the given spec makes no curve: an optimisation may begin from one that cannot move.
+std::vector<Input> given_inputs(const Spec& spec) {
+  try {
+    return inputs_of(spec, spec.document.name);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::vector<Peak> peaks(const Spec& given_spec, const Spec& optimised_spec) {
+  const std::vector<Input> given = given_inputs(given_spec);
+  const std::vector<Input> optimised = inputs_of(optimised_spec, optimised_spec.document.name);
+  std::vector<Peak> all;
+  for (std::size_t i = 0; i < optimised.size(); ++i) {
+    const Input& axis = optimised[i];
+    const Limits& l = axis.limits;
+    const std::optional<double> limits[] = {{}, l.velocity, l.acceleration, l.jerk};
+    const auto& names = axis.labels.over_master ? OverMaster::names : OverTime::names;
+    for (std::size_t k = 1; k < names.size(); ++k)
+      all.push_back({(axis.axis.empty() ? "" : axis.axis + " ") + names[k],
+                     axis.labels.unit_of(names[k]),
+                     given.empty() ? std::nullopt : std::optional(peak_of(given[i], k)),
+                     peak_of(axis, k), limits[k]});
+  }
+  return all;
+}
+
+/// "-12.5 %", or "13 times" the given.
+std::string change(const Peak& peak) {
+  if (!peak.given || !(*peak.given > 0)) return "";
+  const double ratio = peak.optimised / *peak.given;
+  return ratio >= 2 ? fmt::format("{:.3g} times", ratio)
+                    : fmt::format("{:+.1f} %", 100 * (ratio - 1));
+}
+
+}  // namespace
+
+void print_peaks(std::FILE* out, const Spec& given, const Spec& optimised) {
+  fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}\n", "peaks", "given", "optimised", "change",
+             "limit");
+  for (const Peak& peak : peaks(given, optimised))
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", peak.name,
+               peak.given ? rounded(*peak.given) : "-", rounded(peak.optimised), change(peak),
+               peak.limit ? rounded(*peak.limit) : "not limited", peak.unit);
+}
+
+nlohmann::ordered_json peaks_json(const Spec& given, const Spec& optimised) {
+  using Json = nlohmann::ordered_json;
+  Json all = Json::array();
+  for (const Peak& peak : peaks(given, optimised))
+    all.push_back({{"quantity", peak.name},
+                   {"unit", peak.unit},
+                   {"given", peak.given ? Json(*peak.given) : Json()},
+                   {"optimised", peak.optimised},
+                   {"limit", peak.limit ? Json(*peak.limit) : Json()}});
+  return all;
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "jounce/plot/figure.hpp"
+#include "jounce/validate/follower.hpp"
+
+#include "cli/common/input.hpp"
+
+namespace jounce::cli {
+
+/// The input's table as lift of the [follower] of its spec. Throws InputError for an input without one.
+FollowerResult followed(const Input& input, std::size_t samples = 0);
+
+/// Cam and mass, and the contact force with its limits; what is spent in the air is shaded.
+Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
+                       const std::string& unit);
+
+}  // namespace jounce::cli

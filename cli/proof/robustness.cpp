@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/proof/robustness.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/report/report_text.hpp"
+
+#include "cli/common/progress.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// On every core; what a body throws is thrown again, of several the first.
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr thrown;
+  std::mutex mutex;
+  const auto work = [&](Progress* progress) {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        body(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!thrown) thrown = std::current_exception();
+        next = count;
+      }
+      if (progress != nullptr) progress->show(static_cast<double>(i) / static_cast<double>(count));
+    }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  Progress progress("tolerances");
+  std::vector<std::jthread> others;
+  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(work, nullptr);
+  work(&progress);
+  others.clear();  // joins
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+std::string words(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+std::string numbers_text(const ToleranceCase& worst) {
+  std::string text;
+  for (const auto& [key, value] : worst.numbers)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, rounded(value));
+  return text;
+}
+
+}  // namespace
+
+ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive) {
+  return over_tolerances(reference, drive.drive, drive.options(), *drive.tolerances, on_all_cores);
+}
+
+std::string robustness_text(const ToleranceResult& result, const std::string& unit) {
+  std::string text = fmt::format(
+      "  {:<12} {}: {} cases{}{}\n", "tolerances", result.report.ok() ? "ok" : "BROKEN",
+      result.cases, result.all_corners ? ", every corner" : "",
+      result.saturated > 0 ? fmt::format(", {} of them at the torque limit", result.saturated)
+                           : "");
+  for (const ToleranceSpread& f : result.figures) {
+    const std::string& u = f.unit == "u" ? unit : f.unit;
+    text +=
+        fmt::format("  {:<12} {}: {} {} on paper, {} at the worst ({:.0f} % of cases within {})\n",
+                    "", words(f.figure), rounded(f.nominal), u, rounded(f.worst.value), 99.0,
+                    rounded(f.most_of_all));
+    text += fmt::format("  {:<12}   worst at {}\n", "", numbers_text(f.worst));
+  }
+  return text;
+}
+
+nlohmann::ordered_json robustness_json(const ToleranceResult& result) {
+  using Json = nlohmann::ordered_json;
+  Json figures = Json::array();
+  for (const ToleranceSpread& f : result.figures) {
+    Json worst = Json::object();
+    for (const auto& [key, value] : f.worst.numbers) worst[key] = value;
+    figures.push_back({{"figure", f.figure},
+                       {"nominal", f.nominal},
+                       {"least", f.least},
+                       {"mean", f.mean},
+                       {"deviation", f.deviation},
+                       {"of_99_percent", f.most_of_all},
+                       {"worst", f.worst.value},
+                       {"worst_at", worst},
+                       {"beyond_limit", f.beyond}});
+  }
+  return {{"cases", result.cases},         {"all_corners", result.all_corners},
+          {"saturated", result.saturated}, {"failed", result.failed},
+          {"unstable", result.unstable},   {"figures", figures}};
+}
+
+}  // namespace jounce::cli

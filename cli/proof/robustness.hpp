@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "jounce/spec/spec.hpp"
+#include "jounce/validate/signal_view.hpp"
+#include "jounce/validate/tolerances.hpp"
+
+namespace jounce::cli {
+
+/// The drive over its tolerances, on all cores, with a progress line.
+ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive);
+
+/// The worst case of every figure, as lines of `validate`; `unit` of the position.
+std::string robustness_text(const ToleranceResult& result, const std::string& unit);
+nlohmann::ordered_json robustness_json(const ToleranceResult& result);
+
+}  // namespace jounce::cli

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/units.hpp"
+
+#include "cli/common/input.hpp"
+#include "cli/common/json.hpp"
+#include "cli/common/verb.hpp"
+#include "cli/proof/cam_check.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string axis;
+  std::vector<std::string> limits;
+  std::string slave, master, master_velocity;  ///< where a coupling begins; units may be left out
+  int continuity = 1;
+  bool json = false;
+};
+
+/// `velocity=3` or `velocity="3 mm/s"`: a limit from the command line, over the spec's own.
+void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
+  const std::vector<std::pair<std::string, std::optional<double>*>> all{
+      {"position_min", &limits.position_min},
+      {"position_max", &limits.position_max},
+      {names[1], &limits.velocity},
+      {names[2], &limits.acceleration},
+      {names[3], &limits.jerk}};
+  for (const auto& [name, target] : all) {
+    if (equals == std::string::npos || key != name) continue;
+    const std::string quantity_name = name.starts_with("position") ? "position" : name;
+    try {
+      *target = quantity(text.substr(equals + 1), labels.unit_of(quantity_name));
+    } catch (const InputError& error) {
+      throw InputError("--limit " + key, error.value(), error.rule());
+    }
+    return;
+  }
+  std::string known;
+  for (const auto& [name, target] : all) known += (known.empty() ? "" : ", ") + name;
+  throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
+}
+
+void set_limits(Input& input, const Options& options) {
+  for (const auto& text : options.limits) set_limit(input.limits, text, input.labels);
+  try {
+    require_valid(input.limits);
+  } catch (const InputError& error) {
+    throw InputError("--limit", error.value(), error.key() + " " + error.rule());
+  }
+}
+
+/// The state in which the coupling of the spec begins, as the options give it.
+EngageState engage_state(const Input& input, const Options& options) {
+  const Units& units = input.labels.units;
+  EngageState at;
+  const auto read = [&](const char* key, const std::string& text, const std::string& unit,
+                        std::optional<double>& value) {
+    if (text.empty()) return;
+    if (!input.spec || !input.spec->coupling)
+      throw InputError(key, text, "needs a spec with [coupling]");
+    try {
+      value = quantity(text, unit);
+    } catch (const InputError& error) {
+      throw InputError(key, error.value(), error.rule());
+    }
+  };
+  read("--slave", options.slave, units.position, at.slave);
+  read("--master", options.master, units.x, at.master);
+  read("--master-velocity", options.master_velocity, rate_unit(units.x, "s", 1),
+       at.master_velocity);
+  return at;
+}
+
+/// "track 1: on from 350 to 10 deg of the master, positive direction"
+std::string text_of(const CamSwitch& s, const Spec& spec) {
+  const bool of_master = spec.switches.of == SwitchesOf::master;
+  const std::string unit = of_master ? spec.units.x + " of the master" : spec.units.position;
+  const std::string first = number(s.first_on_position);
+  const std::string where =
+      s.last_on_position
+          ? fmt::format("from {} to {} {}", first, number(*s.last_on_position), unit)
+          : fmt::format("at {} {} for {} s", first, unit, number(s.duration.value_or(0)));
+  const bool both = s.axis_direction == AxisDirection::both;
+  return fmt::format("track {}: on {}{}", s.track, where,
+                     both ? "" : fmt::format(", {} direction", name(s.axis_direction)));
+}
+
+void print_switches(const Spec& spec) {
+  if (spec.switches.table.switches.empty()) return;
+  fmt::print("\n");
+  for (const CamSwitch& s : spec.switches.table.switches) fmt::print("{}\n", text_of(s, spec));
+}
+
+nlohmann::ordered_json json_of(const Report& report, const Input& input) {
+  auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
+  if (auto cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
+  document["segments"] = nlohmann::ordered_json::parse(
+      of_motion(input, [&](const auto& motion) { return extrema_json(motion, input.labels); }));
+  if (input.spec)
+    for (const CamSwitch& s : input.spec->switches.table.switches)
+      document["switches"].push_back(text_of(s, *input.spec));
+  return document;
+}
+
+void print_text(const Report& report, const Input& input) {
+  fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
+  fmt::print("{}\n", of_motion(input, [&](const auto& motion) {
+               return extrema_text(motion, input.labels);
+             }));
+  fmt::print("{}", full_text(report, input.labels));
+  fmt::print("{}", cam_text(input));
+  if (input.spec) print_switches(*input.spec);
+}
+
+int run(const Options& options) {
+  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  for (Input& input : inputs) set_limits(input, options);
+  bool ok = true;
+  AxisDocuments documents;
+  for (const Input& input : inputs) {
+    Report report = checked(input, options.continuity, engage_state(input, options));
+    add_not_limited(report, input);
+    ok = ok && report.ok();
+    if (options.json)
+      documents.emplace_back(input.axis, json_of(report, input));
+    else
+      print_text(report, input);
+    if (!options.json && &input != &inputs.back()) fmt::print("\n");
+  }
+  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
+  return ok ? fine : finding;
+}
+
+}  // namespace
+
+void add_check(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  const Verb verb = line.verb("check", "Check exact limits and continuity of a spec or a table",
+                              "jounce check cam.toml --limit geo_acceleration=0.02");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.option(
+          "--limit", options->limits,
+          "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
+      .one_each();
+  verb.axis(options->axis);
+  verb.option("--continuity", options->continuity,
+              "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration")
+      .check(whole(0, 3))
+      .shown();
+  verb.option("--slave", options->slave,
+              "Rest position of the slave at the start of the coupling; default: the first value "
+              "of the cam");
+  verb.option("--master", options->master,
+              "Position of the master at that time; default: the start of the cam");
+  verb.option("--master-velocity", options->master_velocity,
+              "Velocity of the master at that time, per second; default: that of [master]");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
+  verb.work([options] { return run(*options); });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/design/law_guide.hpp"
+#include "jounce/plot/curve_figure.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "cli/common/json.hpp"
+#include "cli/common/picture.hpp"
+#include "cli/common/verb.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string law;
+  std::string output;
+  bool markdown = false;
+  bool json = false;
+};
+
+nlohmann::ordered_json json_of(const LawInfo& law) {
+  nlohmann::ordered_json document{{"law", law.name},
+                                  {"title", law.title},
+                                  {"use", law.use},
+                                  {"strength", law.strength},
+                                  {"weakness", law.weakness},
+                                  {"ends", ends_in_words(law.ends)},
+                                  {"inflection", law.inflection}};
+  const auto rising = rising_laws();
+  if (std::find(rising.begin(), rising.end(), law.law) == rising.end()) return document;
+  const Characteristics c = characteristics(law.law);
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  for (const auto& [key, value] : {std::pair{"cv", c.cv.value},
+                                   {"ca", c.ca.value},
+                                   {"ca_star", c.ca_star.value},
+                                   {"cj", c.cj.value},
+                                   {"cm", c.cm.value},
+                                   {"rms", c.rms}})
+    document[key] = number(value);
+  return document;
+}
+
+Law law_of(const std::string& word) {
+  const auto law = law_named(word);
+  if (!law) throw InputError("LAW", word, "is not a law: `jounce laws` lists all");
+  return *law;
+}
+
+void draw(const Options& options) {
+  if (options.law.empty()) throw InputError("--output", options.output, "draws one law: name it");
+  const Law law = law_of(options.law);
+  const auto rising = rising_laws();
+  if (std::find(rising.begin(), rising.end(), law) == rising.end())
+    throw InputError("LAW", options.law, "has no shape of its own to draw");
+  CurveLook look;
+  look.title = info(law).title;
+  look.label = info(law).name;
+  write_picture(options.output, curve_figure(Cam(normalised(law, shown_form(law))), look));
+}
+
+int run(const Options& options) {
+  if (options.markdown) {
+    fmt::print("{}", laws_markdown());
+  } else if (!options.output.empty()) {
+    draw(options);
+  } else if (options.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const LawInfo& law : all_laws())
+      if (options.law.empty() || law_of(options.law) == law.law) all.push_back(json_of(law));
+    fmt::print("{}\n", all.dump(1));
+  } else {
+    fmt::print("{}", options.law.empty() ? law_table() : law_text(law_of(options.law)));
+  }
+  return fine;
+}
+
+}  // namespace
+
+void add_laws(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
+                              "jounce laws modified_sine -o modified_sine.svg");
+  verb.option("LAW", options->law, "Name of a law, as in a spec");
+  verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png");
+  verb.flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
+  verb.work([options] { return run(*options); });
+}
+
+}  // namespace jounce::cli

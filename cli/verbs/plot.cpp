@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "jounce/base/file.hpp"
+#include "jounce/controllers/exchange/exchange.hpp"
+
+#include "cli/common/picture.hpp"
+#include "cli/common/verb.hpp"
+#include "cli/proof/drive_figures.hpp"
+#include "cli/proof/follower_figure.hpp"
+#include "cli/proof/loop_figures.hpp"
+#include "cli/proof/over_time.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string axis;
+  std::string over = "master";
+  std::string before;
+  std::string drive;
+  bool follower = false;
+  std::string output = "-";
+};
+
+/// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
+Drive drive_of(const Options& options) {
+  const std::string text = read_file(options.file);
+  const std::string name = options.file == "-" ? "standard input" : options.file;
+  const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
+  if (is_table(text) || format_of_text(text)) throw InputError(missing).at(name);
+  const Spec spec = parse_spec(text, name);
+  const std::vector<AxisPart> parts = spec.parts();
+  if (parts.size() > 1 && options.axis.empty())
+    throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
+  for (const AxisPart& part : parts)
+    if (part.drive && (options.axis.empty() || part.name == options.axis)) return part.drive->drive;
+  throw spec.document.located(missing);
+}
+
+Figure loop_figure(const Options& options) {
+  const Drive drive = drive_of(options);
+  Figure figure = options.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
+  figure.title = options.file + ": " + figure.title;
+  return figure;
+}
+
+bool of_loop(const Options& options) {
+  return options.drive == "bode" || options.drive == "nyquist";
+}
+
+Figure figure(const Options& options) {
+  if (of_loop(options)) return loop_figure(options);
+  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  if (!options.drive.empty()) {
+    if (inputs.size() > 1)
+      throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
+    return drive_figure(inputs.front(), options.drive);
+  }
+  if (options.follower) {  // of a cam: one axis
+    const Input& input = inputs.front();
+    const FollowerResult run = followed(input, 2001);
+    Figure figure = follower_figure(run, *input.spec->follower, input.labels.units.position);
+    figure.title = input.name + ": " + figure.title;
+    return figure;
+  }
+  const bool over = options.over == "time";
+  if (over)
+    for (Input& input : inputs) input = over_time(input);
+  if (options.before.empty()) return figure_of(inputs);
+  if (inputs.size() > 1)
+    throw InputError("--before", options.before, "compares one axis: name it with --axis");
+  const Input before = load_beside(options.before, inputs.front());
+  return figure_of(inputs.front(), over ? over_time(before) : before);
+}
+
+int run(const Options& options) {
+  require_other_file(options.file, options.output);
+  SvgOptions look;
+  if (options.drive == "torque-speed" || options.drive == "spectrum") look.panel_height = 320;
+  if (options.drive == "bode") look.panel_height = 220;
+  if (options.drive == "nyquist") look.panel_height = nyquist_height;
+  write_picture(options.output, figure(options), look);
+  return fine;
+}
+
+}  // namespace
+
+void add_plot(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  const Verb verb = line.verb("plot", "Draw position, velocity, acceleration and jerk",
+                              "jounce plot better.toml --before cam.toml -o cam.png");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  const Option over =
+      verb.option(
+              "--over", options->over,
+              "Draw a cam over its master, or the slave over time with the [master] of the spec")
+          .check(one_of({"master", "time"}));
+  const Option before =
+      verb.option("--before", options->before, "Spec or table to draw paler underneath");
+  const Option drive =
+      verb.option("--drive", options->drive,
+                  "For a spec with a [drive]: response over time, torque over speed within the "
+                  "envelope of the motor, spectrum of the residual vibration, or frequency "
+                  "response of the loop with the margins (bode, nyquist)")
+          .check(one_of({"response", "torque-speed", "spectrum", "bode", "nyquist"}))
+          .excludes({over, before});
+  verb.flag("--follower", options->follower,
+            "For a cam with a [follower]: lift and contact force over time")
+      .excludes({over, before, drive});
+  verb.option("-o,--output", options->output,
+              "Picture to write, .svg or .png; - is SVG on standard output");
+  verb.work([options] { return run(*options); });
+}
+
+}  // namespace jounce::cli

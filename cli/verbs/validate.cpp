@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/file.hpp"
+
+#include "cli/common/folders.hpp"
+#include "cli/common/json.hpp"
+#include "cli/common/verb.hpp"
+#include "cli/proof/drive_signals.hpp"
+#include "cli/proof/drive_text.hpp"
+#include "cli/proof/follower_text.hpp"
+#include "cli/proof/proof.hpp"
+#include "cli/proof/robustness.hpp"
+
+namespace jounce::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string axis;
+  std::string log;
+  std::string signals;
+  std::size_t samples = 2001;
+  bool json = false;
+};
+
+nlohmann::ordered_json played_json(const Played& played) {
+  using Json = nlohmann::ordered_json;
+  const auto part = [](const Deviation& from) {
+    return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
+  };
+  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
+  if (played.curve) json["curve"] = part(*played.curve);
+  return json;
+}
+
+nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
+  using Json = nlohmann::ordered_json;
+  Json document = Json::parse(to_json(proof.report, input.labels));
+  const auto witness_json = [](const Witness& w) {
+    return Json{{"position", w.position.relative},
+                {"velocity", w.velocity.relative},
+                {"acceleration", w.acceleration.relative},
+                {"steps", w.integration.steps}};
+  };
+  document["witness"] = {{"curve", witness_json(proof.curve)},
+                         {"table", witness_json(proof.table)}};
+  if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
+  if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
+  if (proof.follower) document["follower"] = follower_json(*proof.follower);
+  if (proof.played) document["executor"] = played_json(*proof.played);
+  return document;
+}
+
+void print_text(std::FILE* out, const Proof& proof, const Input& input) {
+  fmt::print(out, "{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
+             proof_text(proof, input));
+  if (!proof.drive)
+    fmt::print(out, "  {:<12} not checked: only a spec with a [drive] has a servo model\n",
+               "drive");
+  if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
+}
+
+/// Throws InputError where the run of one drive cannot be written as asked.
+void require_signals_of(const Options& options, const std::vector<Input>& inputs) {
+  if (options.signals.empty()) return;
+  require_signals(options.signals);
+  require_other_file(options.file, options.signals);
+  require_folders({{"--signals", options.signals}});
+  if (inputs.size() > 1)
+    throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
+  if (!inputs.front().drive)
+    throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
+}
+
+int run(const Options& options) {
+  const std::vector<Input> inputs = load_axes(options.file, options.axis);
+  if (inputs.size() > 1 && !options.log.empty())
+    throw InputError("--log", options.log, "is for one axis: name it with --axis");
+  require_signals_of(options, inputs);
+  std::FILE* out = options.signals == "-" ? stderr : stdout;
+  bool ok = true;
+  AxisDocuments documents;
+  for (const Input& input : inputs) {
+    const Proof proof = prove(input, options.log, options.signals.empty() ? 0 : options.samples);
+    ok = ok && proof.report.ok();
+    if (!options.signals.empty())
+      write_file(options.signals, signals_file(*proof.drive, input, options.signals));
+    if (options.json)
+      documents.emplace_back(input.axis, json_of(proof, input));
+    else
+      print_text(out, proof, input);
+  }
+  if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump(1));
+  return ok ? fine : finding;
+}
+
+}  // namespace
+
+void add_validate(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  const Verb verb = line.verb(
+      "validate",
+      "Prove a motion by integration, in a servo model, and against the log of an executor",
+      "jounce validate cam.toml --log run.csv");
+  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.axis(options->axis);
+  verb.option("--log", options->log,
+              "Tick log of an executor: compare every tick with the table (to rounding) and with "
+              "the exact curve (within the tolerance of the table)");
+  verb.option(
+      "--signals", options->signals,
+      "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, velocity, "
+      "torque, current; - is CSV on standard output. `jounce identify` reads these columns");
+  verb.option("--samples", options->samples,
+              "Number of rows of --signals, equally spaced over the run")
+      .shown()
+      .check(whole(2, 10'000'000));
+  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
+  verb.work([options] { return run(*options); });
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+# jounce_declare(NAME module ...): a module and the modules that it includes. CMakeLists.txt declares all of them,
+# each after those that it uses. tests/modules/includes.py holds the sources against these lines.
+#
+# jounce_add_modules(): adds the folders of JOUNCE_MODULES and of all that they use.
+#
+# jounce_module(NAME SOURCES a.cpp ... [LINKS target ...] [PRIVATE_LINKS target ...] [PRECOMPILE header ...]
+#   [PKGCONFIG -llibrary ...] [LIGHT])
+#
+# One library a module, target jounce::NAME. NAME/include holds its public headers, <jounce/NAME/x.hpp>; a header under
+# jounce/NAME/detail is for other modules, and is not installed. NAME/src holds sources and private headers,
+# "NAME/src/x.hpp", which no other module includes.
+#
+# PKGCONFIG names the libraries that a program needs beside a static module, for pkg-config.
+#
+# A LIGHT module reads, writes and prints. It is compiled at -O1, in three quarters of the time of -O3.
+set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
+endif()
+
+function(jounce_options target)
+  target_compile_options(${target} PRIVATE ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
+endfunction()
+
+# The options of all modules, so that they can share what is parsed once.
+function(jounce_module_options target)
+  jounce_options(${target})
+  target_compile_options(${target} PRIVATE -fno-math-errno)  # no code asks errno what a root did
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# At -O1 GCC takes the storage of an empty std::optional for uninitialised.
+function(jounce_light_options target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+endfunction()
+
+jounce_parsed(modules)
+jounce_module_options(jounce_parsed_modules)
+jounce_parsed(light)
+jounce_module_options(jounce_parsed_light)
+jounce_light_options(jounce_parsed_light)
+
+set(JOUNCE_DECLARED "")
+function(jounce_declare name)
+  foreach(used ${ARGN})
+    if(NOT used IN_LIST JOUNCE_DECLARED)
+      message(FATAL_ERROR "jounce_declare: ${name} uses ${used}, which is not declared before it")
+    endif()
+  endforeach()
+  set(JOUNCE_DECLARED ${JOUNCE_DECLARED} ${name} PARENT_SCOPE)
+  set(JOUNCE_USES_${name} ${ARGN} PARENT_SCOPE)
+endfunction()
+
+function(jounce_add_modules)
+  set(wanted ${JOUNCE_MODULES})
+  if(wanted STREQUAL "all")
+    set(wanted ${JOUNCE_DECLARED})
+  endif()
+  set(backwards ${JOUNCE_DECLARED})
+  list(REVERSE backwards)
+  foreach(module ${wanted})
+    if(NOT module IN_LIST JOUNCE_DECLARED)
+      message(FATAL_ERROR "JOUNCE_MODULES = ${module}: must be \"all\" or some of ${JOUNCE_DECLARED}")
+    endif()
+  endforeach()
+  foreach(module ${backwards})
+    if(module IN_LIST wanted)
+      list(APPEND wanted ${JOUNCE_USES_${module}})
+    endif()
+  endforeach()
+  foreach(module ${JOUNCE_DECLARED})
+    if(module IN_LIST wanted)
+      add_subdirectory(${module})
+    endif()
+  endforeach()
+endfunction()
+
+function(jounce_module name)
+  cmake_parse_arguments(MODULE "LIGHT" "" "SOURCES;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
+  set_property(GLOBAL PROPERTY JOUNCE_PKGCONFIG_${name} "${MODULE_PKGCONFIG}")
+  if(NOT MODULE_PRECOMPILE AND MODULE_LIGHT)
+    set(MODULE_PRECOMPILE REUSE jounce_parsed_light)
+  elseif(NOT MODULE_PRECOMPILE)
+    set(MODULE_PRECOMPILE REUSE jounce_parsed_modules)
+  endif()
+
+  add_library(jounce_${name} ${MODULE_SOURCES})
+  add_library(jounce::${name} ALIAS jounce_${name})
+  set_target_properties(jounce_${name} PROPERTIES EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  jounce_module_options(jounce_${name})
+  if(MODULE_LIGHT)
+    jounce_light_options(jounce_${name})
+  endif()
+  jounce_precompile(jounce_${name} ${MODULE_PRECOMPILE})
+  target_compile_features(jounce_${name} PUBLIC cxx_std_20)
+  target_include_directories(jounce_${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR})
+  set(used ${JOUNCE_USES_${name}})
+  list(TRANSFORM used PREPEND jounce::)
+  target_link_libraries(jounce_${name} PUBLIC ${used} ${MODULE_LINKS} PRIVATE ${MODULE_PRIVATE_LINKS})
+
+  install(TARGETS jounce_${name} EXPORT jounceTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
+endfunction()

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "jounce/base/hash.hpp"
+#include "jounce/pvt/reduce.hpp"
+
+/// Target of a table, in the terms of specs and of the command line.
+///
+///     Target target = target_of(*controller_table("googol_follow"), {"pulse", "pulse"});
+///     target.tolerance = 0.5;
+///     Sampled table = reduced(cam, target);
+namespace jounce {
+
+/// Capacity of a controller, from its manual.
+struct ControllerTable {
+  const char* name;
+  Domain axis;
+  Interpolation rule;
+  std::size_t most;  ///< knots, the one that the table begins with included
+  const char*
+      step;  ///< the unit whose whole numbers the first column takes; "" where any number does
+  bool quadratic = false;  ///< pieces of linear velocity (Target::quadratic)
+};
+
+/// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (NORMAL segments), hmpl_pvt, sew.
+std::span<const ControllerTable> controller_tables();
+
+/// By name; null where there is none.
+const ControllerTable* controller_table(const std::string& name);
+
+/// Its target in these units. `x_step`, in units.x: how much one of what the controller counts in is,
+/// such as 0.01 deg a pulse. Throws InputError "controller" where the units do not measure what it
+/// counts in and there is no x_step; the rule asks for it by the name `key`.
+Target target_of(const ControllerTable& controller, const Units& units,
+                 std::optional<double> x_step = {}, const std::string& key = "x_step");
+
+/// Name of a member of Target in a spec, by its name in reduce.hpp: over the master, velocities are
+/// "geo_velocity..."; x_step is "time_resolution" or "master_resolution".
+std::string spec_key(Domain axis, const std::string& member);
+
+}  // namespace jounce

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/controllers/exchange/exchange.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "jounce/base/csv.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/io/detail/table_parts.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "controllers/src/exchange/exchange_parts.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::array formats{Format::xyva, Format::codesys, Format::pairs, Format::sew,
+                             Format::kollmorgen};
+constexpr std::array note_keys{"master", "position", "outside", "knots", "sha256"};
+
+bool begins_with_number(std::string_view cell) {
+  cell = cell.substr(0, cell.find(','));  // of a decimal comma
+  return csv_number(cell).has_value();
+}
+
+/// Units and policy outside, as the comments say.
+void take_notes(const detail::Exchanged& read, const detail::Place& place, TableFile& file,
+                Extrapolation& outside) {
+  for (const auto& [key, target] :
+       {std::pair{"master", &file.units.x}, {"position", &file.units.position}})
+    if (const auto note = read.notes.find(key); note != read.notes.end()) {
+      *target = note->second.value;
+      if (!is_unit(*target)) place.fail(note->second.line, key, *target, "is not a known unit");
+    }
+  if (const auto note = read.notes.find("outside"); note != read.notes.end())
+    outside = detail::choice(note->second.value, std::span(detail::policies),
+                             [&](const std::string& value, const std::string& rule) {
+                               place.fail(note->second.line, "outside", value, rule);
+                             });
+}
+
+void require_whole(const detail::Exchanged& read, const detail::Place& place,
+                   const TableFile& file) {
+  const std::size_t knots = file.table.size();
+  if (const auto note = read.notes.find("knots");
+      note != read.notes.end() && note->second.value != std::to_string(knots))
+    place.fail(note->second.line, "knots", note->second.value,
+               "the file holds " + std::to_string(knots) + ": is it complete?");
+  const auto note = read.notes.find("sha256");
+  if (note == read.notes.end()) return;
+  const std::string actual = hex(content_hash(file.table, file.units));
+  if (note->second.value != actual)
+    place.fail(note->second.line, "sha256", note->second.value,
+               "does not match the content, whose hash is " + actual +
+                   ": the file was changed after Jounce wrote it; to accept it, remove this line");
+}
+
+Table table_of(detail::Exchanged& read, Extrapolation outside, const detail::Place& place) {
+  try {
+    return Table(Domain::master, read.rule, outside, std::move(read.columns));
+  } catch (const InputError& error) {
+    const bool of_a_knot = error.key().starts_with("knot[");
+    const std::size_t knot = of_a_knot ? std::stoul(error.key().substr(5)) : 0;
+    throw error.at(place.name(), knot == 0 ? 0 : read.lines[knot - 1]);
+  }
+}
+
+ExchangeCam cam_of(detail::Exchanged& read, const detail::Place& place) {
+  Extrapolation outside = Extrapolation::hold;
+  TableFile file{
+      Table(Domain::master, Interpolation::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
+  take_notes(read, place, file, outside);
+  file.table = table_of(read, outside, place);
+  require_whole(read, place, file);
+  return {read.name, std::move(file), std::move(read.unread)};
+}
+
+/// Of several cams each has the comments above its last knot and below the cam before.
+std::vector<detail::Line> own_lines(const detail::Exchanged& cam,
+                                    const std::vector<detail::Exchanged>& all,
+                                    const std::vector<detail::Line>& lines) {
+  int from = 0;
+  for (const detail::Exchanged& other : all)
+    if (other.lines.back() < cam.lines.front()) from = std::max(from, other.lines.back());
+  std::vector<detail::Line> own;
+  for (const detail::Line& line : lines)
+    if (line.number > from && line.number < cam.lines.back()) own.push_back(line);
+  return own;
+}
+
+std::vector<ExchangeCam> cams_of(std::vector<detail::Exchanged> all,
+                                 const std::vector<detail::Line>& lines,
+                                 const detail::Place& place) {
+  for (detail::Exchanged& cam : all)
+    cam.notes = detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
+  std::vector<ExchangeCam> cams;
+  for (detail::Exchanged& cam : all) cams.push_back(cam_of(cam, place));
+  return cams;
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr const char* white = " \t\r";
+  const auto first = text.find_first_not_of(white);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(white) - first + 1);
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+std::vector<Line> lines_of(std::string_view text) {
+  std::vector<Line> all;
+  for (int number = 1; !text.empty(); ++number) {
+    const auto end = text.find('\n');
+    const std::string_view line = trimmed(text.substr(0, end));
+    if (!line.empty()) all.push_back({number, line});
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return all;
+}
+
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//");
+}
+
+Notes notes_of(const std::vector<Line>& lines) {
+  Notes notes;
+  for (const auto& [number, text] : lines) {
+    if (!is_comment(text)) continue;
+    const std::string_view words = trimmed(text.substr(
+        text.find_first_not_of("#/") == text.npos ? text.size() : text.find_first_not_of("#/")));
+    const auto colon = words.find(": ");
+    const std::string key(words.substr(0, colon));
+    if (colon != words.npos &&
+        std::find(note_keys.begin(), note_keys.end(), key) != note_keys.end())
+      notes[key] = {std::string(trimmed(words.substr(colon + 2))), number};
+  }
+  return notes;
+}
+
+std::string notes_text(const TableFile& file, const std::string& mark) {
+  std::string text;
+  const auto line = [&](const char* key, const std::string& value) {
+    if (!value.empty()) text += mark + " " + key + ": " + value + "\n";
+  };
+  line("master", file.units.x);
+  line("position", file.units.position);
+  line("outside", jounce::name(file.table.outside()));
+  line("knots", std::to_string(file.table.size()));
+  line("sha256", hex(content_hash(file.table, file.units)));
+  return text;
+}
+
+void Place::fail(int line, const std::string& key, std::string_view value,
+                 const std::string& rule) const {
+  throw InputError(key, printable(value), rule).at(name_, line);
+}
+
+double Place::number(int line, const std::string& key, std::string_view text) const {
+  if (const auto value = csv_number(text)) return *value;
+  std::string point(text);
+  std::replace(point.begin(), point.end(), ',', '.');
+  const auto value = csv_number(point);
+  if (value && decimal_comma_) return *value;
+  fail(line, key, '"' + std::string(text) + '"',
+       value ? "has a decimal comma: write " + point + ", or use --decimal-comma"
+             : "must be a finite number");
+}
+
+}  // namespace detail
+
+const char* name(Format format) {
+  switch (format) {
+    case Format::xyva:
+      return "xyva";
+    case Format::codesys:
+      return "codesys";
+    case Format::pairs:
+      return "pairs";
+    case Format::sew:
+      return "sew";
+    case Format::kollmorgen:
+      break;
+  }
+  return "kollmorgen";
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> all;
+  for (const Format format : formats) all.emplace_back(name(format));
+  return all;
+}
+
+std::optional<Format> format_named(const std::string& word) {
+  const auto it = std::find_if(formats.begin(), formats.end(),
+                               [&](Format format) { return word == name(format); });
+  return it == formats.end() ? std::nullopt : std::optional(*it);
+}
+
+std::optional<Format> format_of_path(const std::string& path) {
+  if (path.ends_with(".xyva")) return Format::xyva;
+  if (path.ends_with(".st")) return Format::codesys;
+  if (path.ends_with(".txt")) return Format::pairs;
+  return std::nullopt;
+}
+
+Interpolation rule_of(Format format) {
+  return format == Format::xyva || format == Format::codesys ? Interpolation::quintic_hermite
+                                                             : Interpolation::linear;
+}
+
+std::optional<Format> format_of_text(const std::string& text) {
+  if (is_table(text)) return std::nullopt;
+  if (detail::lower(text).find("smc_camxyva") != std::string::npos) return Format::codesys;
+  if (text.find("TABLE_BEGIN") != std::string::npos) return Format::kollmorgen;
+  const auto lines = detail::lines_of(text);
+  const auto first = std::find_if(lines.begin(), lines.end(), [](const detail::Line& line) {
+    return !detail::is_comment(line.text);
+  });
+  if (first == lines.end()) return std::nullopt;
+  const auto cells = detail::column_cells(first->text);
+  const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
+  if (!header && (!begins_with_number(cells[0]) || first->text.find('=') != std::string::npos))
+    return std::nullopt;
+  if (cells.size() == 1) return Format::sew;
+  return cells.size() < 4 ? Format::pairs : Format::xyva;
+}
+
+std::string exchange_text(Format format, const TableFile& file) {
+  if (file.table.axis() != Domain::master)
+    throw InputError(
+        "axis", name(file.table.axis()),
+        std::string("the format ") + name(format) + " is for cams: it needs a table over a master");
+  if (file.table.rule() != rule_of(format))
+    throw InputError(
+        "rule", name(file.table.rule()),
+        std::string("the format ") + name(format) + " needs a " + name(rule_of(format)) + " table");
+  return format == Format::codesys ? detail::st_text(file) : detail::columns_text(format, file);
+}
+
+std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
+                                             bool decimal_comma) {
+  const detail::Place place(name, decimal_comma);
+  const auto format = format_of_text(text);
+  if (!format) place.fail(1, "", "", "is not a cam table in a known format");
+  if (*format == Format::kollmorgen)
+    place.fail(1, "", "",
+               "is a KAS table: Kollmorgen does not document its splines, so it cannot be read");
+  const auto lines = detail::lines_of(text);
+  if (*format == Format::codesys) return cams_of(detail::parse_st(text, place), lines, place);
+  return cams_of({detail::parse_columns(*format, lines, place)}, lines, place);
+}
+
+TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
+  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  if (cams.size() == 1) return std::move(cams.front().file);
+  std::string names;
+  for (const ExchangeCam& cam : cams) names += (names.empty() ? "" : ", ") + cam.name;
+  throw InputError("", "", "contains several cams; choose one with --axis: " + names).at(name, 1);
+}
+
+}  // namespace jounce

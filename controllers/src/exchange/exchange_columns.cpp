@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <utility>
+
+#include "jounce/base/csv.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "controllers/src/exchange/exchange_parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+std::vector<std::string_view> split(std::string_view line, const char* separators, bool runs) {
+  std::vector<std::string_view> all;
+  while (true) {
+    const auto end = line.find_first_of(separators);
+    const std::string_view cell = trimmed(line.substr(0, end));
+    if (!runs || !cell.empty()) all.push_back(cell);
+    if (end == std::string_view::npos) return all;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::string_view without_comment(std::string_view line) {
+  return trimmed(line.substr(0, line.find("//")));
+}
+
+const std::vector<std::string> editor_columns{"x", "y", "v", "a", "j", "type"};
+
+/// The columns that a header names; none where the line is no header. J follows from the others and
+/// is skipped.
+std::vector<std::string> header_of(const Line& line, const Place& place) {
+  std::vector<std::string> names;
+  for (const auto cell : column_cells(without_comment(line.text)))
+    names.push_back(lower(cell.substr(0, cell.find(" ["))));
+  if (names.front() != "x") return {};
+  const std::size_t n = names.size();
+  const bool known = n <= editor_columns.size() && n != 3 &&
+                     std::equal(names.begin(), names.end(), editor_columns.begin());
+  if (!known)
+    place.fail(line.number, "columns", line.text,
+               "must be X Y or X Y V A, optionally with J and Type");
+  return names;
+}
+
+class Rows {
+ public:
+  Rows(Format format, const Place& place)
+      : place_(place), columns_(rule_of(format) == Interpolation::linear ? 2 : 4) {
+    read_.rule = rule_of(format);
+  }
+
+  void header(const std::vector<std::string>& names) { columns_ = names.size(); }
+
+  void row(const Line& line) {
+    auto cells = column_cells(without_comment(line.text));
+    // A row's Type is that of the segment that ends there: the first may have none.
+    if (has_type() && read_.lines.empty() && cells.size() == columns_ - 1) cells.emplace_back("-");
+    if (cells.size() != columns_)
+      place_.fail(line.number, "row", std::to_string(cells.size()) + " values",
+                  "must have " + std::to_string(columns_) +
+                      (cells.size() == 2 * columns_ && line.text.find(',') != std::string_view::npos
+                           ? ": if these are decimal commas, use --decimal-comma"
+                           : ""));
+    const std::array<std::vector<double>*, 4> all{&read_.columns.x, &read_.columns.p,
+                                                  &read_.columns.v, &read_.columns.a};
+    for (std::size_t i = 0;
+         i < std::min<std::size_t>(columns_, read_.rule == Interpolation::linear ? 2 : 4); ++i)
+      all[i]->push_back(place_.number(line.number, std::string(1, "XYVA"[i]), cells[i]));
+    if (has_type()) require_quintic(line, lower(cells.back()));
+    read_.lines.push_back(line.number);
+  }
+
+  Exchanged finish() { return std::move(read_); }
+
+ private:
+  [[nodiscard]] bool has_type() const { return columns_ == editor_columns.size(); }
+
+  void require_quintic(const Line& line, const std::string& type) {
+    if (type != "poly5" && !(read_.lines.empty() && (type.empty() || type == "-")))
+      place_.fail(line.number, "Type", type, "must be Poly5, the only supported segment type");
+  }
+
+  const Place& place_;
+  std::size_t columns_;
+  Exchanged read_;
+};
+
+void append(std::string& text, double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value);
+  text.append(digits, end.ptr);
+}
+
+std::string row_text(const Columns& c, std::size_t knot, char separator, bool rates) {
+  std::string text;
+  append(text, c.x[knot]);
+  for (const auto* column : {&c.p, &c.v, &c.a}) {
+    if (column != &c.p && !rates) break;
+    text += separator;
+    append(text, (*column)[knot]);
+  }
+  return text;
+}
+
+std::string rows_text(const TableFile& file, char separator, const std::string& end) {
+  std::string text;
+  const bool rates = file.table.rule() == Interpolation::quintic_hermite;
+  for (std::size_t i = 0; i < file.table.size(); ++i)
+    text += row_text(file.table.columns(), i, separator, rates) + end;
+  return text;
+}
+
+std::string kollmorgen_text(const TableFile& file) {
+  if (file.table.size() < 5)
+    throw InputError("knots", std::to_string(file.table.size()),
+                     "must be at least 5: KAS imports four segments or more");
+  const bool cyclic = repeats(file.table.outside());
+  return std::string("CYCLIC;") + (cyclic ? "YES" : "NO") + ";\nTABLE_BEGIN;;\n" +
+         rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
+}
+
+std::string sew_text(const TableFile& file) {
+  constexpr std::size_t most = 16383;  // MOVI-C, curve point table
+  if (file.table.size() > most)
+    throw InputError("knots", std::to_string(file.table.size()),
+                     "an SEW curve point table holds at most " + std::to_string(most) +
+                         ": give a tolerance, or fewer intervals");
+  return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
+}
+
+}  // namespace
+
+std::vector<std::string_view> column_cells(std::string_view line) {
+  if (line.find(';') != line.npos) return split(line, ";", false);
+  if (line.find('\t') != line.npos) return split(line, "\t", true);
+  const auto words = split(line, " ", true);
+  const bool listed = std::all_of(words.begin(), words.end() - (words.empty() ? 0 : 1),
+                                  [](std::string_view word) { return word.ends_with(','); });
+  return listed && line.find(',') != line.npos ? split(line, ",", false) : words;
+}
+
+Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Place& place) {
+  Rows rows(format, place);
+  std::optional<Note> count;
+  std::size_t knots = 0;
+  bool first = true;
+  for (const Line& line : lines) {
+    if (is_comment(line.text)) continue;
+    const bool was_first = std::exchange(first, false);
+    if (was_first && format == Format::sew) {
+      count = {std::string(line.text), line.number};
+      continue;
+    }
+    if (was_first)
+      if (const auto names = header_of(line, place); !names.empty()) {
+        rows.header(names);
+        continue;
+      }
+    rows.row(line);
+    ++knots;
+  }
+  if (count && count->value != std::to_string(knots))
+    place.fail(count->line, "number of points", count->value,
+               "the file holds " + std::to_string(knots) + ": is it complete?");
+  return rows.finish();
+}
+
+std::string columns_text(Format format, const TableFile& file) {
+  switch (format) {
+    case Format::xyva:
+      return "# a cam as X Y V A, by " + made_by() + "\n" + notes_text(file, "#") + "X\tY\tV\tA\n" +
+             rows_text(file, '\t', "\n");
+    case Format::sew:
+      return sew_text(file);
+    case Format::kollmorgen:
+      return kollmorgen_text(file);
+    case Format::pairs:
+    case Format::codesys:
+      break;
+  }
+  return rows_text(file, '\t', "\n");
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jounce/controllers/exchange/exchange.hpp"
+
+/// What the formats of other makers have in common.
+namespace jounce::detail {
+
+/// A line of a file, counted from 1.
+struct Line {
+  int number = 0;
+  std::string_view text;  ///< without white space around it
+};
+
+/// The lines that are not blank.
+std::vector<Line> lines_of(std::string_view text);
+
+std::string_view trimmed(std::string_view text);
+std::string lower(std::string_view text);
+
+/// The comments `# key: value` or `// key: value` that Jounce wrote.
+struct Note {
+  std::string value;
+  int line = 0;
+};
+using Notes = std::map<std::string, Note>;
+Notes notes_of(const std::vector<Line>& lines);
+bool is_comment(std::string_view line);
+
+/// The comments themselves, each line begun with `mark`.
+std::string notes_text(const TableFile& file, const std::string& mark);
+
+/// What was read of one cam: a column entry and a line for each knot.
+struct Exchanged {
+  std::string name = {};  ///< where the format names its cams
+  Interpolation rule = Interpolation::quintic_hermite;
+  Columns columns = {};
+  std::vector<int> lines = {};
+  Notes notes = {};
+  std::vector<std::string> unread = {};  ///< what the file holds beside the knots
+};
+
+/// Where in a file something is wrong.
+class Place {
+ public:
+  Place(std::string name, bool decimal_comma)
+      : name_(std::move(name)), decimal_comma_(decimal_comma) {}
+  [[noreturn]] void fail(int line, const std::string& key, std::string_view value,
+                         const std::string& rule) const;
+  /// A finite number, or fail().
+  [[nodiscard]] double number(int line, const std::string& key, std::string_view text) const;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  bool decimal_comma_;
+};
+
+Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Place& place);
+/// All that the file declares, at least one.
+std::vector<Exchanged> parse_st(const std::string& text, const Place& place);
+
+/// The values of a line, separated by semicolons, white space or commas.
+std::vector<std::string_view> column_cells(std::string_view line);
+
+std::string columns_text(Format format, const TableFile& file);
+std::string st_text(const TableFile& file);
+
+}  // namespace jounce::detail

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/controllers/pmc600/pmc600.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/sequences/splice.hpp"
+
+// sin^2 edges of velocity have the mean acceleration dv/T and the peak pi/2 dv/T:
+//
+//   (1)  sigmoid: T as in the trapezoid, mean = acceleration
+//   (2)  sigmoid_limit: peak = acceleration, mean = 2/pi acceleration
+
+namespace jounce::pmc600 {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double least_velocity = 0.001;  // u/s, of StartVel and EndSecondVel
+
+/// One stretch of a move, between velocities in its direction at its ends.
+struct Stretch {
+  double from = 0, to = 0;
+  double v0 = 0, v1 = 0;
+  Ramps ramps;
+};
+
+Ramps completed(Ramps r) {
+  require_positive("velocity", r.velocity);
+  require_positive("acceleration", r.acceleration);
+  require_not_negative("deceleration", r.deceleration);
+  if (r.deceleration == 0) r.deceleration = r.acceleration;
+  if (r.mode == VelocityMode::quadratic) require_positive("jerk", r.jerk);
+  return r;
+}
+
+/// Calls use(up, down) with the laws of the mode.
+template <class Use>
+auto with_laws(const Ramps& r, Use use) {
+  switch (r.mode) {
+    case VelocityMode::sigmoid:  // (1)
+      return use(detail::SineLaw{r.acceleration}, detail::SineLaw{r.deceleration});
+    case VelocityMode::sigmoid_limit:  // (2)
+      return use(detail::SineLaw{2 / pi * r.acceleration},
+                 detail::SineLaw{2 / pi * r.deceleration});
+    case VelocityMode::quadratic:
+      return use(detail::JerkLaw{r.acceleration, r.jerk}, detail::JerkLaw{r.deceleration, r.jerk});
+    case VelocityMode::trapezoid:
+      break;
+  }
+  return use(detail::JerkLaw{r.acceleration}, detail::JerkLaw{r.deceleration});
+}
+
+Trajectory made(const detail::RampedMove<detail::SineLaw>& move, double from, double to) {
+  return detail::curve(move, from, to);
+}
+Trajectory made(const detail::RampedMove<detail::JerkLaw>& move, double from, double to) {
+  return detail::profile(move, from, to).curve();
+}
+
+Trajectory curve(const Stretch& s) {
+  return with_laws(s.ramps, [&](const auto& up, const auto& down) {
+    const double h = std::abs(s.to - s.from);
+    const auto move = detail::ramped(up, s.v0, down, s.v1, s.ramps.velocity, h);
+    if (!move) throw InputError("to", s.to, "is too close to `from` for a move");
+    return made(*move, s.from, s.to);
+  });
+}
+
+/// The greatest velocity that can be reached from rest over h, resp. from which h suffices to stop.
+double reached_over(double h, const Ramps& ramps, bool stopping) {
+  return with_laws(ramps, [&](const auto& up, const auto& down) {
+    const auto& law = stopping ? down : up;
+    return detail::greatest(ramps.velocity, h, [&](double v) { return distance(law, 0, v); });
+  });
+}
+
+double joint_velocity(double h0, const Ramps& first, double h1, const Ramps& second) {
+  if (h0 * h1 <= 0) return 0;
+  return std::min(reached_over(std::abs(h0), first, false),
+                  reached_over(std::abs(h1), second, true));
+}
+
+void require_end_velocity(const char* key, double v, double velocity) {
+  if (!(v >= least_velocity)) throw InputError(key, v, "must be at least 0.001");
+  if (v > velocity) throw InputError(key, v, "must not be above velocity = " + number(velocity));
+}
+
+/// The block's own value where it is not above the velocity.
+double end_velocity(const char* key, double v, double velocity) {
+  if (v == default_end_velocity) return std::min(v, velocity);
+  require_end_velocity(key, v, velocity);
+  return v;
+}
+
+void require_distance(const char* key, double from, double to) {
+  require_finite("from", from);
+  require_finite(key, to);
+  if (from == to) throw InputError(key, to, "must differ from where the move begins");
+}
+
+}  // namespace
+
+Trajectory move_absolute(double from, double to, const Ramps& ramps) {
+  require_distance("to", from, to);
+  return curve({from, to, 0, 0, completed(ramps)});
+}
+
+Profile ls_move(const LsMove& move) {
+  require_distance("to", move.from, move.to);
+  const Ramps r = completed({move.velocity, move.acceleration, move.deceleration});
+  const double v0 = end_velocity("start_velocity", move.start_velocity, move.velocity);
+  const double v1 = end_velocity("end_second_velocity", move.end_second_velocity, move.velocity);
+  const detail::JerkLaw up{r.acceleration};
+  const detail::JerkLaw down{r.deceleration};
+  const double h = std::abs(move.to - move.from);
+  // From the lower of the two, the distance may not suffice for the higher one.
+  const bool brakes = v0 > v1;
+  const double low = std::min(v0, v1);
+  const auto covered = [&](double dv) { return distance(brakes ? down : up, low, dv); };
+  if (covered(std::abs(v1 - v0)) <= h)
+    return detail::profile(*detail::ramped(up, v0, down, v1, r.velocity, h), move.from, move.to);
+  const double dv = detail::greatest(std::abs(v1 - v0), h, covered);
+  detail::RampedMove<detail::JerkLaw> ramp{up, down, low, low, 0, 0, 0};
+  (brakes ? ramp.v0 : ramp.v1) += dv;
+  (brakes ? ramp.dv1 : ramp.dv0) = dv;
+  return detail::profile(ramp, move.from, move.to);
+}
+
+Profile ls_move_velocity(double from, double velocity, double acceleration, double start_velocity) {
+  require_finite("velocity", velocity);
+  if (velocity == 0) throw InputError("velocity", velocity, "must not be 0: nothing would move");
+  const double v0 = end_velocity("start_velocity", start_velocity, std::abs(velocity));
+  return velocity_ramp({from, std::copysign(v0, velocity), 0}, velocity,
+                       Dynamics{.acceleration = acceleration});
+}
+
+Trajectory position_to_velocity(const PositionToVelocity& move) {
+  const double joint = move.end_pos[0] + (move.relative ? move.from : 0);
+  const double to = move.end_pos[1] + (move.relative ? joint : 0);
+  require_distance("end_pos[1]", move.from, joint);
+  require_distance("end_pos[2]", joint, to);
+  const auto ramps = [&](std::size_t i) {
+    return completed(
+        {move.velocity[i], move.acceleration[i], move.deceleration[i], move.jerk[i], move.mode});
+  };
+  const double v = joint_velocity(joint - move.from, ramps(0), to - joint, ramps(1));
+  return concatenated(curve({move.from, joint, 0, v, ramps(0)}),
+                      curve({joint, to, v, 0, ramps(1)}));
+}
+
+}  // namespace jounce::pmc600

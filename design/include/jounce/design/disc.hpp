@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "jounce/cam/disc/disc_contour.hpp"
+#include "jounce/spec/spec.hpp"
+
+namespace jounce {
+
+/// The disc of a spec with [disc], in the spec's units. Throws InputError, placed in the document:
+/// also where the spec has no [disc].
+Disc make_disc(const Spec& spec, const Cam& cam);
+
+/// check() of it, with the units of its findings.
+Report check_disc(const Spec& spec, const Cam& cam);
+
+/// Drawing of a disc, in mm for all units of its spec, as it stands at master 0.
+struct DiscDrawing {
+  std::string name;
+  Contour profile;
+  Contour pitch;   ///< empty where the roller has no radius
+  Contour cutter;  ///< the way of the cutter's centre; empty without a cutter
+  double tolerance = 0;
+  double base_radius = 0;
+  std::optional<double> hub_radius;
+  double roller_radius = 0;
+  Place roller;                ///< its centre at the cam's start
+  std::optional<Place> pivot;  ///< pivot of the arm
+};
+DiscDrawing drawing_of(const Spec& spec, const Disc& disc);
+
+/// DXF R12 (ASCII), in mm: closed polylines with arcs on the layers CAM, PITCH and CUTTER, circles on
+/// BASE, HUB and ROLLER. Coordinates are rounded to 1e-9 mm.
+std::string contour_dxf(const DiscDrawing& drawing);
+
+/// The same as an SVG document that prints 1:1.
+std::string contour_svg(const DiscDrawing& drawing);
+
+/// The profile as points for a controller without arcs: CSV with master position (spec's unit), x, y
+/// (mm); the last is the first again. Straight ways between them keep the spec's tolerance.
+std::string contour_csv(const Spec& spec, const Disc& disc);
+
+}  // namespace jounce

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "jounce/design/input.hpp"
+#include "jounce/validate/drive.hpp"
+
+namespace jounce {
+
+/// The input's table through the [drive] of its spec, which it has. Findings say whose they are
+/// ("drive"), in seconds and with their units. Throws InputError where a cam has no [master].
+DriveResult driven(const Input& input, std::size_t samples = 0);
+
+}  // namespace jounce

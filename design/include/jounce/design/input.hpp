@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/design/make.hpp"
+#include "jounce/io/table_file.hpp"
+#include "jounce/report/report_text.hpp"
+
+namespace jounce {
+
+/// An input of the verbs: one axis of a spec, which is made first, or a finished table.
+struct Input {
+  std::optional<Spec> spec;
+  LazyCurve curve;
+  TableFile table;
+  std::optional<SampleError>
+      error;      ///< error of the table against the curve; none where it is all there is
+  Limits limits;  ///< limits of the spec; none for a table
+  Labels labels;
+  std::string name;           ///< the spec's name with the axis', or the file's
+  std::string axis;           ///< name if there are several axes; otherwise ""
+  TableOptions options = {};  ///< by which the table was made
+  std::optional<DriveSpec> drive = {};
+  std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};
+  std::optional<Binding> binding = {};   ///< binding of a table of fewest knots
+  std::vector<std::string> unread = {};  ///< other content of its file
+};
+
+/// Calls `act` with the input's curve, or with its table where there is no other curve: the table
+/// needs less time and memory.
+template <class Act>
+auto of_motion(const Input& input, const Act& act) {
+  return input.error ? std::visit(act, *input.curve) : act(input.table.table);
+}
+
+/// Positions of slave and master at the start of a coupling. By default, the slave rests at the cam's first
+/// value; the master is where the cam begins, at the velocity of [master] (0 without one).
+struct EngageState {
+  std::optional<double> slave = {};            ///< u
+  std::optional<double> master = {};           ///< m
+  std::optional<double> master_velocity = {};  ///< m/s
+};
+
+/// Everything that can be checked without integration: limits and joints of the curve, the table's
+/// error, limits that the table alone breaks, what engaging a coupling does in the given state, and a [drive]
+/// whose loop is unstable.
+Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
+
+/// Adds the peak of each derivative that the input does not limit, neither in [limits] nor, over time,
+/// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
+void add_not_limited(Report& report, const Input& input);
+
+/// Greatest permitted error of the table, in the unit of the position: the tolerance asked for;
+/// a millionth of the stroke where a number of intervals was; the error that it has where the number
+/// of its knots was. None where the table is all there is.
+std::optional<double> table_tolerance(const Input& input);
+
+/// Content of a table file, or result of a spec: one input for each axis. `path` names it where the
+/// spec has no name.
+Input input_of(TableFile file, const std::string& path);
+std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
+
+}  // namespace jounce

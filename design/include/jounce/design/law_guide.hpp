@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jounce/cam/design/characteristics.hpp"
+#include "jounce/cam/laws/law.hpp"
+
+/// The guide to choosing a law: made of the data of design(), so that both always agree.
+namespace jounce {
+
+/// The law's shape that the guide shows: its own, and of `scca` one in the middle of its family.
+LawForm shown_form(Law law);
+
+/// The laws that have characteristic values: a rise of their own from 0 to 1.
+std::vector<Law> rising_laws();
+Characteristics characteristics(Law law);
+
+/// Permitted ends of the law, as text.
+const char* ends_in_words(Ends ends);
+
+/// One line a law: its word, its ends, its characteristic values.
+std::string law_table();
+
+/// One law, in full.
+std::string law_text(Law law);
+
+/// docs/laws.md.
+std::string laws_markdown();
+
+}  // namespace jounce

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/profiles/vibration/vibration.hpp"
+#include "jounce/pvt/lazy_curve.hpp"
+#include "jounce/pvt/sample.hpp"
+#include "jounce/spec/spec.hpp"
+
+namespace jounce {
+
+/// Residual vibration of a mode at the end of the motion: predicted for each mode that an operator
+/// of the spec was made for, in the unit of the position.
+struct Residual {
+  Mode mode;          ///< Hz
+  double before = 0;  ///< before of the motion as it was before all operators
+  double after = 0;   ///< after of the finished one
+};
+
+/// Result of a spec for one axis: the exact curve, the table for a controller, and their greatest
+/// differ.
+struct Made {
+  AxisPart part;  ///< whose it is
+  LazyCurve curve;
+  std::vector<std::string>
+      segments;  ///< a name for each segment of the curve, for reports; none: 1, 2, ...
+  Sampled sampled;
+  std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};  ///< in which a slave is in step, if its generator reports it
+};
+
+/// Spec -> generator -> operators -> curve -> table; one per axis, all over the same time. Throws
+/// InputError, placed in the spec's document.
+std::vector<Made> make_axes(const Spec& spec);
+
+/// The same where there is one axis; several are an InputError.
+Made make(const Spec& spec);
+
+/// What a time table (kinds "pt" and "pvt", before any operator) plays without an error: warnings of
+/// steps, swings and overshoot; and of a polydyne cam where its acceleration steps. Nothing of others.
+Report table_warnings(const Spec& spec);
+
+/// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError
+/// that says what to add.
+Trajectory make_master(const Spec& spec);
+
+/// Length of the time unit of the spec, s.
+double seconds_per_unit(const Spec& spec);
+
+/// [limits.slave] by the master, which runs at its full speed. Throws InputError (`limits.slave.velocity`,
+/// ...) where there is such a limit, but no [master].
+Limits slave_limits_by_master(const Spec& spec);
+
+/// The optimisation problem of a cam spec, under [limits] and [limits.slave] at full speed. Throws InputError, placed in the document, unless it is
+/// well posed.
+CamProblem make_problem(const Spec& spec);
+
+/// The same of one that leaves shapes open: spec.optimize.shape. Figures of a drive have no function yet
+/// (jounce/spec/drive_figures.hpp): they throw unless `against_a_drive`.
+CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
+
+}  // namespace jounce

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/disc.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/base/units.hpp"
+
+namespace jounce {
+namespace {
+
+const DiscPart& require_disc(const Spec& spec) {
+  if (!spec.disc)
+    throw spec.document.located(
+        InputError("disc", "", "is missing: give base_radius and roller_radius"));
+  return *spec.disc;
+}
+
+/// `work` with its errors placed in the document: the geometry knows its own keys only.
+template <class Work>
+auto placed(const Spec& spec, Work work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    const std::string key = error.key() == "cam" ? "disc" : "disc." + error.key();
+    throw spec.document.located(InputError(key, error.value(), error.rule()));
+  }
+}
+
+Contour scaled(Contour contour, double factor) {
+  for (Vertex& v : contour) v = {v.x * factor, v.y * factor, v.bulge, v.master};
+  return contour;
+}
+
+}  // namespace
+
+Disc make_disc(const Spec& spec, const Cam& cam) {
+  const DiscPart& part = require_disc(spec);
+  return placed(spec, [&] { return Disc(cam, part.geometry); });
+}
+
+Report check_disc(const Spec& spec, const Cam& cam) {
+  const Disc disc = make_disc(spec, cam);
+  Report report = placed(spec, [&] { return check(disc, spec.disc->limits); });
+  for (Finding& f : report.findings)
+    if (f.unit.empty() && f.rule != "disc/corner") f.unit = spec.disc->length;
+  return report;
+}
+
+DiscDrawing drawing_of(const Spec& spec, const Disc& disc) {
+  const DiscPart& part = require_disc(spec);
+  const DiscSpec& g = part.geometry;
+  const double mm = conversion(part.length, "mm");
+  const auto curve = [&](double distance) {
+    return placed(spec, [&] { return scaled(contour(disc, distance, part.tolerance), mm); });
+  };
+  DiscDrawing d;
+  d.name = spec.name.empty() ? spec.document.name : spec.name;
+  d.profile = curve(-g.roller_radius);
+  if (g.roller_radius > 0) d.pitch = curve(0);
+  if (const auto cutter = part.limits.cutter_radius) d.cutter = curve(*cutter - g.roller_radius);
+  d.tolerance = part.tolerance * mm;
+  d.base_radius = g.base_radius * mm;
+  if (part.hub_radius) d.hub_radius = *part.hub_radius * mm;
+  d.roller_radius = g.roller_radius * mm;
+  const Place roller = disc.at(disc.lift().start()).centre;
+  d.roller = {roller.x * mm, roller.y * mm};
+  if (g.follower == Follower::oscillating) {
+    const double turned =
+        (g.rotation == Rotation::clockwise ? 1 : -1) * g.angle * disc.lift().start();
+    d.pivot =
+        Place{g.centre_distance * mm * std::cos(turned), g.centre_distance * mm * std::sin(turned)};
+  }
+  return d;
+}
+
+std::string contour_csv(const Spec& spec, const Disc& disc) {
+  const DiscPart& part = require_disc(spec);
+  const double mm = conversion(part.length, "mm");
+  Contour c = placed(spec, [&] {
+    return contour(disc, -part.geometry.roller_radius, part.tolerance, Pieces::lines);
+  });
+  c.push_back(c.front());
+  c.back().master = disc.lift().end();
+  std::string text = fmt::format("master [{}],x [mm],y [mm]\n", spec.units.x);
+  for (const Vertex& v : c)
+    text += number(v.master) + "," + number(v.x * mm) + "," + number(v.y * mm) + "\n";
+  return text;
+}
+
+}  // namespace jounce

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/input.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/design/disc.hpp"
+#include "jounce/design/load_check.hpp"
+#include "jounce/design/sync_check.hpp"
+#include "jounce/pvt/check.hpp"
+#include "jounce/validate/loop.hpp"
+
+namespace jounce {
+namespace {
+
+Input from_made(Made made, const Spec& spec, const std::string& path) {
+  const AxisPart& part = made.part;
+  TableFile table{std::move(made.sampled.table),
+                  part.units,
+                  {path == "-" ? "" : printable(path), hex(spec.document.hash), made_by()}};
+  const bool is_table = std::holds_alternative<Table>(spec.subject) && spec.then.empty();
+  const std::string name = spec.name.empty() ? printable(path) : spec.name;
+  return {spec,
+          std::move(made.curve),
+          std::move(table),
+          is_table ? std::nullopt : std::optional(made.sampled.error),
+          part.limits,
+          Labels{part.units, spec.over_master(), std::move(made.segments)},
+          part.name.empty() ? name : name + " " + part.name,
+          part.name,
+          part.table,
+          part.drive,
+          std::move(made.residuals),
+          std::move(made.zones),
+          made.sampled.binding};
+}
+
+/// Whether the table is the best one of so many knots: it has the error that it has.
+bool is_best_of_so_many(const Input& input) {
+  return input.options.target && !input.options.tolerance;
+}
+
+/// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
+/// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic. A rounded place x
+/// counts as much as an error of v x in the position. Beside a shorter interval, of length S, a knot may have the
+/// velocity d / S more, which takes the error out of that interval (sample.cpp) and makes 36 d / (S L^2) here.
+double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
+  constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
+  constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
+  const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
+  const auto name = std::find(names.begin(), names.end(), finding.quantity);
+  const auto order = static_cast<std::size_t>(name - names.begin());
+  if (order >= factors.size() || !finding.segment) return 0;
+  const auto& x = table.columns().x;
+  const std::size_t i = *finding.segment;
+  const double length = x[i + 1] - x[i];
+  double shorter = length;
+  if (i > 0) shorter = std::min(shorter, x[i] - x[i - 1]);
+  if (i + 2 < x.size()) shorter = std::min(shorter, x[i + 2] - x[i + 1]);
+  const double share = shorter < length ? beside[order] * length / shorter : 0;
+  return 2 * (factors[order] + share) * std::numeric_limits<double>::epsilon() * largest_position /
+         std::pow(length, static_cast<double>(order));
+}
+
+/// Limits that the table alone breaks, between the knots, by more than the rounding of its knots.
+Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
+  Report report = check(table, limits);
+  const Ranges peaks = extrema(table);
+  const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
+  const double largest_position =
+      std::abs(peaks[0].peak().value) + std::abs(peaks[1].peak().value) * farthest;
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return !f.broken ||
+           std::abs(f.value - f.limit) <= rounding_of_knots(table, largest_position, f) ||
+           std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
+                       [&](const Finding& g) { return g.broken && g.rule == f.rule; });
+  });
+  for (Finding& finding : report.findings) {
+    finding.axis = "table";
+    finding.segment = std::nullopt;
+  }
+  return report;
+}
+
+/// How far the table is from its curve, against what was asked for.
+Finding table_error(const Input& input) {
+  const double allowed = *table_tolerance(input);
+  const bool broken = input.error->position > allowed;
+  return {"table/position",
+          "table",
+          "position",
+          input.error->where,
+          input.error->position,
+          allowed,
+          (allowed - input.error->position) / allowed,
+          broken,
+          std::nullopt,
+          broken ? "give [table] a tolerance, or more intervals" : "",
+          {},
+          {}};
+}
+
+void append(Report& report, const Report& part) {
+  report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
+}
+
+/// Continuity at the joints. The ends at which a cam that runs once moves are no joints: add_ends() reports
+/// them.
+Report check_joints(const Input& input, int continuity) {
+  if (input.labels.over_master) {
+    const Cam& cam = std::get<Cam>(*input.curve);
+    if (!check_ends(cam).findings.empty())
+      return check_continuity(with(cam, Extrapolation::refuse), continuity);
+  }
+  return of_motion(input, [&](const auto& motion) { return check_continuity(motion, continuity); });
+}
+
+Report check_curve(const Input& input, int continuity) {
+  const Table& table = input.table.table;
+  Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
+  append(report, check_joints(input, continuity));
+  if (!input.error) return report;
+  if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
+  // Where the curve keeps a limit, its table may still break it between the knots.
+  append(report, check_table(table, input.limits, report));
+  return report;
+}
+
+/// Of the master, in s; 0 where none is given.
+double master_speed(const Spec& spec, const EngageState& at) {
+  const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
+  return at.master_velocity.value_or(speed);
+}
+
+/// What engaging does. A coupling is in s, whatever the spec's unit of time is.
+Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
+  const Coupling coupling(cam, *spec.coupling);
+  const double slave = at.slave.value_or(value(cam.segments().front(), 0));
+  const Jet master{at.master.value_or(cam.start()), master_speed(spec, at), 0, 0};
+  Report report = check(coupling, {.position = slave}, master);
+  for (Finding& f : report.findings) {
+    if (f.quantity == "master") f.unit = spec.units.x;
+    for (std::size_t k = 1; k < OverTime::names.size(); ++k)
+      if (f.quantity == OverTime::names[k])
+        f.unit = rate_unit(spec.units.position, "s", static_cast<int>(k));
+  }
+  return report;
+}
+
+/// Where a cam ends moving: what becomes of the slave. Where it begins moving: a slave at rest cannot follow.
+void explain_end(Finding& end, const Input& input, const EngageState& at) {
+  const Spec* const spec = input.spec ? &*input.spec : nullptr;
+  const Units& units = input.labels.units;
+  const auto coupling = spec != nullptr ? spec->coupling.value_or(CouplingSpec{}) : CouplingSpec{};
+  const double speed = spec != nullptr ? master_speed(*spec, at) : at.master_velocity.value_or(0);
+  const double slave = end.value * coupling.slave_scaling * coupling.master_scaling * speed;
+  if (speed != 0)
+    end.advice =
+        fmt::format("at the master's {} {} the slave moves at {} {} there; ", rounded(speed),
+                    rate_unit(units.x, "s", 1), rounded(slave), rate_unit(units.position, "s", 1));
+  if (end.rule == "coupling/begin") {
+    end.broken = true;
+    end.margin = -1;
+    end.advice +=
+        "a slave at rest jumps to this speed: let the cam begin at rest, or bring the slave in "
+        "with [coupling] start = \"ramp_in\"";
+    return;
+  }
+  const bool in_gear = spec != nullptr && stays_in_gear(*spec);
+  end.advice +=
+      in_gear ? "with a live master, it stays in gear after the end of its table"
+              : "with a live master, it brakes there within the limits of its axis, or keeps its "
+                "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
+  if (!in_gear) end.severity = Severity::warning;
+}
+
+/// The ends of a cam that runs once. Those of a follow spec are judged with its tables, the beginning of a
+/// coupled cam with its coupling. A cam that refuses a master outside may begin moving.
+void add_ends(const Input& input, const EngageState& at, Report& report) {
+  if (!input.labels.over_master) return;
+  const Cam& cam = std::get<Cam>(*input.curve);
+  const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
+  if (sync != nullptr && std::holds_alternative<FollowPart>(*sync)) return;
+  if (!input.spec || !input.spec->coupling)
+    for (Finding& end : check_ends(cam).findings)
+      if (end.rule == "coupling/end" || cam.outside() == Extrapolation::hold)
+        report.findings.push_back(std::move(end));
+  for (Finding& f : report.findings)
+    if (f.rule == "coupling/end" || f.rule == "coupling/begin") explain_end(f, input, at);
+}
+
+/// Where a table is for HIMC, the error by which it refuses one that breaks a limit.
+void name_himc_errors(Report& report) {
+  for (Finding& f : report.findings) {
+    if (!f.broken || !f.rule.starts_with("limit/")) continue;
+    const std::string error = himc::pvt_limit_error(f.quantity);
+    if (!error.empty()) f.advice = "MovePVT refuses the table: HIMC error " + error;
+  }
+}
+
+/// A step of the velocity that the check of continuity has found is told once, with the advice of the
+/// warning, which knows more of tables.
+Report merged(Report warnings, Report& found) {
+  std::erase_if(warnings.findings, [&](const Finding& w) {
+    if (w.rule != "pt/velocity_step" && w.rule != "pt/end_velocity") return false;
+    const auto same =
+        std::find_if(found.findings.begin(), found.findings.end(), [&](const Finding& f) {
+          return f.broken && f.rule == "continuity/velocity" && f.where == w.where;
+        });
+    if (same == found.findings.end()) return false;
+    same->advice = w.advice;
+    return true;
+  });
+  return warnings;
+}
+
+}  // namespace
+
+void add_not_limited(Report& report, const Input& input) {
+  const Limits slave = input.spec ? input.spec->slave : Limits{};
+  const Limits& own = input.limits;
+  const std::array limited{true, own.velocity || slave.velocity,
+                           own.acceleration || slave.acceleration, own.jerk || slave.jerk};
+  const auto& names = input.labels.over_master ? OverMaster::names : OverTime::names;
+  const Ranges ranges = of_motion(input, [](const auto& motion) { return extrema(motion); });
+  for (std::size_t k = 1; k < limited.size(); ++k) {
+    const Extremum& peak = ranges[k].peak();
+    if (limited[k] || peak.value == 0) continue;
+    Finding f;
+    f.rule = std::string("unlimited/") + names[k];
+    f.quantity = names[k];
+    f.where = peak.where;
+    f.value = peak.value;
+    f.severity = Severity::note;
+    f.has_limit = false;
+    report.findings.push_back(std::move(f));
+  }
+}
+
+std::optional<double> table_tolerance(const Input& input) {
+  if (!input.error) return std::nullopt;
+  if (is_best_of_so_many(input)) return input.error->position;
+  const Range travel =
+      std::visit([](const auto& curve) { return extrema(curve, 0); }, *input.curve);
+  const double stroke = travel.max.value - travel.min.value;
+  const double asked = input.options.tolerance.value_or((input.options.intervals ? 1e-6 : 1e-9) *
+                                                        (stroke > 0 ? stroke : 1));
+  return std::max(asked, 1e-14 * std::abs(travel.peak().value));
+}
+
+Input input_of(TableFile file, const std::string& path) {
+  LazyCurve curve(file.table);
+  Labels labels{file.units, file.table.axis() == Domain::master, {}};
+  return {std::nullopt, std::move(curve),  std::move(file), std::nullopt,
+          {},           std::move(labels), printable(path), ""};
+}
+
+std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {
+  std::vector<Input> all;
+  for (Made& made : make_axes(spec)) all.push_back(from_made(std::move(made), spec, path));
+  return all;
+}
+
+Report check_all(const Input& input, int continuity, const EngageState& at) {
+  Report report = check_curve(input, continuity);
+  if (input.spec) {
+    const Spec& spec = *input.spec;
+    const auto add = [&](const Report& part) { append(report, part); };
+    if (spec.himc) name_himc_errors(report);
+    add(spec.fill);
+    add(check_sync(spec));
+    add(merged(table_warnings(spec), report));
+    if (std::holds_alternative<CamSpec>(spec.subject))
+      add(check_load(spec, std::get<Cam>(*input.curve)));
+    if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
+    if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
+    if (spec.compare && spec.compare->axis == input.axis)
+      add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
+  }
+  add_ends(input, at, report);
+  if (input.drive)
+    if (auto unstable = unstable_loop(input.drive->drive)) {
+      unstable->axis = "drive";
+      report.findings.push_back(*std::move(unstable));
+    }
+  sort(report);
+  return report;
+}
+
+}  // namespace jounce

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/law_guide.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace jounce {
+namespace {
+
+std::string shown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "∞";
+}
+
+/// Right-aligned in `width` columns on a terminal: ∞ is one column and three bytes.
+std::string cell(double value, std::size_t width) {
+  const std::string text = shown(value);
+  const std::size_t columns = std::isfinite(value) ? text.size() : 1;
+  return std::string(width > columns ? width - columns : 0, ' ') + text;
+}
+
+const char* letters(Ends ends) {
+  switch (ends) {
+    case Ends::given:
+      return "any";
+    case Ends::straight:
+      return "G-G";
+    case Ends::standing:
+      return "R-R";
+    case Ends::moving:
+      return "R, G";
+    case Ends::moving_free:
+      return "U, B";
+    case Ends::rest_to_reversal:
+      break;
+  }
+  return "R-U, U-R";
+}
+
+std::string keys_of(Law law) {
+  std::string keys;
+  const auto add = [&](const char* key) {
+    keys += (keys.empty() ? "`" : ", `") + std::string(key) + "`";
+  };
+  if (info(law).inflection) add("inflection");
+  if (law == Law::scca) add("shares");
+  if (law == Law::scca || law == Law::modified_constant_velocity || law == Law::sine_straight)
+    add("straight");
+  if (!has_own_shape(law)) add("points");
+  return keys;
+}
+
+struct Row {
+  const char* label;
+  double value;
+  const char* meaning;
+};
+
+std::vector<Row> rows(const Characteristics& c) {
+  return {{"Cv", c.cv.value, "peak velocity"},
+          {"Ca", c.ca.value, "peak acceleration"},
+          {"Ca*", c.ca_star.value, "peak deceleration"},
+          {"Cj", c.cj.value, "peak jerk"},
+          {"Cm", c.cm.value, "peak of velocity times acceleration: dynamic torque"},
+          {"rms", c.rms, "rms acceleration: motor heat"}};
+}
+
+constexpr const char* introduction = R"(# The laws, and how to choose one
+
+This page is printed by `jounce laws --markdown`: it has the names, texts and numbers of the program.
+
+A law leads the slave over a stroke h while the master runs a length b. With the master at constant speed ω, the slave's peaks are
+
+    velocity Cv h ω / b,   acceleration Ca h (ω / b)²,   jerk Cj h (ω / b)³,   torque of inertia J Cm h² (ω / b)³ / ω
+
+so choose a law by the limit of the machine:
+
+| what limits | take |
+|---|---|
+| nothing in particular | `modified_sine`, or `345` if the controller takes polynomials only |
+| speed of the motor | `modified_sine`; over long strokes `modified_constant_velocity` |
+| torque of the motor (mass) | `modified_trapezoid` |
+| heat of the motor | `345`; `cubic` if jumps of the acceleration are permitted |
+| vibration | `inclined_sine`, `4567`; with a known natural frequency look at `jounce validate` |
+| no dwell beside it | `simple_sine` there and back; `harmonic_combination` from a dwell to a reversal |
+| given velocities at the ends | `quintic`; any law whose ends are "R, G" takes velocities, too |
+| measured points | `quintic_spline` with a `tolerance` |
+| your own shape, or an optimized one | `hermite`, by `jounce optimize`: see [optimising cams](optimize/cams.md) |
+
+The letters of VDI 2143 describe the ends: R rest, G constant velocity, U reversal (acceleration without velocity), B both.
+Do not write them into a spec: they follow from the knots. A value that a knot leaves out follows from the laws beside it,
+or from `boundaries`.
+
+A law from rest to rest that takes an `inflection` λ (the share of the segment before the velocity peak; default 1/2) keeps
+its Cv; Ca becomes Ca / 2λ, and the deceleration Ca / 2(1 − λ). R-U laws with an inflection find λ from the acceleration at
+the knot of the reversal.
+
+)";
+
+std::string markdown(Law law) {
+  const LawInfo& about = info(law);
+  std::string text = fmt::format("## {}: `{}`\n\n", about.title, about.name);
+  const bool rises = law != Law::line && law != Law::dwell && has_own_shape(law);
+  if (rises) text += fmt::format("![{}](pictures/laws/{}.svg)\n\n", about.title, about.name);
+  text += fmt::format("| | |\n|---|---|\n| use | {} |\n| strength | {} |\n| weakness | {} |\n",
+                      about.use, about.strength, about.weakness);
+  text += fmt::format("| at its ends | {} |\n", ends_in_words(about.ends));
+  if (const std::string keys = keys_of(law); !keys.empty())
+    text += fmt::format("| keys | {} |\n", keys);
+  if (rises)
+    for (const Row& row : rows(characteristics(law)))
+      text += fmt::format("| {} | {} ({}) |\n", row.label, shown(row.value), row.meaning);
+  return text + "\n";
+}
+
+}  // namespace
+
+LawForm shown_form(Law law) {
+  LawForm form;
+  if (law == Law::scca) form.shares = {0.25, 0.25, 0.5};
+  return form;
+}
+
+std::vector<Law> rising_laws() {
+  std::vector<Law> laws;
+  for (const LawInfo& law : all_laws())
+    if (law.law != Law::line && law.law != Law::dwell && has_own_shape(law.law))
+      laws.push_back(law.law);
+  return laws;
+}
+
+Characteristics characteristics(Law law) {
+  // Beside a dwell, as most are used: a law whose acceleration steps there has no finite jerk.
+  const bool reverses = info(law).ends == Ends::rest_to_reversal;
+  return characteristics(Cam(normalised(law, shown_form(law)), 0,
+                             reverses ? Extrapolation::refuse : Extrapolation::hold));
+}
+
+const char* ends_in_words(Ends ends) {
+  switch (ends) {
+    case Ends::given:
+      return "any velocity and acceleration (R, G, U, B)";
+    case Ends::straight:
+      return "the velocity of its own slope, acceleration 0 (G-G)";
+    case Ends::standing:
+      return "velocity and acceleration 0 (R-R), no stroke";
+    case Ends::moving:
+      return "any velocity, acceleration 0 (R or G)";
+    case Ends::moving_free:
+      return "any velocity; the acceleration there is its own (U or B)";
+    case Ends::rest_to_reversal:
+      break;
+  }
+  return "rest at one end, reversal at the other with an acceleration of its own (R-U or U-R)";
+}
+
+std::string law_table() {
+  std::string text = fmt::format("{:<28}{:<10}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "law", "ends",
+                                 "Cv", "Ca", "Ca*", "Cj", "Cm", "rms");
+  for (const LawInfo& law : all_laws()) {
+    text += fmt::format("{:<28}{:<10}", law.name, letters(law.ends));
+    const bool rises = law.law != Law::line && law.law != Law::dwell && has_own_shape(law.law);
+    if (rises)
+      for (const Row& row : rows(characteristics(law.law)))
+        text += cell(row.value, row.label == std::string("Cv") ? 8 : 9);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string law_text(Law law) {
+  const LawInfo& about = info(law);
+  std::string text = fmt::format("{} (law = \"{}\")\n", about.title, about.name);
+  const auto line = [&](const char* label, const std::string& value) {
+    text += fmt::format("  {:<10}{}\n", label, value);
+  };
+  line("use", about.use);
+  line("strength", about.strength);
+  line("weakness", about.weakness);
+  line("ends", ends_in_words(about.ends));
+  if (const std::string keys = keys_of(law); !keys.empty()) line("keys", keys);
+  if (law != Law::line && law != Law::dwell && has_own_shape(law))
+    for (const Row& row : rows(characteristics(law)))
+      line(row.label, fmt::format("{:<9} {}", shown(row.value), row.meaning));
+  return text;
+}
+
+std::string laws_markdown() {
+  std::string text = introduction;
+  text += "| law | ends | Cv | Ca | Ca* | Cj | Cm | rms |\n|---|---|---|---|---|---|---|---|\n";
+  for (const Law law : rising_laws()) {
+    text += fmt::format("| `{}` | {}", name(law), letters(info(law).ends));
+    for (const Row& row : rows(characteristics(law))) text += " | " + shown(row.value);
+    text += " |\n";
+  }
+  text += "\n`scca` is shown with shares of 0.25, 0.25, 0.5.\n\n";
+  for (const LawInfo& law : all_laws()) text += markdown(law.law);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace jounce

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/make.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/cam/laws/polydyne.hpp"
+#include "jounce/controllers/table_target.hpp"
+#include "jounce/design/ramped_limits.hpp"
+#include "jounce/design/sync_cam.hpp"
+#include "jounce/optimize/least_peak.hpp"
+#include "jounce/pvt/warnings.hpp"
+
+#include "design/src/cam_of.hpp"
+#include "design/src/motions/motion.hpp"
+
+namespace jounce {
+
+CamSpec detail::cam_of(const Spec& spec) {
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  switch (spec.boundaries) {
+    case Boundaries::minimum_jerk:
+      return filled(cam, Fill::minimum_jerk);
+    case Boundaries::minimum_peak_acceleration:
+      return filled_for_least_peak(cam).cam;
+    case Boundaries::rest:
+      break;
+  }
+  return cam;
+}
+
+namespace {
+
+using detail::cam_of;
+
+/// A quintic needs one acceleration at each knot: where it steps, there are two. Steps at the ends of a
+/// curve that does not repeat are outside of the table.
+template <class Over>
+Interpolation rule_for(const Curve<Over>& curve, const TableOptions& options) {
+  if (options.rule) return *options.rule;
+  const Curve<Over> inside = repeats(curve.outside()) ? curve : with(curve, Extrapolation::refuse);
+  return check_continuity(inside, 2).ok() ? Interpolation::quintic_hermite
+                                          : Interpolation::cubic_hermite;
+}
+
+/// A billionth of the stroke is finer than any encoder of today resolves.
+template <class Over>
+double fine(const Curve<Over>& curve) {
+  const Range travel = extrema(curve, 0);
+  const double stroke = travel.max.value - travel.min.value;
+  return 1e-9 * (stroke > 0 ? stroke : 1);
+}
+
+/// The table of fewest knots. Its errors name the keys of [table].
+template <class Over>
+Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options) {
+  target.rule = rule_for(curve, options);
+  target.tolerance = options.tolerance;
+  if (!target.tolerance && !target.velocity_tolerance && !target.most)
+    target.tolerance = fine(curve);
+  constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
+  try {
+    if (target.velocity_tolerance)
+      require_certifiable(derivative(curve), "velocity_tolerance", *target.velocity_tolerance);
+    return reduced(curve, target);
+  } catch (const InputError& error) {
+    throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
+  }
+}
+
+template <class Over>
+Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
+  if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
+  if (options.target) return fewest(curve, *options.target, options);
+  const Interpolation rule = rule_for(curve, options);
+  if (options.intervals) return sample(curve, rule, *options.intervals);
+  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve));
+}
+
+std::string numbered(std::size_t i, const std::string& name) {
+  return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
+}
+
+/// The mode of [polydyne] in cycles per unit of the master.
+Mode mode_over_master(const Spec& spec) {
+  if (!spec.master)
+    throw InputError(
+        "polydyne", "",
+        "needs the speed for which it is made: add [master] with velocity and distance");
+  const double speed = spec.master->velocity / seconds_per_unit(spec);
+  return {spec.polydyne->frequency / speed, spec.polydyne->damping};
+}
+
+/// The cam for the load behind the spec's mode, whose motion its knots say.
+Polydyne driven(const Spec& spec, const Cam& output) {
+  return polydyne(output, mode_over_master(spec));
+}
+
+/// What a cam leaves swinging after one run at the master's speed.
+double residual_of(const Spec& spec, const Cam& cam) {
+  const auto segments = cam.segments();
+  return residual_vibration(Trajectory({segments.begin(), segments.end()}), mode_over_master(spec));
+}
+
+Made make_cam(const Spec& spec) {
+  const CamSpec cam = cam_of(spec);
+  auto [curve, origin] = design(cam);
+  std::vector<Residual> residuals;
+  if (spec.polydyne) {
+    Cam made = driven(spec, curve).cam;
+    residuals.push_back({*spec.polydyne, residual_of(spec, curve), residual_of(spec, made)});
+    curve = std::move(made);
+  }
+  std::vector<std::string> names;
+  names.reserve(origin.size());
+  for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
+  Sampled table = sampled(curve, spec.table);
+  return {spec.parts().front(), std::move(curve), std::move(names), std::move(table),
+          std::move(residuals)};
+}
+
+Made make_sync(const Spec& spec) {
+  SyncCam made = sync_cam_of(std::get<SyncSpec>(spec.subject));
+  std::vector<std::string> names;
+  std::size_t number = 0;  // one for all pieces of a law, which share a name
+  for (std::size_t i = 0; i < made.segments.size(); ++i) {
+    if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
+    names.push_back(numbered(number, made.segments[i]));
+  }
+  Sampled table = sampled(made.cam, spec.table);
+  return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
+          std::move(made.zones)};
+}
+
+/// The motions before any operator, and names for the segments where they are not just numbered.
+struct Motions {
+  std::vector<Trajectory> curves;
+  std::vector<std::string> names;
+};
+
+Motions motions_of(const Spec& spec) {
+  if (const auto* knots = std::get_if<Table>(&spec.subject))
+    return {{knots->curve<OverTime>()}, {}};
+  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject))
+    return {{motion_of(*table)}, labels_of(*table)};
+  if (const auto* axes = std::get_if<AxesSpec>(&spec.subject))
+    return {detail::motions_of(*axes), {}};
+  if (const auto* queue = std::get_if<QueueSpec>(&spec.subject)) {
+    detail::QueueMotion motion = detail::motion_of(*queue);
+    return {{std::move(motion.curve)}, std::move(motion.labels)};
+  }
+  return {{detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
+}
+
+/// Names of the segments after the operators. A filter makes many, of which none means anything.
+std::vector<std::string> names_after(const Spec& spec, const Trajectory& curve,
+                                     std::vector<std::string> names) {
+  const bool same = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
+    return std::holds_alternative<RetimeSpec>(each);
+  });
+  const bool changed = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
+    return std::holds_alternative<RetimeSpec>(each) || std::holds_alternative<ChangeSpec>(each);
+  });
+  if (same && !names.empty()) return names;
+  names.clear();
+  for (std::size_t i = 0; i < curve.segments().size(); ++i)
+    names.push_back(changed ? numbered(i, "") : "all");
+  return names;
+}
+
+std::optional<Mode> mode_of(const Operator& each) {
+  if (const auto* shaper = std::get_if<ShaperSpec>(&each)) return shaper->mode;
+  if (const auto* notch = std::get_if<NotchSpec>(&each))
+    return Mode{notch->frequency, notch->mode_damping};
+  return std::nullopt;
+}
+
+std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
+                                   const Trajectory& after) {
+  std::vector<Residual> all;
+  for (const Operator& each : spec.then) {
+    const auto mode = mode_of(each);
+    if (!mode) continue;
+    const Mode scaled{mode->frequency * seconds_per_unit(spec), mode->damping};
+    all.push_back({*mode, residual_vibration(before, scaled), residual_vibration(after, scaled)});
+  }
+  return all;
+}
+
+/// A time table whose velocity steps is sampled as a linear one, the only rule with two velocities at
+/// a knot: within a millionth of the stroke, as its parabolas would take very many lines.
+void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
+  if (!std::holds_alternative<TimeTableSpec>(spec.subject) || options.rule) return;
+  const Jump step = largest_jump(with(curve, Extrapolation::refuse), 1);
+  if (std::abs(step.step) <= 1e-9 * std::abs(extrema(curve, 1).peak().value)) return;
+  options.rule = Interpolation::linear;
+  if (options.tolerance || options.intervals) return;
+  const Range travel = extrema(curve, 0);
+  if (travel.max.value > travel.min.value)
+    options.tolerance = 1e-6 * (travel.max.value - travel.min.value);
+}
+
+std::vector<Made> make_motions(const Spec& spec) {
+  std::vector<AxisPart> parts = spec.parts();
+  // The knots of a PVT spec are its table, unless operators make it another.
+  if (const auto* knots = std::get_if<Table>(&spec.subject); knots != nullptr && spec.then.empty())
+    return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
+  const Motions before = motions_of(spec);
+  std::vector<Trajectory> curves = before.curves;
+  const std::vector<Jet> fits = detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
+  std::vector<Made> all;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    choose_rule(spec, curves[i], parts[i].table);
+    Sampled table = sampled(curves[i], parts[i].table);
+    table.error.position += fits[i][0];
+    table.error.velocity += fits[i][1];
+    all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
+                   std::move(table), residuals_of(spec, before.curves[i], curves[i])});
+  }
+  return all;
+}
+
+std::vector<Made> make_any(const Spec& spec) {
+  if (std::holds_alternative<AxisSpec>(spec.subject))
+    throw InputError("kind", "\"axis\"", "an axis has no table: run it with `jounce run`");
+  if (std::holds_alternative<DriveAlone>(spec.subject))
+    throw InputError("kind", "\"drive\"", "a drive has no table: use it with `jounce identify`");
+  if (!spec.over_master()) return make_motions(spec);
+  std::vector<Made> all;
+  all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Made> make_axes(const Spec& spec) {
+  try {
+    return make_any(spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
+Made make(const Spec& spec) {
+  std::vector<Made> all = make_axes(spec);
+  if (all.size() > 1)
+    throw spec.document.located(InputError("axis", std::to_string(all.size()), "must be one axis"));
+  return std::move(all.front());
+}
+
+namespace {
+
+/// Where the cam of a spec begins and ends.
+std::pair<double, double> master_range(const Spec& spec) {
+  if (const auto* sync = std::get_if<SyncSpec>(&spec.subject)) {
+    const Cam cam = sync_cam_of(*sync).cam;
+    return {cam.start(), cam.end()};
+  }
+  const auto& cam = std::get<CamSpec>(spec.subject);
+  return {cam.start.master, cam.segments.back().end.master};
+}
+
+Trajectory master_of(const Spec& spec) {
+  if (!spec.master)
+    throw InputError("master", "",
+                     "is missing: a cam needs a master; add [master] with velocity and distance");
+  const MasterSpec& master = *spec.master;
+  const double unit = seconds_per_unit(spec);
+  const double velocity = master.velocity / unit;
+  const auto [start, end] = master_range(spec);
+  const double turn = end - start;
+  // Every period has breaks of its own, and each is integrated.
+  if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
+    throw InputError("master.distance", number(master.distance),
+                     "must be 1e-9 to 1e4 times the length of the cam, " + number(turn));
+  if (master.distance / velocity < 1e-6)
+    throw InputError("master.velocity", master.velocity,
+                     "must be lower: the master would pass its distance in less than 1 us");
+  if (!master.acceleration)
+    return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
+                      Extrapolation::hold);
+  return trapezoid(
+             {start, start + master.distance, velocity, *master.acceleration / (unit * unit), 0})
+      .curve();
+}
+
+}  // namespace
+
+Report table_warnings(const Spec& spec) {
+  if (!spec.then.empty()) return {};
+  if (spec.polydyne) return driven(spec, design(cam_of(spec)).cam).warnings;
+  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
+  const auto* knots = std::get_if<Table>(&spec.subject);
+  if (knots == nullptr) return {};
+  Report report = overshoot(*knots);
+  Report steps = velocity_steps(*knots);
+  std::move(steps.findings.begin(), steps.findings.end(), std::back_inserter(report.findings));
+  return report;
+}
+
+Trajectory make_master(const Spec& spec) {
+  try {
+    return master_of(spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
+double seconds_per_unit(const Spec& spec) {
+  return conversion(spec.time_unit, "s");
+}
+
+Limits slave_limits_by_master(const Spec& spec) {
+  Limits limits;
+  double power = 1;
+  const auto divide = [&](const char* name, const std::optional<double>& over_time,
+                          std::optional<double>& by_master) {
+    if (over_time && !spec.master)
+      throw InputError(std::string("limits.slave.") + name, *over_time,
+                       "is a limit over time, which needs the speed of the master: add [master]");
+    if (spec.master) power *= spec.master->velocity;
+    if (over_time) by_master = *over_time / power;
+  };
+  divide("velocity", spec.slave.velocity, limits.velocity);
+  divide("acceleration", spec.slave.acceleration, limits.acceleration);
+  divide("jerk", spec.slave.jerk, limits.jerk);
+  return limits;
+}
+
+namespace {
+
+/// The tighter of two limits of a rate.
+std::optional<double> tighter(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+/// [limits] and [limits.slave].
+Limits all_limits(const Spec& spec) {
+  const Limits slave = slave_limits_by_master(spec);
+  Limits limits = spec.limits;
+  limits.velocity = tighter(limits.velocity, slave.velocity);
+  limits.acceleration = tighter(limits.acceleration, slave.acceleration);
+  limits.jerk = tighter(limits.jerk, slave.jerk);
+  return limits;
+}
+
+}  // namespace
+
+RampedLimits ramped_limits(const Spec& spec) {
+  if (!spec.master) return {};
+  const double w = spec.master->velocity;
+  return {spec.master->acceleration.value_or(0) / (w * w), slave_limits_by_master(spec)};
+}
+
+CamProblem make_problem(const Spec& spec) {
+  const auto* cam = std::get_if<CamSpec>(&spec.subject);
+  if (cam == nullptr)
+    throw InputError("kind", "",
+                     "only a cam has free knots: for other kinds use [[optimize.parameter]]")
+        .at(spec.document.name);
+  if (spec.polydyne)
+    throw spec.document.located(InputError(
+        "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
+  CamProblem problem{
+      .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
+  if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
+  if (spec.optimize.starts) problem.starts = static_cast<int>(*spec.optimize.starts);
+  if (spec.optimize.tolerance) problem.tolerance = *spec.optimize.tolerance;
+  problem.seconds = spec.optimize.seconds;
+  try {
+    problem.cam = cam_of(spec);
+    problem.limits = all_limits(spec);
+    require_valid(problem);
+  } catch (const InputError& error) {
+    // The problem names its own fields; in the document all but these stand under [optimize].
+    const bool of_a_knot = error.key().starts_with("segment") ||
+                           error.key().starts_with("start.") || error.key().starts_with("limits.");
+    const std::string key = of_a_knot ? error.key() : "optimize." + error.key();
+    throw spec.document.located(InputError(key, error.value(), error.rule()));
+  }
+  return problem;
+}
+
+}  // namespace jounce

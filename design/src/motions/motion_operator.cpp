@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/sequences/retime.hpp"
+#include "jounce/profiles/vibration/moving_average.hpp"
+#include "jounce/spec/detail/in_document.hpp"
+
+#include "design/src/motions/motion.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// What an operator may need beside the motions.
+struct Context {
+  std::vector<Limits> limits;
+  double unit = 1;  ///< s
+  std::vector<std::string> names = {};
+  std::vector<Jet> error = {};  ///< of the motions: what fits may differ
+};
+
+using Motions = std::vector<Trajectory>;
+
+/// Filters take a motion to stand before and after: one that does not would be stopped dead there.
+void require_rest_at_ends(const Trajectory& motion) {
+  const double peak = std::abs(extrema(motion, 1).peak().value);
+  for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
+    if (std::abs(v) > 1e-9 * peak)
+      throw InputError("operator", "",
+                       "needs a motion from rest to rest; this one has the velocity " + number(v) +
+                           " at an end");
+}
+
+template <class Filter>
+void each(Motions& motions, Filter filter) {
+  for (Trajectory& motion : motions) {
+    require_rest_at_ends(motion);
+    motion = filter(motion);
+  }
+}
+
+void apply(const MovingAverageSpec& s, const Context&, Motions& motions) {
+  each(motions, [&](const Trajectory& f) { return moving_average(f, s.window); });
+}
+
+void apply(ShaperSpec s, const Context& context, Motions& motions) {
+  s.mode.frequency *= context.unit;
+  const std::vector<Impulse> impulses = shaper(s);
+  each(motions, [&](const Trajectory& f) { return shaped(f, impulses); });
+}
+
+void apply(NotchSpec s, const Context& context, Motions& motions) {
+  s.frequency *= context.unit;
+  each(motions, [&](const Trajectory& f) { return notched(f, s).motion; });
+}
+
+void apply(const RetimeSpec&, const Context& context, Motions& motions) {
+  const double k = least_stretch(motions, context.limits);
+  for (Trajectory& motion : motions) motion = scaled(motion, 1, k);
+}
+
+void apply(const OverrideSpec& s, const Context& context, Motions& motions) {
+  motions = overridden(motions, context.limits, s).axes;
+}
+
+Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
+  switch (c.to) {
+    case ChangeSpec::To::target:
+      return with_target(running, c.time, c.value, c.dynamics);
+    case ChangeSpec::To::velocity:
+      return moving_at_ends(with_velocity(running, c.time, c.value, c.dynamics));
+    case ChangeSpec::To::additive:
+      return pmc600::move_additive(running, c.time, c.value, c.dynamics);
+    default:
+      return pmc600::move_superimposed(running, c.time, c.value, c.dynamics, c.abort);
+  }
+}
+
+void apply(const ChangeSpec& c, const Context&, Motions& motions) {
+  if (motions.size() > 1) throw InputError("operator", "", "works with a single axis only");
+  motions.front() = changed(motions.front(), c);
+}
+
+/// The axis of that name; without a name `otherwise`.
+std::size_t axis_named(const std::string& name, const char* key, const Context& context,
+                       std::optional<std::size_t> otherwise) {
+  if (name.empty() && otherwise) return *otherwise;
+  const auto at = std::find(context.names.begin(), context.names.end(), name);
+  if (name.empty() || at == context.names.end())
+    throw InputError(key, name, "must name one of the spec's axes");
+  return static_cast<std::size_t>(at - context.names.begin());
+}
+
+/// The table's axes are the document's references.
+Compensation made_of(const CompensateSpec& s) {
+  try {
+    return Compensation(s.table);
+  } catch (const InputError& error) {
+    std::string key = error.key();
+    if (key.starts_with("axes")) key.replace(0, 4, "reference");
+    throw renamed(error, key);
+  }
+}
+
+void apply(const CompensateSpec& s, Context& context, Motions& motions) {
+  const Compensation table = made_of(s);
+  const std::optional<std::size_t> only =
+      motions.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
+  const std::size_t axis = axis_named(s.axis, "axis", context, only);
+  std::vector<Trajectory> references;
+  for (const std::string& name : s.references)
+    references.push_back(motions[axis_named(name, "reference.axis", context, axis)]);
+  const double tolerance = s.tolerance.value_or(1e-9 * (table.peak() > 0 ? table.peak() : 1));
+  Fitted<OverTime> corrected = compensated(motions[axis], table, references, tolerance);
+  motions[axis] = std::move(corrected.curve);
+  for (std::size_t k = 0; k < corrected.error.size(); ++k)
+    context.error[axis][k] += corrected.error[k];
+}
+
+/// Generators name their own fields: "t" and "target" are `time` and `to` of the operator, the
+/// limits and the axes are the document's.
+std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
+  const std::string then = "then[" + std::to_string(k + 1) + "]";
+  if (key == "t") key = "time";
+  if (key == "target") key = "to";
+  if (key == "axis") return then + ".axis";
+  if (key.starts_with("axis[") && axes > 1) return key;
+  if (key.starts_with("axis[1].")) key.erase(0, 8);
+  if (key.starts_with("axis")) return then;
+  if (key.starts_with("limits") || key == "axes") return axes == 1 ? "limits" : then;
+  return key.empty() ? then : then + "." + key;
+}
+
+}  // namespace
+
+std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
+                       std::vector<Trajectory>& motions) {
+  Context context{{}, unit, {}, {}};
+  for (const AxisPart& part : parts) {
+    context.limits.push_back(part.limits);
+    context.names.push_back(part.name);
+    context.error.emplace_back();
+  }
+  for (std::size_t k = 0; k < then.size(); ++k) {
+    try {
+      std::visit([&](const auto& spec) { apply(spec, context, motions); }, then[k]);
+    } catch (const InputError& error) {
+      throw renamed(error, key_in_document(error.key(), k, motions.size()));
+    }
+  }
+  return context.error;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/curve/composed.hpp"
+
+namespace jounce {
+namespace {
+
+double seconds(const Input& input) {
+  return conversion(input.table.units.x, "s");
+}
+
+}  // namespace
+
+Trajectory master_of(const Input& input) {
+  if (!input.spec)
+    throw InputError(
+        "master", "",
+        "a cam table does not contain the motion of its master: give the spec, or a master table")
+        .at(input.name);
+  return make_master(*input.spec);
+}
+
+Reference exact_reference(const Input& input) {
+  if (const auto* cam = std::get_if<Cam>(&*input.curve)) return Followed(*cam, master_of(input));
+  return scaled(std::get<Trajectory>(*input.curve), 1, seconds(input));
+}
+
+Reference table_reference(const Input& input) {
+  if (std::holds_alternative<Cam>(*input.curve))
+    return Followed(input.table.table.curve<OverMaster>(), master_of(input));
+  return stretched(input.table.table, seconds(input)).curve<OverTime>();
+}
+
+Trajectory motion_over_time(const Input& input) {
+  const auto* cam = std::get_if<Cam>(&*input.curve);
+  if (cam == nullptr) return std::get<Trajectory>(*input.curve);
+  const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
+  double size = 0;
+  for (const Segment& each : cam->segments()) size = std::max(size, magnitude(each));
+  const double turns = std::abs(cam->advance() * master.jet(master.end())[0] / cam->length());
+  return composed_within(*cam, master, 1e-9 * std::max(size, turns)).curve;
+}
+
+SignalView view(const Reference& reference) {
+  return std::visit([](const auto& signal) { return SignalView(signal); }, reference);
+}
+
+double duration(const Reference& reference) {
+  return std::visit([](const auto& signal) { return signal.end() - signal.start(); }, reference);
+}
+
+Motion at(const Reference& reference, double t) {
+  return std::visit([&](const auto& signal) { return signal.at(signal.start() + t); }, reference);
+}
+
+}  // namespace jounce

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/sync_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/cut_lengths.hpp"
+#include "jounce/design/make.hpp"
+#include "jounce/design/sync_follow.hpp"
+#include "jounce/report/report_text.hpp"
+
+#include "design/src/sync/sync_gear.hpp"
+
+namespace jounce {
+namespace {
+
+template <class Kind>
+Report findings_of(const Kind&, const Spec&) {
+  return {};
+}
+
+Report findings_of(const FollowPart&, const Spec& spec) {
+  return check_follow(spec);
+}
+
+Report findings_of(const GearCourse& course, const Spec& spec) {
+  return detail::check_gear(course, spec.units);
+}
+
+Report findings_of(const GearInPosPart& part, const Spec& spec) {
+  return detail::check_gear(part, spec.units);
+}
+
+Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
+  Report report = check(knife);
+  for (Finding& f : report.findings) {
+    if (f.rule == "knife/contact") f.unit = spec.units.position;
+    if (f.rule == "knife/reversal" && f.broken)
+      f.advice =
+          fmt::format("cut lengths above {} {} need a stop between the cuts: set dwell = true",
+                      rounded(figures(knife).longest), spec.units.x);
+  }
+  return report;
+}
+
+/// A sync that stroke and return leave may be as good as none: as no cut is made in it.
+Report findings_of(const FlyingShear& shear, const Spec& spec) {
+  if (shear.sync_time || shear.sync_length) return {};
+  const ShearPlan plan = shear_plan(shear);
+  const double millisecond = 1e-3 / seconds_per_unit(spec);
+  Finding f;
+  f.rule = "shear/sync";
+  f.quantity = "sync";
+  f.unit = spec.units.x;
+  f.where = plan.accelerate;
+  f.segment = 1;
+  f.value = plan.sync;
+  f.limit = std::max(0.01 * shear.cut_length, millisecond * shear.line_speed);
+  f.margin = f.value / f.limit - 1;
+  f.severity = Severity::warning;
+  const bool far = plan.stroke >= *shear.stroke * (1 - 1e-9);
+  f.advice = far ? "the stroke is too short: lengthen it, or slow the line down"
+                 : "the return is too short: cut longer pieces, or slow the line down";
+  return f.value < f.limit ? Report{{f}} : Report{};
+}
+
+template <class Kind>
+std::vector<SyncFigure> figures_of(const Kind&, const Spec&) {
+  return {};
+}
+
+std::string runs_at(const RotaryKnifeSpec& knife, const RotaryKnifeFigures& f) {
+  if (f.dwell > 0) return "the knife stops between the cuts";
+  return fmt::format("rho {}; the blade runs at {} times the web in the middle", rounded(f.rho),
+                     rounded(f.surface_ratio)) +
+         (knife.speed_ratio == 1 ? "" : fmt::format(", {} in step", number(knife.speed_ratio)));
+}
+
+std::string speed_unit(const Spec& spec) {
+  return rate_unit(spec.units.x, spec.time_unit, 1);
+}
+
+/// Of the line that the spec's master is.
+void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
+  if (!spec.master) return;
+  const CutLengths cuts = cut_lengths(spec);
+  const double line = spec.master->velocity;
+  const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
+  if (const auto least = cuts.shortest(line, limits))
+    all.push_back({"shortest cut", *least, spec.units.x,
+                   fmt::format("at {} {}: the slave's {} limit", rounded(line), speed_unit(spec),
+                               cuts.fastest(*least, limits).limit)});
+}
+
+std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spec) {
+  const RotaryKnifeFigures f = figures(knife);
+  const std::string& m = spec.units.x;
+  const std::string& u = spec.units.position;
+  std::vector<SyncFigure> all{
+      {"synchronous length", f.synchronous, m, "without a correction"},
+      {"in step", f.sync_length, m, fmt::format("{} {} of the knife", rounded(f.sync_angle), u)},
+      {"recovery", f.recovery_length, m, runs_at(knife, f)},
+      {"longest cut", f.longest, m, "without a stop"}};
+  if (knife.matching == KnifeMatching::horizontal) all[0].meaning = "at the same mean speeds";
+  if (f.contact_angle > 0)
+    all.push_back(
+        {"contact angle", f.contact_angle, u, "from the first contact of the blade to the bottom"});
+  if (f.dwell > 0) all.push_back({"dwell", f.dwell, m, "while the knife stands"});
+  add_speeds(all, spec);
+  return all;
+}
+
+/// "return acceleration" -> "the slave's acceleration limit, on its return"
+std::string told(const ShearBound& bound) {
+  const std::string& q = bound.quantity;
+  const std::string limit = "the slave's " + q.substr(q.find(' ') + 1) + " limit";
+  if (q == "stroke") return "the stroke";
+  if (q == "cut length" || q == "return length") return "no master distance is left for the return";
+  if (q.starts_with("sync")) return limit + ", in step";
+  return limit + (q.starts_with("ramp") ? ", as it runs up" : ", on its return");
+}
+
+std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
+  const ShearPlan plan = shear_plan(shear);
+  const ShearBound least = least_cut_length(shear);
+  const ShearBound most = greatest_line_speed(shear);
+  const std::string& m = spec.units.x;
+  const std::string speed = rounded(shear.line_speed) + " " + speed_unit(spec);
+  const bool left = !shear.sync_time && !shear.sync_length;
+  const std::string none = left ? "; no sync remains there" : "";
+  std::vector<SyncFigure> all{
+      {"in step", plan.sync, m,
+       fmt::format("{} {} at {}{}", rounded(plan.sync / shear.line_speed), spec.time_unit, speed,
+                   left ? ", as long as stroke and return allow" : "")}};
+  if (std::isfinite(least.value))
+    all.push_back(
+        {"shortest cut", least.value, m, fmt::format("at {}: {}{}", speed, told(least), none)});
+  if (std::isfinite(most.value))
+    all.push_back({"fastest line", most.value, speed_unit(spec),
+                   fmt::format("with its own table, of {} {}: {}{}", rounded(shear.cut_length), m,
+                               told(most), none)});
+  return all;
+}
+
+template <class Find>
+auto of_sync(const Spec& spec, Find&& find) -> decltype(find(GearSpec{})) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  if (sync == nullptr) return {};
+  try {
+    return std::visit(find, *sync);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
+}  // namespace
+
+Report check_sync(const Spec& spec) {
+  return of_sync(spec, [&](const auto& kind) { return findings_of(kind, spec); });
+}
+
+std::vector<SyncFigure> sync_figures(const Spec& spec) {
+  return of_sync(spec, [&](const auto& kind) { return figures_of(kind, spec); });
+}
+
+bool is_made_for_a_speed(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  return sync != nullptr && std::holds_alternative<FlyingShear>(*sync);
+}
+
+bool stays_in_gear(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  return sync != nullptr && (std::holds_alternative<GearCourse>(*sync) ||
+                             std::holds_alternative<GearInPosPart>(*sync));
+}
+
+}  // namespace jounce

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/sync_follow.hpp"
+
+#include <fmt/format.h>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/report/report_text.hpp"
+
+namespace jounce {
+namespace {
+
+/// The spec's master from 0, in its own time unit.
+Trajectory master_of(const MasterSpec& master) {
+  const double to = master.distance;
+  if (!master.acceleration) return Trajectory({line(to / master.velocity, 0, to)});
+  return trapezoid({.to = to, .velocity = master.velocity, .acceleration = *master.acceleration})
+      .curve();
+}
+
+Finding beginning(const FollowStart& start, const Spec& spec) {
+  const auto t = begin_of(start, master_of(*spec.master), 0);
+  Finding f;
+  f.rule = "follow/begin";
+  f.quantity = "the master";
+  f.unit = spec.units.x;
+  f.where_unit = spec.time_unit;
+  f.where = t.value_or(0);
+  f.value = t ? start.position : 0;
+  f.limit = start.position;
+  f.margin = t ? 1 : -1;
+  f.broken = !t;
+  if (!t)
+    f.advice = "it moves from 0 to " + number(spec.master->distance) + " and never passes " +
+               number(start.position) + (start.direction > 0 ? " forwards" : " backwards") +
+               ": the slave would wait forever; the position is absolute, not a distance";
+  return f;
+}
+
+/// How fast the slave is where its tables end at a ratio.
+void add_speed(Report& report, const Spec& spec) {
+  for (Finding& f : report.findings)
+    if (f.rule == "follow/open_end" && spec.master)
+      f.advice =
+          fmt::format("at the master's {} {} the slave moves at {} {} there; {}",
+                      rounded(spec.master->velocity), rate_unit(spec.units.x, spec.time_unit, 1),
+                      rounded(f.value * spec.master->velocity),
+                      rate_unit(spec.units.position, spec.time_unit, 1), f.advice);
+}
+
+Report checked(const FollowPart& part, const Spec& spec) {
+  Report report = std::visit([](const auto& slave) { return check(slave); }, part.slave);
+  add_speed(report, spec);
+  if (part.start.event == FollowEvent::pass && spec.master)
+    report.findings.push_back(beginning(part.start, spec));
+  return report;
+}
+
+}  // namespace
+
+Report check_follow(const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  const auto* part = sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
+  if (part == nullptr) return {};
+  try {
+    return checked(*part, spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
+}  // namespace jounce

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/src/sync/sync_gear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/report/report_text.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// A generator names its own fields; the clutch of `distance` is the course's first change.
+InputError in_document(const InputError& error) {
+  std::string key = error.key();
+  for (const auto& [ours, theirs] : {std::pair{"change[1].at", "engage_at"},
+                                     {"change[1].distance", "distance"},
+                                     {"change[1].law", "law"},
+                                     {"change[1].ratio", "numerator"}})
+    if (key == ours) key = theirs;
+  if (key.starts_with("change[")) {
+    const auto end = key.find(']');
+    key = "change[" + std::to_string(std::stoi(key.substr(7, end - 7)) - 1) + key.substr(end);
+  }
+  return {"gear." + key, error.value(), error.rule()};
+}
+
+/// What to change where GearInPos answers that it cannot be had.
+std::string rule_of(const GearInPos& gear, const GearInPosSpec& spec) {
+  const std::string code = " (PMC600 error " + std::to_string(static_cast<int>(gear.status)) + ")";
+  const EngageWindow window = engage_window(spec);
+  return std::string(explain(gear.status)) + code +
+         (window.advice.empty() ? "" : "; " + window.advice);
+}
+
+}  // namespace
+
+SyncCam made_gear(const GearCourse& spec) {
+  try {
+    return gear_course(spec);
+  } catch (const InputError& error) {
+    throw in_document(error);
+  }
+}
+
+SyncCam made_gear(const GearInPosPart& spec) {
+  try {
+    const GearInPos gear = gear_in_pos(spec.gear);
+    if (!gear) throw InputError("avoid_reversal", "true", rule_of(gear, spec.gear));
+    return sync_cam(gear, spec.master_start, spec.master_end);
+  } catch (const InputError& error) {
+    throw InputError("gear." + error.key(), error.value(), error.rule());
+  }
+}
+
+Report check_gear(const GearCourse& course, const Units& units) {
+  double ratio = course.ratio;
+  for (const RatioChange& change : course.changes)
+    if (change.at == course.master_start && change.distance == 0) ratio = change.ratio;
+  if (ratio == course.ratio) return {};
+  Finding f;
+  f.rule = "gear/ratio_step";
+  f.quantity = "the ratio";
+  f.where = course.master_start;
+  f.value = ratio;
+  f.limit = course.ratio;
+  f.margin = -1;
+  f.broken = true;
+  f.unit = units.position + "/" + units.x;
+  f.advice = "engage over a distance > 0, or with from_ratio = " + number(ratio) +
+             " if the slave is in step from the start";
+  return {{f}};
+}
+
+Report check_gear(const GearInPosPart& part, const Units& units) {
+  const GearInPos gear = gear_in_pos(part.gear);
+  const double way = gear.ratio * part.gear.master_start_distance;  // of the gear meanwhile
+  const double h = gear.slave_sync - gear.slave_start;
+  // One that turns back though it need not is told of by the cam's warnings.
+  if (!gear || h * way > 0) return {};
+  const Range slope = extrema(*gear.curve, 1);
+  const Extremum back = gear.ratio > 0 ? slope.min : slope.max;
+  if (-back.value * gear.ratio <= 0) return {};
+  const Range y = extrema(*gear.curve, 0);
+  const double most = way > 0 ? y.min.value : y.max.value;
+  const auto [low, high] = std::minmax({gear.slave_sync - 0.6 * way, gear.slave_sync - 0.4 * way});
+  Finding f;
+  f.rule = "gear/reversal";
+  f.has_limit = false;
+  f.quantity = "geo_velocity";
+  f.where = back.where;
+  f.value = back.value;
+  f.margin = -std::abs(back.value / gear.ratio);
+  f.severity = Severity::warning;
+  f.advice = engage_window(part.gear).advice + ", here to " + rounded(most) + " " + units.position +
+             "; with slave_start between " + rounded(low) + " and " + rounded(high) +
+             " the slave neither reverses nor exceeds the velocity of the gear";
+  return {{f}};
+}
+
+}  // namespace jounce::detail

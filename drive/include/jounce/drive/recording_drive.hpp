@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "jounce/drive/drive.hpp"
+
+namespace jounce {
+
+/// Keeps the last setpoints that a drive was given, and passes them on:
+///
+///     NullDrive drive;
+///     RecordingDrive recording(drive, 2000);
+///     ...
+///     for (std::size_t i = 0; i < recording.size(); ++i) look_at(recording[i]);   // oldest first
+///
+/// Memory is taken once, by the constructor. Read it when the cycle stands still.
+class RecordingDrive final : public AxisDrive {
+ public:
+  /// `behind` must outlive it. Throws InputError for a capacity of 0.
+  RecordingDrive(AxisDrive& behind, std::size_t capacity);
+
+  void command(const DriveSetpoint& setpoint) noexcept override;
+  [[nodiscard]] Feedback feedback() noexcept override { return behind_.feedback(); }
+
+  [[nodiscard]] std::size_t size() const { return count_ < kept_.size() ? count_ : kept_.size(); }
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< count of all that it was given
+  /// 0 <= i < size(), the oldest first.
+  [[nodiscard]] const DriveSetpoint& operator[](std::size_t i) const {
+    return kept_[(count_ - size() + i) % kept_.size()];
+  }
+
+ private:
+  AxisDrive& behind_;
+  std::vector<DriveSetpoint> kept_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace jounce

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+
+namespace jounce {
+
+/// The newest value from one writer to readers that neither wait nor make it wait, also between two
+/// processes (it may lie in shared memory; all zeros is a valid one that holds zeros):
+///
+///     lock.write(outputs);                     // the writer
+///     if (auto now = lock.read()) use(*now);   // nothing: it was being written each time
+///
+/// After H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC 2012):
+/// the value travels in atomics, whose own order takes the place of fences: a reader that has seen a word
+/// of the next value sees its odd number, too.
+template <class T>
+class Seqlock {
+  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+ public:
+  static constexpr int tries = 16;
+
+  void write(const T& value) noexcept {
+    Words words{};
+    std::memcpy(words.data(), &value, sizeof value);
+    const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
+    sequence_.store(sequence + 1, std::memory_order_relaxed);  // odd: not whole
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words_[i].store(words[i], std::memory_order_release);  // after the odd number
+    sequence_.store(sequence + 2, std::memory_order_release);
+  }
+
+  [[nodiscard]] std::optional<T> read() const noexcept {
+    for (int i = 0; i < tries; ++i) {
+      const std::uint64_t before = sequence_.load(std::memory_order_acquire);
+      if (before % 2 != 0) continue;
+      Words words;
+      for (std::size_t k = 0; k < words.size(); ++k)
+        words[k] = words_[k].load(std::memory_order_acquire);  // before the number again
+      if (sequence_.load(std::memory_order_relaxed) != before) continue;
+      T value;
+      std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);
+      return value;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr std::size_t count = (sizeof(T) + 7) / 8;
+  using Words = std::array<std::uint64_t, count>;
+
+  std::atomic<std::uint64_t> sequence_{0};
+  std::array<std::atomic<std::uint64_t>, count> words_{};
+};
+
+}  // namespace jounce

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/drive/drive.hpp"
+
+namespace jounce {
+
+DriveSetpoint drive_setpoint(const Tick& tick, const Command& command) {
+  return {.tick = tick.tick,
+          .time = tick.time,
+          .position = tick.position - tick.offset,
+          .velocity = tick.velocity,
+          .acceleration = tick.acceleration,
+          .enable = tick.power,
+          .reset = command.kind == Command::Kind::reset && !tick.refused};
+}
+
+void NullDrive::command(const DriveSetpoint& setpoint) noexcept {
+  position_ = setpoint.position;
+  velocity_ = setpoint.velocity;
+}
+
+Feedback NullDrive::feedback() noexcept {
+  return {.position = position_, .velocity = velocity_};
+}
+
+}  // namespace jounce

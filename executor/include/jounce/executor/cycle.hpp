@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "jounce/axis/machine.hpp"
+#include "jounce/axis/master.hpp"
+#include "jounce/axis/ring.hpp"
+#include "jounce/drive/drive.hpp"
+#include "jounce/drive/seqlock.hpp"
+#include "jounce/executor/histogram.hpp"
+
+namespace jounce {
+
+/// The clock of the cycle; a test provides its own. Nanoseconds since any fixed instant.
+class Pacer {
+ public:
+  virtual ~Pacer() = default;
+  [[nodiscard]] virtual std::int64_t now() = 0;
+  virtual void sleep_until(std::int64_t instant) = 0;
+
+ protected:
+  Pacer() = default;
+  Pacer(const Pacer&) = default;
+  Pacer& operator=(const Pacer&) = default;
+};
+
+/// CLOCK_MONOTONIC with absolute deadlines: a relative sleep would fall behind without end, and no
+/// other clock of the system goes on evenly when somebody sets the time.
+class MonotonicPacer final : public Pacer {
+ public:
+  [[nodiscard]] std::int64_t now() override;
+  void sleep_until(std::int64_t instant) override;
+};
+
+/// The answer of the axis to a command, and returned movements, in one tick.
+struct Answer {
+  std::uint64_t id = 0;  ///< id of the command; 0: there was none
+  std::optional<Refusal> refused{};
+  decltype(Tick::handed_back) handed_back{};
+};
+
+/// All that passes between one axis in the cyclic thread and the one that communicates. Ticks may be
+/// lost if no thread reads them for two thousand cycles. Answers may not: at most `most_commands`
+/// with a number may be unanswered.
+struct Mail {
+  static constexpr std::size_t most_commands = 8;
+  static constexpr std::size_t most_ticks = 2048;
+  Ring<Command, most_commands> commands;
+  Ring<Answer, 4 * most_commands> answers;
+  Ring<Tick, most_ticks> ticks;
+  std::atomic<std::int64_t> lost{0};   ///< ticks that found the ring full
+  std::atomic<std::uint64_t> rows{0};  ///< number of the last row for its queues
+};
+
+/// Status exchange of the two threads.
+struct Vitals {
+  static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
+  std::atomic<std::int64_t> start{
+      not_started};                     ///< ns, by the pacer's clock: the instant of tick 0
+  std::atomic<std::uint64_t> alive{0};  ///< counted up by who communicates, as a sign of life
+  std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
+  Histogram lateness;                   ///< lateness of waking up: from the instant of the tick
+  Histogram computing;                  ///< from waking up until the setpoints are given out
+};
+
+/// The post of a whole machine: a Mail for each axis, what was seen last of each master, and the vitals.
+struct Post {
+  explicit Post(std::size_t axes, std::size_t of_masters = 0) : mail(axes), masters(of_masters) {
+    for (auto& one : mail) one = std::make_unique<Mail>();
+    for (auto& one : masters) {
+      one = std::make_unique<Seqlock<MasterSight>>();
+      one->write({});
+    }
+  }
+  std::vector<std::unique_ptr<Mail>> mail;
+  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;
+  Vitals vitals;
+};
+
+/// Timing statistics of the cycle.
+struct CycleCounts {
+  std::int64_t ticks = 0;        ///< steps made
+  std::int64_t late = 0;         ///< that began a period or more after their instant
+  std::int64_t skipped = 0;      ///< tick numbers left out because of that
+  std::int64_t latest_ns = 0;    ///< the longest delay of a step
+  std::int64_t computed_ns = 0;  ///< the longest computation of a step
+  std::int64_t lost = 0;         ///< ticks that found their ring full
+};
+
+class Tape;
+
+/// Parts of a cycle besides the machine; all of them must outlive the cycle.
+struct CycleOptions {
+  std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: no axis has one
+  std::vector<Master*> masters = {};    ///< all masters of the machine
+  std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
+  Tape* tape = nullptr;                 ///< tape of what is recorded; null: nothing is
+};
+
+/// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters at
+/// that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and posts the outputs.
+///
+///     Post post(machine.size());
+///     Cycle cycle(machine, pacer, post);
+///     while (!quit) cycle.once();
+///
+/// Tick k belongs to the instant start + k * period. A cycle that wakes up late goes on with the
+/// tick that the time has come for, and the axes leave out those before: never a burst of steps.
+/// Each axis obeys one command a tick.
+///
+/// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, each axis is
+/// notified (Inputs::watchdog), because no client could stop it any more. Cycles are counted, not time: a machine
+/// that stood still as a whole has not fallen silent.
+///
+/// once() neither allocates, locks, logs nor waits for another thread.
+class Cycle {
+ public:
+  /// All must outlive it.
+  Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options = {});
+
+  void once();
+  [[nodiscard]] const CycleCounts& counts() const { return counts_; }
+
+ private:
+  void read();
+  void look(std::int64_t tick);
+  void write();
+  [[nodiscard]] bool silent();
+  void account(std::int64_t delay, std::int64_t missed, std::int64_t woken);
+
+  Machine& machine_;
+  Pacer& pacer_;
+  Post& post_;
+  CycleOptions options_;
+  std::vector<AxisImage> images_;
+  std::vector<MasterSight> sights_;
+  std::vector<Jet> masters_;      // masters of the sights
+  std::uint64_t alive_ = 0;       // the last sign of life that was seen
+  std::int64_t since_alive_ = 0;  // cycles
+  std::int64_t start_;
+  std::int64_t next_ = 0;  // tick
+  CycleCounts counts_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/axis/master.hpp"
+#include "jounce/executor/cycle.hpp"
+#include "jounce/stream/receiver/master_intake.hpp"
+#include "jounce/stream/sender/driver.hpp"
+
+namespace jounce {
+
+/// A master of a machine, as its executor is given it. Follow::index counts these.
+struct MachineMaster {
+  std::string name;  ///< an ExternalMaster receives the channel of this name
+  std::string unit;  ///< in which it counts
+  std::shared_ptr<Master> source;
+};
+
+/// The work of the communication thread for the masters: receives samples of external ones, and
+/// reports the state of each in the cycle.
+///
+///     MasterDesk masters({{"line", "mm", line}}, {0}, pump, post, clock);
+///     pump.run(2ms);                   // hands over to the cycle what came
+///     masters.turn();                  // notices that one was lost, or found
+///     masters.publish(axis);           // with the status of this axis
+class MasterDesk {
+ public:
+  struct Options {
+    std::vector<MachineMaster> masters = {};
+    std::vector<Follow> follows = {};  ///< masters of the axes, whose statuses report them
+    bool keyed = false;                ///< see MasterIntake
+    std::function<void(const std::string& notice)> notify{};
+  };
+  /// Subscribes. `pump` and `post` must outlive it, and `clock` be the one of the cycle's pacer.
+  MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock);
+  MasterDesk(const MasterDesk&) = delete;  // the pump keeps its address
+  MasterDesk& operator=(const MasterDesk&) = delete;
+
+  void turn();
+  /// The masters that this axis follows; for the first axis also those without a follower.
+  void publish(std::size_t axis);
+
+  [[nodiscard]] std::size_t size() const { return desks_.size(); }
+  /// State in the last cycle.
+  [[nodiscard]] const MasterSight& last(std::size_t master) const { return desks_[master].last; }
+  [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
+
+ private:
+  struct One {
+    MachineMaster master;
+    std::optional<MasterIntake> intake = {};  // intake of an external one
+    MasterSight last = {};
+    bool was_there = false;
+    bool told_unit = false;
+    std::optional<std::int32_t> epoch = {};       // the newest received
+    std::optional<std::int32_t> told_epoch = {};  // the epoch of the last notice about an older one
+    std::vector<bool> said_by = {};               // axes
+  };
+
+  void hear(One& one, ExternalMaster& master);
+  void refused(One& one, const wire::Master& said);
+  void compare(One& one, const MasterSight& now);
+
+  Options options_;
+  ReceiverPump& pump_;
+  Post& post_;
+  Clock clock_;
+  std::deque<One> desks_;
+};
+
+}  // namespace jounce

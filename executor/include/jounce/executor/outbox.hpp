@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "jounce/executor/cycle.hpp"
+
+namespace jounce {
+
+/// The commands on their way to one axis, which takes one a tick, and who waits for its answers.
+class Outbox {
+ public:
+  /// Sender of a command.
+  struct Request {
+    std::int64_t session = 0;
+    std::int32_t command = 0;
+    Command::Kind kind = Command::Kind::none;
+  };
+  /// Answer of the axis, with the request that waits for it, if any.
+  struct Reply : Answer {
+    std::optional<Request> request = {};
+  };
+
+  explicit Outbox(Mail& mail) : mail_(mail) {}
+
+  void order(Command command);
+  /// One that somebody waits for.
+  void order(const Command& command, const Request& request);
+  /// A stop overtakes and cancels all commands that have not reached the axis; but not what ends
+  /// more than it does. The movements that will not begin.
+  [[nodiscard]] std::vector<std::uint64_t> clear();
+  /// Hands over as many as the axis can take.
+  void flush();
+  /// The next answer of the axis.
+  [[nodiscard]] std::optional<Reply> take_answer();
+
+  [[nodiscard]] bool idle() const { return waiting_.empty() && under_way_ == 0; }
+  /// More waits than any streamer needs.
+  [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
+  /// The kind of the last that waits; none: nothing does.
+  [[nodiscard]] Command::Kind last() const {
+    return waiting_.empty() ? Command::Kind::none : waiting_.back().kind;
+  }
+
+ private:
+  static constexpr std::size_t most_waiting = 64;
+
+  Mail& mail_;
+  std::deque<Command> waiting_;
+  std::map<std::uint64_t, Request> unanswered_;  // by the command's number
+  std::uint64_t numbers_ = 0;
+  std::size_t under_way_ = 0;
+};
+
+}  // namespace jounce

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "jounce/axis/axis.hpp"
+#include "jounce/axis/job.hpp"
+#include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/master.hpp"
+#include "jounce/base/hash.hpp"
+#include "jounce/executor/queues.hpp"
+#include "jounce/executor/recorded_output.hpp"
+
+namespace jounce {
+
+/// Parts of the record of a run: one event each, in chronological order. A record is an
+/// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
+/// docs/executor/replay.md describes it for users. Ticks are its only time: the events' time stamps are
+/// tick * period in us, independent of the clock.
+
+/// Configuration of an axis; precedes all other events of that axis.
+struct RecordedAxis {
+  std::size_t axis = 0;  ///< counted from 0
+  std::string name = {};
+  Units units = {};  ///< x: the master's
+  AxisConfig config = {};
+  bool whole = true;          ///< false: a black box, which begins in the middle of a run
+  bool switches = false;      ///< it has outputs that are not in the record: not replayed
+  AxisSwitches outputs = {};  ///< follow as RecordedOutput
+  AxisCompare compare = {};   ///< likewise
+};
+
+/// A table, or a part of a large one: 200 knots an event.
+struct RecordedTable {
+  Sha256 hash{};
+  Units units = {};
+  Domain over = Domain::time;
+  Interpolation rule = Interpolation::linear;
+  Extrapolation outside = Extrapolation::hold;
+  std::size_t knots = 0;
+  std::size_t first = 0;
+  Columns columns = {};  ///< columns of this part
+};
+
+/// Parts of a Job or a LiveCam; its tables by their hashes.
+struct RecordedJob {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  Sha256 time{};  ///< live: of the cam
+  std::optional<Sha256> cam = {};
+  bool live = false;  ///< the cam is behind the axis's live master
+  double tick = 1e-3;
+  CouplingSpec coupling = {};
+  double position = 0;
+  CamEnd end = CamEnd::brake;  ///< live
+};
+
+/// Parts of the movement of a gear: the order (gear_of()) and the position of the slave.
+struct RecordedGear {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  wire::OrderKind kind = wire::OrderKind::gear_in;
+  std::array<double, 8> value{};
+  double position = 0;
+};
+
+/// A queue that was opened; of the wire's queue what its movement is made from.
+struct RecordedQueue {
+  std::size_t axis = 0;
+  std::uint64_t id = 0;
+  wire::Queue queue = {};
+};
+
+/// Rows handed over to a queue; many rows make several of these.
+struct RecordedRows {
+  std::size_t axis = 0;
+  HandedOver what = {};
+};
+
+/// One axis in one tick: its command, inputs and outputs. The command's movement goes by its
+/// number; `tick` has neither the edges of its switches nor what was handed back.
+struct RecordedCycle {
+  std::size_t axis = 0;
+  Command command = {};
+  std::uint64_t movement = 0;
+  Inputs inputs = {};
+  Tick tick = {};
+};
+
+/// A master that the machine was started with; comes after the axes.
+struct RecordedMaster {
+  std::size_t master = 0;  ///< counted from 0
+  std::string name = {};
+  std::string unit = {};
+  std::uint64_t followers = 0;  ///< bit i: axis i follows it
+  enum class Made : std::uint8_t {
+    elsewhere,  ///< not in the record: its sight is an input
+    samples,    ///< an ExternalMaster
+    readings,   ///< an EncoderMaster
+  };
+  Made made = Made::elsewhere;
+  TrackerSpec tracker = {};  ///< unless it was made elsewhere
+};
+
+/// Input of the next sight of a master: one of its samples, or its reading.
+struct RecordedSample {
+  std::size_t master = 0;
+  MasterSample sample = {};
+};
+
+/// State of a master in a cycle, before the axes of the same tick.
+struct RecordedSight {
+  std::size_t master = 0;
+  MasterSight sight = {};
+};
+
+/// Cycles that are missing here.
+struct RecordedLoss {
+  std::int64_t cycles = 0;
+};
+
+using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
+                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
+                                 RecordedMaster, RecordedSight, RecordedOutput, RecordedSample>;
+
+/// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
+std::string_view channel_of(const RecordEvent& event);
+std::string encoded(const RecordEvent& event);
+/// Nothing for a channel that is none of ours. Throws InputError for bytes that no event has.
+std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes);
+
+/// A field of a tick in which two differ, to the last bit.
+struct TickDifference {
+  std::string field;  ///< "position", "state", ..., as in cycle_t
+  double recorded = 0;
+  double replayed = 0;
+};
+/// The first one, in the order of cycle_t. `switches`: outputs and the instants of their edges count, too.
+std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
+                                               bool switches = true);
+
+}  // namespace jounce

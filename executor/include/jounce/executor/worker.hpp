@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <type_traits>
+
+namespace jounce {
+
+/// A thread that does one thing after another, for what would hold up the one that communicates:
+/// a job of millions of knots takes seconds to build.
+///
+///     Worker worker;
+///     auto job = worker.ask([table] { return std::make_unique<Job>(1, table); });
+///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or what it threw
+///
+/// The destructor waits for what is under way and drops the rest.
+class Worker {
+ public:
+  Worker() : thread_([this](const std::stop_token& leave) { run(leave); }) {}
+
+  template <class Make>
+  [[nodiscard]] auto ask(Make make) -> std::future<std::invoke_result_t<Make>> {
+    auto task = std::make_shared<std::packaged_task<std::invoke_result_t<Make>()>>(std::move(make));
+    auto result = task->get_future();
+    {
+      const std::lock_guard lock(mutex_);
+      tasks_.emplace_back([task = std::move(task)] { (*task)(); });
+    }
+    asked_.notify_one();
+    return result;
+  }
+
+ private:
+  void run(const std::stop_token& leave) {
+    for (;;) {
+      std::function<void()> task;
+      {
+        std::unique_lock lock(mutex_);
+        if (!asked_.wait(lock, leave, [this] { return !tasks_.empty(); }) || leave.stop_requested())
+          return;
+        task = std::move(tasks_.front());
+        tasks_.pop_front();
+      }
+      task();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any asked_;
+  std::deque<std::function<void()>> tasks_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace jounce

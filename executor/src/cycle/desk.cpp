@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/desk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "jounce/executor/events.hpp"
+#include "jounce/executor/orders.hpp"
+#include "jounce/executor/recorder.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using Kind = Command::Kind;
+
+constexpr std::int64_t no_group = 0;  // an axis that starts alone
+
+bool differ(const std::string& axis, const std::string& table) {
+  return !axis.empty() && axis != table;
+}
+
+/// The numbers of both are the same (docs/stream-protocol.md).
+wire::AxisState on_wire(State state) {
+  return static_cast<wire::AxisState>(state);
+}
+
+/// Whether a command sets the axis in motion for whoever gives it.
+bool moves(Kind kind) {
+  return kind == Kind::move_absolute || kind == Kind::move_relative ||
+         kind == Kind::move_additive || kind == Kind::move_superimposed ||
+         kind == Kind::move_velocity || kind == Kind::gear_in || kind == Kind::home ||
+         kind == Kind::resume;
+}
+
+}  // namespace
+
+Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t axis,
+           Worker& worker)
+    : options_(std::move(options)),
+      axis_(axis),
+      receiver_(receiver),
+      mail_(*post.mail[axis]),
+      vitals_(post.vitals),
+      worker_(worker),
+      outbox_(mail_),
+      queues_(mail_.rows, recorded_rows()) {
+  if (options_.log) log_.emplace(*options_.log, options_.units);
+  if (options_.enable) outbox_.order({.kind = Kind::enable});
+  outbox_.flush();
+}
+
+void Desk::turn() {
+  while (const auto event = receiver_.take_event())
+    std::visit([&](const auto& e) { handle(e); }, *event);
+  take_built();
+  take_answers();
+  take_ticks();  // the later: the tick of every answer is there to be taken
+  queues_.report(last_, receiver_);
+  outbox_.flush();
+}
+
+void Desk::retire() {
+  retired_ = true;
+  clear_outbox();
+  outbox_.order({.kind = Kind::stop});
+  outbox_.flush();
+}
+
+void Desk::close() {
+  take_answers();
+  take_ticks();
+  if (log_) log_->close();
+  if (log_) log_truncated_ = !log_->truncated().empty();
+  log_.reset();
+}
+
+// ---- requests ----------------------------------------------------------------------------------
+
+void Desk::handle(const TableReady& ready) {
+  notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
+         std::to_string(ready.table.table->size()) + " knots");
+}
+
+std::optional<Refusal> Desk::unfit(const ArmRequested& arm) const {
+  if (retired_) return Refusal{.cause = Cause::leaving};
+  const bool live = arm.mode == wire::ArmMode::follow_input;
+  if (live && options_.follow.what == Follow::What::nothing)
+    return Refusal{.cause = Cause::no_master_input};
+  if (differ(options_.units.position, arm.slave.units.position) ||
+      ((arm.master || live) && differ(options_.units.x, arm.slave.units.x)))
+    return Refusal{.cause = Cause::wrong_unit};
+  return std::nullopt;
+}
+
+/// Where the axis will stand when what it plays now is over.
+double Desk::next_rest() const {
+  const auto playing = movements_.find(last_.job);
+  return playing == movements_.end() ? last_.position
+                                     : playing->second.made.last.value_or(last_.position);
+}
+
+void Desk::handle(const ArmRequested& arm) {
+  if (crowded(arm.session, arm.command)) return;
+  if (const auto refusal = unfit(arm))
+    return answer({arm.session, arm.command, Kind::arm}, refusal);
+  if (building_)
+    next_arm_ = arm;  // one that waited is void: the receiver answers the newest command only
+  else
+    build(arm);
+}
+
+/// On a modulo axis positions a turn apart are one: a coupling lies whole turns further where need be.
+ArmRequested Desk::on_axis(ArmRequested arm) const {
+  const double turn = options_.axis.modulo;
+  if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
+  return arm;
+}
+
+void Desk::build(const ArmRequested& arm) {
+  const std::uint64_t id = ++numbers_;
+  const std::size_t knots =
+      arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
+  auto now = [arm = on_axis(arm), id, period = options_.axis.period, position = next_rest()] {
+    return movement_of(arm, id, period, position);
+  };
+  if (knots > options_.build_apart)
+    building_.emplace(Building{arm, worker_.ask(std::move(now))});
+  else
+    this->arm({arm.session, arm.command, Kind::arm}, now(), arm.slave.hash, arm.session);
+}
+
+void Desk::take_built() {
+  using namespace std::chrono_literals;
+  if (!building_ || building_->made.wait_for(0s) != std::future_status::ready) return;
+  Building built = std::move(*building_);
+  building_.reset();
+  MadeMovement made = built.made.get();
+  const Request request{built.arm.session, built.arm.command, Kind::arm};
+  if (!built.void_) arm(request, std::move(made), built.arm.slave.hash, built.arm.session);
+  if (const auto next = std::exchange(next_arm_, std::nullopt)) build(*next);
+}
+
+void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group) {
+  if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
+  const bool resets = last_.state == State::error_stop && request.session != fault_session_;
+  const bool stands = last_.state == State::standstill || resets;
+  const bool adopts = options_.adopt_start && made.first.has_value() && stands && !moving();
+  if (resets || adopts) {
+    // Only what will be armed may clear a fault, or give the position another name.
+    if (options_.axis.require_home && !last_.homed && made.movement->absolute())
+      return answer(request, Refusal{.cause = Cause::not_homed});
+    const MotionState at{.position = adopts ? *made.first : last_.position};
+    if (const auto refusal = made.movement->admit(options_.axis, at))
+      return answer(request, refusal);
+  }
+  if (resets) {
+    outbox_.order({.kind = Kind::reset});
+    if (last_.job != 0)
+      outbox_.order({.kind = Kind::stop});  // what an underrun has left is not gone on with
+  }
+  if (adopts) outbox_.order({.kind = Kind::set_position, .position = *made.first});
+  if (options_.recorder != nullptr && made.source) record(*made.source);
+  outbox_.order({.kind = Kind::arm, .movement = made.movement.get(), .group = group}, request);
+  armed_ = made.movement->id();
+  movements_[armed_] = {std::move(made), hash};
+}
+
+/// Before the axis is told of it.
+void Desk::record(const MadeFrom& source) {
+  RecordedJob job = source.job;
+  job.axis = axis_;
+  options_.recorder->job(job, source.time, source.cam ? &*source.cam : nullptr);
+}
+
+void Desk::handle(const StartRequested& start) {
+  if (crowded(start.session, start.command)) return;
+  motion_session_ = start.session;
+  start_ = {.session = start.session, .command = start.command, .movement = armed_};
+  outbox_.order({.kind = Kind::start,
+                 .start_at = static_cast<StartAt>(start.when),
+                 .group = start.session,
+                 .at = start.tick,
+                 .position = start.position},
+                {start.session, start.command, Kind::start});
+}
+
+void Desk::handle(const StopRequested& stop) {
+  clear_outbox();
+  const Kind kind = stop.mode == wire::StopMode::abort ? Kind::abort : Kind::stop;
+  outbox_.order({.kind = kind}, {stop.session, stop.command, kind});
+}
+
+void Desk::handle(const SessionEnded& ended) {
+  const bool silent = ended.why == SessionEnded::Why::silent;
+  if (silent) notify("the session timed out: no heartbeat from its streamer");
+  drop_builds();
+  queues_.close();
+  // The motion may be that of an owner before, who released it to run on.
+  const bool its_motion = ended.session == motion_session_;
+  // Also after later orders of the session. An operator's stop is on its way to the axis, and owes an answer.
+  if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
+    clear_outbox();
+    return outbox_.order({.kind = Kind::release});
+  }
+  const bool stops = silent && its_motion && options_.stop_when_silent;
+  // What was armed begins no more; a move that waits for the one before, or for its tick, does.
+  const bool armed = last_.armed != 0 || busy();
+  if (!stops && !armed) return;
+  const Kind kind = stops ? Kind::stop : Kind::disarm;
+  if (outbox_.last() != kind) outbox_.order({.kind = kind});
+}
+
+void Desk::handle(const OrderRequested& requested) {
+  if (requested.kind == wire::OrderKind::disable) clear_outbox();  // more than a stop
+  if (crowded(requested.session, requested.command)) return;
+  const auto command = command_of(requested);
+  const Request request{requested.session, requested.command,
+                        command ? command->kind : Kind::gear_in};
+  if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
+  if (requested.kind == wire::OrderKind::start) return start_own(requested);
+  if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
+  if (moves(request.kind)) motion_session_ = requested.session;
+  if (wire::holds_to_run(requested.kind, requested.value)) held_session_ = requested.session;
+  if (command) return outbox_.order(*command, request);
+  if (options_.follow.what == Follow::What::nothing)
+    return answer(request, Refusal{.cause = Cause::no_master_input});
+  try {
+    const std::uint64_t id = ++numbers_;
+    MadeMovement gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
+    record_gear(requested, id);
+    outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get(), .at = requested.at},
+                  request);
+    movements_[id] = {std::move(gear), {}};
+  } catch (const InputError& error) {
+    decline(requested, error.what());
+  }
+}
+
+/// The axis's own table, armed and started. It is accepted when it is armed: then nothing is in its way.
+void Desk::start_own(const OrderRequested& requested) {
+  if (!options_.table) return decline(requested, "the axis has no table of its own: stream one");
+  const Request request{requested.session, requested.command, Kind::arm};
+  if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  const ArmRequested own{.session = requested.session,
+                         .command = requested.command,
+                         .mode = wire::ArmMode::play,
+                         .slave = *options_.table,
+                         .master = {}};
+  motion_session_ = requested.session;
+  outbox_.order(
+      {.kind = Kind::disarm});  // what is not armed in its place is not started in its place
+  arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
+      options_.table->hash, no_group);
+  outbox_.order({.kind = Kind::start, .at = requested.at});
+}
+
+void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {
+  if (options_.recorder == nullptr) return;
+  options_.recorder->note(RecordedGear{.axis = axis_,
+                                       .id = id,
+                                       .kind = requested.kind,
+                                       .value = requested.value,
+                                       .position = last_.position});
+}
+
+/// Where a queue's rows are recorded, if they are.
+Queues::Record Desk::recorded_rows() const {
+  if (options_.recorder == nullptr) return {};
+  return [recorder = options_.recorder, axis = axis_](const HandedOver& what) {
+    recorder->note(RecordedRows{axis, what});
+  };
+}
+
+void Desk::handle_queue_order(const OrderRequested& requested) {
+  const auto queue = static_cast<std::uint32_t>(requested.value[0]);
+  const int bank = requested.value[1] == 0 ? 0 : 1;
+  if (requested.at >= 0)
+    return decline(requested, "queue commands cannot be timed: leave out --at");
+  if (requested.kind == wire::OrderKind::queue_end && !queues_.end(queue))
+    return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
+  const bool done = requested.kind == wire::OrderKind::queue_end ||
+                    (requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
+                                                                     : queues_.clear(queue, bank));
+  const Request request{requested.session, requested.command, Kind::none};
+  answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
+}
+
+/// Refused where more waits than any streamer needs: the axis takes one command a tick.
+bool Desk::crowded(std::int64_t session, std::int32_t command) {
+  if (!outbox_.full()) return false;
+  receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
+                   static_cast<std::int32_t>(Cause::no_value));
+  return true;
+}
+
+/// What the protocol has and this executor does not do.
+void Desk::decline(const OrderRequested& requested, const std::string& reason) {
+  receiver_.refuse(requested.session, requested.command, reason,
+                   static_cast<std::int32_t>(Cause::no_value));
+}
+
+void Desk::handle(const QueueArmRequested& arm) {
+  if (crowded(arm.session, arm.command)) return;
+  const Request request{arm.session, arm.command, Kind::arm};
+  if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
+  const auto movement = queues_.movement(arm.queue);
+  if (!movement) return answer(request, Refusal{.cause = Cause::no_movement});
+  if (movements_.contains(movement->id()))
+    return answer(request, Refusal{.cause = Cause::in_motion});
+  queues_.begin_with(arm.queue, arm.bank);
+  this->arm(request, {.movement = movement, .first = queues_.origin(arm.queue)}, {}, arm.session);
+}
+
+void Desk::handle(const QueueOpened& opened) {
+  const std::uint64_t id = ++numbers_;
+  const bool made = queues_.open(opened, id, options_.axis, receiver_);
+  if (made && options_.recorder != nullptr)
+    options_.recorder->note(RecordedQueue{axis_, id, opened.queue});
+}
+
+void Desk::handle(const RowsArrived& arrived) {
+  queues_.take(arrived, receiver_);
+}
+
+void Desk::clear_outbox() {
+  drop_builds();
+  for (const std::uint64_t movement : outbox_.clear()) movements_.erase(movement);
+}
+
+void Desk::drop_builds() {
+  next_arm_.reset();
+  if (building_) building_->void_ = true;
+}
+
+// ---- the axis ----------------------------------------------------------------------------------
+
+void Desk::take_answers() {
+  while (const auto reply = outbox_.take_answer()) {
+    if (reply->request) answer(*reply->request, reply->refused);
+    for (const Movement* movement : reply->handed_back) {
+      if (movement == nullptr) continue;
+      queues_.handed_back(movement->id());
+      movements_.erase(movement->id());
+    }
+  }
+}
+
+void Desk::answer(const Request& request, const std::optional<Refusal>& refused) {
+  if (start_.is(request) && start_.outcome == wire::StartOutcome::none)
+    start_.outcome = refused ? wire::StartOutcome::none : wire::StartOutcome::waiting;
+  // A stop that an axis in a fault does not obey is a stop all the same: it does not move.
+  if (!refused || request.kind == Kind::stop)
+    return receiver_.accept(request.session, request.command);
+  receiver_.refuse(request.session, request.command, refused->text(),
+                   static_cast<std::int32_t>(refused->cause));
+  notify("refused: " + refused->text());
+}
+
+void Desk::take_ticks() {
+  for (Tick tick; mail_.ticks.pop(tick);) {
+    if (log_) write(tick);
+    compare(tick);
+    for (auto& event : events_of(last_, tick, {options_.switches.of, options_.compare.of},
+                                 options_.axis.period, event_count_)) {
+      event_count_ = event.count;
+      events_.push_back(event);
+    }
+    follow_start(tick);
+    last_ = tick;
+  }
+}
+
+/// What becomes of the start that was accepted last: it begins, or what was armed for it is gone.
+void Desk::follow_start(const Tick& tick) {
+  if (start_.outcome != wire::StartOutcome::waiting) return;
+  const bool ended = tick.finished > last_.finished && tick.armed != start_.movement;
+  if (tick.job == start_.movement || (ended && !tick.dropped)) {
+    start_.outcome = wire::StartOutcome::begun;
+  } else if (tick.armed != start_.movement) {
+    start_.outcome = wire::StartOutcome::dropped;
+    const Cause cause = tick.fault != Cause::none ? tick.fault : Cause::stopped;
+    start_.why = tick.dropped.value_or(Refusal{.cause = cause});
+  }
+}
+
+void Desk::write(const Tick& tick) {
+  log_->add(tick);
+  if (log_truncated_ || log_->truncated().empty()) return;
+  log_truncated_ = true;
+  notify("the log ends at tick " + std::to_string(tick.tick) + " (" + log_->truncated() +
+         "); the axis goes on");
+}
+
+/// Tells what has become of the axis since the tick before.
+void Desk::compare(const Tick& tick) {
+  const std::string at = " at tick " + std::to_string(tick.tick);
+  if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
+  if (tick.dropped) notify("the armed motion did not start" + at + ": " + tick.dropped->text());
+  if (tick.finished > last_.finished) notify("finished" + at);
+  if (tick.stopped > last_.stopped) notify("stopped" + at);
+  if (tick.fault == last_.fault) return;
+  if (tick.fault != Cause::none) {
+    fault_session_ = receiver_.session();
+    notify("fault" + at + ": " + name(tick.fault) + ": " + meaning(tick.fault));
+  }
+}
+
+wire::Status Desk::status() const {
+  const auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
+  wire::Status status{.state = on_wire(last_.state),
+                      .tick = last_.tick,
+                      .cycle_ns = options_.axis.period,
+                      .master_position = NAN,
+                      .slave_position = last_.position,
+                      .slave_velocity = last_.velocity,
+                      .last_error = static_cast<std::int32_t>(last_.fault),
+                      .late_ticks = vitals_.late.load(std::memory_order_relaxed),
+                      .finished = static_cast<std::int64_t>(last_.finished),
+                      .stopped = static_cast<std::int64_t>(last_.stopped),
+                      .actual_position = last_.actual_position,
+                      .following_error = last_.following_error,
+                      .torque = last_.torque,
+                      .override_ = last_.override_,
+                      .reason = static_cast<std::int32_t>(last_.reason),
+                      .queue_rows = waiting,
+                      .queue_capacity = capacity,
+                      .outputs = last_.switches.outputs,
+                      .lateness = vitals_.lateness.counts(),
+                      .computing = vitals_.computing.counts(),
+                      .units = options_.units,
+                      .held = last_.held,
+                      .homed = last_.homed,
+                      .unwritten = unwritten()};
+  if (last_.job != 0 || last_.progress != Progress::done)
+    status.progress = jounce::on_wire(last_.progress);
+  if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
+  if (start_.session == receiver_.session() && start_.outcome != wire::StartOutcome::none) {
+    status.start_command = start_.command;
+    status.start = start_.outcome;
+    status.start_cause = static_cast<std::int32_t>(start_.why.cause);
+    if (start_.outcome == wire::StartOutcome::dropped) status.start_reason = start_.why.text();
+  }
+  const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
+  if (kept != movements_.end()) {
+    std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());
+    if (kept->second.made.movement->synchronized()) status.master_position = last_.master;
+  }
+  return status;
+}
+
+std::uint8_t Desk::unwritten() const {
+  const unsigned recorder = options_.recorder != nullptr ? options_.recorder->unwritten() : 0U;
+  return static_cast<std::uint8_t>(recorder |
+                                   (log_truncated_ ? unsigned{wire::log_unwritten} : 0U));
+}
+
+void Desk::notify(const std::string& notice) const {
+  if (options_.notify) options_.notify(notice);
+}
+
+}  // namespace jounce

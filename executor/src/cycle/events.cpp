@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jounce {
+namespace {
+
+/// One end of a step: position and velocity of what the switches are of.
+struct End {
+  double position = 0;
+  double velocity = 0;
+};
+
+End end_of(const Tick& tick, SwitchesOf of) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (of == SwitchesOf::master) return {tick.master, tick.master_velocity};
+  if (of == SwitchesOf::actual) return {tick.actual_position, unknown};
+  return {tick.position, tick.velocity};
+}
+
+/// The cubic through both ends, t seconds after the first of dt; a straight line where the velocities
+/// are not known.
+double between(const End& a, const End& b, double t, double dt) {
+  const double s = t / dt;
+  const double way = b.position - a.position;
+  if (!std::isfinite(a.velocity + b.velocity)) return a.position + s * way;
+  const double bend = (1 - s) * (a.velocity * dt - way) - s * (b.velocity * dt - way);
+  return a.position + s * way + s * (1 - s) * bend;
+}
+
+}  // namespace
+
+std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,
+                                   std::int64_t period, std::int64_t last_count) {
+  std::vector<wire::Event> events;
+  const double dt = static_cast<double>((now.skipped + 1) * period) * 1e-9;
+  const auto add = [&](wire::EventKind kind, int number, bool on, double time, SwitchesOf what) {
+    events.push_back({.kind = kind,
+                      .number = static_cast<std::uint32_t>(number),
+                      .on = on,
+                      .tick = now.tick,
+                      .offset_s = dt - time,
+                      .position = between(end_of(before, what), end_of(now, what), time, dt)});
+  };
+  for (const auto& [time, track, on] : now.switches.edges())
+    add(wire::EventKind::track, track, on, time, of.switches);
+  for (const auto& [time, on] : now.compare.edges())
+    add(wire::EventKind::compare, 1, on, time, of.compare);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const auto& a, const auto& b) { return a.offset_s > b.offset_s; });
+  for (wire::Event& event : events) event.count = ++last_count;
+  return events;
+}
+
+}  // namespace jounce

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/made_movement.hpp"
+
+#include <new>
+
+#include "jounce/axis/job.hpp"
+#include "jounce/axis/live_cam.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
+                         double position) {
+  const double tick = static_cast<double>(period) * 1e-9;
+  try {
+    if (arm.mode == wire::ArmMode::follow_input) {
+      const auto end = static_cast<CamEnd>(arm.end);  // the numbers of both are the same
+      const RecordedJob job{
+          .id = id, .live = true, .tick = tick, .coupling = arm.coupling, .end = end};
+      return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling, end),
+              .source = MadeFrom{job, arm.slave}};
+    }
+    auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
+                                                  arm.coupling, position)
+                          : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
+    MadeMovement made{
+        .movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
+    made.source = MadeFrom{{.id = id, .tick = tick}, arm.master.value_or(arm.slave)};
+    if (arm.master) {
+      made.source->cam = arm.slave;
+      made.source->job.coupling = arm.coupling;
+      made.source->job.position = position;
+    }
+    return made;
+  } catch (const InputError&) {
+    return {};
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
+
+}  // namespace jounce

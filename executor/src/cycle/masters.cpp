@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/masters.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace jounce {
+
+MasterDesk::MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock)
+    : options_(std::move(options)), pump_(pump), post_(post), clock_(std::move(clock)) {
+  for (std::size_t m = 0; m < options_.masters.size(); ++m) {
+    One& one = desks_.emplace_back(One{.master = options_.masters[m]});
+    for (const Follow& follow : options_.follows)
+      one.said_by.push_back(follow.what == Follow::What::master && follow.index == m);
+    if (std::find(one.said_by.begin(), one.said_by.end(), true) == one.said_by.end())
+      one.said_by.front() = true;
+    if (auto* external = dynamic_cast<ExternalMaster*>(one.master.source.get()))
+      hear(one, *external);
+  }
+}
+
+/// Samples go straight on to the cycle, with the time at which they came by its clock.
+void MasterDesk::hear(One& one, ExternalMaster& master) {
+  one.intake.emplace(MasterIntakeOptions{.unit = one.master.unit, .keyed = options_.keyed});
+  pump_.hear(one.master.name, [this, &one, &master](const wire::Master& said) {
+    const Nanos now = clock_();
+    const std::int64_t start = post_.vitals.start.load(std::memory_order_acquire);
+    if (!one.intake->take(said, now)) return refused(one, said);
+    one.epoch = said.clock;
+    if (start == Vitals::not_started) return;
+    // One that finds no room is as good as lost: 64 came within a cycle.
+    master.receive({.stamp_ns = said.stamp_ns,
+                    .clock = said.clock,
+                    .received = static_cast<double>(now.count() - start) * 1e-9,
+                    .position = said.position,
+                    .valid = said.valid});
+  });
+}
+
+/// Who counts epochs of its own, after one who took them from the clock, is never heard again: it has to
+/// be told, once for each epoch that is heard.
+void MasterDesk::refused(One& one, const wire::Master& said) {
+  const bool over = one.epoch && said.unit == one.master.unit && said.clock < *one.epoch;
+  if (!over || one.told_epoch == one.epoch) return;
+  one.told_epoch = one.epoch;
+  if (options_.notify)
+    options_.notify("master " + one.master.name + ": samples rejected: epoch " +
+                    std::to_string(said.clock) + " is older than " + std::to_string(*one.epoch) +
+                    ", the newest received; give the sender a greater one with --epoch");
+}
+
+void MasterDesk::turn() {
+  for (std::size_t m = 0; m < desks_.size(); ++m)
+    if (const auto now = post_.masters[m]->read()) compare(desks_[m], *now);
+}
+
+void MasterDesk::compare(One& one, const MasterSight& now) {
+  one.last = now;
+  const bool other_unit = one.intake && !one.intake->other_unit().empty();
+  if (other_unit && !one.told_unit && options_.notify)
+    options_.notify("master " + one.master.name + ": samples rejected: their unit is " +
+                    one.intake->other_unit() + ", not " + one.master.unit);
+  one.told_unit |= other_unit;
+  const bool there = now.tick >= 0 && !now.lost();
+  if (there == one.was_there) return;
+  one.was_there = there;
+  if (options_.notify)
+    options_.notify("master " + one.master.name + (there ? " is present" : " is lost") +
+                    " at tick " + std::to_string(now.tick));
+}
+
+wire::MasterStatus MasterDesk::status(std::size_t master) const {
+  const One& one = desks_[master];
+  wire::MasterStatus status{.master = one.master.name,
+                            .unit = one.master.unit,
+                            .tick = std::max<std::int64_t>(one.last.tick, 0),
+                            .lost = one.last.lost()};
+  if (!status.lost) {
+    status.position = one.last.at[0];
+    status.velocity = one.last.at[1];
+  }
+  // A sample may be of a little after the cycle's instant.
+  status.age_s = one.last.age < 0 ? 0 : one.last.age;
+  if (one.intake) {
+    status.taken = one.intake->taken();
+    status.refused = one.intake->refused();
+  }
+  return status;
+}
+
+void MasterDesk::publish(std::size_t axis) {
+  for (std::size_t m = 0; m < desks_.size(); ++m)
+    if (desks_[m].said_by[axis]) pump_.publish_master(status(m), axis);
+}
+
+}  // namespace jounce

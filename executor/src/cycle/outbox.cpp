@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/outbox.hpp"
+
+#include <utility>
+
+namespace jounce {
+
+using Kind = Command::Kind;
+
+void Outbox::order(Command command) {
+  command.id = ++numbers_;
+  waiting_.push_back(command);
+}
+
+void Outbox::order(const Command& command, const Request& request) {
+  order(command);
+  unanswered_[numbers_] = request;
+}
+
+std::vector<std::uint64_t> Outbox::clear() {
+  std::vector<std::uint64_t> dropped;
+  std::deque<Command> kept;
+  for (const Command& command : waiting_) {
+    const bool again = !kept.empty() && kept.back().kind == command.kind;
+    if ((command.kind == Kind::abort || command.kind == Kind::disable) && !again) {
+      kept.push_back(command);
+      continue;
+    }
+    if (command.movement != nullptr) dropped.push_back(command.movement->id());
+    unanswered_.erase(command.id);
+  }
+  waiting_ = std::move(kept);
+  return dropped;
+}
+
+void Outbox::flush() {
+  for (; !waiting_.empty() && under_way_ < Mail::most_commands; waiting_.pop_front()) {
+    mail_.commands.push(waiting_.front());
+    ++under_way_;
+  }
+}
+
+std::optional<Outbox::Reply> Outbox::take_answer() {
+  Answer answer;
+  if (!mail_.answers.pop(answer)) return std::nullopt;
+  if (answer.id != 0) --under_way_;
+  Reply reply{answer};
+  if (const auto asked = unanswered_.extract(answer.id)) reply.request = asked.mapped();
+  return reply;
+}
+
+}  // namespace jounce

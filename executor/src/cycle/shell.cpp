@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/shell.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <future>
+#include <memory>
+#include <thread>
+
+#include "jounce/profiles/error.hpp"
+
+#include "executor/src/record/run_record.hpp"
+
+namespace jounce {
+namespace {
+
+std::atomic<int> signals_seen{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait");
+
+/// Counts SIGINT, SIGTERM and SIGHUP while it lives, and ignores SIGPIPE: neither a closed terminal
+/// nor a closed pipe may end the process under a moving axis. SA_RESTART, because LCM's memq does
+/// not survive a call that a signal has interrupted.
+class SignalWatch {
+ public:
+  SignalWatch() {
+    signals_seen = 0;
+    struct sigaction count {};
+    count.sa_handler = [](int) { ++signals_seen; };
+    count.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &count, &interrupt_);
+    sigaction(SIGTERM, &count, &terminate_);
+    sigaction(SIGHUP, &count, &hang_up_);
+    struct sigaction ignore {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &ignore, &pipe_);
+  }
+  ~SignalWatch() {
+    sigaction(SIGINT, &interrupt_, nullptr);
+    sigaction(SIGTERM, &terminate_, nullptr);
+    sigaction(SIGHUP, &hang_up_, nullptr);
+    sigaction(SIGPIPE, &pipe_, nullptr);
+  }
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+ private:
+  struct sigaction interrupt_ {};
+  struct sigaction terminate_ {};
+  struct sigaction hang_up_ {};
+  struct sigaction pipe_ {};
+};
+
+/// The cyclic thread. Joined by its destructor at the latest.
+class CyclicThread {
+ public:
+  CyclicThread(Machine& machine, CycleOptions options, Post& post, const RunOptions& run)
+      : machine_(machine),
+        options_(std::move(options)),
+        thread_([this, &post, run] { this->run(post, run); }) {}
+  ~CyclicThread() { join(); }
+  CyclicThread(const CyclicThread&) = delete;
+  CyclicThread& operator=(const CyclicThread&) = delete;
+
+  /// What make_realtime() said; waits for it.
+  std::string realtime() { return realtime_.get_future().get(); }
+
+  CycleCounts join() {
+    running_ = false;
+    if (thread_.joinable()) thread_.join();
+    return counts_;
+  }
+
+ private:
+  void run(Post& post, const RunOptions& run) {
+    realtime_.set_value(make_realtime(run.realtime));
+    const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
+    options_.patience = static_cast<std::int64_t>(cycles);
+    Cycle cycle(machine_, pacer_, post, options_);
+    while (running_) cycle.once();
+    counts_ = cycle.counts();
+  }
+
+  Machine& machine_;
+  CycleOptions options_;
+  MonotonicPacer pacer_;
+  std::promise<std::string> realtime_;
+  std::atomic<bool> running_{true};
+  CycleCounts counts_;
+  std::thread thread_;  // last: it uses the others
+};
+
+/// When it is time to leave.
+class Deadline {
+ public:
+  explicit Deadline(const RunOptions& run) : run_(run), begin_(steady_now()) {
+    if (run.seconds) require_positive("seconds", *run.seconds);
+    if (run.watchdog != 0) require_positive("watchdog", run.watchdog);
+  }
+
+  [[nodiscard]] bool reached(const Dispatcher& dispatcher) const {
+    const double elapsed = std::chrono::duration<double>(steady_now() - begin_).count();
+    return signals_seen > 0 || (run_.seconds && elapsed >= *run_.seconds) ||
+           (run_.once && !dispatcher.moving() && has_played(dispatcher));
+  }
+
+ private:
+  static bool has_played(const Dispatcher& dispatcher) {
+    for (std::size_t i = 0; i < dispatcher.size(); ++i) {
+      const Tick& last = dispatcher.last(i);
+      if (last.finished + last.stopped > 0 || last.fault != Cause::none) return true;
+    }
+    return false;
+  }
+
+  RunOptions run_;
+  Nanos begin_;
+};
+
+constexpr Nanos turn_time = std::chrono::milliseconds(2);
+
+void turn_while(Dispatcher& dispatcher, Nanos most, const std::function<bool()>& needed) {
+  const Nanos begin = steady_now();
+  while (needed() && signals_seen < 2 && steady_now() - begin < most) dispatcher.turn(turn_time);
+}
+
+/// Brings the axis to rest, then lets an owner hear the answers that it waits for.
+void leave(Dispatcher& dispatcher) {
+  using namespace std::chrono_literals;
+  dispatcher.retire();
+  turn_while(dispatcher, 1h, [&] { return !dispatcher.settled(); });
+  turn_while(dispatcher, 2s, [&] { return dispatcher.owned(); });
+  turn_while(dispatcher, 100ms, [] { return signals_seen == 0; });
+}
+
+/// Communication has failed: without it nobody can stop the axes any more, so they are stopped here.
+void stop_alone(Post& post) {
+  using namespace std::chrono_literals;
+  const Nanos begin = steady_now();
+  for (auto& mail : post.mail)
+    while (!mail->commands.push({.kind = Command::Kind::stop}) && steady_now() - begin < 1s)
+      std::this_thread::sleep_for(1ms);
+  for (auto& mail : post.mail) {
+    Tick tick;
+    bool at_rest = false;
+    while (!at_rest && steady_now() - begin < 60s) {
+      std::this_thread::sleep_for(20ms);
+      ++post.vitals.alive;
+      while (mail->ticks.pop(tick)) at_rest = !in_motion(tick) && steady_now() - begin > 100ms;
+    }
+  }
+}
+
+CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions& run, Tape* tape) {
+  CycleOptions options{.tape = tape};
+  for (const auto& axis : axes) options.drives.push_back(axis.drive.get());
+  for (const auto& master : run.masters) options.masters.push_back(master.source.get());
+  return options;
+}
+
+AxisSummary summary_of(const Desk& desk) {
+  const Tick& last = desk.last();
+  return {.name = desk.options().receiver.executor,
+          .finished = last.finished,
+          .stopped = last.stopped,
+          .fault = last.fault,
+          .position = last.position,
+          .log_truncated = desk.log_truncated()};
+}
+
+/// The names of the axes, claimed over the link.
+Claim claimed(Transport& link, const std::vector<ExecutorOptions>& axes) {
+  std::vector<std::string> names;
+  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
+  Claim claim(std::move(names), random_id());
+  if (claim_names(link, claim, axes.front().receiver.key, steady_now)) return claim;
+  throw InputError(
+      "name", *claim.lost(),
+      "another executor on this --url has this name: stop it, or give the axis another "
+      "name");
+}
+
+}  // namespace
+
+ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& of_axes,
+                             const RunOptions& run) {
+  static_cast<void>(Deadline(run));  // throws for bad options
+  std::vector<ExecutorOptions> axes = of_axes;
+  Claim claim = claimed(link, axes);
+  const Deadline deadline(run);
+  const SignalWatch watch;
+  const detail::RunRecord recording = detail::record_of(run, axes);
+  for (auto& axis : axes) axis.recorder = recording.recorder.get();
+  Machine machine(machine_of(axes), run.masters.size());
+  Post post(machine.size(), machine.masters());
+  Dispatcher dispatcher(link, axes, post, steady_now, run.masters, std::move(claim));
+  CyclicThread cyclic(machine, cycle_of(axes, run, recording.tape.get()), post, run);
+  ExecutorSummary summary;
+  summary.realtime = cyclic.realtime();
+  if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
+  if (run.up) run.up();
+
+  try {
+    while (!deadline.reached(dispatcher) && dispatcher.lost_name().empty())
+      dispatcher.turn(turn_time);
+    summary.lost_name = dispatcher.lost_name();
+    leave(dispatcher);
+  } catch (...) {
+    stop_alone(post);
+    throw;
+  }
+  summary.cycle = cyclic.join();
+  dispatcher.close();
+  if (recording.recorder) {
+    recording.recorder->close();
+    summary.record_trouble = recording.recorder->trouble();
+    summary.record_lost = recording.recorder->lost();
+  }
+  summary.lateness = post.vitals.lateness.counts();
+  summary.computing = post.vitals.computing.counts();
+  for (std::size_t i = 0; i < dispatcher.size(); ++i)
+    summary.axes.push_back(summary_of(dispatcher.desk(i)));
+  return summary;
+}
+
+}  // namespace jounce

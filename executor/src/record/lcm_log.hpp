@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace jounce::detail {
+
+/// An event of an LCM log file (LCM's eventlog.c): all numbers big-endian,
+///
+///     u32 0xEDA1DA01, i64 number, i64 time stamp in us, i32 channel's length, i32 data's length,
+///     channel, data
+struct LcmEvent {
+  std::int64_t number = 0;
+  std::int64_t microseconds = 0;
+  std::string channel = {};
+  std::string data = {};
+};
+
+/// Its bytes, behind those that are there.
+void append(std::string& bytes, std::int64_t number, std::int64_t microseconds,
+            std::string_view channel, std::string_view data);
+
+/// Reads one event after another, never more than one into memory.
+class LcmLogReader {
+ public:
+  /// `in` must outlive it; `name` is for errors.
+  LcmLogReader(std::istream& in, std::string name);
+
+  /// Nothing at the end, and where the file ends within an event: then cut(). Throws InputError where
+  /// no event begins, or one has impossible lengths.
+  std::optional<LcmEvent> next();
+
+  [[nodiscard]] bool cut() const { return cut_; }
+  [[nodiscard]] std::int64_t events() const { return events_; }  ///< read so far
+  [[nodiscard]] std::int64_t offset() const {
+    return offset_;
+  }  ///< offset of the next one, in bytes
+
+ private:
+  [[nodiscard]] bool take(std::string& bytes, std::size_t count);
+
+  std::istream& in_;
+  std::string name_;
+  bool cut_ = false;
+  std::int64_t events_ = 0;
+  std::int64_t offset_ = 0;
+};
+
+}  // namespace jounce::detail

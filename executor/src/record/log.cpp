@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/log.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <concepts>
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+void append(std::string& line, const char* text) {
+  line += text;
+}
+
+template <class Number>
+requires std::integral<Number> || std::floating_point<Number>
+void append(std::string& line, Number value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  line.append(text.data(), end);
+}
+
+/// "+1@0.000412 -3@0.00077": track 1 went on, 3 off, so many s after the tick before.
+void append(std::string& line, const SwitchStep& switches) {
+  append(line, switches.outputs);
+  line += ',';
+  const char* separator = "";
+  for (const auto& [time, track, on] : switches.edges()) {
+    append(line, separator);
+    line += on ? '+' : '-';
+    append(line, track);
+    line += '@';
+    append(line, time);
+    separator = " ";
+  }
+}
+
+template <class First, class... Others>
+void join(std::string& line, const First& first, const Others&... others) {
+  line.clear();
+  append(line, first);
+  ((line += ',', append(line, others)), ...);
+  line += '\n';
+}
+
+}  // namespace
+
+TickLog::TickLog(std::filesystem::path path, const Units& units)
+    : path_(std::move(path)),
+      temporary_(path_.string() + "." + std::to_string(getpid()) + ".part"),
+      file_(temporary_, std::ios::binary | std::ios::trunc) {
+  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
+    file_.close();
+    std::filesystem::remove(temporary_);
+    throw InputError("log", path_.string(),
+                     "must be a regular file: the log gets this name when it is complete");
+  }
+  const std::string m = " [" + units.x;
+  const std::string u = " [" + units.position;
+  file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
+        << "],velocity" << u << "/s],acceleration" << u
+        << "/s^2],job,fault,outputs,edges [s],held,homed\n";
+  file_.flush();
+  if (file_) return;
+  const int why = errno;
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+  throw std::system_error(why, std::generic_category(), "cannot write " + temporary_.string());
+}
+
+TickLog::~TickLog() {
+  if (!file_.is_open()) return;
+  file_.close();
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void TickLog::add(const Tick& tick) {
+  if (!truncated_.empty()) return;
+  join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
+       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
+       tick.held ? 1 : 0, tick.homed ? 1 : 0);
+  file_ << line_;
+  look();
+}
+
+void TickLog::close() {
+  file_.flush();
+  look();
+  file_.close();
+  if (!truncated_.empty()) keep_whole_lines();
+  const char* const suffix = truncated_.empty() ? "" : ".truncated";
+  std::filesystem::rename(temporary_, path_.string() + suffix);
+}
+
+void TickLog::look() {
+  if (!file_ && truncated_.empty())
+    truncated_ = errno != 0 ? std::generic_category().message(errno) : "it cannot be written";
+}
+
+/// What was buffered when the disk was full may have come through in part.
+void TickLog::keep_whole_lines() {
+  constexpr std::uintmax_t most = 8192;  // bytes, more than a line has
+  const std::uintmax_t size = std::filesystem::file_size(temporary_);
+  const std::uintmax_t from = size - std::min(size, most);
+  std::string tail(size - from, '\0');
+  std::ifstream in(temporary_, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(from));
+  in.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  std::filesystem::resize_file(temporary_, from + tail.rfind('\n') + 1);
+}
+
+}  // namespace jounce

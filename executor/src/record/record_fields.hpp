@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "jounce/executor/record.hpp"
+#include "jounce/profiles/error.hpp"
+
+/// The common fields of the record types in executor/lcm and ours, one list for each type, for both
+/// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a function of one's own compares.
+namespace jounce::record_fields {
+
+template <class Ours, class Theirs, class F>
+void each_sensor(Ours& s, Theirs& w, F f) {
+  std::size_t k = 0;
+  for (auto* sensor : {&s.home, &s.negative, &s.positive, &s.index}) {
+    f("sensor_wired", sensor->wired, w.sensor_wired[k]);
+    f("sensor_on", sensor->on, w.sensor_on[k]);
+    f("sensor_edge", sensor->edge, w.sensor_edge[k]);
+    ++k;
+  }
+}
+
+/// f(name, ours, theirs) for every field.
+template <class Ours, class Theirs, class F>
+void each_input(Ours& c, Theirs& w, F f) {
+  f("id", c.command.id, w.id);
+  f("movement", c.movement, w.movement);
+  f("command", c.command.kind, w.command);
+  f("start_at", c.command.start_at, w.start_at);
+  f("at", c.command.at, w.at);
+  f("command_position", c.command.position, w.command_position);
+  f("relative", c.command.relative, w.relative);
+  f("factor", c.command.factor, w.factor);
+  f("move_velocity", c.command.dynamics.velocity, w.move_velocity);
+  f("move_acceleration", c.command.dynamics.acceleration, w.move_acceleration);
+  f("move_deceleration", c.command.dynamics.deceleration, w.move_deceleration);
+  f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
+  f("direction", c.command.direction, w.direction);
+  f("buffer", c.command.buffer, w.buffer);
+  f("home_method", c.command.homing.method, w.home_method);
+  f("index_velocity", c.command.homing.index_velocity, w.index_velocity);
+  f("home_timeout", c.command.homing.timeout, w.home_timeout);
+  f("home_distance", c.command.homing.distance, w.home_distance);
+  for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
+  f("live_master_offset", c.inputs.master_offset, w.live_master_offset);
+  f("drive_position", c.inputs.feedback.position, w.drive_position);
+  f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
+  f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
+  f("drive_ready", c.inputs.feedback.ready, w.drive_ready);
+  f("drive_fault", c.inputs.feedback.fault, w.drive_fault);
+  each_sensor(c.inputs.feedback.sensors, w, f);
+  f("positive_switch", c.inputs.positive_switch, w.positive_switch);
+  f("negative_switch", c.inputs.negative_switch, w.negative_switch);
+  f("group_broken", c.inputs.group_broken, w.group_broken);
+  f("peers", c.inputs.peers, w.peers);
+  f("watchdog", c.inputs.watchdog, w.watchdog);
+  f("rows", c.inputs.rows, w.rows);
+}
+
+/// Why the command of a tick was not obeyed, and why what waited did not begin; cause none: neither.
+struct Refusals {
+  Refusal refused = {};
+  Refusal dropped = {};
+
+  Refusals() = default;
+  explicit Refusals(const Tick& tick)
+      : refused(tick.refused.value_or(Refusal{})), dropped(tick.dropped.value_or(Refusal{})) {}
+  void put_into(Tick& tick) const {
+    if (refused.cause != Cause::none) tick.refused = refused;
+    if (dropped.cause != Cause::none) tick.dropped = dropped;
+  }
+};
+
+template <class TickOfOurs, class RefusalsOfOurs, class Theirs, class F>
+void each_output(TickOfOurs& t, RefusalsOfOurs& r, Theirs& w, F f) {
+  f("tick", t.tick, w.tick);
+  f("time", t.time, w.time);
+  f("state", t.state, w.state);
+  f("position", t.position, w.position);
+  f("velocity", t.velocity, w.velocity);
+  f("acceleration", t.acceleration, w.acceleration);
+  f("master", t.master, w.master);
+  f("master_velocity", t.master_velocity, w.master_velocity);
+  f("job", t.job, w.job);
+  f("armed", t.armed, w.armed);
+  f("waiting", t.waiting, w.waiting);
+  f("progress", t.progress, w.progress);
+  f("fault", t.fault, w.fault);
+  f("skipped", t.skipped, w.skipped);
+  f("finished", t.finished, w.finished);
+  f("stopped", t.stopped, w.stopped);
+  f("reason", t.reason, w.reason);
+  f("override", t.override_, w.override_factor);
+  f("rate", t.rate, w.rate);
+  f("held", t.held, w.held);
+  f("homed", t.homed, w.homed);
+  f("power", t.power, w.power);
+  f("offset", t.offset, w.offset);
+  f("actual_position", t.actual_position, w.actual_position);
+  f("following_error", t.following_error, w.following_error);
+  f("torque", t.torque, w.torque);
+  f("in_position", t.in_position, w.in_position);
+  f("outputs", t.switches.outputs, w.outputs);
+  f("switch_edge", t.switches.edge[0].time, w.switch_edge);
+  f("compare", t.compare.output, w.compare);
+  f("compare_edge", t.compare.edge[0].time, w.compare_edge);
+  f("refused", r.refused.cause, w.refused);
+  f("refused_value", r.refused.value, w.refused_value);
+  f("refused_limit", r.refused.limit, w.refused_limit);
+  f("refused_where", r.refused.where, w.refused_where);
+  f("dropped", r.dropped.cause, w.dropped);
+  f("dropped_value", r.dropped.value, w.dropped_value);
+  f("dropped_limit", r.dropped.limit, w.dropped_limit);
+  f("dropped_where", r.dropped.where, w.dropped_where);
+}
+
+template <class Ours, class Theirs, class F>
+void each_number(Ours& c, Theirs& w, F f) {
+  f("period", c.period, w.period);
+  f("longest_gap", c.longest_gap, w.longest_gap);
+  f("position", c.position, w.position);
+  f("position_min", c.limits.position_min, w.position_min);
+  f("position_max", c.limits.position_max, w.position_max);
+  f("velocity", c.limits.velocity, w.velocity);
+  f("acceleration", c.limits.acceleration, w.acceleration);
+  f("jerk", c.limits.jerk, w.jerk);
+  f("stop_acceleration", c.stop_acceleration, w.stop_acceleration);
+  f("stop_jerk", c.stop_jerk, w.stop_jerk);
+  f("abort_acceleration", c.abort_acceleration, w.abort_acceleration);
+  f("limit_acceleration", c.limit_acceleration, w.limit_acceleration);
+  f("modulo", c.modulo, w.modulo);
+  f("following_error", c.following_error, w.following_error);
+  f("following_time", c.following_time, w.following_time);
+  f("in_position", c.in_position, w.in_position);
+  f("in_position_time", c.in_position_time, w.in_position_time);
+  f("home_method", c.homing.method, w.home_method);
+  f("search_velocity", c.homing.search_velocity, w.search_velocity);
+  f("index_velocity", c.homing.index_velocity, w.index_velocity);
+  f("home_acceleration", c.homing.acceleration, w.home_acceleration);
+  f("home_offset", c.homing.offset, w.home_offset);
+  f("home_timeout", c.homing.timeout, w.home_timeout);
+  f("home_distance", c.homing.distance, w.home_distance);
+  f("require_home", c.require_home, w.require_home);
+}
+
+template <class Ours, class Theirs, class F>
+void each_of_master(Ours& m, Theirs& w, F f) {
+  f("made", m.made, w.made);
+  f("velocity", m.tracker.velocity, w.velocity);
+  f("acceleration", m.tracker.acceleration, w.acceleration);
+  f("time_constant", m.tracker.time_constant, w.time_constant);
+  f("order", m.tracker.order, w.order);
+  f("settle", m.tracker.settle, w.settle);
+  f("latency", m.tracker.latency, w.latency);
+  f("longest_age", m.tracker.longest_age, w.longest_age);
+  f("jump", m.tracker.jump, w.jump);
+}
+
+template <class Ours, class Theirs, class F>
+void each_of_sample(Ours& s, Theirs& w, F f) {
+  f("stamp_ns", s.stamp_ns, w.stamp_ns);
+  f("clock", s.clock, w.clock);
+  f("received", s.received, w.received);
+  f("position", s.position, w.position);
+  f("valid", s.valid, w.valid);
+}
+
+template <class Ours, class Theirs, class F>
+void each_coupling(Ours& c, Theirs& w, F f) {
+  f("start", c.start, w.start);
+  f("master_absolute", c.master_absolute, w.master_absolute);
+  f("slave_absolute", c.slave_absolute, w.slave_absolute);
+  f("master_scaling", c.master_scaling, w.master_scaling);
+  f("master_offset", c.master_offset, w.master_offset);
+  f("slave_scaling", c.slave_scaling, w.slave_scaling);
+  f("slave_offset", c.slave_offset, w.slave_offset);
+  f("velocity_diff", c.velocity_diff, w.velocity_diff);
+  f("acceleration", c.acceleration, w.acceleration);
+  f("deceleration", c.deceleration, w.deceleration);
+  f("jerk", c.jerk, w.jerk);
+  f("distance", c.distance, w.distance);
+  f("slave_period", c.slave_period, w.slave_period);
+  f("master_jump", c.master_jump, w.master_jump);
+}
+
+/// The enumerators that a record may hold.
+template <class Enum>
+constexpr int count_of = 0;
+template <>
+inline constexpr int count_of<State> = static_cast<int>(states);
+template <>
+inline constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
+template <>
+inline constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
+template <>
+inline constexpr int count_of<Peers> = static_cast<int>(Peers::broken) + 1;
+template <>
+inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
+template <>
+inline constexpr int count_of<Direction> = static_cast<int>(Direction::fastest) + 1;
+template <>
+inline constexpr int count_of<RecordedOutput::Part> =
+    static_cast<int>(RecordedOutput::Part::compare) + 1;
+template <>
+inline constexpr int count_of<RecordedMaster::Made> =
+    static_cast<int>(RecordedMaster::Made::readings) + 1;
+template <>
+inline constexpr int count_of<SwitchesOf> = static_cast<int>(SwitchesOf::actual) + 1;
+template <>
+inline constexpr int count_of<AxisDirection> = static_cast<int>(AxisDirection::negative) + 1;
+template <>
+inline constexpr int count_of<CamSwitchMode> = static_cast<int>(CamSwitchMode::time) + 1;
+template <>
+inline constexpr int count_of<CompareMode> = static_cast<int>(CompareMode::fifo_level) + 1;
+template <>
+inline constexpr int count_of<BufferMode> = static_cast<int>(BufferMode::blending_high) + 1;
+template <>
+inline constexpr int count_of<Cause> = 256;
+template <>
+inline constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
+template <>
+inline constexpr int count_of<CamEnd> = static_cast<int>(CamEnd::extend) + 1;
+template <>
+inline constexpr int count_of<Domain> = 2;
+template <>
+inline constexpr int count_of<Interpolation> = 3;
+template <>
+inline constexpr int count_of<Extrapolation> = 4;
+template <>
+inline constexpr int count_of<wire::QueueMode> = 2;
+template <>
+inline constexpr int count_of<wire::QueueEvent> = 3;
+template <>
+inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::end) + 1;
+template <>
+inline constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
+
+/// Ours to theirs.
+struct Put {
+  template <class Ours, class Theirs>
+  void operator()(const char* /*name*/, const Ours& ours, Theirs& theirs) const {
+    theirs = static_cast<Theirs>(ours);
+  }
+  void operator()(const char* /*name*/, const std::optional<double>& ours, double& theirs) const {
+    theirs = ours.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+/// Theirs to ours. Throws InputError(field, value, rule) for what no enumerator is.
+struct Get {
+  template <class Ours, class Theirs>
+  void operator()(const char* name, Ours& ours, const Theirs& theirs) const {
+    if constexpr (std::is_enum_v<Ours>)
+      if (theirs < (std::is_same_v<Ours, Direction> ? -1 : 0) || theirs >= count_of<Ours>)
+        throw InputError(name, std::to_string(theirs), "is not a value of this field");
+    ours = static_cast<Ours>(theirs);
+  }
+  void operator()(const char* /*name*/, std::optional<double>& ours, double theirs) const {
+    ours.reset();
+    if (!std::isnan(theirs)) ours = theirs;
+  }
+};
+
+}  // namespace jounce::record_fields

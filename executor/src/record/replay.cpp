@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/replay.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "jounce/axis/live_cam.hpp"
+#include "jounce/executor/orders.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "executor/src/record/lcm_log.hpp"
+#include "executor/src/record/remade_masters.hpp"
+
+namespace jounce {
+namespace {
+
+/// Whether nanoseconds can count to this tick, and on from it.
+bool on_clock(std::int64_t tick, std::int64_t period) {
+  return tick >= 0 && tick <= std::numeric_limits<std::int64_t>::max() / 2 / period;
+}
+
+std::string of_axis(std::size_t axis, std::int64_t tick) {
+  return "axis " + std::to_string(axis + 1) + ", tick " + std::to_string(tick);
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// A table whose parts come one after another.
+struct Growing {
+  Units units;
+  RecordedTable head;
+  Columns columns;
+};
+
+class Replayer {
+ public:
+  Replayer(const std::function<void(const RecordedCycle&)>& watch,
+           const std::function<void(const RecordedSight&)>& watch_master)
+      : watch_(watch), watch_master_(watch_master) {}
+
+  void take(const RecordedAxis& axis) {
+    if (axis.axis != result_.axes.size())
+      throw InputError("axis", std::to_string(axis.axis + 1), "is out of sequence");
+    result_.axes.push_back(axis);
+    if (axis.whole) motions_.emplace_back(std::make_unique<MotionAxis>(axis.config));
+    if (!axis.whole) end("the file is a black box: its record begins in the middle of a run");
+  }
+
+  /// The axis is made again with what its outputs are made from so far.
+  void take(const RecordedOutput& part) {
+    static_cast<void>(config(part.axis));
+    RecordedAxis& axis = result_.axes[part.axis];
+    if (apply(part, axis.outputs, axis.compare) && part.axis < motions_.size())
+      motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
+  }
+
+  void take(const RecordedTable& part) {
+    Growing& table = growing_[part.hash];
+    if (part.first != table.columns.x.size())
+      throw InputError("table", hex(part.hash).substr(0, 16), "does not begin with its first knot");
+    table.head = part;
+    const auto add = [](std::vector<double>& whole, const std::vector<double>& more) {
+      whole.insert(whole.end(), more.begin(), more.end());
+    };
+    add(table.columns.x, part.columns.x);
+    add(table.columns.p, part.columns.p);
+    add(table.columns.v, part.columns.v);
+    add(table.columns.a, part.columns.a);
+    if (table.columns.x.size() < part.knots) return;
+    auto made =
+        std::make_shared<const Table>(part.over, part.rule, part.outside, std::move(table.columns));
+    if (content_hash(*made, part.units) != part.hash)
+      throw InputError("table", hex(part.hash).substr(0, 16), "does not match its hash");
+    tables_[part.hash] = std::move(made);
+    growing_.erase(part.hash);
+  }
+
+  void take(const RecordedJob& job) {
+    if (job.live)
+      keep(job.axis, std::make_shared<LiveCam>(job.id, table(job.time), job.coupling, job.end));
+    else
+      keep(job.axis,
+           std::make_shared<Job>(job.id, table(job.time), job.cam ? table(*job.cam) : nullptr,
+                                 job.tick, job.coupling, job.position));
+  }
+
+  void take(const RecordedGear& gear) {
+    const OrderRequested order{.kind = gear.kind, .value = gear.value};
+    keep(gear.axis, gear_of(order, gear.id, config(gear.axis), gear.position));
+  }
+
+  void take(const RecordedQueue& opened) {
+    if (ended_) return;
+    queues_.try_emplace({opened.axis, opened.id}, opened.queue, opened.id, config(opened.axis));
+  }
+
+  void take(const RecordedRows& rows) {
+    if (!ended_) handed_over_[rows.axis].push_back(rows.what);
+  }
+
+  void take(const RecordedMaster& master) {
+    if (master.master != result_.masters.size())
+      throw InputError("master", std::to_string(master.master + 1), "is out of sequence");
+    result_.masters.push_back(Replay::Master{master});
+    sights_.emplace_back();
+    masters_.add(master);
+  }
+
+  void take(const RecordedSample& sample) {
+    if (!ended_) masters_.take(sample);
+  }
+
+  void take(const RecordedSight& seen) {
+    if (seen.master >= sights_.size())
+      throw InputError("master", std::to_string(seen.master + 1),
+                       "is missing from the start of the record");
+    sights_[seen.master] = seen.sight;
+    ++result_.masters[seen.master].cycles;
+    result_.masters[seen.master].lost += seen.sight.lost();
+    if (watch_master_) watch_master_(seen);
+    if (ended_ || result_.axes.empty()) return;
+    const std::int64_t period = result_.axes.front().config.period;
+    if (!on_clock(seen.sight.tick, period))
+      throw InputError("tick", std::to_string(seen.sight.tick), "must be the tick of a cycle");
+    const double time = static_cast<double>(seen.sight.tick * period) * 1e-9;
+    if (const auto what = masters_.compare(seen, time)) {
+      result_.difference = Replay::Difference{seen.master, seen.sight.tick, *what, true};
+      ended_ = true;
+    }
+  }
+
+  void take(const RecordedLoss& loss) {
+    end(std::to_string(loss.cycles) + " cycles are missing: the recorder was too slow" + after());
+  }
+
+  void take(const RecordedCycle& cycle) {
+    if (cycle.axis >= result_.axes.size())
+      throw InputError("axis", std::to_string(cycle.axis + 1),
+                       "is missing from the start of the record");
+    ++result_.cycles;
+    if (!result_.first_tick) result_.first_tick = cycle.tick.tick;
+    result_.last_tick = cycle.tick.tick;
+    if (watch_) watch_(cycle);
+    if (!ended_) execute(cycle);
+  }
+
+  /// The execution ends here: the first reason counts.
+  void end(const std::string& why) {
+    if (!ended_) result_.shorter = why;
+    ended_ = true;
+  }
+
+  [[nodiscard]] std::string after() const {
+    return result_.first_tick ? " after tick " + std::to_string(result_.last_tick) : "";
+  }
+
+  Replay finish() { return std::move(result_); }
+
+ private:
+  void execute(const RecordedCycle& cycle) {
+    Command command = cycle.command;
+    if (!hand_over(cycle)) return;
+    if (cycle.movement != 0) {
+      command.movement = movement({cycle.axis, cycle.movement});
+      if (command.movement == nullptr)
+        return end("the record lacks parts of movement " + std::to_string(cycle.movement) + " (" +
+                   of_axis(cycle.axis, cycle.tick.tick) + ")");
+    }
+    const auto [last, first] = last_ticks_.try_emplace(cycle.axis, cycle.tick.tick);
+    if (!on_clock(cycle.tick.tick, result_.axes[cycle.axis].config.period) ||
+        (!first && cycle.tick.tick <= last->second))
+      throw InputError("tick", std::to_string(cycle.tick.tick),
+                       "must be greater than the one before, not negative, and within 146 years");
+    last->second = cycle.tick.tick;
+    if (const auto what = other_master(cycle)) return differ(cycle, *what);
+    const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
+    ++result_.compared;
+    for (const Movement* movement : now.handed_back)
+      if (movement != nullptr) drop({cycle.axis, movement->id()});
+    const bool switches = !result_.axes[cycle.axis].switches;
+    if (const auto what = first_difference(cycle.tick, now, switches)) differ(cycle, *what);
+  }
+
+  void differ(const RecordedCycle& cycle, const TickDifference& what) {
+    result_.difference = Replay::Difference{cycle.axis, cycle.tick.tick, what};
+    ended_ = true;
+  }
+
+  /// Where a follower saw its master otherwise than the cycle did.
+  [[nodiscard]] std::optional<TickDifference> other_master(const RecordedCycle& cycle) const {
+    for (std::size_t m = 0; m < sights_.size(); ++m) {
+      if ((result_.masters[m].followers >> cycle.axis & 1U) == 0) continue;
+      const Jet& own = cycle.inputs.master;
+      const bool same = sights_[m].tick == cycle.tick.tick &&
+                        std::equal(own.begin(), own.end(), sights_[m].at.begin(), same_bits);
+      if (!same) return TickDifference{"live_master", own[0], sights_[m].at[0]};
+    }
+    return std::nullopt;
+  }
+
+  using Key = std::pair<std::size_t, std::uint64_t>;  // axis, and the movement's number
+
+  void keep(std::size_t axis, std::shared_ptr<Movement> movement) {
+    const std::uint64_t id = movement->id();
+    movements_[{axis, id}] = std::move(movement);
+  }
+
+  /// The axis no longer looks at it.
+  void drop(const Key& key) {
+    movements_.erase(key);
+    if (const auto queue = queues_.find(key); queue != queues_.end()) queue->second.fifos().leave();
+  }
+
+  /// A queue's can be armed again and again.
+  [[nodiscard]] Movement* movement(const Key& key) const {
+    if (const auto it = movements_.find(key); it != movements_.end()) return it->second.get();
+    const auto queue = queues_.find(key);
+    return queue == queues_.end() ? nullptr : queue->second.movement().get();
+  }
+
+  [[nodiscard]] const AxisConfig& config(std::size_t axis) const {
+    if (axis >= result_.axes.size())
+      throw InputError("axis", std::to_string(axis + 1), "is missing from the start of the record");
+    return result_.axes[axis].config;
+  }
+
+  /// What the axis sees of its queues from this cycle on. False: it cannot be executed.
+  bool hand_over(const RecordedCycle& cycle) {
+    auto& waiting = handed_over_[cycle.axis];
+    for (; !waiting.empty() && waiting.front().number <= cycle.inputs.rows; waiting.pop_front()) {
+      const HandedOver& next = waiting.front();
+      const auto queue = queues_.find({cycle.axis, next.movement});
+      if (queue != queues_.end() && queue->second.take(next)) continue;
+      end("the record has rows for queue " + std::to_string(next.movement) +
+          " that the queue cannot take (" + of_axis(cycle.axis, cycle.tick.tick) + ")");
+      return false;
+    }
+    return true;
+  }
+
+  std::shared_ptr<const Table> table(const Sha256& hash) const {
+    const auto it = tables_.find(hash);
+    if (it == tables_.end())
+      throw InputError("job", hex(hash).substr(0, 16),
+                       "is the hash of a table that is missing from the record");
+    return it->second;
+  }
+
+  const std::function<void(const RecordedCycle&)>& watch_;
+  const std::function<void(const RecordedSight&)>& watch_master_;
+  Replay result_;
+  detail::RemadeMasters masters_;
+  std::vector<MasterSight> sights_;  // the last of each master
+  std::vector<std::unique_ptr<MotionAxis>> motions_;
+  std::map<std::size_t, std::int64_t> last_ticks_;
+  std::map<Sha256, Growing> growing_;
+  std::map<Sha256, std::shared_ptr<const Table>> tables_;
+  std::map<Key, std::shared_ptr<Movement>> movements_;
+  std::map<Key, QueueMovement> queues_;
+  std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // and not yet seen, by axis
+  bool ended_ = false;
+};
+
+}  // namespace
+
+Replay replay(std::istream& in, const std::string& name,
+              const std::function<void(const RecordedCycle&)>& watch,
+              const std::function<void(const RecordedSight&)>& watch_master) {
+  detail::LcmLogReader reader(in, name);
+  Replayer replayer(watch, watch_master);
+  while (const auto event = reader.next()) {
+    try {
+      if (const auto record = decoded(event->channel, event->data))
+        std::visit([&](const auto& r) { replayer.take(r); }, *record);
+    } catch (const InputError& error) {
+      throw InputError("event " + std::to_string(reader.events()) + ": " + error.key(),
+                       error.value(), error.rule())
+          .at(name);
+    }
+  }
+  if (reader.cut())
+    replayer.end("the file is cut off at byte " + std::to_string(reader.offset()) +
+                 replayer.after());
+  Replay result = replayer.finish();
+  if (result.axes.empty())
+    throw InputError("record", "", "has no axis: the file is not a record of an executor").at(name);
+  return result;
+}
+
+}  // namespace jounce

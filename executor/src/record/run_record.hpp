@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "jounce/executor/shell.hpp"
+
+namespace jounce::detail {
+
+/// The record of a run, and the tape to it; both null where nothing is to be recorded.
+struct RunRecord {
+  std::unique_ptr<Tape> tape = {};
+  std::unique_ptr<Recorder> recorder = {};
+};
+
+/// Makes the recorder of the options of a run. Throws like Recorder.
+RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& axes);
+
+/// The masters of a run, who follows them, and what a replay makes them from again.
+std::vector<RecordedMaster> recorded_masters(const std::vector<MachineMaster>& masters,
+                                             const std::vector<ExecutorOptions>& axes);
+
+}  // namespace jounce::detail

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "jounce/cam/laws/law.hpp"
+#include "jounce/gear/sync_cam.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+
+/// A flying shear: a carriage that runs up to moving material, goes along with it while it is cut (or
+/// sealed, printed, filled), brakes, and returns for the next piece.
+///
+///     FlyingShear shear{.cut_length = 1000, .line_speed = 1000, .sync_time = 0.15};     // mm, s
+///     shear.limits = {.velocity = 2000, .acceleration = 10000};
+///     SyncCam cam = flying_shear(shear);         // periodic over 1000 mm of the line
+///     ShearPlan plan = shear_plan(shear);        // 187.5 + 150 + 187.5 + 475; stroke 337.5
+///     ShearBound least = least_cut_length(shear);        // 966.4 mm, "return acceleration"
+///     ShearBound fastest = greatest_line_speed(shear);   // at this length
+///
+/// **Vocabulary.** The master m is the material's travel, the slave u the carriage's along its guide.
+/// The cam has five stretches: *accelerate*, *sync*, *decelerate*, *return*, *wait* (at home, where
+/// `return_length` leaves any). It begins at home at rest, u = 0, and ends there exactly.
+///
+/// **What is left out is computed.** The run-up and the braking are as short as the limits allow,
+/// times `safety`; the return takes the rest. The default sync is the longest that
+/// the stroke and the return allow.
+///
+/// **Throws** InputError for numbers that make no sense, and where no such motion is within the limits:
+/// it names the binding limit and the least cut length, or the fastest line, that works.
+struct FlyingShear {
+  double cut_length = 0;  ///< m > 0: one cycle of the master
+  double line_speed = 0;  ///< m/s > 0: at which the limits are to hold
+
+  /// Time or distance in step of carriage and material: one of the two, or the stroke decides.
+  std::optional<double> sync_time = {};    ///< s > 0
+  std::optional<double> sync_length = {};  ///< m > 0
+  std::optional<double> stroke = {};       ///< u > 0: at most so far from home
+
+  /// m of the line while the carriage runs up, brakes, and returns.
+  std::optional<double> acceleration_length = {};
+  std::optional<double> deceleration_length = {};  ///< left out: as acceleration_length
+  std::optional<double> return_length = {};
+
+  Limits limits =
+      {};  ///< limits of the carriage over time: u/s, u/s^2, u/s^3. No positions: `stroke`
+  double safety = 1;  ///< >= 1: factor of a run-up that is computed from the limits
+
+  /// The speed of the ramps follows this law from 0 to 1: line (constant acceleration),
+  /// simple_sine, poly345, poly4567, ... any symmetric one.
+  Law ramp = Law::poly345;
+  Law return_law = Law::poly345;  ///< any from rest to rest
+  LawForm return_form = {};  ///< scca, straight 0.5, shares 0, 1, 0 is the trapezoid 1/4-1/2-1/4
+
+  double ratio = 1;  ///< u/m > 0: of the line's travel, e.g. 1000 for m to mm
+  double angle = 0;  ///< rad, |angle| < pi/2: between guide and line; not 0: a diagonal saw
+};
+
+/// The stretches of the cycle, in m; they sum to cut_length exactly (to the bit).
+struct ShearPlan {
+  double accelerate = 0;
+  double sync = 0;
+  double decelerate = 0;
+  double back = 0;
+  double wait = 0;
+  double ratio = 1;   ///< k in u/m: of the carriage along its guide while in step
+  double stroke = 0;  ///< u
+};
+
+/// Greatest value of a quantity, and the binding limit: "sync velocity", "ramp acceleration", "ramp
+/// jerk", "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
+/// length"; "" if nothing.
+struct ShearBound {
+  double value = 0;
+  std::string quantity = {};
+};
+
+ShearPlan shear_plan(const FlyingShear& shear);
+SyncCam flying_shear(const FlyingShear& shear);
+
+/// The shear for another cut length, made for the fastest line that this allows, `line_speed` at the
+/// most. Nothing where no speed works. Throws InputError where the
+/// sync is left to the stroke: at the fastest line nothing would be left of it.
+std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
+
+/// The shortest piece that can be cut at `line_speed`; cut_length is not looked at. Infinite where no
+/// length helps. Where the sync is left to the stroke, only longer pieces can be cut: at the bound
+/// nothing is left of it. Exact: closed form.
+ShearBound least_cut_length(const FlyingShear& shear);
+
+/// The fastest line for which `cut_length` can be made, independent of `line_speed`. Infinite where
+/// nothing limits it; 0 where no speed helps. Bisected to the last digit: every demand grows with the
+/// speed.
+ShearBound greatest_line_speed(const FlyingShear& shear);
+
+}  // namespace jounce

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/gear/follow_start.hpp"
+#include "jounce/pvt/segment_fifos.hpp"
+
+namespace jounce {
+
+/// Player of follow tables with a live master: its start, direction and progress.
+/// A value; the rows are in SegmentFifos, over the master's travel from where following began.
+///
+///     FollowRun run{.event = {FollowEvent::pass, 50000}};
+///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);
+///     every cycle: slave = step(run, fifos, before, now)[0];     // samples of the master
+///
+/// Source: Googol iDEABOX Pro manual 7.6 (GT_SetFollowEvent, GT_PrfFollow).
+struct FollowRun {
+  FollowStart event = {};
+  /// 0: both directions of the master; 1, -1: that one alone: while the master runs against it, and
+  /// until it is back, the slave stands.
+  int dir = 0;
+
+  bool waiting = false;  ///< for its event
+  double slave = 0;      ///< u, where it stands while it waits
+  double origin = 0;     ///< m, the master where following began
+  double furthest = 0;   ///< m, travel reached in the one direction
+};
+
+/// At once, or armed for the event; the FIFO was taken.
+void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
+
+/// The slave's position and its derivatives by the master, for the master's samples of two cycles.
+/// Before the event, after the end, and while the master runs against the one direction: where it
+/// stands, with derivatives of 0. A master that is not finite is lost (SegmentFifos::State). Does not
+/// allocate.
+Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
+
+}  // namespace jounce

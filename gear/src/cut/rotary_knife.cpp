@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/gear/rotary_knife.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "gear/src/cut/knife_shape.hpp"
+
+// Angles in rad here, R = D / 2 the radius of the cutting circle, k the speed ratio, x the web since
+// the cut, psi the knife's angle from straight down. The cutting circle touches the anvil, on which
+// the web lies.
+//
+// **The cut.** The tip of the blade is at
+//
+//     (1)  R sin psi along the web,   R (1 - cos psi) above the anvil
+//
+// so it reaches the top of a web of thickness h, and leaves it, where
+//
+//     (2)  R (1 - cos alpha) = h
+//
+// and moves along the web with R cos(psi) psi'. (Delta counts its contact angle from the horizontal,
+// a = pi/2 - alpha: the ratio of the speeds at a + theta is then sin(a + theta), and the web that
+// passes until the bottom R cos a.) In step means
+//
+//     (3)  surface:     R psi' = k             psi = k x / R
+//     (4)  horizontal:  R cos(psi) psi' = k    psi = asin(k x / R)
+//
+// In (3) the tip is slower along the web than asked, by the share 1 - cos psi. The half sync angle
+// psi_s passes over the web
+//
+//     (5)  sigma = R psi_s / k,   or   sigma = R sin(psi_s) / k
+//
+// and leaves the knife with psi', psi'' and psi''' by the web of
+//
+//     (6)  k / R, 0, 0,   or   k / (R c),  k^2 t / (R^2 c^2),  k^3 (1 + 2 s^2) / (R^3 c^5)
+//
+// where s, c, t are sine, cosine, tangent of psi_s. It enters the zone with the same, but -psi''.
+//
+// **The recovery** is what a symmetric rise f makes of that: knife_shape.hpp. Over b = L - 2 sigma it
+// gains h = 2 pi / N - 2 psi_s.
+
+namespace jounce {
+namespace {
+
+using detail::KnifeShape;
+using detail::KnifeSync;
+
+constexpr double pi = std::numbers::pi;
+constexpr double rounding = 1e-12;
+
+/// A spec made into numbers; angles in rad.
+struct Knife {
+  double pitch = 0;  ///< between two blades
+  double contact = 0;
+  KnifeSync sync = {};
+  KnifeShape shape;
+  double unit = 1;  ///< u by rad
+};
+
+bool is_rise_at_rest(Law law) {
+  const Ends ends = info(law).ends;
+  return has_own_shape(law) &&
+         (ends == Ends::given || ends == Ends::moving || ends == Ends::moving_free);
+}
+
+void require_valid(const RotaryKnifeSpec& spec) {
+  require_positive("diameter", spec.diameter);
+  if (spec.blades < 1) throw InputError("blades", "0", "must be at least 1");
+  require_positive("cut_length", spec.cut_length);
+  require_positive("turn", spec.turn);
+  require_positive("speed_ratio", spec.speed_ratio);
+  require_not_negative("thickness", spec.thickness);
+  if (!(spec.thickness < spec.diameter / 2))
+    throw InputError("thickness", spec.thickness,
+                     "must be less than the radius of the knife, " + number(spec.diameter / 2));
+  if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
+    throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
+  if (!is_rise_at_rest(spec.law))
+    throw InputError("law", name(spec.law), "must be a symmetric rise from rest to rest");
+  if (spec.form.inflection)
+    throw InputError("inflection", *spec.form.inflection,
+                     "must be left out: the recovery is symmetric about its middle");
+}
+
+/// (2), by half the angle, which loses no digits where the web is thin.
+double contact_angle(const RotaryKnifeSpec& spec) {
+  return 2 * std::asin(std::sqrt(spec.thickness / spec.diameter));
+}
+
+/// psi_s, as the spec gives it.
+double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
+  if (spec.sync_angle && spec.sync_length)
+    throw InputError("sync_length", *spec.sync_length,
+                     "cannot be combined with sync_angle: leave one out");
+  const double radius = spec.diameter / 2;
+  if (spec.sync_length) {
+    require_positive("sync_length", *spec.sync_length);
+    const double along = *spec.sync_length / 2 * spec.speed_ratio / radius;
+    if (spec.matching == KnifeMatching::surface) return along;
+    if (!(along < 1))
+      throw InputError("sync_length", *spec.sync_length,
+                       "must be less than " + number(spec.diameter / spec.speed_ratio) +
+                           ", the distance of the tip from one side of the knife to the other");
+    return std::asin(along);
+  }
+  if (spec.sync_angle) {
+    require_positive("sync_angle", *spec.sync_angle);
+    return *spec.sync_angle / unit / 2;
+  }
+  if (!(spec.thickness > 0))
+    throw InputError(
+        "sync_angle", "",
+        "is missing: give it, or a thickness, to stay in step while knife and web touch");
+  return contact_angle(spec);
+}
+
+/// (5) and (6).
+KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
+  const double slope = spec.speed_ratio / (spec.diameter / 2);
+  if (spec.matching == KnifeMatching::surface) return {angle, angle / slope, slope, 0, 0};
+  const double s = std::sin(angle);
+  const double c = std::cos(angle);
+  return {angle, s / slope, slope / c, slope * slope * s / (c * c * c),
+          slope * slope * slope * (1 + 2 * s * s) / std::pow(c, 5)};
+}
+
+/// That psi_s leaves a recovery, and (4) an angle. Named by the key it was given by.
+void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
+  const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
+  const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
+  if (!(2 * half < pitch))
+    throw InputError(key, given,
+                     "is in step for " + number(2 * half * unit) +
+                         ", which must be less than the angle between two blades, " +
+                         number(pitch * unit));
+  if (spec.matching == KnifeMatching::horizontal && !(half < pi / 2))
+    throw InputError(
+        key, given,
+        "must end before the blade is level, with horizontal matching: at most half a turn");
+}
+
+Knife knife_of(const RotaryKnifeSpec& spec) {
+  require_valid(spec);
+  const double unit = spec.turn / (2 * pi);
+  const double pitch = 2 * pi / static_cast<double>(spec.blades);
+  const double half = half_sync_angle(spec, unit);
+  require_room(spec, half, pitch, unit);
+  const KnifeSync sync = sync_of(spec, half);
+  if (!(spec.cut_length > 2 * sync.length))
+    throw InputError("cut_length", spec.cut_length,
+                     "must be longer than the web in step, " + number(2 * sync.length));
+  return {pitch, spec.thickness > 0 ? contact_angle(spec) : 0, sync,
+          KnifeShape(normalised(spec.law, spec.form), sync, pitch - 2 * half), unit};
+}
+
+/// The cut that is a straight line: with surface matching alone.
+bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
+  return spec.matching == KnifeMatching::surface &&
+         std::abs(spec.cut_length - synchronous) <= rounding * synchronous;
+}
+
+double synchronous_length(const RotaryKnifeSpec& spec) {
+  return pi * spec.diameter / static_cast<double>(spec.blades) / spec.speed_ratio;
+}
+
+/// Lcrit.
+double longest_cut(const Knife& knife) {
+  return 2 * knife.sync.length + knife.shape.longest();
+}
+
+/// The segments of a cut as they are put together, each with its name.
+struct Parts {
+  std::vector<Segment> segments;
+  std::vector<std::string> names;
+
+  void add(std::span<const Segment> all, const char* name) {
+    segments.insert(segments.end(), all.begin(), all.end());
+    names.insert(names.end(), all.size(), name);
+  }
+};
+
+/// The cam whose last break lies at the cut's length and whose last value is `end`, to the last
+/// digit: else a million cuts would drift. What is added is a rounding of the joints.
+Cam closed(std::vector<Segment> segments, double length, double end) {
+  Segment& last = segments.back();
+  for (int i = 0; i < 6; ++i) {
+    const double missing = length - Cam(segments).end();
+    last.length += i == 0 ? missing : 0.75 * missing;  // not all: a tie would round the other way
+    last.c[0] += end - value(last, 1);
+  }
+  return Cam(std::move(segments), 0, Extrapolation::advance);
+}
+
+void add_recovery(Parts& parts, const Knife& knife, double length, bool dwell) {
+  const double free = length - 2 * knife.sync.length;
+  const double start = knife.sync.angle;
+  if (!dwell) return parts.add(knife.shape.recovery(free, start), "recovery");
+  const double moving = knife.shape.longest();
+  const Cam whole(knife.shape.recovery(moving, start));
+  const double middle = knife.pitch / 2;
+  const Segment stand = line(free - moving, middle, middle);
+  parts.add(between(whole, 0, moving / 2).segments(), "stop");
+  parts.add(std::span(&stand, 1), "dwell");
+  parts.add(between(whole, moving / 2, moving).segments(), "start");
+}
+
+}  // namespace
+
+SyncCam rotary_knife(const RotaryKnifeSpec& spec) {
+  const Knife knife = knife_of(spec);
+  const double length = spec.cut_length;
+  const double turn = spec.turn / static_cast<double>(spec.blades);
+  if (is_gear(spec, synchronous_length(spec)))
+    return {
+        Cam({line(length, 0, turn)}, 0, Extrapolation::advance), {"sync"}, {{0, length, "sync"}}};
+  const detail::KnifeZone zone = detail::knife_zone(
+      knife.sync, spec.matching == KnifeMatching::horizontal, spec.tolerance * knife.sync.angle);
+  Parts parts;
+  parts.add(zone.leaving, "sync");
+  add_recovery(parts, knife, length, spec.dwell && length > longest_cut(knife));
+  parts.add(zone.entering(knife.pitch), "sync");
+  for (Segment& segment : parts.segments) segment = scaled(segment, knife.unit);
+  const double half = knife.sync.length;
+  return {closed(std::move(parts.segments), length, turn),
+          std::move(parts.names),
+          {{0, half, "sync"}, {length - half, length, "sync"}}};
+}
+
+RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
+  const Knife knife = knife_of(spec);
+  const double unit = knife.unit;
+  RotaryKnifeFigures f;
+  f.synchronous = synchronous_length(spec);
+  f.contact_angle = knife.contact * unit;
+  f.sync_angle = 2 * knife.sync.angle * unit;
+  f.sync_length = 2 * knife.sync.length;
+  f.recovery_angle = knife.pitch * unit - f.sync_angle;
+  f.recovery_length = spec.cut_length - f.sync_length;
+  f.longest = longest_cut(knife);
+  f.rho = knife.sync.velocity * f.recovery_length * unit / f.recovery_angle;
+  if (spec.dwell) f.dwell = std::max(0.0, spec.cut_length - f.longest);
+  f.surface_ratio =
+      f.dwell > 0 ? 0 : knife.shape.middle_velocity(f.recovery_length) * spec.diameter / 2;
+  const bool slips = spec.matching == KnifeMatching::surface;
+  const double s = std::sin(knife.sync.angle / 2);
+  f.speed_error = slips ? 2 * s * s : 0;  // 1 - cos
+  if (!slips)
+    f.strays =
+        unit * detail::knife_zone(knife.sync, true, spec.tolerance * knife.sync.angle).strays;
+  return f;
+}
+
+}  // namespace jounce

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "jounce/gear/follow.hpp"
+
+#include "gear/src/follow/follow_passes.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::FollowPass;
+using detail::rounded;
+
+constexpr double rounding = 1e-9;
+
+/// The increments of a segment.
+struct Travel {
+  double master = 0;
+  double slave = 0;
+};
+
+Travel travel_of(const FollowTable& table, std::size_t i) {
+  const PtPoint before = i > 0 ? table.segments[i - 1] : PtPoint{};
+  return {table.segments[i].x - before.x, table.segments[i].position - before.position};
+}
+
+/// The median travel of all segments but one: what is usual in these tables. Nothing of fewer than
+/// three.
+std::optional<double> usual(const FollowSpec& spec, std::size_t table, std::size_t segment,
+                            double Travel::*part) {
+  std::vector<double> all;
+  for (std::size_t t = 0; t < spec.tables.size(); ++t)
+    for (std::size_t i = 0; i < spec.tables[t].segments.size(); ++i)
+      if (t != table || i != segment) all.push_back(std::abs(travel_of(spec.tables[t], i).*part));
+  if (all.size() < 3) return std::nullopt;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+bool is_odd(double travel, std::optional<double> usual) {
+  constexpr double often = 3;
+  if (!usual || *usual == 0 || travel == 0) return false;
+  const double share = std::abs(travel) / *usual;
+  return share >= often || share <= 1 / often;
+}
+
+/// What may be wrong with a segment in which the slave runs backwards.
+std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
+  const auto [master, slave] = travel_of(spec.tables[table], i);
+  const auto misprint = [&](const char* whose, double is, double would_be, double end) {
+    return std::string("its travel of the ") + whose + ", " + rounded(is) + ", is " +
+           rounded(std::abs(is) / would_be) + " times the usual " + rounded(would_be) +
+           ": check it. With the usual travel it would end at the ratio " + rounded(end);
+  };
+  const auto m = usual(spec, table, i, &Travel::master);
+  if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
+  const auto s = usual(spec, table, i, &Travel::slave);
+  if (is_odd(slave, s))
+    return misprint("slave", slave, *s, std::copysign(2 * *s, slave) / master - start);
+  return "from the ratio " + rounded(start) + " the slave goes " + rounded(start * master / 2) +
+         " until it stands, and has " + rounded(slave) +
+         " to go: move the point, or put one where it stands";
+}
+
+class Inspection {
+ public:
+  explicit Inspection(const FollowSpec& spec) : spec_(spec), passes_(detail::follow_passes(spec)) {
+    for (const FollowPass& pass : passes_)
+      for (const PtRate& r : pass.ratios)
+        peak_ = std::max({peak_, std::abs(r.start), std::abs(r.end)});
+    double before = spec_.start_ratio;
+    for (const FollowPass& pass : passes_) {
+      inspect(pass, before);
+      before = pass.ratios.back().end;
+      first_ += pass.ratios.size();
+    }
+    after_the_last(before);
+    ends();
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (places_[i] > 1)
+        report_.findings[i].advice += " (" + std::to_string(places_[i]) + " such places)";
+    sort(report_);
+  }
+
+  [[nodiscard]] Report report() && { return std::move(report_); }
+
+ private:
+  [[nodiscard]] bool counts(double ratio) const { return std::abs(ratio) > rounding * peak_; }
+
+  void inspect(const FollowPass& pass, double before) {
+    const auto& segments = spec_.tables[pass.table].segments;
+    if (segments.front().type != PtType::continued) chained_ = false;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const PtRate& ratio = pass.ratios[i];
+      const double master = i > 0 ? segments[i - 1].x : 0;
+      step(pass, i, pass.master + master, before, ratio.start);
+      const bool anew = segments[i].type == PtType::even || segments[i].type == PtType::stop;
+      if (anew) chained_ = false;
+      reversal(pass, i);
+      before = ratio.end;
+    }
+  }
+
+  void step(const FollowPass& pass, std::size_t i, double where, double from, double to) {
+    if (!counts(to - from)) return;
+    const bool start = first_ == 0 && i == 0;
+    const std::string ratios = "from " + rounded(from) + " to " + rounded(to);
+    Finding f = finding("follow/ratio_step", first_ + i, where, std::abs(to - from));
+    f.quantity = "step of geo_velocity";
+    f.advice = "the ratio steps " + ratios + ": make its travel fit, or the segment normal";
+    if (start) {
+      f.severity = Severity::warning;
+      f.broken = !detail::repeats(spec_, passes_);
+      f.advice = "the ratio steps " + ratios +
+                 " at the start: give start_ratio if the slave already moves";
+    } else if (i == 0 && pass.again) {
+      f.rule = "follow/wrap_step";
+      f.advice = wrap_advice(ratios);
+    } else if (i == 0) {
+      f.rule = "follow/switch_step";
+      f.advice = "the ratio steps " + ratios + ": let table " + std::to_string(pass.table + 1) +
+                 " begin with a continue segment";
+    }
+    add(std::move(f));
+  }
+
+  static std::string wrap_advice(const std::string& ratios) {
+    return "the ratio steps " + ratios +
+           " from pass to pass: let the table begin with a continue segment, or end where it "
+           "begins";
+  }
+
+  void reversal(const FollowPass& pass, std::size_t i) {
+    const auto [start, end] = pass.ratios[i];
+    const double slave = travel_of(spec_.tables[pass.table], i).slave;
+    const bool against = counts(end) && (slave == 0 || std::signbit(end) != std::signbit(slave));
+    if (chained_ || !against) return;
+    const double where = pass.master + spec_.tables[pass.table].segments[i].x;
+    Finding f = finding("follow/reversal", first_ + i, where, end);
+    f.quantity = "geo_velocity";
+    f.advice = advice(spec_, pass.table, i, start);
+    add(std::move(f));
+    chained_ = true;
+  }
+
+  /// Where the last pass ends with `ratio`.
+  void after_the_last(double ratio) {
+    const FollowPass& last = passes_.back();
+    const FollowTable& table = spec_.tables[last.table];
+    const double where = last.master + table.segments.back().x;
+    if (table.loops >= 1) {
+      if (!counts(ratio)) return;
+      Finding f = finding("follow/open_end", first_ - 1, where, ratio);
+      f.quantity = "geo_velocity";
+      f.advice =
+          "the controller stops the slave abruptly there, and an axis of Jounce brakes within its "
+          "limits: end with a stop segment, repeat the table, or add another table";
+      return add(std::move(f));
+    }
+    const auto again = pt_rates<OverMaster>(table.segments, ratio);
+    if (!counts(again.back().end - ratio)) return wrap(where, ratio, again.front().start);
+    const double later = pt_rates<OverMaster>(table.segments, again.back().end).back().end;
+    Finding f = finding("follow/wrap_ratio", first_ - 1, where, again.back().end);
+    f.quantity = "geo_velocity";
+    const bool alternates = !counts(later - ratio);
+    f.broken = !alternates;
+    if (alternates) f.severity = Severity::warning;
+    f.advice = "after " + rounded(ratio) + " the next pass ends at this ratio, then at " +
+               rounded(later) + ": end the table with the ratio that it begins with";
+    add(std::move(f));
+  }
+
+  /// From the end of the pass shown to the start of the next, where that is not shown.
+  void wrap(double where, double from, double to) {
+    if (!counts(to - from)) return;
+    Finding f = finding("follow/wrap_step", first_ - 1, where, std::abs(to - from));
+    f.quantity = "step of geo_velocity";
+    f.advice = wrap_advice("from " + rounded(from) + " to " + rounded(to));
+    add(std::move(f));
+  }
+
+  /// The check sums.
+  void ends() {
+    for (std::size_t i = 0; i < spec_.tables.size(); ++i) {
+      const FollowTable& table = spec_.tables[i];
+      if (!table.end) continue;
+      const PtPoint& last = table.segments.back();
+      const auto differ = [](double a, double b) {
+        return std::abs(a - b) > rounding * std::max(std::abs(a), std::abs(b));
+      };
+      if (!differ(last.x, table.end->master) && !differ(last.position, table.end->slave)) continue;
+      add(end_finding(i, {table.end->master - last.x, table.end->slave - last.position}));
+    }
+  }
+
+  [[nodiscard]] Finding end_finding(std::size_t i, const Travel& missing) const {
+    const FollowTable& table = spec_.tables[i];
+    const PtPoint& last = table.segments.back();
+    std::size_t segment = 0;
+    for (const FollowPass& pass : passes_) {
+      segment += pass.ratios.size();
+      if (pass.table == i) break;
+    }
+    const bool of_master = missing.master != 0;
+    Finding f = finding("follow/end", segment - 1, last.x, of_master ? last.x : last.position);
+    f.quantity = of_master ? "the master's travel" : "the slave's travel";
+    f.limit = of_master ? table.end->master : table.end->slave;
+    f.has_limit = true;
+    f.margin = -std::abs((f.value - f.limit) / f.value);
+    f.advice = "the end is said to be master " + rounded(table.end->master) + ", slave " +
+               rounded(table.end->slave) + ": master " + rounded(missing.master) + " and slave " +
+               rounded(missing.slave) + " are missing" + as_segment(table, missing);
+    return f;
+  }
+
+  /// Which segment has just that travel.
+  static std::string as_segment(const FollowTable& table, const Travel& missing) {
+    for (std::size_t i = 0; i < table.segments.size(); ++i) {
+      const Travel t = travel_of(table, i);
+      const double scale = rounding * table.segments.back().x;
+      if (std::abs(t.master - missing.master) <= scale &&
+          std::abs(t.slave - missing.slave) <= rounding * std::abs(table.segments.back().position))
+        return ", as much as segment " + std::to_string(i + 1) + " has: is one left out?";
+    }
+    return "";
+  }
+
+  [[nodiscard]] Finding finding(const char* rule, std::size_t segment, double where,
+                                double value) const {
+    Finding f;
+    f.rule = rule;
+    f.where = where;
+    f.value = value;
+    f.margin = -std::abs(value) / peak_;
+    f.broken = true;
+    f.segment = segment;
+    f.has_limit = false;
+    return f;
+  }
+
+  /// Keeps the worst of each rule; of reversals the first, for what comes later may follow from it.
+  void add(Finding f) {
+    std::size_t i = 0;
+    while (i < places_.size() && report_.findings[i].rule != f.rule) ++i;
+    if (i == places_.size()) {
+      report_.findings.push_back(std::move(f));
+      places_.push_back(1);
+      return;
+    }
+    ++places_[i];
+    if (f.margin < report_.findings[i].margin && f.rule != "follow/reversal")
+      report_.findings[i] = std::move(f);
+  }
+
+  const FollowSpec& spec_;
+  std::vector<FollowPass> passes_;
+  double peak_ = 0;
+  bool chained_ = false;   ///< what comes follows from a reversal that is told already
+  std::size_t first_ = 0;  ///< the cam's segment with which the pass begins
+  Report report_;
+  std::vector<std::size_t> places_;  ///< of each finding
+};
+
+}  // namespace
+
+Report check(const FollowSpec& spec) {
+  return Inspection(spec).report();
+}
+
+}  // namespace jounce

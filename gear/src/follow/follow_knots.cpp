@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gear/src/follow/follow_knots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/detail/local_velocities.hpp"
+
+namespace jounce::detail {
+namespace {
+
+using Knot = FollowKnot;
+
+constexpr double rounding = 1e-9;
+
+std::string key(const char* list, std::size_t i, const char* name) {
+  return std::string(list) + "[" + std::to_string(i + 1) + "]." + name;
+}
+
+bool near(double a, double b) {
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+/// A sync point or a zone, by its place.
+struct Item {
+  double master = 0;
+  bool is_zone = false;
+  std::size_t index = 0;
+};
+
+class Knots {
+ public:
+  explicit Knots(const FollowPlan& plan) : plan_(plan) {
+    require_numbers();
+    all_.push_back({0, 0, plan.start_ratio, {}});
+    if (!plan.start_ratio && !begins_in_step()) all_[0].ratio = 0;
+    const auto items = sorted();
+    for (const Item& item : items) item.is_zone ? add_zone(item.index) : add_point(item.index);
+    if (all_.size() < 2)
+      throw InputError("point", "none", "there must be a sync point or a zone after the start");
+    close();
+    fill();
+  }
+
+  [[nodiscard]] std::vector<Knot> all() && { return std::move(all_); }
+
+ private:
+  void require_numbers() const {
+    if (plan_.start_ratio) require_finite("start_ratio", *plan_.start_ratio);
+    for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+      const FollowPoint& p = plan_.points[i];
+      require_finite(key("point", i, "master").c_str(), p.master);
+      require_finite(key("point", i, "slave").c_str(), p.slave);
+      require_finite(key("point", i, "ratio").c_str(), p.ratio.value_or(0));
+      if (i > 0 && !(p.master > plan_.points[i - 1].master))
+        throw InputError(
+            key("point", i, "master"), p.master,
+            "must be greater than " + number(plan_.points[i - 1].master) + ", the point before");
+    }
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
+      const FollowZone& z = plan_.zones[i];
+      require_finite(key("zone", i, "from").c_str(), z.from);
+      require_finite(key("zone", i, "to").c_str(), z.to);
+      require_finite(key("zone", i, "ratio").c_str(), z.ratio);
+      require_finite(key("zone", i, "slave").c_str(), z.slave.value_or(0));
+      if (!(z.to > z.from))
+        throw InputError(key("zone", i, "to"), z.to, "must be greater than " + number(z.from));
+      if (i > 0 && !(z.from >= plan_.zones[i - 1].to))
+        throw InputError(
+            key("zone", i, "from"), z.from,
+            "must be at least " + number(plan_.zones[i - 1].to) + ", where the one before ends");
+    }
+  }
+
+  [[nodiscard]] bool begins_in_step() const {
+    return std::any_of(plan_.zones.begin(), plan_.zones.end(),
+                       [](const FollowZone& z) { return z.from == 0; });
+  }
+
+  [[nodiscard]] bool in_zone(const FollowPoint& p) const {
+    return std::any_of(plan_.zones.begin(), plan_.zones.end(),
+                       [&](const FollowZone& z) { return p.master >= z.from && p.master <= z.to; });
+  }
+
+  [[nodiscard]] std::vector<Item> sorted() const {
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i)
+      items.push_back({plan_.zones[i].from, true, i});
+    for (std::size_t i = 0; i < plan_.points.size(); ++i)
+      if (!in_zone(plan_.points[i])) items.push_back({plan_.points[i].master, false, i});
+    std::stable_sort(items.begin(), items.end(),
+                     [](const Item& a, const Item& b) { return a.master < b.master; });
+    return items;
+  }
+
+  void add_point(std::size_t i) {
+    const FollowPoint& p = plan_.points[i];
+    if (!(p.master > all_.back().master))
+      throw InputError(key("point", i, "master"), p.master,
+                       "must be greater than " + number(all_.back().master) +
+                           ", where the start, a point or a zone is");
+    all_.push_back({p.master, p.slave, p.ratio, {}});
+  }
+
+  void add_zone(std::size_t i) {
+    const FollowZone& z = plan_.zones[i];
+    Knot& before = all_.back();
+    if (z.from < before.master)
+      throw InputError(key("zone", i, "from"), z.from,
+                       "must be at least " + number(before.master) + ", where the one before ends");
+    const double slave = begin_of(i);
+    if (z.from == before.master) {
+      join(i, before, slave);
+    } else {
+      all_.push_back({z.from, slave, z.ratio, {}});
+    }
+    all_.push_back({z.to, slave + z.ratio * (z.to - z.from), z.ratio, i});
+  }
+
+  /// A zone that begins where the start is, or another zone ends.
+  void join(std::size_t i, Knot& before, double slave) const {
+    const double ratio = plan_.zones[i].ratio;
+    if (!near(slave, before.slave))
+      throw InputError(key("zone", i, "slave"), slave,
+                       "must be " + number(before.slave) + ", where the slave is then");
+    if (before.ratio && !near(*before.ratio, ratio))
+      throw InputError(
+          key("zone", i, "ratio"), ratio,
+          "must be " + number(*before.ratio) + ", the ratio there: leave room to change it before");
+    before.ratio = ratio;
+  }
+
+  /// Where the slave is when the zone begins.
+  [[nodiscard]] double begin_of(std::size_t i) const {
+    const FollowZone& z = plan_.zones[i];
+    std::optional<double> slave = z.slave;
+    for (std::size_t k = 0; k < plan_.points.size(); ++k) {
+      const FollowPoint& p = plan_.points[k];
+      if (p.master < z.from || p.master > z.to) continue;
+      const double expected = p.slave - z.ratio * (p.master - z.from);
+      const double scale = std::abs(p.slave) + std::abs(z.ratio * z.to);
+      if (slave && std::abs(*slave - expected) > rounding * scale)
+        throw InputError(key("point", k, "slave"), p.slave,
+                         "must be " + number(*slave + z.ratio * (p.master - z.from)) +
+                             ", where zone " + std::to_string(i + 1) + " leads");
+      if (!slave) slave = expected;
+    }
+    if (slave) return *slave;
+    const Knot& before = all_.back();
+    if (!before.ratio && all_.size() > 1)
+      throw InputError(key("zone", i, "slave"), "",
+                       "is missing: give it, a sync point within the zone, or a ratio to the point "
+                       "before");
+    return before.slave + (before.ratio.value_or(z.ratio) + z.ratio) / 2 * (z.from - before.master);
+  }
+
+  /// The ends.
+  void close() {
+    Knot& first = all_.front();
+    Knot& last = all_.back();
+    if (!plan_.periodic) {
+      if (!last.ratio) last.ratio = 0;
+      return;
+    }
+    // A start that nobody chose takes the ratio with which the plan ends.
+    if (!plan_.start_ratio && !begins_in_step() && last.ratio) first.ratio = last.ratio;
+    if (!last.ratio) last.ratio = first.ratio;
+    if (!near(*first.ratio, *last.ratio))
+      throw InputError("periodic", "true",
+                       "needs the ratio of its start, " + number(*first.ratio) +
+                           ", at its end, where it is " + number(*last.ratio));
+  }
+
+  /// Ratios left out: between the mean ratios before and after, so that nothing overshoots.
+  void fill() {
+    for (std::size_t i = 1; i + 1 < all_.size(); ++i) {
+      if (all_[i].ratio) continue;
+      const double h0 = all_[i].master - all_[i - 1].master;
+      const double h1 = all_[i + 1].master - all_[i].master;
+      all_[i].ratio = detail::between_chords(h0, (all_[i].slave - all_[i - 1].slave) / h0, h1,
+                                             (all_[i + 1].slave - all_[i].slave) / h1);
+    }
+  }
+
+  const FollowPlan& plan_;
+  std::vector<Knot> all_;
+};
+
+}  // namespace
+
+std::vector<FollowKnot> follow_knots(const FollowPlan& plan) {
+  return Knots(plan).all();
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/gear/follow_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jounce {
+namespace {
+
+void follow_from(FollowRun& run, SegmentFifos& fifos, double master) {
+  run.waiting = false;
+  run.origin = master;
+  run.furthest = 0;
+  fifos.start(0, run.slave);
+}
+
+/// How far along its tables the slave is: where one direction alone counts, as far as it ever was.
+double travel(FollowRun& run, double master) {
+  const double gone = master - run.origin;
+  if (run.dir == 0 || !std::isfinite(gone)) return gone;
+  run.furthest = std::max(run.furthest, run.dir * gone);
+  return run.furthest;
+}
+
+}  // namespace
+
+void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave) {
+  run.slave = slave;
+  run.waiting = run.event.event == FollowEvent::pass;
+  if (!run.waiting) follow_from(run, fifos, master);
+}
+
+Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now) {
+  if (run.waiting)
+    if (const auto at = begin_of(run.event, before, now)) follow_from(run, fifos, at->master[0]);
+  if (run.waiting) return {run.slave, 0, 0, 0};
+  const double behind = run.furthest - run.dir * (now.master[0] - run.origin);
+  const bool back = behind > 0 || (behind == 0 && run.dir * now.master[1] < 0);
+  Jet f = fifos.at(travel(run, now.master[0]));
+  if (run.dir != 0 && back) return {f[0], 0, 0, 0};
+  if (run.dir < 0) f = {f[0], -f[1], f[2], -f[3]};  // by the master, which runs backwards
+  return f;
+}
+
+}  // namespace jounce

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/io/table_file.hpp"
+
+/// What the CSV and the JSON form of a table have in common.
+namespace jounce::detail {
+
+inline constexpr int schema_version = 1;
+inline constexpr std::array axes{Domain::time, Domain::master};
+inline constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
+                                  Interpolation::quintic_hermite};
+inline constexpr std::array policies{Extrapolation::refuse, Extrapolation::hold,
+                                     Extrapolation::wrap, Extrapolation::advance};
+
+/// A table file in pieces, before it is put together and its hash compared.
+struct TableParts {
+  Domain axis = Domain::time;
+  Interpolation rule = Interpolation::linear;
+  Extrapolation outside = Extrapolation::hold;
+  Units units;
+  Columns columns;
+  std::string sha256;
+  Provenance provenance;
+  int line_before_knots = 0;  ///< line before knots of the file, where it has lines
+};
+
+/// "time", "position", "velocity": as many as the rule uses.
+std::vector<std::string> column_names(Domain axis, Interpolation rule);
+
+/// Takes the unit of a column over into the parts; answers the rule it breaks, or "".
+std::string take_unit(TableParts& parts, std::size_t column, const std::string& unit);
+
+/// The value of `all` that has this name; fail(value, rule) throws.
+template <class T, std::size_t n, class Fail>
+T choice(const std::string& text, std::span<const T, n> all, Fail fail) {
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](T value) { return text == name(value); });
+  if (it != all.end()) return *it;
+  std::string names;
+  for (const T value : all) names += (names.empty() ? "" : ", ") + std::string(name(value));
+  fail('"' + text + '"', "must be one of " + names);
+  return all.front();
+}
+
+template <class Fail>
+void require_version(const std::string& version, Fail fail) {
+  if (version != std::to_string(schema_version))
+    fail(version, "this program reads schema version " + std::to_string(schema_version));
+}
+
+TableParts parse_csv(const std::string& text, const std::string& name);
+TableParts parse_json(const std::string& text, const std::string& name);
+
+}  // namespace jounce::detail

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/io/points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+namespace {
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\r' || c == '\v' || c == '\f';
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return is_blank(c) || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// A cell without the quotes around it.
+std::string_view unquoted(std::string_view cell) {
+  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+/// A number at the begin of [begin, end), and where its text ends; begin where it is none.
+struct Number {
+  double value = 0;
+  const char* end = nullptr;
+};
+
+Number number_at(const char* begin, const char* end, char point) {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-' && begin[1] != '+') {
+    const Number rest = number_at(begin + 1, end, point);
+    return rest.end == begin + 1 ? Number{0, begin} : rest;
+  }
+  double value = 0;
+  if (point == '.') {
+    const auto [to, error] = std::from_chars(begin, end, value);
+    return {value, error == std::errc() ? to : begin};
+  }
+  std::array<char, 400> text;  // more than any double needs
+  const auto length = std::min<std::ptrdiff_t>(end - begin, std::ssize(text));
+  std::transform(begin, begin + length, text.begin(), [](char c) {
+    return c == ',' ? '.' : c == '.' ? ',' : c;
+  });
+  const auto [to, error] = std::from_chars(text.data(), text.data() + length, value);
+  return {value, error == std::errc() ? begin + (to - text.data()) : begin};
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, Points& points)
+      : at_(text.data()), end_(text.data() + text.size()), points_(points) {}
+
+  /// The first line, where there is one.
+  void read_names() {
+    if (next_line() && (!read_separator() || next_line())) read_header();
+  }
+
+  void read() {
+    read_names();
+    if (!header_) fail("", "", "is empty: the first line must name the columns");
+    first_row_ = at_;
+    reserve();
+    while (next_line()) read_row();
+    if (points_.lines.empty()) fail("", "", "has a header but no points");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& key, std::string_view value, const std::string& rule) {
+    throw InputError(key, printable(std::string(value)), rule)
+        .at(points_.document, static_cast<int>(line_));
+  }
+
+  /// The next line that is neither empty nor a comment.
+  bool next_line() {
+    while (at_ != end_) {
+      begin_ = at_;
+      const auto* newline =
+          static_cast<const char*>(std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_)));
+      line_end_ = newline == nullptr ? end_ : newline;
+      at_ = newline == nullptr ? end_ : newline + 1;
+      ++line_;
+      while (begin_ != line_end_ && is_blank(*begin_)) ++begin_;
+      if (begin_ != line_end_ && *begin_ != '#' && !is_empty_row()) return true;
+    }
+    return false;
+  }
+
+  /// Separators alone, as spreadsheets write rows that were cleared.
+  [[nodiscard]] bool is_empty_row() const {
+    return header_ && *begin_ == separator_ && std::all_of(begin_, line_end_, [this](char c) {
+             return c == separator_ || is_blank(c);
+           });
+  }
+
+  /// Whether the line is a spreadsheet's note of what stands between the columns: sep=;
+  bool read_separator() {
+    const auto note = unquoted(trimmed({begin_, static_cast<std::size_t>(line_end_ - begin_)}));
+    if (note.size() != 5 || !note.starts_with("sep=")) return false;
+    noted_ = note.back();
+    return true;
+  }
+
+  void read_header() {
+    const std::string_view line(begin_, static_cast<std::size_t>(line_end_ - begin_));
+    if (const auto cr = line.find('\r'); cr != line.npos && cr + 1 < line.size())
+      fail("header", line.substr(0, cr),
+           "ends with a carriage return alone: save the file with line ends LF or CRLF");
+    separator_ = noted_                         ? *noted_
+                 : line.find(';') != line.npos  ? ';'
+                 : line.find('\t') != line.npos ? '\t'
+                                                : ',';
+    std::string_view rest = line;
+    for (;;) {
+      const auto cut = rest.find(separator_);
+      add_column(unquoted(trimmed(rest.substr(0, cut))));
+      if (cut == rest.npos) break;
+      rest.remove_prefix(cut + 1);
+    }
+    header_ = true;
+  }
+
+  void add_column(std::string_view cell) {
+    const auto bracket = cell.find('[');
+    PointColumn column;
+    for (const char c : trimmed(cell.substr(0, bracket)))
+      column.name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (column.name.empty() ||
+        number_at(column.name.data(), column.name.data() + column.name.size(), '.').end !=
+            column.name.data())
+      fail("header", cell, "must name the columns, with units: time [s], position [mm]");
+    if (bracket != cell.npos) {
+      if (cell.back() != ']') fail(column.name, cell, "needs a closing bracket after its unit");
+      column.unit = trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2));
+      if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
+    }
+    if (points_.find(column.name) != nullptr) fail(column.name, cell, "occurs twice");
+    is_words_.push_back(column.name == "type");
+    points_.columns.push_back(std::move(column));
+  }
+
+  void reserve() {
+    const auto left = static_cast<std::size_t>(end_ - at_);
+    const std::size_t rows =
+        std::min<std::size_t>(left / (2 * points_.columns.size()) + 1, 1U << 20U);
+    points_.lines.reserve(rows);
+    for (PointColumn& column : points_.columns) column.values.reserve(rows);
+  }
+
+  void read_row() {
+    const char* cell = begin_;
+    const std::size_t last = points_.columns.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+      while (cell != line_end_ && is_blank(*cell)) ++cell;
+      const Number number = number_at(cell, line_end_, point_);
+      const char* after = number.end;
+      while (after != line_end_ && is_blank(*after)) ++after;
+      const bool ends = after == line_end_ ? i == last : *after == separator_ && i != last;
+      PointColumn& column = points_.columns[i];
+      if (number.end != cell && ends && std::isfinite(number.value) && !is_words_[i]) [[likely]] {
+        column.values.push_back(number.value);
+      } else {
+        after = read_otherwise(cell, i);
+      }
+      cell = after == line_end_ ? after : after + 1;
+    }
+    points_.lines.push_back(line_);
+  }
+
+  /// A cell that is no number as it stands: words, a decimal comma, or a mistake.
+  const char* read_otherwise(const char* cell, std::size_t i) {
+    const char* to = std::find(cell, line_end_, separator_);
+    const std::string_view text = unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)}));
+    PointColumn& column = points_.columns[i];
+    require_length(text);
+    if (is_words_[i]) {
+      column.words.emplace_back(text);
+      return to;
+    }
+    if (text.empty()) fail(column.name, text, "is empty: every point needs a number");
+    column.values.push_back(with_comma(column.name, text));
+    return to;
+  }
+
+  double with_comma(const std::string& key, std::string_view text) {
+    const char other = point_ == '.' ? ',' : '.';
+    const char* const to = text.data() + text.size();
+    if (const Number plain = number_at(text.data(), to, point_);  // out of its quotes
+        plain.end == to && !text.empty() && std::isfinite(plain.value))
+      return plain.value;
+    if (separator_ == ',' || text.find(other) == text.npos)
+      fail(key, text, "must be a finite number");
+    const char* const end = text.data() + text.size();
+    const Number number = number_at(text.data(), end, other);
+    if (number.end != end || !std::isfinite(number.value))
+      fail(key, text, "must be a finite number with one decimal comma and no thousands separator");
+    if (point_ == ',') fail(key, text, "has a decimal point where other numbers have a comma");
+    if (has_points()) fail(key, text, "has a decimal comma where other numbers have a point");
+    point_ = ',';
+    return number.value;
+  }
+
+  /// Whether a number before this line was written with a decimal point.
+  bool has_points() const {
+    for (const char* line = first_row_; line < begin_;) {
+      const char* to = std::find(line, begin_, '\n');
+      if (*line != '#' && std::find(line, to, '.') != to) return true;
+      line = to == begin_ ? to : to + 1;
+    }
+    return false;
+  }
+
+  /// Says so where the row is longer or shorter than the header.
+  void require_length(std::string_view cell) {
+    const std::size_t wanted = points_.columns.size();
+    const auto cells = static_cast<std::size_t>(std::count(begin_, line_end_, separator_)) + 1;
+    if (cells == wanted) return;
+    const bool commas = separator_ == ',' && cells == 2 * wanted;
+    fail("row", cell,
+         "is in a row of " + std::to_string(cells) + " values, the header names " +
+             std::to_string(wanted) +
+             (commas ? ": decimal commas need semicolons between columns" : ""));
+  }
+
+  const char* at_;
+  const char* end_;
+  const char* begin_ = nullptr;
+  const char* line_end_ = nullptr;
+  const char* first_row_ = nullptr;
+  Points& points_;
+  std::vector<bool> is_words_;
+  std::uint32_t line_ = 0;
+  char separator_ = ',';
+  char point_ = '.';
+  std::optional<char> noted_ = {};  // by a line sep=;
+  bool header_ = false;
+};
+
+}  // namespace
+
+const PointColumn* Points::find(std::string_view name) const {
+  const auto at = std::find_if(columns.begin(), columns.end(),
+                               [&](const PointColumn& column) { return column.name == name; });
+  return at == columns.end() ? nullptr : &*at;
+}
+
+std::vector<double> Points::in_unit(std::string_view name, const std::string& unit) const {
+  const PointColumn* column = find(name);
+  if (column == nullptr) {
+    std::string names;
+    for (const PointColumn& each : columns) names += (names.empty() ? "" : ", ") + each.name;
+    throw InputError(std::string(name), "", "is missing: the columns are " + names).at(document, 1);
+  }
+  std::vector<double> values = column->values;
+  if (column->unit.empty() || column->unit == unit) return values;
+  try {
+    const double factor = conversion(column->unit, unit);
+    for (double& value : values) value *= factor;
+  } catch (const InputError& error) {
+    throw InputError(column->name, column->unit, error.rule()).at(document, 1);
+  }
+  return values;
+}
+
+Points parse_points(std::string_view text, const std::string& document) {
+  Points points;
+  points.document = document;
+  Reader(text, points).read();
+  return points;
+}
+
+bool begins_as_points(std::string_view text) {
+  Points points;
+  try {
+    Reader(text, points).read_names();
+  } catch (const InputError&) {
+    return false;
+  }
+  const auto is_name = [](const PointColumn& column) {
+    return std::all_of(column.name.begin(), column.name.end(), [](unsigned char c) {
+      return std::isalpha(c) != 0 || c == '_' || c == ' ';
+    });
+  };
+  return points.columns.size() > 1 &&
+         std::all_of(points.columns.begin(), points.columns.end(), is_name);
+}
+
+Points read_points(const std::string& path) {
+  return parse_points(read_file(path), path);
+}
+
+}  // namespace jounce

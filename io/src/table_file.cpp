@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/io/table_file.hpp"
+
+#include <cctype>
+#include <utility>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/io/detail/table_parts.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+std::string made_by() {
+  return "jounce " JOUNCE_VERSION;
+}
+
+namespace detail {
+
+std::vector<std::string> column_names(Domain axis, Interpolation rule) {
+  const auto& names = axis == Domain::time ? OverTime::names : OverMaster::names;
+  std::vector<std::string> all{name(axis), names[0]};
+  if (rule != Interpolation::linear) all.emplace_back(names[1]);
+  if (rule == Interpolation::quintic_hermite) all.emplace_back(names[2]);
+  return all;
+}
+
+std::string take_unit(TableParts& parts, std::size_t column, const std::string& unit) {
+  if (!is_unit(unit)) return "is not a known unit";
+  if (column == 0) parts.units.x = unit;
+  if (column == 1) parts.units.position = unit;
+  if (column < 2) return "";
+  const auto needed = rate_unit(parts.units.position, parts.units.x, static_cast<int>(column) - 1);
+  return unit == needed ? "" : "the unit must be " + needed;
+}
+
+/// The line of the knot that an error's key names ("knot[3].time"), or 0.
+int line_of(const InputError& error, const TableParts& parts) {
+  if (parts.line_before_knots == 0 || !error.key().starts_with("knot[")) return 0;
+  return parts.line_before_knots + std::stoi(error.key().substr(5));
+}
+
+}  // namespace detail
+
+TableFile parse_table(const std::string& text, const std::string& name) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("", "", "the file is empty").at(name, 1);
+  auto parts =
+      text.starts_with('{') ? detail::parse_json(text, name) : detail::parse_csv(text, name);
+  try {
+    TableFile file{Table(parts.axis, parts.rule, parts.outside, std::move(parts.columns)),
+                   parts.units, parts.provenance};
+    const std::string actual = hex(content_hash(file.table, file.units));
+    if (actual != parts.sha256)
+      throw InputError("sha256", parts.sha256,
+                       "does not match the content, whose hash is " + actual +
+                           ": the file was changed after Jounce wrote it");
+    return file;
+  } catch (const InputError& error) {
+    throw error.at(name, detail::line_of(error, parts));
+  }
+}
+
+TableFile read_table(const std::string& path) {
+  return parse_table(read_file(path), path);
+}
+
+bool is_table(const std::string& text) {
+  // A letter behind the brace makes it a pragma of Structured Text: {attribute 'linkalways'}.
+  const bool pragma = text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
+  return text.starts_with("# jounce table") || (text.starts_with('{') && !pragma);
+}
+
+std::string table_text(const std::string& path, const TableFile& file) {
+  for (const auto& [unit, whose] :
+       {std::pair{&file.units.x, name(file.table.axis())}, {&file.units.position, "position"}})
+    if (unit->empty())
+      throw InputError("unit", "",
+                       std::string("is missing: give `jounce convert` the unit of the ") + whose);
+  return path.ends_with(".json") ? to_json(file) : to_csv(file);
+}
+
+void write_table(const std::string& path, const TableFile& file) {
+  write_file(path, table_text(path, file));
+}
+
+}  // namespace jounce

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jounce/cam/design/design.hpp"
+#include "jounce/optimize/problem.hpp"
+#include "jounce/optimize/shape.hpp"
+
+namespace jounce {
+
+/// The jerk at the ends of a run.
+enum class EndJerk {
+  as_given,  ///< that of the given cam, where it does not step there: its law decides
+  free,      ///< it may step there
+  zero,
+};
+
+/// A segment of a cam whose law is only where the search begins: any shape may take its place.
+struct FreeShape {
+  std::size_t segment = 0;   ///< counted from 0
+  std::size_t pieces = 100;  ///< polynomials
+  int continuity = 4;        ///< continuous derivatives inside, 2 to 6; the degree is one more
+  bool monotone = false;     ///< the slave never turns back within the segment
+  EndJerk end_jerk = EndJerk::as_given;  ///< if a run begins or ends with this segment
+};
+
+/// A cam of which some segments may take any shape.
+///
+///     CamShapeProblem problem{.cam = cam, .shapes = {{.segment = 1}}};
+///     problem.minimize = {{{PeakOf{derivative_of_shape(3)}}}};
+///     CamShapeOutcome outcome = optimize_cam_shapes(problem);
+///     if (outcome.usable()) Cam better = design(outcome.best).cam;
+///
+/// **Runs.** Free segments that follow one another, over the seam of a periodic cam too, are one
+/// *run*: one function, as smooth at the knots between them as inside. Runs are optimised one
+/// after another; a figure is that of one run.
+///
+/// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
+/// has them, and so does geo_jerk where the given cam has none of its steps there, unless the shape's
+/// end_jerk differs; `active` of the run then lists it as "kept/geo_jerk". What `knots` lists
+/// is free within its bounds, which may be infinite: at knots inside a run, and where a cam that is not
+/// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
+///
+/// **Order.** Each entry of `minimize` is a weighted sum; where there are several, each is one figure
+/// alone, and none that was minimised before may get worse by more than `concession` (relative).
+///
+/// **Units.** x is the master: quantities depend on the slave's derivatives by master.
+struct CamShapeProblem {
+  CamSpec cam = {};
+  std::vector<FreeShape> shapes = {};  ///< ascending; at least one
+  std::vector<FreeKnot> knots = {};    ///< without masters
+  Limits limits = {};                  ///< per master unit
+  std::vector<Corridor> corridors =
+      {};                              ///< from, to in the cam's master; cut to the runs they meet
+  std::vector<Ceiling> ceilings = {};  ///< ceilings of each run
+  std::vector<std::vector<WeightedFigure>> minimize = {};  ///< most important first
+  bool refine = false;
+  std::uint64_t seed = 1;
+  int max_evaluations = 2000;
+  std::optional<double> seconds = {};  ///< for everything
+  double tolerance = 1e-6;             ///< tolerance of one solution, relative
+  double concession = 1e-3;
+};
+
+/// Throws InputError (keys like "segment[2].free.shape") unless the problem is well posed: a valid cam,
+/// an objective, shapes that exist, one continuity in a run, knots that a shape reaches.
+void require_valid(const CamShapeProblem& problem);
+
+/// Outcome of one run.
+struct CamRunOutcome {
+  std::vector<std::size_t> segments;  ///< segments of the spec, in the order of the master
+  ShapeOutcome shape;                 ///< shape of the last entry of `minimize`
+  /// For every entry of `minimize`, then for the ceilings: `reached` is that of the finished shape.
+  std::vector<FigureResult> figures;
+};
+
+struct CamShapeOutcome {
+  Outcome::Status status = Outcome::Status::infeasible;  ///< the least good one of the runs
+  std::string reason;                                    ///< one sentence, of that run
+  /// The cam with laws `hermite` in place of the free ones.
+  CamSpec best = {};
+  std::vector<CamRunOutcome> runs = {};
+  Report limits = {};  ///< check(best, limits), as designed; segments of the spec, counted from 0
+
+  [[nodiscard]] bool usable() const;
+};
+
+struct CamShapeProgress {
+  std::size_t run = 0;
+  std::size_t runs = 0;
+  std::size_t stage = 0;  ///< stage of `minimize`
+  std::size_t stages = 0;
+  int round = 0;
+  double value = 0;
+};
+
+/// Return false to stop; the best so far is still returned, and usable if marked so.
+using CamShapeKeepGoing = std::function<bool(const CamShapeProgress&)>;
+
+/// Throws InputError as require_valid() does.
+CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
+                                    const CamShapeKeepGoing& keep_going = {});
+
+}  // namespace jounce

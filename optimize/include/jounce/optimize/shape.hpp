@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/optimize/optimize.hpp"
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+
+/// q = by[0] f + by[1] f' + ... + by[5] f^(5) + constant: what depends on a shape f at one place alone,
+/// linearly. The torque of a load J a + B v + K s + F behind a master that turns
+/// at w is {"torque", {K, B w, J w^2}, F}.
+struct LinearQuantity {
+  std::string name;  ///< in the user's words: "geo_acceleration", "torque"
+  std::array<double, 6> by{};
+  double constant = 0;
+};
+
+/// f itself (0: "value"), geo_velocity (1), geo_acceleration (2), geo_jerk (3), geo_jounce (4),
+/// geo_crackle (5).
+LinearQuantity derivative_of_shape(int order);
+
+// ---- what can be minimised or limited: over the whole shape -----------------------------------
+
+/// max |q|, at every place.
+struct PeakOf {
+  LinearQuantity quantity;
+};
+
+/// sqrt(integral of q^2 / length): also motor heating, energy in a winding.
+struct RmsOf {
+  LinearQuantity quantity;
+};
+
+/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end, the worst
+/// over a band: frequencies in cycles per unit of x, damping ratios.
+struct ResidualOf {
+  double low = 0;
+  double high = 0;  ///< low == high: one frequency
+  double damping_low = 0;
+  double damping_high = 0;
+};
+
+/// max |force * velocity|, at every place: not convex.
+struct PowerOf {
+  LinearQuantity force;
+  LinearQuantity velocity;
+};
+
+/// The torque of a load that the shape moves, where it is not linear in the shape f:
+///
+///     (1)  T = linear + d/dx (J(x) f') + coulomb sign(f') + gravity sin(angle + turn f)
+///
+/// Units as `linear` has them: T in N m if coulomb and gravity are. An inertia kg m^2 behind a master of
+/// w (unit of x)/s enters J with the factor w^2.
+struct LoadTorque {
+  std::string name = "torque";
+  LinearQuantity linear = {};         ///< J f'' + B f' + K f + F
+  std::vector<Segment> inertia = {};  ///< J(x) over the shape's interval, beside `linear`; no sines
+  double coulomb = 0;                 ///< dry friction, >= 0
+  double gravity = 0;                 ///< gravity of a lever: weight times its length
+  double turn = 0;                    ///< rad/u
+  double angle = 0;                   ///< rad, at f = 0; 0: hanging down
+};
+
+/// max |T|, at every place; where f' is about to change its sign, on both sides of it.
+struct TorqueOf {
+  LoadTorque load;
+};
+
+/// sqrt(integral of T^2 / length): what heats the motor.
+struct RmsTorqueOf {
+  LoadTorque load;
+};
+
+/// The integral over x of what is put in, T f' > 0, less the share of what comes back that is
+/// recovered: 0 a braking resistor, 1 a drive without losses.
+struct EnergyOf {
+  LoadTorque load;
+  double recovered = 0;  ///< 0...1
+};
+
+/// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
+/// torque of a drive at every millisecond. Sampled: only at the places of the list. What is not affine,
+/// finite and always as many numbers is refused.
+struct ResponseOf {
+  std::string name;
+  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+};
+
+/// sqrt(mean of y^2) of such a list: the rms torque of a drive.
+struct RmsResponseOf {
+  std::string name;
+  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+};
+
+/// PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex: docs/optimize/physics.md.
+using ShapeFigure = std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf, TorqueOf,
+                                 RmsTorqueOf, EnergyOf, RmsResponseOf>;
+
+std::string name(const ShapeFigure& figure);
+
+// ---- the problem ------------------------------------------------------------------------------
+
+/// Fixed values at one end; an omitted value is free.
+struct ShapeEnd {
+  std::optional<double> value = {};         ///< u
+  std::optional<double> velocity = {};      ///< u/x
+  std::optional<double> acceleration = {};  ///< u/x^2
+  std::optional<double> jerk = {};          ///< u/x^3
+  std::optional<double> jounce = {};        ///< u/x^4
+};
+
+/// A bound that runs straight from its value at `from` to that at `to`.
+struct Edge {
+  double at_from = 0;
+  double at_to = 0;
+};
+
+/// A quantity held between two edges over a window of x: a limit, a keep-out zone, a monotone stretch
+/// (geo_velocity, lower 0), a point to pass within a tolerance (from == to), a stretch in step (value,
+/// lower == upper: kept exactly).
+struct Corridor {
+  LinearQuantity quantity;
+  double from = 0;
+  double to = 0;
+  std::optional<Edge> lower = {};
+  std::optional<Edge> upper = {};
+};
+
+/// A figure that may not exceed a value.
+struct Ceiling {
+  ShapeFigure figure;
+  double at_most = 0;
+};
+
+struct WeightedFigure {
+  ShapeFigure figure;
+  double weight = 1;  ///< weight of figure / (its value for the given shape), > 0
+};
+
+/// A function left open between two ends: its shape is wanted.
+///
+///     ShapeProblem problem;                                       // rest to rest, 0..1
+///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
+///     problem.to = {.value = 1, .velocity = 0, .acceleration = 0};
+///     problem.minimize = {{PeakOf{derivative_of_shape(3)}}};
+///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
+///
+/// The shape is a spline: `pieces` polynomials of `degree`, joined with degree - 1 continuous
+/// derivatives. Its knots are equal to begin with; `refine` adds more where the optimum switches.
+struct ShapeProblem {
+  double begin = 0;
+  double end = 1;
+  ShapeEnd from = {};
+  ShapeEnd to = {};
+  bool periodic = false;  ///< derivatives are equal at both ends
+  int degree = 5;         ///< 2 to 7
+  std::size_t pieces = 100;
+  bool refine = false;
+  std::vector<Segment> given =
+      {};  ///< to start from and compare with; left out: the smoothest polynomial
+  std::vector<WeightedFigure> minimize = {};
+  std::vector<Corridor> corridors = {};
+  std::vector<Ceiling> ceilings = {};
+  std::uint64_t seed = 1;
+  int max_evaluations = 2000;          ///< max evaluations of the not convex part
+  std::optional<double> seconds = {};  ///< time budget
+  double tolerance = 1e-6;             ///< relative
+};
+
+struct FigureResult {
+  std::string name;
+  double given = 0;
+  double reached =
+      0;  ///< exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), at its places (ResponseOf)
+  /// Proven: no function at all within the constraints is below, where such a bound is known (cf.
+  /// jounce/optimize/bound.hpp); otherwise left out.
+  std::optional<double> bound = {};
+};
+
+struct ShapeOutcome {
+  Outcome::Status status = Outcome::Status::infeasible;
+  std::string reason;             ///< one sentence
+  std::vector<Segment> segments;  ///< the best shape, from `begin` on
+  double value = 0;               ///< the weighted sum reached
+  /// By weak duality, for convex problems: no spline over these knots, of up to 1000 times the size of this
+  /// one in every derivative, has a weighted sum below. (One beyond, k times as far, could be better by k
+  /// times what `value` is above the bound, and no more.)
+  std::optional<double> spline_bound = {};
+  std::vector<FigureResult> figures;  ///< figures of `minimize`, then of `ceilings`
+  /// Corridors and ceilings checked on the result, independently and exactly; also "fixed/..." and
+  /// "joint/..." where it misses what is fixed at an end, or a joint.
+  Report limits;
+  std::vector<Finding> active;  ///< active constraints, as in Outcome
+  int rounds = 0;               ///< rounds of the exchange
+  int evaluations = 0;
+
+  [[nodiscard]] bool usable() const { return limits.ok() && !segments.empty(); }
+};
+
+/// Between two rounds and, with the same number, many times within one; false stops, the best so far is
+/// still answered.
+using ShapeKeepGoing = std::function<bool(int round, double value)>;
+
+/// Throws InputError as require_valid() does.
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going = {});
+
+void require_valid(const ShapeProblem& problem);
+
+}  // namespace jounce

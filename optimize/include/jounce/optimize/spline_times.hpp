@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+
+/// Problem of the best times of a spline.
+enum class TimeObjective {
+  shortest,           ///< least duration within the limits
+  least_peak_jerk,    ///< least max |jerk| over all joints, at a given duration
+  least_square_jerk,  ///< least sum over the joints of the integral of jerk^2, at a given duration
+};
+
+/// A motion of several joints through points, from rest to rest, as cubic splines with common knots.
+///
+///     SplineTimesSpec spec;
+///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};          // one entry a joint
+///     spec.limits = {{.velocity = 100, .acceleration = 45, .jerk = 60},
+///                    {.velocity = 95, .acceleration = 40, .jerk = 60}};
+///     SplineTimes best = spline_times(spec);
+///     Trajectory joint1 = best.joints[0];                                // best.duration seconds
+///
+/// **Vocabulary.** Each joint is a C2 cubic spline over the same knots: the points, and two *virtual*
+/// knots, the second and the last but one, whose positions are what makes velocity and acceleration
+/// zero at both ends (Lin, Chang and Luh, IEEE TAC 28, 1983). The *intervals* between the knots are
+/// what is chosen: one more than there are points.
+///
+/// **Units.** u and s; limits u/s, u/s^2, u/s^3. Position limits are checked, not planned for.
+///
+/// **Throws** InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for fewer than
+/// two points or more than 60, points of different size, numbers that are not finite, joints that all stand still, an
+/// invalid limit, a joint without a limit of jerk (shortest: its first and last interval would shrink to nothing), a duration
+/// given to `shortest` or not given to the others.
+struct SplineTimesSpec {
+  std::vector<std::vector<double>> points;  ///< u; at least two, one position a joint each
+  std::vector<Limits> limits = {};          ///< one a joint; for `shortest`, and checked for all
+  TimeObjective objective = TimeObjective::shortest;
+  double duration = 0;     ///< s: of the other two objectives
+  std::uint64_t seed = 1;  ///< seed of the starts: the same spec gives the same times
+  int starts = 24;         ///< >= 1
+};
+
+/// Result of spline_times().
+struct SplineTimes {
+  enum class Status {
+    converged,  ///< several starts agree on the best to 1e-6: the search is local, no proof
+    stalled,    ///< the best was reached by one start alone: more starts may find better
+  };
+  Status status = Status::stalled;
+  std::string reason;              ///< one sentence
+  double duration = 0;             ///< s
+  double value = 0;                ///< value of the objective: s, u/s^3 or u^2/s^5
+  std::vector<double> intervals;   ///< s, between knots
+  std::vector<Trajectory> joints;  ///< exact; each holds outside
+  Report limits;                   ///< all joints against their limits, by exact extrema
+  /// Limits met to 1e-6 and peaks of the objective, in words: "joint 2 acceleration -40 at 3.07 s".
+  std::vector<std::string> active;
+  int agreeing = 0;     ///< starts that reached the value to a relative 1e-6
+  double spread = 0;    ///< relative difference of the best two starts
+  int evaluations = 0;  ///< evaluations of the splines with all derivatives
+};
+
+const char* name(SplineTimes::Status status);
+
+/// The best times found from `starts` starts. Uniform scaling of time is exact (velocity 1/s,
+/// acceleration 1/s^2, jerk 1/s^3), so the result of `shortest` keeps every limit, and one is met.
+SplineTimes spline_times(const SplineTimesSpec& spec);
+
+/// The joints as C2 cubic splines with the given intervals (points + 1 of them, > 0 s): what
+/// spline_times() varies.
+std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
+                                       const std::vector<double>& intervals);
+
+}  // namespace jounce

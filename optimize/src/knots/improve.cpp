@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/knots/improve.hpp"
+
+#include <algorithm>
+
+#include "optimize/src/knots/exchange.hpp"
+#include "optimize/src/solvers/solve.hpp"
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr int max_rounds = 200;
+constexpr double slow = 1e-3;  ///< a relative gain in one solve that asks for another method
+
+/// One attempt, round by round.
+class Run {
+ public:
+  Run(const Stage& stage, const Point& start, int max_evaluations,
+      const std::function<bool()>& go_on)
+      : stage_(stage),
+        go_on_(go_on),
+        exchange_(stage, start),
+        z_(start),
+        now_(optimizer::standing(stage, start)),
+        best_{start, now_, false, 0},
+        max_evaluations_(max_evaluations),
+        held_(!stage.space.convex()) {
+    least_t_ = floor_of(stage) / exchange_.reference();
+  }
+
+  [[nodiscard]] const Attempt& best() const { return best_; }
+
+  /// One solve and what follows from it; false when there is nothing more to do.
+  bool step() {
+    if (!stage_.objective && best_.standing.excess <= rounding) {
+      best_.converged = true;
+      return false;
+    }
+    const int left = max_evaluations_ - best_.evaluations;
+    if (left <= 0 || ++round_ > max_rounds || !go_on_()) return false;
+    const double before = now_.value;
+    const Solved solved = solve(program(), z_, t(), std::min(left, patience()), go_on_);
+    best_.evaluations += solved.evaluations;
+    if (!solved.finite) return false;
+    const Shape shape(stage_.space, solved.z);
+    move_to(solved.z, standing(stage_, shape));
+    if (exchange_.exchange(shape, z_, solved.t) > 0) return true;
+    const bool outside = stage_.objective && now_.excess > rounding;
+    const double gain = (before - now_.value) / exchange_.reference();
+    if (gain > slow && !outside) return true;
+    if (held_ && (gain <= exchange_.precision() || outside)) {
+      held_ = false;
+      return true;
+    }
+    if (outside) return false;
+    if (!held_ && descend()) return true;
+    if (gain > exchange_.precision()) return true;
+    best_.converged = go_on_();
+    return false;
+  }
+
+ private:
+  [[nodiscard]] Program program() const {
+    return {stage_.space, exchange_.rows(), least_t_, held_};
+  }
+  /// Evaluations for one solve: what takes longer is crawling.
+  [[nodiscard]] int patience() const { return 50 + 10 * static_cast<int>(z_.size()); }
+  [[nodiscard]] double t() const { return now_.value / exchange_.reference(); }
+
+  void move_to(const Point& z, const Standing& standing) {
+    z_ = z;
+    now_ = standing;
+    if (better(now_, best_.standing)) {
+      best_.z = z_;
+      best_.standing = now_;
+    }
+  }
+
+  /// SLSQP sees no way down, which is no proof. The linearised problem does better: either it
+  /// promises nothing, or a short enough step of it must gain.
+  bool descend() {
+    double radius = 1;
+    for (int i = 0; i < 10; ++i, radius /= 4) {
+      if (!go_on_()) return false;
+      const Solved solved = linear_step(program(), z_, t(), radius);
+      best_.evaluations += solved.evaluations;
+      const double hoped = t() - solved.t;
+      if (!solved.finite || hoped <= exchange_.precision()) return false;
+      const Standing there = optimizer::standing(stage_, solved.z);
+      const double gain = t() - there.value / exchange_.reference();
+      const double harm = stage_.objective ? std::max(0.0, there.excess - rounding) : 0;
+      if (gain - 10 * harm > hoped / 10) {
+        move_to(solved.z, there);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Stage& stage_;
+  const std::function<bool()>& go_on_;
+  Exchange exchange_;
+  Point z_;
+  Standing now_;
+  Attempt best_;
+  int max_evaluations_;
+  int round_ = 0;
+  double least_t_ = 0;
+  bool held_;  ///< masters are held first: what is left is convex and cannot go astray
+};
+
+}  // namespace
+
+Attempt improve(const Stage& stage, const Point& start, int max_evaluations,
+                const std::function<bool()>& go_on) {
+  Run run(stage, start, max_evaluations, go_on);
+  while (run.step()) {
+  }
+  return run.best();
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "jounce/cam/design/design.hpp"
+
+#include "optimize/src/knots/freedom.hpp"
+
+/// A cam as a function of its knots, with exact gradients.
+///
+/// Between two knots at distance L the laws at hand are linear in q = (p0, v0, a0, p1, v1, a1) with
+/// e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalised shapes B_i (LawPiece of jounce/cam/laws/law.hpp):
+///
+///     (1)  f           = sum_i q_i L^e_i B_i(z)
+///     (2)  f^(k)       = sum_i q_i L^(e_i - k) B_i^(k)(z)
+///     (3)  df^(k)/dq_i = L^(e_i - k) B_i^(k)(z)
+///     (4)  df^(k)/dL   = sum_i (e_i - k) q_i L^(e_i - k - 1) B_i^(k)(z),
+///          df^(k)/dm1  = df^(k)/dL = -df^(k)/dm0            at fixed z
+///     (5)  I  = integral of f''^2 = sum_ij q_i q_j L^(e_i + e_j - 3) G_ij,
+///          G_ij = integral of B_i'' B_j'' over z
+///     (6)  dI/dq_i = 2 sum_j q_j L^(e_i + e_j - 3) G_ij,
+///          dI/dL   = sum_ij (e_i + e_j - 3) q_i q_j L^(e_i + e_j - 4) G_ij
+namespace jounce::optimizer {
+
+/// By the knot before (0..3) and the knot after (4..7).
+using KnotGradient = std::array<double, 8>;
+
+/// One segment of the finished curve: the six shapes of (1) over its share of the spec's segment.
+struct Piece {
+  std::size_t segment = 0;  ///< segment of the spec; between knots `segment` and `segment + 1`
+  std::array<Segment, 6> shape{};
+};
+
+/// In the order of design(spec).cam.segments().
+std::vector<Piece> pieces(const CamSpec& spec);
+
+/// The k-th derivative at a fixed z, B_i^(k)(z) of (2); and `lower` times the one below it.
+struct Sample {
+  std::size_t piece = 0;
+  std::size_t segment = 0;
+  std::size_t order = 0;
+  double s = 0;  ///< within the piece, [0, 1]
+  double lower = 0;
+  std::array<double, 6> weight{};
+  std::array<double, 6> weight_below{};  ///< where lower is not 0
+};
+
+Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s,
+              double lower = 0);
+
+/// (2), with (3) and (4) in `gradient`.
+double value(const Sample& sample, std::span<const Knot> knots, KnotGradient& gradient);
+
+/// G of (5) for one segment of the spec.
+using Gram = std::array<std::array<double, 6>, 6>;
+std::vector<Gram> grams(std::span<const Piece> pieces);
+
+/// (5), with (6) in `gradient`.
+double square_acceleration(const Gram& gram, const Knot& from, const Knot& to,
+                           KnotGradient& gradient);
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/optimize/problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "optimize/src/figures/quadrature.hpp"
+#include "optimize/src/knots/freedom.hpp"
+
+namespace jounce {
+namespace {
+
+using optimizer::Quantity;
+
+constexpr std::array objectives{Objective::peak_acceleration, Objective::peak_jerk,
+                                Objective::rms_acceleration};
+
+/// Whether `law`, which begins or ends at a knot, fixes the quantity there.
+bool fixes(Law law, Quantity quantity) {
+  const Ends ends = info(law).ends;
+  switch (quantity) {
+    case Quantity::master:
+      return ends == Ends::straight || ends == Ends::rest_to_reversal;
+    case Quantity::slave:
+      return ends == Ends::straight || ends == Ends::standing || ends == Ends::rest_to_reversal;
+    case Quantity::geo_velocity:
+      return ends != Ends::given && ends != Ends::moving && ends != Ends::moving_free;
+    default:
+      return ends != Ends::given;
+  }
+}
+
+void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quantity,
+                             const std::string& key, double given) {
+  const std::size_t last = cam.segments.size();
+  const auto consider = [&](std::size_t segment) {
+    const Law law = cam.segments[segment].law;
+    if (fixes(law, quantity))
+      throw InputError(key, given,
+                       std::string("cannot be free: the law `") + name(law) + "` of segment " +
+                           std::to_string(segment + 1) + " fixes it");
+  };
+  // A law with an acceleration of its own hands it to a polynomial beside it: moved, it would change
+  // that, too, and the problem would not be linear in what is free.
+  const auto hands_over = [&](std::size_t segment) {
+    if (info(cam.segments[segment].law).ends != Ends::moving_free) return;
+    const std::size_t before = segment > 0 ? segment - 1 : (cam.periodic ? last - 1 : last);
+    const std::size_t after = segment + 1 < last ? segment + 1 : (cam.periodic ? 0 : last);
+    for (const std::size_t beside : {before, after})
+      if (beside < last && beside != segment && info(cam.segments[beside].law).ends == Ends::given)
+        throw InputError(key, given,
+                         std::string("cannot be free: the acceleration of the law `") +
+                             name(cam.segments[segment].law) + "` of segment " +
+                             std::to_string(segment + 1) + " would change that of segment " +
+                             std::to_string(beside + 1) + " beside it");
+  };
+  const bool seam = cam.periodic && (knot == 0 || knot == last);
+  const auto look = [&](std::size_t segment) {
+    consider(segment);
+    hands_over(segment);
+  };
+  if (knot > 0 || seam) look(knot > 0 ? knot - 1 : last - 1);
+  if (knot < last || seam) look(knot < last ? knot : 0);
+}
+
+void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity quantity,
+                   double given) {
+  const auto& bound = optimizer::bound_of(free, quantity);
+  if (!bound) return;
+  const std::string key = optimizer::free_key(free.knot, quantity);
+  require_finite((key + ".lower").c_str(), bound->lower);
+  require_finite((key + ".upper").c_str(), bound->upper);
+  const std::string interval = "[" + number(bound->lower) + ", " + number(bound->upper) + "]";
+  if (bound->lower > bound->upper)
+    throw InputError(key, interval, "the lower bound must not be above the upper bound");
+  if (given < bound->lower || given > bound->upper)
+    throw InputError(key, interval, "must contain the given value, " + number(given));
+  if (quantity == Quantity::master && (free.knot == 0 || free.knot == problem.cam.segments.size()))
+    throw InputError(key, interval, "the first and last knot of the cam cannot be free");
+  require_law_leaves_free(problem.cam, free.knot, quantity, key, given);
+}
+
+void require_free(const CamProblem& problem) {
+  const auto knots = optimizer::knots_of(problem.cam);
+  const std::size_t last = knots.size() - 1;
+  std::vector<bool> named(knots.size());
+  for (const FreeKnot& free : problem.free) {
+    const std::string key = optimizer::free_key(free.knot);
+    if (free.knot > last)
+      throw InputError(key, static_cast<double>(free.knot),
+                       "the cam has only " + std::to_string(last) + " segments");
+    if (named[free.knot])
+      throw InputError(
+          key, static_cast<double>(free.knot),
+          problem.cam.periodic && (free.knot == 0 || free.knot == last)
+              ? "start and last knot of a periodic cam are the same knot: name one of them, once"
+              : "names a knot twice");
+    named[free.knot] = true;
+    if (problem.cam.periodic && (free.knot == 0 || free.knot == last))
+      named.front() = named.back() = true;
+    for (const Quantity q : optimizer::quantities)
+      require_bound(problem, free, q, knots[free.knot][optimizer::index(q)]);
+  }
+  const auto freedom = optimizer::freedom(problem);
+  if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
+    throw InputError("free", "nothing",
+                     "an optimization needs a free quantity: free = { slave = [30, 60] } in a "
+                     "knot, or free = { shape = 60 } in a segment");
+}
+
+void require_objectives(const std::vector<Objective>& minimize) {
+  if (minimize.empty()) throw InputError("minimize", "nothing", "must name at least one objective");
+  for (std::size_t i = 1; i < minimize.size(); ++i)
+    if (std::find(minimize.begin(), minimize.begin() + static_cast<std::ptrdiff_t>(i),
+                  minimize[i]) != minimize.begin() + static_cast<std::ptrdiff_t>(i))
+      throw InputError("minimize[" + std::to_string(i + 1) + "]", name(minimize[i]),
+                       "is named twice");
+}
+
+double integral_of_square(const Segment& f) {
+  return f.length * optimizer::integral([&](double s) {
+           const double y = value(f, s);
+           return y * y;
+         });
+}
+
+}  // namespace
+
+const char* name(Objective objective) {
+  switch (objective) {
+    case Objective::peak_acceleration:
+      return "peak geo_acceleration";
+    case Objective::peak_jerk:
+      return "peak geo_jerk";
+    case Objective::rms_acceleration:
+      break;
+  }
+  return "rms geo_acceleration";
+}
+
+std::optional<Objective> objective_named(std::string_view wanted) {
+  for (const Objective objective : objectives)
+    if (name(objective) == wanted) return objective;
+  return std::nullopt;
+}
+
+double value_of(Objective objective, const Cam& cam) {
+  if (objective != Objective::rms_acceleration)
+    return std::abs(extrema(cam, objective == Objective::peak_acceleration ? 2 : 3).peak().value);
+  double total = 0;
+  for (const Segment& f : cam.segments()) total += integral_of_square(derivative(derivative(f)));
+  return std::sqrt(total / cam.length());
+}
+
+void require_valid(const CamProblem& problem) {
+  static_cast<void>(resolved_knots(problem.cam));  // throws where the cam is not one
+  require_valid(problem.limits);
+  require_free(problem);
+  require_objectives(problem.minimize);
+  if (problem.starts < 1) throw InputError("starts", problem.starts, "must be at least 1");
+  if (problem.max_evaluations < 1)
+    throw InputError("max_evaluations", problem.max_evaluations, "must be at least 1");
+  if (problem.seconds) require_positive("seconds", *problem.seconds);
+  if (!(problem.tolerance >= 1e-9 && problem.tolerance <= 1))
+    throw InputError("tolerance", problem.tolerance, "must be between 1e-9 and 1");
+}
+
+}  // namespace jounce

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/program/lifted.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/cam/detail/pivoted_qr.hpp"
+
+#include "optimize/src/solvers/sparse_factor.hpp"
+
+// Rows R over the coordinates z of a spline (spline_space.hpp) say what many instants, or many modes, make
+// of it: y = y(0) + R z. One coordinate at a time is no spline, but pieces apart: what that costs, jumps of
+// the position, cancels in any spline. Rows a of R are therefore taken as they are within the joints
+// E z = 0:
+//
+//   (1)  a <- a - E' (E E')^-1 E a
+//
+// (A basis of splines instead, what a jump of the top derivative becomes to the end, loses all digits.)
+//
+// Many instants may look at a few numbers: a vibration after the end is the state there, four or five. A
+// narrow ceiling over them all has next to no inside, and each of its planes all coordinates in it. With
+// R = Q T, Q of r orthonormal columns (pivoted Householder: rows of T fall), and unknowns v in the unit u of
+// what is asked,
+//
+//   (2)  u v = T z + Q' y(0),    y = u Q v + (1 - Q Q') y(0)
+//
+// a ceiling is of size one in v however low it is, and its planes have r numbers. What T has below
+// `noise` of its largest row is rounding. Where no |y_i| is above the figure F, v = Q' y / u has
+//
+//   (3)  |v_k| <= |y| / u <= F sqrt(rows) / u
+
+namespace jounce::optimizer {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double noise = 1e-13;
+constexpr double steepest = 1e7;  ///< of (2), in v
+
+/// A figure of next to nothing counts in what is natural.
+double unit_of(const Lift& lift, const FigureRows& rows) {
+  const double unit = lift.at_most ? *lift.at_most : std::abs(rows.value(lift.given));
+  return unit > rows.nothing * rows.natural ? unit : rows.natural;
+}
+
+}  // namespace
+
+Form Affine::row(Index i, double sign) const {
+  Form form{sign * constant[i], {}};
+  for (Index k = 0; k < factor.cols(); ++k)
+    if (factor(i, k) != 0)
+      form.terms.push_back({first + static_cast<std::size_t>(k), sign * factor(i, k)});
+  return form;
+}
+
+/// (1), of every row.
+MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
+  const std::vector<Form> joints = space.joints();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    for (const Form::Term& t : joints[i].terms)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(t.index), t.factor);
+  Eigen::SparseMatrix<double> e(static_cast<Index>(joints.size()), rows.cols());
+  e.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> square = e * e.transpose();
+  SparseFactor solver(SparseFactor::Method::cholesky);
+  solver.find_pattern(square);
+  solver.factorise(square);
+  MatrixXd left = rows.transpose();
+  for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(MatrixXd(e * left));
+  return left.transpose();
+}
+
+/// (2).
+Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows) {
+  const double unit = unit_of(lift, rows);
+  const jounce::detail::PivotedQr qr(y.factor, noise);
+  const Index rank = qr.rank();
+  const MatrixXd q = qr.q(rank);
+  const MatrixXd t = q.transpose() * y.factor;
+  const VectorXd c = q.transpose() * y.constant;
+  for (Index k = 0; k < rank; ++k) {
+    const double size = std::max(t.row(k).lpNorm<Eigen::Infinity>() / steepest, unit);
+    Form form{c[k] / size, {{lift.first + static_cast<std::size_t>(k), -unit / size}}};
+    for (Index j = 0; j < t.cols(); ++j)
+      form.terms.push_back({static_cast<std::size_t>(j), t(k, j) / size});
+    rows.own.push_back(std::move(form));
+  }
+  rows.own_share = std::sqrt(static_cast<double>(q.rows())) / unit;
+  return {y.constant - q * c, unit * q, lift.first, y.natural};
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "optimize/src/program/shape_model.hpp"
+
+namespace jounce::optimizer {
+
+/// The root of a falling function of one number, from secants.
+class Root {
+ public:
+  explicit Root(double at) : at_(at) {}
+  [[nodiscard]] double at() const { return at_; }
+  /// Goes on from the function's value here. `slope`: what is believed at first.
+  void advance(double value, double slope);
+
+ private:
+  double at_;
+  std::optional<std::pair<double, double>> last_;
+};
+
+/// The figures of a model that are norms, rms, as squares in a quadratic program. With c > 0
+///
+///     (1)  |v| = min over c of (|v|^2 / c + c) / 2,   attained at c = |v|,
+///
+/// jointly convex in v and c, so that the minimum of a sum with weight |F z| is a fixed point:
+///
+///     (2)  mu = weight / (2 c),   c = |F z|   where z minimises the sum with mu |F z|^2 instead.
+///
+/// One number a norm, found by secants in log c.
+class ShapeNorms {
+ public:
+  ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
+
+  /// True if there are any squares.
+  [[nodiscard]] bool any() const;
+  [[nodiscard]] std::vector<Form> squares() const;
+
+  /// Brings c nearer to what it should be for the minimum found; whether it is there.
+  bool settle(const std::vector<Segment>& shape);
+
+  /// What the bound of the quadratic program lacks to be one of the sum. That sum is convex in c with the
+  /// slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
+  ///
+  ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
+  [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;
+
+ private:
+  const ShapeModel& model_;
+  std::vector<Root> c_;  ///< log c of each term; of peaks not used
+};
+
+}  // namespace jounce::optimizer

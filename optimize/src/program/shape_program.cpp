@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/program/shape_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "optimize/src/solvers/certificate.hpp"
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr double range = 1e3;  ///< of a certificate, in sizes of the solution
+
+/// By how much a better solution can differ.
+std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
+                             const ConvexSolution& s, double sum) {
+  const std::size_t size = model.space.size();
+  std::vector<double> largest(static_cast<std::size_t>(model.space.degree()) + 1, 1);
+  for (std::size_t j = 0; j < size; ++j)
+    largest[j % largest.size()] = std::max(largest[j % largest.size()], std::abs(s.x[j]));
+  std::vector<double> all(s.x.size());
+  for (std::size_t j = 0; j < size; ++j) all[j] = range * largest[j % largest.size()];
+  for (std::size_t k = 0; k < model.own.size(); ++k) {
+    all[size + k] = model.range_of_own(k, all);
+    if (!p.slack)  // where walls hold, so do these
+      all[size + k] = std::min(all[size + k], model.own_most[k] + std::abs(s.x[size + k]));
+  }
+  for (std::size_t k = 0; k < p.column.size(); ++k)
+    if (p.column[k]) all[*p.column[k]] = sum / model.terms[k].weight;
+  if (p.slack) all[*p.slack] = 1 + std::abs(s.x[*p.slack]);
+  return all;
+}
+
+/// What a bound owes to walls that really stand a little farther out.
+double held_off(const ShapeRows& rows, const ConvexSolution& s, const ShapeTask& task) {
+  double sum = 0;
+  std::size_t k = 0;  // rows as program_of() takes them
+  for (const ShapeRow& row : rows.all())
+    if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
+  for (const auto& multipliers : s.round_multipliers)  // a ceiling is held to 1 here
+    sum += 2 * RoundCeiling::off * norm(multipliers);
+  return sum;
+}
+
+/// A ceiling that is round, in units of what it is held to.
+RoundConstraint constraint(const RoundCeiling& ceiling) {
+  RoundConstraint round{1, {}};
+  for (const Form& f : ceiling.rows.squares) round.forms.push_back(scaled(f, 1 / ceiling.held()));
+  return round;
+}
+
+/// A row with what its term's level, or v, takes off it.
+Form constraint(const ShapeRow& row, const ShapeTask& task, const ShapeProgram& p) {
+  Form form = row.form;
+  if (!row.term && p.slack) form.terms.push_back({*p.slack, -1});
+  if (row.term && p.column[*row.term]) form.terms.push_back({*p.column[*row.term], -1});
+  if (row.term && task.level[*row.term]) form.constant -= *task.level[*row.term];
+  return form;
+}
+
+}  // namespace
+
+ShapeTask plain(const ShapeModel& model) {
+  ShapeTask task;
+  task.level.resize(model.terms.size());
+  return task;
+}
+
+ShapeProgram program_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask& task) {
+  ShapeProgram p;
+  std::size_t unknowns = model.unknowns();
+  for (std::size_t k = 0; k < model.terms.size(); ++k)
+    p.column.push_back(task.level[k] || !task.terms || model.terms[k].rows.by_squares()
+                           ? std::nullopt
+                           : std::optional(unknowns++));
+  if (task.elastic) p.slack = unknowns++;
+  p.convex.slope.assign(unknowns, 0);
+  for (std::size_t k = 0; k < p.column.size(); ++k)
+    if (p.column[k]) p.convex.slope[*p.column[k]] = model.terms[k].weight;
+  p.convex.squares = task.squares;
+  p.convex.equalities = model.equalities;
+  p.convex.equalities.insert(p.convex.equalities.end(), model.own.begin(), model.own.end());
+  for (const ShapeRow& row : rows.all())
+    if (!row.term || task.terms) p.convex.constraints.push_back(constraint(row, task, p));
+  if (task.round)
+    for (const RoundCeiling& ceiling : model.round) p.convex.round.push_back(constraint(ceiling));
+  if (p.slack) {
+    p.convex.slope[*p.slack] = 1;
+    p.convex.constraints.push_back({-1, {{*p.slack, -1}}});
+  }
+  return p;
+}
+
+double bound_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask& task,
+                ShapeProgram program, const ConvexSolution& found, double sum) {
+  if (task.elastic) program.convex.squares.clear();  // hint()
+  return weak_bound(program.convex, found, range_of(model, program, found, sum)) -
+         held_off(rows, found, task);
+}
+
+std::vector<Form> hint(const SplineSpace& space) {
+  const LinearQuantity top = derivative_of_shape(std::min(space.degree(), 5));
+  std::vector<Form> squares = space.squares(top);
+  const auto knots = space.knots();
+  const double size = space.natural(top) * std::sqrt(knots.back() - knots.front());
+  for (Form& f : squares) f = scaled(std::move(f), 1e-5 / size);
+  return squares;
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/program/shape_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+// Walls are kept `off`, where there is freedom: so what rounding leaves does not break them.
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr double alike = 1e-7;
+
+bool same(const ShapeRow& a, const ShapeRow& b) {
+  if (a.term != b.term || a.form.terms.size() != b.form.terms.size()) return false;
+  double apart = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < b.form.terms.size(); ++i) {
+    if (a.form.terms[i].index != b.form.terms[i].index) return false;
+    apart = std::max(apart, std::abs(a.form.terms[i].factor - b.form.terms[i].factor));
+    size = std::max(size, std::abs(b.form.terms[i].factor));
+  }
+  return apart <= alike * size && std::abs(a.form.constant - b.form.constant) <= alike * size;
+}
+
+}  // namespace
+
+ShapeRows::ShapeRows(const ShapeModel& model) : model_(model) {
+  for (std::size_t p = 0; p < model.terms.size(); ++p)
+    for (const Form& f : model.terms[p].rows.start)
+      rows_.push_back({scaled(f, 1 / model.terms[p].unit), p});
+  for (const Wall& wall : model.walls)
+    for (const Form& f : wall.start)
+      if (auto row = wall_row(f, wall)) rows_.push_back(std::move(*row));
+}
+
+/// Whether it is new.
+bool ShapeRows::add(ShapeRow row) {
+  if (std::any_of(rows_.rbegin(), rows_.rend(),
+                  [&](const auto& other) { return same(other, row); }))
+    return false;
+  rows_.push_back(std::move(row));
+  return true;
+}
+
+/// Nothing where nothing free changes it.
+std::optional<ShapeRow> ShapeRows::wall_row(const Form& form, const Wall& wall) const {
+  const double free = model_.freedom(form);
+  if (free <= no_freedom) return {};
+  ShapeRow row{scaled(form, 1 / wall.scale), {}, wall.off * std::min(1.0, free)};
+  row.form.constant += row.off;
+  return row;
+}
+
+int ShapeRows::exchange(const std::vector<Segment>& shape, const std::vector<double>& level,
+                        double slack) {
+  int added = 0;
+  for (std::size_t p = 0; p < model_.terms.size(); ++p) {
+    const Term& term = model_.terms[p];
+    if (term.rows.by_squares()) continue;
+    for (const Form& f : term.rows.cuts(shape, term.unit * level[p]))
+      added += add({scaled(f, 1 / term.unit), p});
+  }
+  for (const Wall& wall : model_.walls)
+    for (const Form& f : wall.beyond(shape, slack))
+      if (auto row = wall_row(f, wall)) added += add(std::move(*row));
+  return added;
+}
+
+}  // namespace jounce::optimizer

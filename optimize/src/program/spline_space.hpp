@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jounce/optimize/shape.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/curve/segment.hpp"
+
+#include "optimize/src/solvers/interior_point.hpp"
+
+/// All splines over given knots, as a linear space whose coordinates stay well conditioned.
+///
+/// With n the degree, S_ij the size of the j-th derivative and d the offset of the values, the
+/// coordinates are the derivatives where each piece begins, and where the last one ends:
+///
+///     (1)  z[i (n + 1) + j] = (f^(j)(x_i+) - [j = 0] d) / S_ij,    j = 0 ... n  (at the end: ... n - 1)
+///     (2)  f^(j)(x_i+1) = sum_k f^(k)(x_i+) h_i^(k - j) / (k - j)!,    j = 0 ... n - 1
+///     (3)  S_ij = 4^(j-1) (j-1)! u / L^j up to the highest derivative m that matters, as a perfect spline
+///          has; S_im / h_i^(j-m) above it: what a piece can do to that derivative
+///
+/// More coordinates than freedom, tied by the equalities (2): each touches two neighbouring knots, so
+/// everything stays banded, and a short piece is as harmless as a long one. (Coefficients of B-splines
+/// for the value lose a factor 1/h in every derivative: at n = 5 and h = 1/1000 all digits.)
+namespace jounce::optimizer {
+
+using Coordinates = std::vector<double>;
+
+/// Places that are closer, in lengths of a piece, are one knot.
+constexpr double same_knot = 1e-6;
+
+/// The order of the highest derivative in q; -1 if q is constant.
+int order_of(const LinearQuantity& q);
+
+/// q of one segment, as a segment.
+Segment quantity_of(const LinearQuantity& q, const Segment& f);
+
+class SplineSpace {
+ public:
+  /// `size`: of the values, u, > 0. `knots` ascend, two at least. `order`: m of (3).
+  SplineSpace(std::vector<double> knots, int degree, int order, double size, double offset);
+
+  [[nodiscard]] int degree() const { return degree_; }
+  [[nodiscard]] std::size_t pieces() const { return knots_.size() - 1; }
+  [[nodiscard]] std::span<const double> knots() const { return knots_; }
+  [[nodiscard]] double length(std::size_t piece) const { return knots_[piece + 1] - knots_[piece]; }
+  /// How many coordinates; further unknowns of a program come after.
+  [[nodiscard]] std::size_t size() const { return pieces() * stride() + stride() - 1; }
+  /// The coordinate of f^(order) where a piece begins; piece == pieces(): at the end, order < degree.
+  [[nodiscard]] std::size_t index(std::size_t piece, int order) const {
+    return piece * stride() + static_cast<std::size_t>(order);
+  }
+  /// S of (3); piece == pieces(): at the end.
+  [[nodiscard]] double unit(std::size_t piece, int order) const {
+    return units_[index(piece, order)];
+  }
+  /// The size q would have in a perfect spline: sum |by[k]| S_k, as if all derivatives mattered.
+  [[nodiscard]] double natural(const LinearQuantity& q) const;
+  /// The piece that contains x; the one that begins there, at a knot.
+  [[nodiscard]] std::size_t piece_at(double x) const;
+
+  /// q at s in [0, 1] of a piece. Exact.
+  [[nodiscard]] Form at(const LinearQuantity& q, std::size_t piece, double s) const;
+  /// The j-th derivative of q where a piece begins.
+  [[nodiscard]] Form derivative_at(const LinearQuantity& q, std::size_t piece, int j) const;
+  /// Squares whose sum is the integral of q^2: Gauss's rule with degree + 1 places per piece, exact.
+  [[nodiscard]] std::vector<Form> squares(const LinearQuantity& q) const;
+
+  /// (2), each == 0.
+  [[nodiscard]] std::vector<Form> joints() const;
+  /// What is fixed at the ends, each == 0; `periodic`: derivatives agree.
+  [[nodiscard]] std::vector<Form> ends(const ShapeEnd& from, const ShapeEnd& to,
+                                       bool periodic) const;
+
+  /// The spline with these coordinates, from the first knot on.
+  [[nodiscard]] std::vector<Segment> segments(const Coordinates& z) const;
+  /// The coordinates of a shape over the same interval: its derivatives at the knots, the mean of the
+  /// highest. Of a spline over these knots exactly its own.
+  [[nodiscard]] Coordinates coordinates(const std::vector<Segment>& shape) const;
+
+  /// z with all but the top derivatives and those at the beginning made anew by (2): a spline, whatever
+  /// z was. Together those are a basis of the space.
+  [[nodiscard]] Coordinates propagated(Coordinates z) const;
+  /// True if a coordinate belongs to that basis.
+  [[nodiscard]] bool independent(std::size_t coordinate) const {
+    return coordinate < stride() || coordinate % stride() == stride() - 1;
+  }
+
+ private:
+  [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(degree_) + 1; }
+
+  std::vector<double> knots_;
+  int degree_;
+  double offset_;
+  std::array<double, 12> sizes_{};
+  std::vector<double> units_;
+};
+
+/// What is fixed at an end, by order; empty: free.
+std::array<std::optional<double>, 5> derivatives_of(const ShapeEnd& end);
+
+}  // namespace jounce::optimizer

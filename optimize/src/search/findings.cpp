@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/search/findings.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr double met = 1e-6;  ///< relative: closer than this is there
+
+/// What a ceiling limits, and its rule.
+std::string quantity_of(const Ceiling& ceiling) {
+  const std::string name = OverMaster::names[ceiling.order];
+  return ceiling.lower == 0 ? name : name + " while the master accelerates";
+}
+
+std::string rule_of(const Ceiling& ceiling) {
+  const char* end = ceiling.order > 0 ? "" : ceiling.sign > 0 ? "_max" : "_min";
+  return std::string(ceiling.lower == 0 ? "limit/" : "limit/ramped_") +
+         OverMaster::names[ceiling.order] + end;
+}
+
+Finding at(std::string rule, const std::string& quantity, const Extremum& e, double limit,
+           double margin, std::size_t segment) {
+  return {std::move(rule), "", quantity, e.where, e.value, limit, margin, false, segment, ""};
+}
+
+void add_limits(const Shape& shape, const Space& space, std::span<const Ceiling> ceilings,
+                std::vector<Finding>& active) {
+  for (std::size_t i = 0; i < shape.ranges.size(); ++i)
+    for (const Ceiling& c : ceilings) {
+      const Range range = shape.range(i, c);
+      const double excess = excess_of(c, range);
+      if (std::abs(excess) > met) continue;
+      active.push_back(at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit,
+                          -excess, space.pieces[i].segment));
+    }
+}
+
+void add_bounds(const Space& space, const Point& z, std::vector<Finding>& active) {
+  const auto knots = knots_at(space, z);
+  for (const Variable& v : space.variables) {
+    const std::size_t q = index(v.quantity);
+    const Extremum here{knots[v.knot][q], knots[v.knot][0], Side::right};
+    for (const double bound : {v.lower, v.upper}) {
+      const double margin = std::abs(here.value - bound) / v.scale;
+      if (margin <= met)
+        active.push_back(at(std::string("bound/") + quantity_names[q], free_key(v.knot, v.quantity),
+                            here, bound, margin, v.knot > 0 ? v.knot - 1 : 0));
+    }
+  }
+}
+
+void add_peaks(const Shape& shape, const Space& space, const ObjectiveResult& result,
+               std::vector<Finding>& active) {
+  const auto order = peak_order(result.objective);
+  if (!order || result.reached == 0) return;
+  for (std::size_t i = 0; i < shape.ranges.size(); ++i)
+    for (const Extremum& e : {shape.ranges[i][*order].min, shape.ranges[i][*order].max})
+      if (result.reached - std::abs(e.value) <= met * result.reached)
+        active.push_back(at(std::string("objective/") + name(result.objective),
+                            OverMaster::names[*order], e, std::copysign(result.reached, e.value), 0,
+                            space.pieces[i].segment));
+}
+
+}  // namespace
+
+std::string brief(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+  return {text.data(), end.ptr};
+}
+
+std::string sentence(const Finding& finding) {
+  return finding.quantity + " is " + brief(finding.value) + " at master " + brief(finding.where) +
+         ", the limit " + brief(finding.limit);
+}
+
+std::string broken_sentence(const Finding& finding) {
+  return sentence(finding) + ", passed by " + brief(-finding.margin) + " of it";
+}
+
+Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam) {
+  Report report = check(cam, limits);
+  for (const auto& four : ramped_ceilings(ramped)) {
+    std::optional<Finding> least;
+    for (const Ceiling& c : four)
+      for (std::size_t i = 0; i < cam.segments().size(); ++i) {
+        const Range range = range_of(cam, i, c);
+        const double excess = excess_of(c, range);
+        if (least && least->margin <= -excess) continue;
+        least = at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit, -excess, i);
+        least->broken = excess > rounding;
+      }
+    if (least) report.findings.push_back(*std::move(least));
+  }
+  sort(report);
+  return report;
+}
+
+std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
+                                     const Point& z, std::span<const ObjectiveResult> objectives) {
+  const Shape shape(space, z);
+  std::vector<Finding> active;
+  add_limits(shape, space, ceilings, active);
+  add_bounds(space, z, active);
+  for (const ObjectiveResult& result : objectives) add_peaks(shape, space, result, active);
+  return active;
+}
+
+}  // namespace jounce::optimizer

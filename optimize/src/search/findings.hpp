@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/optimize/optimize.hpp"
+
+#include "optimize/src/knots/stage.hpp"
+
+/// The words and numbers of an outcome.
+namespace jounce::optimizer {
+
+/// Six digits: for sentences.
+std::string brief(double value);
+
+/// "geo_velocity is -2.55 at master 273.6, the limit -2.5".
+std::string sentence(const Finding& finding);
+
+/// The same of one that is broken: "..., passed by 2e-08 of it".
+std::string broken_sentence(const Finding& finding);
+
+/// The cam against all limits; segments as the curve has them.
+Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam);
+
+/// Outcome::active for the cam at z.
+std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
+                                     const Point& z, std::span<const ObjectiveResult> objectives);
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/optimize/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+#include "optimize/src/search/findings.hpp"
+#include "optimize/src/search/search_steps.hpp"
+
+namespace jounce {
+namespace {
+
+using optimizer::brief;
+using optimizer::Trial;
+using optimizer::Trials;
+using Status = Outcome::Status;
+
+constexpr double edge = 1e-3;       ///< of the ranges: what is beyond it is told
+constexpr double near_zero = 1e-4;  ///< of a constraint's usual size: it is met, no more
+
+void require_valid(const SearchVariable& v, std::size_t i) {
+  const std::string key = "variable[" + std::to_string(i + 1) + "].";
+  require_finite((key + "lower").c_str(), v.lower);
+  require_finite((key + "upper").c_str(), v.upper);
+  require_finite((key + "start").c_str(), v.start);
+  if (v.lower > v.upper)
+    throw InputError(key + "upper", v.upper,
+                     "must not be below the lower bound " + number(v.lower));
+  if (!std::isfinite(v.upper - v.lower))
+    throw InputError(key + "upper", v.upper, "is too far from the lower bound " + number(v.lower));
+  if (v.start < v.lower || v.start > v.upper)
+    throw InputError(key + "start", v.start,
+                     "must be within the bounds " + number(v.lower) + " and " + number(v.upper));
+}
+
+void require_valid(const std::vector<SearchVariable>& variables, const SearchOptions& options) {
+  if (variables.empty()) throw InputError("variable", "", "is missing: give at least one variable");
+  for (std::size_t i = 0; i < variables.size(); ++i) require_valid(variables[i], i);
+  if (options.max_evaluations < 1 || options.max_evaluations > 1'000'000)
+    throw InputError("max_evaluations", static_cast<double>(options.max_evaluations),
+                     "must be from 1 to 1000000");
+  if (options.seconds) require_positive("seconds", *options.seconds);
+  if (!(options.tolerance >= 1e-9 && options.tolerance <= 0.01))
+    throw InputError("tolerance", options.tolerance, "must be from 1e-9 to 0.01");
+}
+
+/// What the searching came to.
+struct Searched {
+  bool settled = false;  ///< nothing gained any more
+  optimizer::Roamed roamed;
+};
+
+Searched searched(Trials& trials) {
+  Searched all;
+  try {
+    if (trials.size() == 0) {
+      trials.at({});
+      all.settled = true;
+    } else if (trials.size() == 1) {
+      walk_line(trials);
+      all.settled = true;
+    } else {
+      survey(trials);
+      if (trials.options().global) all.roamed = roam(trials, 0.5);
+      all.settled = polish(trials);
+    }
+  } catch (const optimizer::Stop&) {
+    all.settled = false;
+  }
+  return all;
+}
+
+std::string plural(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// What is to be said where nothing meets the constraints.
+std::string missed(const Trials& trials) {
+  const Trial& best = trials.best();
+  if (!best.answer.possible) return "no point of the search is possible: " + best.answer.why;
+  std::size_t worst = 0;
+  const auto share = [&](std::size_t i) {
+    return best.answer.constraints[i] / (i < trials.scales().size() ? trials.scales()[i] : 1);
+  };
+  for (std::size_t i = 0; i < best.answer.constraints.size(); ++i)
+    if (share(i) > share(worst)) worst = i;
+  return "no point of the search meets every constraint: number " + std::to_string(worst + 1) +
+         " is missed by " + brief(best.answer.constraints[worst]);
+}
+
+std::string ending(const Trials& trials) {
+  switch (trials.ended()) {
+    case Trials::Ended::evaluations:
+      return plural(trials.count(), "evaluation") + " were made, the limit";
+    case Trials::Ended::seconds:
+      return "the time limit was reached after " + plural(trials.count(), "evaluation");
+    case Trials::Ended::cancelled:
+      return "stopped after " + plural(trials.count(), "evaluation");
+    case Trials::Ended::no:
+      break;
+  }
+  return "every step still brought a small improvement";
+}
+
+std::string settled_reason(const Trials& trials, const Searched& how) {
+  if (trials.size() == 0) return "every variable is fixed";
+  if (trials.size() == 1)
+    return "the best over the whole range, looked at in " +
+           std::to_string(std::clamp(trials.options().max_evaluations / 4, 8, 256) + 1) +
+           " places, edges bisected and dips narrowed down";
+  const std::string local = "no step from the best point gains more than " +
+                            brief(trials.options().tolerance) + " of it; ";
+  if (!trials.options().global) return local + "one local search, no proof";
+  return local + std::to_string(how.roamed.agreeing) + " of " +
+         std::to_string(how.roamed.searches) + " local searches" + " led there, no proof";
+}
+
+void judge(const Trials& trials, const Searched& how, SearchOutcome& outcome) {
+  if (trials.ended() == Trials::Ended::cancelled)
+    outcome.status = Status::cancelled;
+  else if (!outcome.feasible)
+    outcome.status = Status::infeasible;
+  else
+    outcome.status = how.settled ? Status::converged : Status::stalled;
+  if (outcome.feasible)
+    outcome.reason = how.settled ? settled_reason(trials, how) : ending(trials);
+  else
+    outcome.reason = missed(trials) + (how.settled ? "" : "; " + ending(trials));
+}
+
+/// What stops further improvement.
+void add_reasons(const Trials& trials, SearchOutcome& outcome) {
+  const Trial& best = trials.best();
+  for (std::size_t k = 0; k < trials.size(); ++k)
+    if (best.z[k] <= trials.options().tolerance || best.z[k] >= 1 - trials.options().tolerance)
+      outcome.at_bound.push_back(trials.free()[k]);
+  for (std::size_t i = 0; i < trials.scales().size(); ++i)
+    if (best.answer.possible && best.answer.constraints[i] >= -near_zero * trials.scales()[i])
+      outcome.active.push_back(i);
+  double nearest = edge;
+  for (const Trial& trial : trials.all()) {
+    const double away = optimizer::distance(trial.z, best.z);
+    if (trial.answer.possible || away > nearest) continue;
+    nearest = away;
+    outcome.beyond = trial.answer.why;
+  }
+}
+
+/// The best asked once more: what f says the second time is what counts.
+void confirm(const SearchFunction& f, SearchOutcome& outcome) {
+  const SearchAnswer again = f(outcome.best);
+  ++outcome.evaluations;
+  bool met = again.possible && std::isfinite(again.objective);
+  for (const double constraint : again.constraints) met = met && constraint <= 0;
+  if (outcome.feasible && (!met || again.objective != outcome.answer.objective)) {
+    outcome.status = Status::stalled;
+    outcome.reason = "the function returns different values for the same point";
+  }
+  outcome.feasible = met;
+  outcome.answer = again;
+}
+
+}  // namespace
+
+SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
+                     const SearchOptions& options,
+                     const std::function<bool(const SearchProgress&)>& keep_going) {
+  require_valid(variables, options);
+  Trials trials(variables, f, options, keep_going);
+  const Searched how = searched(trials);
+  const Trial& best = trials.best();
+  SearchOutcome outcome;
+  outcome.best = trials.numbers(best.z);
+  outcome.answer = best.answer;
+  outcome.feasible = best.violation == 0;
+  outcome.evaluations = trials.count();
+  outcome.searches = how.roamed.searches;
+  outcome.agreeing = how.roamed.agreeing;
+  judge(trials, how, outcome);
+  add_reasons(trials, outcome);
+  confirm(f, outcome);
+  return outcome;
+}
+
+}  // namespace jounce

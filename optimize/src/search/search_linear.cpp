@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "optimize/src/search/search_shown.hpp"
+#include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/solvers/interior_point.hpp"
+
+// The last test of a search, whatever its solvers ended with. With slopes g of the objective and
+// a_i of the rows at the best z, the step d of
+//
+//   (1)  minimise  g . d   subject to  r_i(z) + a_i . d <= 0,   |d_k| <= radius,   0 <= z + d <= 1
+//
+// is tried at several radii. Where its end breaks a row, because rows bend, it is corrected once with
+// what they are there (a second-order correction; J. Nocedal and S. Wright, Numerical Optimization, 2006,
+// 18.3):
+//
+//   (2)  r_i(z) in (1) is replaced by  r_i(z + d) - a_i . d
+
+namespace jounce::optimizer {
+namespace {
+
+constexpr double solved = 1e-6;  ///< residual of a program whose solution is worth trying
+
+class Linear {
+ public:
+  Linear(Trials& trials, Choice z, double hair, double difference)
+      : trials_(trials),
+        z_(std::move(z)),
+        hair_(hair),
+        here_(shown(trials, z_, hair)),
+        slopes_(slopes(trials, z_, hair, difference)) {}
+
+  /// Tries (1) and (2) within a radius.
+  void attempt(double radius) {
+    const auto d = step(here_.rows, radius);
+    if (!d) return;
+    const Shown there = shown(trials_, moved(*d), hair_);
+    if (*std::max_element(there.rows.begin(), there.rows.end()) <= hair_) return;
+    std::vector<double> corrected = there.rows;
+    for (std::size_t i = 0; i < corrected.size(); ++i)
+      for (std::size_t k = 0; k < d->size(); ++k) corrected[i] -= slopes_[k].rows[i] * (*d)[k];
+    if (const auto better = step(corrected, radius)) trials_.at(moved(*better));
+  }
+
+ private:
+  [[nodiscard]] Choice moved(const Choice& d) const {
+    Choice z = z_;
+    for (std::size_t k = 0; k < z.size(); ++k) z[k] = std::clamp(z[k] + d[k], 0.0, 1.0);
+    return z;
+  }
+
+  [[nodiscard]] std::optional<Choice> step(const std::vector<double>& rows, double radius) const {
+    const std::size_t n = z_.size();
+    double steepest = 0;
+    for (const Shown& slope : slopes_) steepest = std::max(steepest, std::abs(slope.objective));
+    if (!(steepest > 0)) return {};
+    ConvexProgram p{Choice(n), {}, {}, {}};
+    for (std::size_t k = 0; k < n; ++k) {  // d = radius x
+      p.slope[k] = slopes_[k].objective / steepest;
+      p.constraints.push_back({-std::min(1.0, (1 - z_[k]) / radius), {{k, 1}}});
+      p.constraints.push_back({-std::min(1.0, z_[k] / radius), {{k, -1}}});
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (auto row = row_of(rows[i], i, radius)) p.constraints.push_back(std::move(*row));
+    ConvexSolution found = solve(p, Choice(n, 0));
+    if (!(found.residual <= solved)) return {};
+    for (double& each : found.x) each *= radius;
+    return found.x;
+  }
+
+  /// A row of size one; none where no step within the radius reaches it.
+  [[nodiscard]] std::optional<Form> row_of(double value, std::size_t i, double radius) const {
+    Form form{value, {}};
+    double reach = 0;
+    for (std::size_t k = 0; k < slopes_.size(); ++k) {
+      form.terms.push_back({k, slopes_[k].rows[i] * radius});
+      reach += std::abs(form.terms.back().factor);
+    }
+    if (value + reach < 0 || !(reach > 0)) return {};
+    return scaled(std::move(form), 1 / std::max(reach, std::abs(value)));
+  }
+
+  Trials& trials_;
+  Choice z_;
+  double hair_;
+  Shown here_;
+  std::vector<Shown> slopes_;
+};
+
+}  // namespace
+
+bool step_linearly(Trials& trials) {
+  const Trial before = trials.best();
+  if (before.violation > 0) return false;
+  for (const double difference : {1e-4, 1e-6}) {
+    Linear linear(trials, before.z, 1e-3 * trials.options().tolerance, difference);
+    for (const double radius : {0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4}) linear.attempt(radius);
+    if (is_gain(trials, before, trials.best())) return true;
+  }
+  return false;
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "optimize/src/search/trials.hpp"
+
+namespace jounce::optimizer {
+
+/// A choice as rows r_i(z) <= 0 for a solver: the constraints in their usual sizes, tightened by a hair h,
+/// and one more for choices that are not possible:
+///
+///     (1)  possible:      f(z), c_i(z) / s_i + h,  r_0 = 0
+///     (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
+///
+/// so that beyond the edge of what is possible nothing is gained, and r_0 leads back. NaN never gets in.
+struct Shown {
+  double objective = 0;  ///< in units of its spread
+  std::vector<double> rows;
+};
+
+/// Throws Stop, as Trials::at() does.
+Shown shown(Trials& trials, const Choice& z, double hair);
+
+/// Slopes of objective and rows in each variable by central differences, shorter at a bound.
+std::vector<Shown> slopes(Trials& trials, const Choice& z, double hair, double difference);
+
+}  // namespace jounce::optimizer

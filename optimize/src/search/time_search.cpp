@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/search/time_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numeric>
+
+#include <nlopt.hpp>
+
+#include "optimize/src/search/joint_spline.hpp"
+
+// With all intervals times s, velocity, acceleration and jerk go with 1 / s, 1 / s^2, 1 / s^3. So from any
+// intervals the shortest ones of the same ratios are known:
+//
+//   (1)  s = max over joints and places of  |v| / V,  sqrt(|a| / A),  cbrt(|jerk| / J)
+//
+// and every quantity of (1) is a peak of a piece in closed form: |v| at knots and where a = 0
+// between, |a| at knots, |jerk| constant. The maximum is not smooth; its epigraph is. In the
+// logarithms y of the intervals:
+//
+//   (2)  shortest           minimise log sum h  subject to  +- quantity / limit <= 1, each one
+//   (3)  least_peak_jerk    the same with the jerk alone, limit 1: T^3 max |jerk| is what counts
+//   (4)  least_square_jerk  minimise log(sum of the integrals) + 5 log sum h, free of any limit
+//
+// SLSQP with gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e)
+// has the imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. What the solver
+// answers is not believed: (1) makes it feasible, and the search begins anew there until it
+// gains nothing.
+
+namespace jounce::optimizer {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double step = 1e-100;
+constexpr double farthest = 1e4;  ///< ratio that an interval may change by in one search
+
+struct Peak {
+  std::size_t order;  ///< 1: velocity ...
+  Complex value;
+  double limit;
+};
+
+std::array<std::optional<double>, 4> limits_of(const SplineTimesSpec& spec, std::size_t joint) {
+  if (spec.objective != TimeObjective::shortest)
+    return {std::nullopt, std::nullopt, std::nullopt, 1.0};
+  const Limits& l = spec.limits[joint];
+  return {std::nullopt, l.velocity, l.acceleration, l.jerk};
+}
+
+/// The velocity where the acceleration is 0 within interval i, or at the end that is nearer to it.
+Complex turning_velocity(const JointSpline<Complex>& s, std::size_t i) {
+  const Complex a0 = s.acceleration[i], a1 = s.acceleration[i + 1];
+  if (a0.real() * a1.real() < 0) return s.velocity[i] - a0 * a0 / (2.0 * s.jerk[i]);
+  return s.velocity[std::abs(a0.real()) < std::abs(a1.real()) ? i : i + 1];
+}
+
+class TimeProblem {
+ public:
+  explicit TimeProblem(const SplineTimesSpec& spec) : spec_(spec), joints_(spec.points[0].size()) {
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const auto& point : spec.points) joints_[j].push_back(point[j]);
+  }
+
+  [[nodiscard]] std::size_t rows(std::size_t n) const {
+    return 2 * peaks(std::vector<Complex>(n, 1.0)).size();
+  }
+
+  /// (1), from exact peaks.
+  [[nodiscard]] double scale(const std::vector<double>& h) const {
+    double s = 0;
+    for (const Peak& peak : peaks({h.begin(), h.end()}))
+      s = std::max(s, std::pow(std::abs(peak.value.real()) / peak.limit,
+                               1 / static_cast<double>(peak.order)));
+    return s;
+  }
+
+  [[nodiscard]] Complex square_jerk(const std::vector<Complex>& h) const {
+    Complex sum = 0;
+    for (const auto& joint : joints_) {
+      const auto s = joint_spline<Complex>(joint, h);
+      for (std::size_t i = 0; i < h.size(); ++i) sum += s.jerk[i] * s.jerk[i] * h[i];
+    }
+    return sum;
+  }
+
+  /// The rows of (2), with gradients by y.
+  void constraints(double* result, const std::vector<double>& y, double* gradient) const {
+    const std::size_t n = y.size();
+    for (std::size_t k = 0; k < (gradient != nullptr ? n : 1); ++k) {
+      const auto all = peaks(intervals(y, k));
+      for (std::size_t row = 0; row < all.size(); ++row) {
+        const Complex share = all[row].value / all[row].limit;
+        result[2 * row] = share.real() - 1;
+        result[2 * row + 1] = -share.real() - 1;
+        if (gradient == nullptr) continue;
+        gradient[2 * row * n + k] = share.imag() / step;
+        gradient[(2 * row + 1) * n + k] = -share.imag() / step;
+      }
+    }
+  }
+
+  double objective(const std::vector<double>& y, std::vector<double>& gradient) const {
+    double value = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const auto h = intervals(y, k);
+      Complex f = std::log(std::accumulate(h.begin(), h.end(), Complex(0)));
+      if (spec_.objective == TimeObjective::least_square_jerk)
+        f = std::log(square_jerk(h)) + 5.0 * f;
+      value = f.real();
+      if (gradient.empty()) break;
+      gradient[k] = f.imag() / step;
+    }
+    return value;
+  }
+
+ private:
+  /// exp(y), the k-th with a derivative.
+  static std::vector<Complex> intervals(const std::vector<double>& y, std::size_t k) {
+    std::vector<Complex> h;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      h.push_back(std::exp(y[i]) * Complex(1, i == k ? step : 0));
+    return h;
+  }
+
+  [[nodiscard]] std::vector<Peak> peaks(const std::vector<Complex>& h) const {
+    std::vector<Peak> all;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto s = joint_spline<Complex>(joints_[j], h);
+      const auto limits = limits_of(spec_, j);
+      for (std::size_t i = 0; i < h.size(); ++i) {
+        if (limits[1]) all.push_back({1, turning_velocity(s, i), *limits[1]});
+        if (limits[1] && i > 0) all.push_back({1, s.velocity[i], *limits[1]});
+        if (limits[2] && i > 0) all.push_back({2, s.acceleration[i], *limits[2]});
+        if (limits[3]) all.push_back({3, s.jerk[i], *limits[3]});
+      }
+    }
+    return all;
+  }
+
+  const SplineTimesSpec& spec_;
+  std::vector<std::vector<double>> joints_;  ///< positions of each
+};
+
+/// NLopt's callbacks.
+struct Call {
+  const TimeProblem* problem;
+  int* evaluations;
+};
+
+double objective(const std::vector<double>& y, std::vector<double>& gradient, void* data) {
+  const Call& call = *static_cast<Call*>(data);
+  ++*call.evaluations;
+  return call.problem->objective(y, gradient);
+}
+
+void constraints(unsigned, double* result, unsigned n, const double* y, double* gradient,
+                 void* data) {
+  static_cast<Call*>(data)->problem->constraints(result, {y, y + n}, gradient);
+}
+
+/// One run of SLSQP from y; where it gave up is as good as anywhere.
+std::vector<double> solved(const TimeProblem& problem, bool limited, std::vector<double> y,
+                           int& evaluations) {
+  nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(y.size()));
+  Call call{&problem, &evaluations};
+  std::vector<double> lower = y, upper = y;
+  for (double& bound : lower) bound -= std::log(farthest);
+  for (double& bound : upper) bound += std::log(farthest);
+  solver.set_lower_bounds(lower);
+  solver.set_upper_bounds(upper);
+  solver.set_min_objective(objective, &call);
+  if (limited) {
+    const std::vector<double> tolerances(problem.rows(y.size()), 1e-13);
+    solver.add_inequality_mconstraint(constraints, &call, tolerances);
+  }
+  solver.set_xtol_rel(1e-14);
+  solver.set_maxeval(400);
+  std::vector<double> best = y;
+  double value = 0;
+  try {
+    (void)solver.optimize(best, value);
+  } catch (const std::runtime_error&) {  // roundoff, or its linear algebra
+  }
+  const bool finite =
+      std::all_of(best.begin(), best.end(), [](double b) { return std::isfinite(b); });
+  return finite ? best : y;
+}
+
+std::vector<double> exponentials(std::vector<double> y) {
+  for (double& each : y) each = std::exp(each);
+  return y;
+}
+
+/// Makes the intervals as short as the limits allow, or as long as is asked; the objective's value.
+double settle(const SplineTimesSpec& spec, const TimeProblem& problem, std::vector<double>& h) {
+  const double total = std::accumulate(h.begin(), h.end(), 0.0);
+  const bool shortest = spec.objective == TimeObjective::shortest;
+  const double factor = shortest ? problem.scale(h) : spec.duration / total;
+  for (double& each : h) each *= factor;
+  if (shortest) return total * factor;
+  if (spec.objective == TimeObjective::least_peak_jerk) return std::pow(problem.scale(h), 3);
+  return problem.square_jerk({h.begin(), h.end()}).real();
+}
+
+}  // namespace
+
+TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> h) {
+  const TimeProblem problem(spec);
+  const bool limited = spec.objective != TimeObjective::least_square_jerk;
+  TimeAttempt best{std::move(h), 0, 0};
+  best.value = settle(spec, problem, best.intervals);
+  for (int run = 0; run < 12; ++run) {
+    std::vector<double> y = best.intervals;
+    const double scale = limited ? problem.scale(y) : 1;
+    for (double& each : y) each = std::log(each * scale);
+    std::vector<double> next = exponentials(solved(problem, limited, y, best.evaluations));
+    const double value = settle(spec, problem, next);
+    if (!(value < best.value)) break;
+    const bool enough = value > best.value * (1 - 1e-13);
+    best.intervals = std::move(next);
+    best.value = value;
+    if (enough) break;
+  }
+  return best;
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jounce/optimize/search.hpp"
+
+namespace jounce::optimizer {
+
+/// A choice of the variables that are free, each 0 at its lower bound and 1 at its upper.
+using Choice = std::vector<double>;
+
+/// One choice and what it gave.
+struct Trial {
+  Choice z;
+  SearchAnswer answer;
+  double violation = 0;  ///< the largest constraint, in its usual size; 0: all are met
+};
+
+/// Thrown out of Trials::at(), through whatever searches: there is no more to be asked.
+struct Stop {};
+
+/// Everything that was asked of a search's function: counts, keeps the best, ends in time.
+class Trials {
+ public:
+  using KeepGoing = std::function<bool(const SearchProgress&)>;
+  enum class Ended { no, evaluations, seconds, cancelled };
+
+  Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
+         const SearchOptions& options, const KeepGoing& keep_going);
+
+  /// Asks, except for the choice asked last. Throws Stop.
+  const Trial& at(const Choice& z);
+
+  [[nodiscard]] const Choice& start() const { return start_; }
+  [[nodiscard]] std::vector<double> numbers(const Choice& z) const;
+  [[nodiscard]] std::size_t size() const { return free_.size(); }
+  [[nodiscard]] const std::vector<std::size_t>& free() const { return free_; }
+  [[nodiscard]] const SearchOptions& options() const { return options_; }
+  [[nodiscard]] const std::deque<Trial>& all() const { return all_; }
+  [[nodiscard]] const Trial& best() const { return all_[best_]; }
+  [[nodiscard]] bool any_possible() const { return !all_.empty() && best().answer.possible; }
+  [[nodiscard]] int count() const { return static_cast<int>(all_.size()); }
+  [[nodiscard]] Ended ended() const { return ended_; }
+  /// The share used of evaluations or seconds, whichever is more.
+  [[nodiscard]] double used() const;
+
+  /// Constraints and objective are measured by their usual sizes from here on: medians of what was
+  /// asked so far.
+  void settle_scales();
+  [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
+  [[nodiscard]] double spread() const { return spread_; }  ///< spread of the objective
+  [[nodiscard]] const Trial& nearest_possible(const Choice& z) const;
+
+ private:
+  [[nodiscard]] double violation(const SearchAnswer& answer) const;
+  void require_going();
+
+  const std::vector<SearchVariable>& variables_;
+  const SearchFunction& f_;
+  const SearchOptions& options_;
+  const KeepGoing& keep_going_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  std::vector<std::size_t> free_;
+  Choice start_;
+  std::vector<double> scales_;
+  double spread_ = 0;
+  std::deque<Trial> all_;
+  std::size_t best_ = 0;
+  Ended ended_ = Ended::no;
+};
+
+/// What meets its constraints before what does not, the lower objective or violation first; what is
+/// not possible last.
+bool better(const Trial& a, const Trial& b);
+
+/// The largest distance in any variable.
+double distance(const Choice& a, const Choice& b);
+
+}  // namespace jounce::optimizer

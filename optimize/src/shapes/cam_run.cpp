@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cam with free segments -> its runs: which segments, and what their knots keep.
+#include "optimize/src/shapes/cam_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/curve/extrema.hpp"
+
+namespace jounce::detail {
+namespace {
+
+constexpr double no_step = 1e-9;  // of the peak jerk: forgives rounded input
+
+std::vector<std::vector<std::size_t>> grouped(const CamShapeProblem& problem) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (const FreeShape& shape : problem.shapes) {
+    if (groups.empty() || groups.back().back() + 1 != shape.segment) groups.emplace_back();
+    groups.back().push_back(shape.segment);
+  }
+  const bool over_seam = problem.cam.periodic && groups.size() > 1 && groups.front().front() == 0 &&
+                         groups.back().back() + 1 == problem.cam.segments.size();
+  if (over_seam) {
+    groups.back().insert(groups.back().end(), groups.front().begin(), groups.front().end());
+    groups.erase(groups.begin());
+  }
+  return groups;
+}
+
+/// What `knots` frees at a knot; start and last knot of a periodic cam are one.
+FreeKnot freedom(const CamShapeProblem& problem, std::size_t knot) {
+  const std::size_t last = problem.cam.segments.size();
+  for (const FreeKnot& free : problem.knots) {
+    const bool seam = problem.cam.periodic && free.knot % last == 0 && knot % last == 0;
+    if (free.knot == knot || seam) return free;
+  }
+  return {};
+}
+
+/// The jerk that the cam has on both sides of a run's end, if it does not step there. Outside a cam
+/// that holds it is 0.
+std::optional<double> steady_jerk(const Cam& cam, double master, double peak) {
+  const bool wraps = cam.outside() != Extrapolation::hold;
+  const bool first = master == cam.start();
+  const bool last = master == cam.end();
+  const double before =
+      first ? (wraps ? cam.jet(cam.end(), Side::left)[3] : 0) : cam.jet(master, Side::left)[3];
+  const double after =
+      last ? (wraps ? cam.jet(cam.start(), Side::right)[3] : 0) : cam.jet(master, Side::right)[3];
+  if (std::abs(after - before) > no_step * peak) return std::nullopt;
+  return before;
+}
+
+RunKnot knot_of(const CamShapeProblem& problem, const std::vector<CamKnot>& resolved,
+                std::size_t knot) {
+  RunKnot k;
+  k.knot = knot;
+  k.master = resolved[knot].master;
+  k.free = freedom(problem, knot);
+  if (!k.free.slave) k.slave = resolved[knot].slave;
+  if (!k.free.geo_velocity) k.geo_velocity = resolved[knot].geo_velocity;
+  if (!k.free.geo_acceleration) k.geo_acceleration = resolved[knot].geo_acceleration;
+  return k;
+}
+
+CamRunOf run_of(const CamShapeProblem& problem, std::vector<std::size_t> segments) {
+  const auto resolved = resolved_knots(problem.cam);
+  const Cam cam = design(problem.cam).cam;
+  CamRunOf run;
+  run.start = cam.start();
+  run.length = cam.length();
+  run.advance = resolved.back().slave - resolved.front().slave;
+  run.closed = problem.cam.periodic && segments.size() == problem.cam.segments.size();
+  run.segments = std::move(segments);
+  run.knots.push_back(knot_of(problem, resolved, run.segments.front()));
+  for (const std::size_t i : run.segments) {
+    RunKnot knot = knot_of(problem, resolved, i + 1);
+    if (i < run.segments.front()) {
+      knot.ahead = run.length;
+      knot.lift = run.advance;
+    }
+    run.knots.push_back(knot);
+  }
+  if (run.closed || problem.shapes.front().continuity < 3) return run;
+  const double peak = std::abs(extrema(cam, 3).peak().value);
+  const auto fix = [&](RunKnot& end, std::size_t segment) {
+    const EndJerk wanted = shape_of(problem, segment).end_jerk;
+    if (wanted == EndJerk::zero) end.geo_jerk = 0;
+    if (wanted == EndJerk::as_given && !end.free.geo_acceleration)
+      end.geo_jerk = steady_jerk(cam, end.master, peak);
+  };
+  fix(run.knots.front(), run.segments.front());
+  fix(run.knots.back(), run.segments.back());
+  return run;
+}
+
+}  // namespace
+
+const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment) {
+  return *std::find_if(problem.shapes.begin(), problem.shapes.end(),
+                       [&](const FreeShape& s) { return s.segment == segment; });
+}
+
+std::vector<Finding> kept_jerks(const CamRunOf& run) {
+  std::vector<Finding> all;
+  const auto add = [&](const RunKnot& end, std::size_t segment) {
+    if (!end.geo_jerk) return;
+    Finding& f = all.emplace_back();
+    f.rule = "kept/geo_jerk";
+    f.quantity = "geo_jerk";
+    f.where = end.x();
+    f.value = f.limit = *end.geo_jerk;
+    f.segment = segment;
+  };
+  add(run.knots.front(), run.segments.front());
+  add(run.knots.back(), run.segments.back());
+  return all;
+}
+
+std::vector<CamRunOf> runs_of(const CamShapeProblem& problem) {
+  std::vector<CamRunOf> runs;
+  for (auto& segments : grouped(problem)) runs.push_back(run_of(problem, std::move(segments)));
+  return runs;
+}
+
+}  // namespace jounce::detail

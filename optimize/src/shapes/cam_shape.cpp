@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/optimize/cam_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+
+#include "optimize/src/shapes/cam_run.hpp"
+#include "optimize/src/shapes/not_convex.hpp"
+#include "optimize/src/shapes/optimized_from.hpp"
+#include "optimize/src/shapes/shape_report.hpp"
+
+namespace jounce {
+namespace {
+
+using Status = Outcome::Status;
+using detail::CamRunOf;
+
+/// So that what was minimised may still be met where its least value is 0: of its given value.
+constexpr double least_concession = 1e-6;
+
+/// How true positions are, relative: of doubles, and of the joints of a spline from an iteration.
+constexpr double rounding = 1.2e-16;
+constexpr double joints = 1e-11;
+
+struct Watch {
+  const CamShapeKeepGoing& keep_going;
+  CamShapeProgress progress;
+
+  bool operator()(int round, double value) {
+    progress.round = round;
+    progress.value = value;
+    return !keep_going || keep_going(progress);
+  }
+};
+
+std::vector<Ceiling> kept(const CamShapeProblem& problem, const std::vector<FigureResult>& stages) {
+  std::vector<Ceiling> ceilings = problem.ceilings;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    ceilings.push_back(
+        {problem.minimize[i].front().figure,
+         stages[i].reached * (1 + problem.concession) + least_concession * stages[i].given});
+  return ceilings;
+}
+
+/// What became of one figure of a run.
+FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
+                       const std::vector<Segment>& shape) {
+  run.minimize = {{figure}};
+  run.ceilings.clear();
+  const auto given =
+      optimizer::needs_search(run) ? optimizer::given_as_spline(run) : optimizer::given_shape(run);
+  const optimizer::ShapeModel model(run, optimizer::knots_of(run, shape), given);
+  return optimizer::figure_results(run, model.space, given, shape).front();
+}
+
+/// The figures of all entries of `minimize`, whether their turn came or not, then those of the ceilings.
+std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const ShapeProblem& run,
+                                     const std::vector<Segment>& shape) {
+  std::vector<FigureResult> figures;
+  for (const auto& stage : problem.minimize)
+    for (const WeightedFigure& m : stage) figures.push_back(result_of(run, m.figure, shape));
+  for (const Ceiling& c : problem.ceilings) figures.push_back(result_of(run, c.figure, shape));
+  return figures;
+}
+
+/// One entry of `minimize` after the other, until one fails: then what was reached before stands.
+ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
+  ShapeOutcome best;
+  std::vector<FigureResult> stages;  // of those before
+  for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
+    watch.progress.stage = stage;
+    run.minimize = problem.minimize[stage];
+    run.ceilings = kept(problem, stages);
+    ShapeOutcome found = optimizer::optimized_from(
+        run, best.segments, [&](int round, double value) { return watch(round, value); });
+    if (stage > 0 && !found.usable()) {
+      best.status = found.status == Status::cancelled ? found.status : Status::stalled;
+      best.reason = name(problem.minimize[stage].front().figure) +
+                    " was not improved without a loss of the earlier figures: " + found.reason;
+      return best;
+    }
+    best = std::move(found);
+    if (!best.usable() || best.status == Status::cancelled) return best;
+    stages.push_back(best.figures.front());
+  }
+  return best;
+}
+
+CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, ShapeProblem shape,
+                        Watch& watch) {
+  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch), {}};
+  if (outcome.shape.segments.empty()) return outcome;
+  outcome.figures = figures_of(problem, shape, outcome.shape.segments);
+  for (Finding& finding : detail::kept_jerks(run))
+    outcome.shape.active.push_back(std::move(finding));
+  return outcome;
+}
+
+/// check() of the cam as designed, told by the segments of the spec.
+Report limits_of(const CamSpec& cam, const Limits& limits) {
+  const CamDesign made = design(cam);
+  Report report = check(made.cam, limits);
+  for (Finding& finding : report.findings)
+    if (finding.segment) finding.segment = made.origin[*finding.segment];
+  return report;
+}
+
+int badness(Status status) {
+  switch (status) {
+    case Status::optimal:
+      return 0;
+    case Status::converged:
+      return 1;
+    case Status::stalled:
+      return 2;
+    case Status::cancelled:
+      return 3;
+    case Status::infeasible:
+      break;
+  }
+  return 4;
+}
+
+}  // namespace
+
+bool CamShapeOutcome::usable() const {
+  return !runs.empty() && limits.ok() &&
+         std::all_of(runs.begin(), runs.end(), [](const auto& r) { return r.shape.usable(); });
+}
+
+namespace {
+
+/// Whether a segment that begins at x keeps a corridor, to the digits that `check` forgives.
+bool keeps(const Corridor& corridor, const Segment& segment, double x) {
+  if (corridor.from == corridor.to || x + segment.length > corridor.to * (1 + rounding) ||
+      x < corridor.from * (1 - rounding))
+    return true;
+  const Range range =
+      segment_range(optimizer::quantity_of(corridor.quantity, segment), x, x + segment.length, 0);
+  const auto flat = [](const std::optional<Edge>& edge) {
+    return edge && edge->at_from == edge->at_to;
+  };
+  constexpr double forgiven = 1e-12;
+  return !(flat(corridor.upper) &&
+           range.max.value >
+               corridor.upper->at_from + forgiven * std::abs(corridor.upper->at_from)) &&
+         !(flat(corridor.lower) &&
+           range.min.value <
+               corridor.lower->at_from - forgiven * std::abs(corridor.lower->at_from));
+}
+
+/// Whether the segments of a run keep the corridors of derivatives as designed.
+bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
+                     const CamRunOf& run) {
+  const CamDesign made = design(cam);
+  for (const Corridor& corridor : corridors)
+    for (std::size_t i = 0; i < made.origin.size(); ++i)
+      if (corridor.quantity.by[0] == 0 &&
+          std::count(run.segments.begin(), run.segments.end(), made.origin[i]) > 0 &&
+          !keeps(corridor, made.cam.segments()[i], made.cam.breaks()[i]))
+        return false;
+  return true;
+}
+
+/// Whether the segments of a run keep the limits as designed.
+bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamRunOf& run) {
+  if (!keeps_corridors(cam, problem.corridors, run)) return false;
+  const Report report = limits_of(cam, problem.limits);
+  return std::none_of(report.findings.begin(), report.findings.end(), [&](const Finding& f) {
+    return f.broken && f.segment &&
+           std::count(run.segments.begin(), run.segments.end(), *f.segment) > 0;
+  });
+}
+
+/// Optimises one run and puts it into outcome.best. What keeps the limits as a spline may break them in
+/// the last digits as points: then once more, by as much below.
+void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
+              CamShapeOutcome& outcome) {
+  const double parts = static_cast<double>(watch.progress.runs * watch.progress.stages);
+  CamRunOutcome found;
+  CamSpec best = outcome.best;
+  for (const double accuracy : {rounding, joints, 100 * joints}) {
+    ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
+    if (problem.seconds) shape.seconds = *problem.seconds / parts;
+    found = optimized(problem, run, shape, watch);
+    if (found.shape.segments.empty()) break;
+    best = detail::with_shape(outcome.best, run, shape, found.shape.segments);
+    if (!found.shape.usable() || keeps_limits(best, problem, run)) break;
+  }
+  outcome.best = std::move(best);
+  outcome.runs.push_back(std::move(found));
+}
+
+}  // namespace
+
+CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
+                                    const CamShapeKeepGoing& keep_going) {
+  require_valid(problem);
+  const auto runs = detail::runs_of(problem);
+  CamShapeOutcome outcome;
+  outcome.best = problem.cam;
+  Watch watch{keep_going, {}};
+  watch.progress.runs = runs.size();
+  watch.progress.stages = problem.minimize.size();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    watch.progress.run = i;
+    take_run(problem, runs[i], watch, outcome);
+  }
+  const auto worst =
+      std::max_element(outcome.runs.begin(), outcome.runs.end(), [](const auto& a, const auto& b) {
+        return badness(a.shape.status) < badness(b.shape.status);
+      });
+  outcome.status = worst->shape.status;
+  outcome.reason = worst->shape.reason;
+  outcome.limits = limits_of(outcome.best, problem.limits);
+  return outcome;
+}
+
+}  // namespace jounce

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/optimize/shape.hpp"
+
+namespace jounce::optimizer {
+
+/// optimize_shape() from a shape that is near the answer: figures are counted in what they are there, so that the
+/// numbers of the program are of about size one. Figures may differ from those of the given shape by a factor of
+/// hundreds. None: from the given shape. What is not convex begins as it always does.
+ShapeOutcome optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
+                            const ShapeKeepGoing& keep_going);
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace jounce::optimizer {
+
+/// Where the slacks of a program live: `linear` numbers >= 0, then second-order cones { (a, b) : |b| <= a },
+/// each of so many numbers, a included.
+struct ConeShape {
+  Eigen::Index linear = 0;
+  std::vector<Eigen::Index> round = {};
+
+  /// What s . y is divided by for the mean mu: one for each number and each cone.
+  [[nodiscard]] double degree() const {
+    return static_cast<double>(linear) + static_cast<double>(round.size());
+  }
+};
+
+/// Vectors in a product of cones, with Jordan's product: of numbers their product; of (a, b) and (c, d)
+/// (a c + b . d, a d + c b), whose unit is (1, 0).
+Eigen::VectorXd unit_of(const ConeShape& shape);
+Eigen::VectorXd product(const ConeShape& shape, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+/// What has the product p with a; a lies inside its cones.
+Eigen::VectorXd quotient(const ConeShape& shape, const Eigen::VectorXd& p,
+                         const Eigen::VectorXd& a);
+/// The inverse of a.
+Eigen::VectorXd inverse(const ConeShape& shape, const Eigen::VectorXd& a);
+/// The longest step, at most 1, that stays within: v + step dv.
+double longest(const ConeShape& shape, const Eigen::VectorXd& v, const Eigen::VectorXd& dv);
+/// v moved inside its cones: numbers to `least`, others by 1.
+Eigen::VectorXd inside(const ConeShape& shape, Eigen::VectorXd v, double least);
+
+/// The scaling W of Nesterov and Todd (Mathematics of Operations Research 22, 1997) at s and y, symmetric
+/// with W y = W^-1 s. Of numbers W^2 = s / y; of a cone, with J = diag(1, -1, ... -1),
+///
+///     (1)  W^2 = e^2 (2 w w' - J),   W^-2 = (2 (J w)(J w)' - J) / e^2,   w' J w = 1,
+///     (2)  w = (s/|s| + J y/|y|) / (2 c),   c^2 = (1 + s' y / (|s| |y|)) / 2,   e^2 = |s| / |y|,   |s|^2 = s' J s
+class ConeScaling {
+ public:
+  ConeScaling(const ConeShape& shape, const Eigen::VectorXd& s, const Eigen::VectorXd& y);
+
+  [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& v) const;            ///< W v
+  [[nodiscard]] Eigen::VectorXd inverse(const Eigen::VectorXd& v) const;          ///< W^-1 v
+  [[nodiscard]] Eigen::VectorXd inverse_squared(const Eigen::VectorXd& v) const;  ///< W^-2 v
+  /// W^-2 without the rank-one part of its cones, and with 0 where their a is.
+  [[nodiscard]] Eigen::VectorXd diagonal() const;
+  /// r of each cone, 0 where its a is: W^-2 = diagonal + r r' between numbers that do not belong to an a.
+  [[nodiscard]] std::vector<Eigen::VectorXd> rank_ones() const;
+
+ private:
+  const ConeShape& shape_;
+  Eigen::VectorXd root_;      ///< root of s / y, for numbers alone
+  std::vector<double> size_;  ///< e
+  std::vector<Eigen::VectorXd> w_;
+};
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace jounce::optimizer {
+
+/// constant + sum of factor * x[index]: an affine function of a few unknowns.
+struct Form {
+  struct Term {
+    std::size_t index = 0;
+    double factor = 0;
+  };
+  double constant = 0;
+  std::vector<Term> terms;
+
+  [[nodiscard]] double at(const std::vector<double>& x) const;
+};
+
+/// factor * f.
+Form scaled(Form f, double factor);
+
+/// The root of the sum of forms(x)^2 is at most `most`, > 0.
+struct RoundConstraint {
+  double most = 1;
+  std::vector<Form> forms = {};
+};
+
+/// minimise slope . x + sum of squares[i](x)^2
+/// subject to constraints[k](x) <= 0, equalities[k](x) = 0, and round constraints, second-order cones.
+/// Unknowns and forms of about size one. Together squares, constraints and equalities must determine x;
+/// where there are equalities, what they leave open stays near where it was.
+struct ConvexProgram {
+  std::vector<double> slope;
+  std::vector<Form> squares;
+  std::vector<Form> constraints;
+  std::vector<Form> equalities = {};
+  std::vector<RoundConstraint> round = {};
+};
+
+struct ConvexSolution {
+  std::vector<double> x;
+  std::vector<double> multipliers;  ///< >= 0, one for each constraint
+  /// One for each form of each round constraint: the multiplier of `most` is the root of their squares.
+  std::vector<std::vector<double>> round_multipliers = {};
+  std::vector<double> equal_multipliers = {};
+  int iterations = 0;
+  double residual = 0;  ///< the worst of complementarity and of what is left of each condition
+};
+
+struct SolveOptions {
+  /// Where rounding stops it, it begins anew: with a slower, stabler factorisation, then farther inside.
+  bool thorough = true;
+  double precision = 1e-11;               ///< residuals and complementarity that are good enough
+  std::function<bool()> go_on = nullptr;  ///< asked before each iteration; false: the best so far
+};
+
+/// Mehrotra's predictor-corrector method from `start`, which need not be feasible, with the scaling of
+/// Nesterov and Todd for round constraints. Sparse; stops when
+/// residuals and complementarity are below `precision` or no longer fall.
+ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
+                     const SolveOptions& options = {});
+
+}  // namespace jounce::optimizer

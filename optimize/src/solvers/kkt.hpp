@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include "optimize/src/solvers/cone_scaling.hpp"
+#include "optimize/src/solvers/interior_point.hpp"
+#include "optimize/src/solvers/sparse_factor.hpp"
+
+namespace jounce::optimizer {
+
+/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ],  with G the constraints, those that are
+/// round after the others, and A the equalities of a program and Q the second derivative of its squares. The
+/// pattern is found and ordered once; with W it is factorised anew. What a cone adds to it that is of rank one
+/// would fill it: that part is left to the formula of Sherman, Morrison and Woodbury.
+class Kkt {
+ public:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+
+  /// `regular`: what may be added to the diagonal where there are equalities; 0: nothing, and rows are
+  /// exchanged for stability instead, which takes some five times as long.
+  Kkt(const ConvexProgram& program, double regular);
+
+  [[nodiscard]] const Matrix& g() const { return g_; }
+  [[nodiscard]] const Matrix& a() const { return a_; }
+  /// Q x.
+  [[nodiscard]] Vector curved(const Vector& x) const;
+  /// The slope at x = 0 and -constant of constraints and equalities.
+  [[nodiscard]] const Vector& q() const { return q_; }
+  [[nodiscard]] const Vector& h() const { return h_; }
+  [[nodiscard]] const Vector& b() const { return b_; }
+
+  [[nodiscard]] const ConeShape& cones() const { return cones_; }
+
+  bool factorise(const ConeScaling& w);
+  /// The solution (x, then multipliers of the equalities) of K v = r.
+  [[nodiscard]] Vector solve(const Vector& r) const;
+
+ private:
+  void find_pattern(double added);
+  void add(std::size_t& next, double value) { k_.valuePtr()[place_[next++]] += value; }
+  [[nodiscard]] Vector times(const Vector& v) const;
+  [[nodiscard]] Vector back(const Vector& r) const;
+
+  void factorise_rank_ones();
+
+  ConeShape cones_;
+  Matrix g_, a_, f_, k_;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;  ///< G by rows
+  Vector q_, h_, b_;
+  std::vector<Eigen::Index> place_;  ///< place of each contribution, in k_'s values
+  std::vector<double> fixed_;        ///< k_ without G' D G, regularised
+  Vector regular_;                   ///< what was added to the diagonal
+  std::vector<Vector> u_;            ///< K = (what is factorised) + sum u u'
+  Eigen::MatrixXd solved_u_;         ///< (what is factorised)^-1 u, side by side
+  Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
+  SparseFactor factor_;
+};
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "optimize/src/program/spline_space.hpp"
+
+namespace jounce::optimizer {
+
+/// constant + slope . y
+struct DenseRow {
+  double constant = 0;
+  Eigen::VectorXd slope;
+
+  [[nodiscard]] double at(const Eigen::VectorXd& y) const { return constant + slope.dot(y); }
+};
+
+/// The splines that meet some equalities, in coordinates y without further conditions and without a
+/// preferred direction:
+///
+///     (1)  z = z0 + N L^-T y,   A N = 0,   N' M N = L L'
+///
+/// with A z + b = 0 the equalities, solved by z0, and M the mean square of the value and its first two
+/// derivatives, each in its natural unit. Without such a whitening SLSQP stops early and calls it a
+/// success.
+class ReducedSpace {
+ public:
+  /// z0 is the solution of the equalities that is nearest to `near`. Equalities may repeat each other.
+  ReducedSpace(const SplineSpace& space, const std::vector<Form>& equalities,
+               const Coordinates& near);
+
+  [[nodiscard]] Eigen::Index size() const { return basis_.cols(); }
+  /// How far z0 misses the equalities: they contradict each other if this is not rounding.
+  [[nodiscard]] double contradiction() const { return contradiction_; }
+  [[nodiscard]] Coordinates z(const Eigen::VectorXd& y) const;
+  [[nodiscard]] DenseRow row(const Form& form) const;
+  /// y of the nearest spline with these coordinates.
+  [[nodiscard]] Eigen::VectorXd y(const Coordinates& z) const;
+
+ private:
+  Eigen::VectorXd z0_;
+  Eigen::MatrixXd basis_;    ///< N L^-T
+  Eigen::MatrixXd inverse_;  ///< its left inverse, L' N'
+  double contradiction_ = 0;
+};
+
+}  // namespace jounce::optimizer

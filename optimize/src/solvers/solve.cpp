@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimize/src/solvers/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <utility>
+
+#include <nlopt.hpp>
+
+#include "optimize/src/solvers/forgiving.hpp"
+#include "optimize/src/solvers/whitening.hpp"
+
+namespace jounce::optimizer {
+namespace {
+
+/// The rows of the program, then both bounds of every variable, at x = (y, t).
+struct Constraints {
+  const Program& program;
+  const Whitening& whitening;
+
+  [[nodiscard]] std::size_t count() const {
+    return program.rows.size() + 2 * program.space.variables.size();
+  }
+
+  /// `gradient`, row by row, is always written.
+  void operator()(std::span<double> result, std::span<const double> x,
+                  std::span<double> gradient) const {
+    const std::size_t n = x.size() - 1;
+    const Point z = whitening.z(x.first(n));
+    const auto knots = separated_knots(program.space, z);
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const auto by_z = gradient.subspan(i * x.size(), n);
+      if (i < program.rows.size()) {
+        const Row& row = program.rows[i];
+        result[i] = evaluate(program, row, knots, by_z) - (row.relaxed ? x.back() : 0);
+        gradient[i * x.size() + n] = row.relaxed ? -1 : 0;
+      } else {
+        result[i] = bound(i - program.rows.size(), z, by_z);
+      }
+      whitening.turn(by_z);
+    }
+  }
+
+  [[nodiscard]] double bound(std::size_t i, const Point& z, std::span<double> by_z) const {
+    const Variable& v = program.space.variables[i / 2];
+    const double sign = i % 2 == 0 ? 1 : -1;
+    const double width = (v.upper - v.lower) / v.scale;
+    const double limit = ((i % 2 == 0 ? v.upper : v.lower) - v.given) / v.scale;
+    by_z[i / 2] = sign / width;
+    return sign * (z[i / 2] - limit) / width;
+  }
+};
+
+/// Constraints replaced by their tangents at x0.
+struct Tangents {
+  Tangents(const Constraints& constraints, std::vector<double> at)
+      : x0(std::move(at)), value(constraints.count()), slope(value.size() * x0.size()) {
+    constraints(value, x0, slope);
+  }
+  void operator()(std::span<double> result, std::span<const double> x,
+                  std::span<double> gradient) const {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = value[i];
+      for (std::size_t k = 0; k < x.size(); ++k)
+        result[i] += slope[i * x.size() + k] * (x[k] - x0[k]);
+    }
+    std::copy(slope.begin(), slope.end(), gradient.begin());
+  }
+  std::vector<double> x0;
+  std::vector<double> value;
+  std::vector<double> slope;
+};
+
+/// What passes through NLopt: an exception must not, for it would be forgotten, and NaN must stop
+/// the run, for it counts as satisfied.
+template <class Function>
+struct Callback {
+  const Function& function;
+  nlopt::opt& solver;
+  const std::function<bool()>& go_on;
+  std::vector<double> slope;
+  int evaluations = 0;
+  bool finite = true;
+  std::exception_ptr trouble;
+
+  static void call(unsigned m, double* result, unsigned n, const double* x, double* gradient,
+                   void* data) {
+    auto& self = *static_cast<Callback*>(data);
+    const std::span values(result, m);
+    self.slope.resize(std::size_t{m} * n);
+    try {
+      self.function(values, {x, n},
+                    gradient ? std::span(gradient, self.slope.size()) : std::span(self.slope));
+    } catch (...) {
+      self.trouble = std::current_exception();
+    }
+    ++self.evaluations;
+    for (const double value : values) self.finite = self.finite && std::isfinite(value);
+    if (self.trouble || !self.finite || !self.go_on()) self.solver.force_stop();
+  }
+};
+
+double objective(unsigned n, const double* x, double* gradient, void* /*data*/) {
+  if (gradient) {
+    std::fill(gradient, gradient + n, 0.0);
+    gradient[n - 1] = 1;
+  }
+  return x[n - 1];
+}
+
+/// SLSQP from (0, t) with |y| <= radius. Rows are scaled to 1; what is forgiven of them is less
+/// than the margin the caller keeps.
+template <class Function>
+Solved run(const Program& program, const Whitening& whitening, const Function& function, double t,
+           double radius, int max_evaluations, const std::function<bool()>& go_on) {
+  const std::size_t n = program.space.variables.size();
+  const std::size_t rows = program.rows.size() + 2 * n;
+  nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(n + 1));
+  std::vector<double> lower(n + 1, -radius);
+  std::vector<double> upper(n + 1, radius);
+  lower.back() = program.least_t;
+  upper.back() = std::numeric_limits<double>::infinity();
+  solver.set_lower_bounds(lower);
+  solver.set_upper_bounds(upper);
+  solver.set_xtol_rel(1e-13);
+  solver.set_maxeval(max_evaluations);
+  Callback<Function> callback{function, solver, go_on, {}, 0, true, nullptr};
+  solver.set_min_objective(objective, nullptr);
+  solver.add_inequality_mconstraint(&Callback<Function>::call, &callback,
+                                    std::vector<double>(rows, 1e-11));
+  std::vector<double> x(n, 0.0);
+  x.push_back(std::max(t, program.least_t));
+  optimize_forgiving(solver, x, callback.trouble);
+  for (const double value : x) callback.finite = callback.finite && std::isfinite(value);
+  const double reached = x.back();
+  x.pop_back();
+  return {clamped(program.space, whitening.z(x)), reached, callback.evaluations, callback.finite};
+}
+
+}  // namespace
+
+Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
+             const std::function<bool()>& go_on) {
+  const Whitening whitening(program, z);
+  return run(program, whitening, Constraints{program, whitening}, t,
+             std::numeric_limits<double>::infinity(), max_evaluations, go_on);
+}
+
+Solved linear_step(const Program& program, const Point& z, double t, double radius) {
+  const Whitening whitening(program, z);
+  std::vector<double> x(z.size(), 0.0);
+  x.push_back(t);
+  const Tangents tangents(Constraints{program, whitening}, std::move(x));
+  Solved solved = run(program, whitening, tangents, t, radius, 500, [] { return true; });
+  solved.evaluations = 1;
+  return solved;
+}
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include <Eigen/SparseCore>
+
+namespace jounce::optimizer {
+
+/// Factors of a symmetric sparse matrix K, of which only the lower half is read. A file of its own instantiates
+/// Eigen's templates, which take seconds to compile.
+class SparseFactor {
+ public:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  enum class Method {
+    cholesky,  ///< L D L', ordered for sparsity alone
+    pivoting,  ///< L U, rows exchanged for stability
+  };
+
+  explicit SparseFactor(Method method);
+  ~SparseFactor();
+  SparseFactor(const SparseFactor&) = delete;
+  SparseFactor& operator=(const SparseFactor&) = delete;
+
+  /// Orders the pattern of K, once for all K of that pattern.
+  void find_pattern(const Matrix& lower);
+  /// False where K is singular.
+  bool factorise(const Matrix& lower);
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+ private:
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
+};
+
+}  // namespace jounce::optimizer

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace jounce {
+
+/// A place in a drawing, in px, y downwards.
+struct Pixel {
+  double x = 0;
+  double y = 0;
+};
+
+/// The same line with fewer points, nowhere further than 0.1 px from it. Where many points share
+/// half a pixel column only the first, last, lowest and highest are looked at, which draws the same
+/// pixels (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014);
+/// then points that lie on the line between others go (Douglas and Peucker, 1973).
+std::vector<Pixel> thinned(std::span<const Pixel> line);
+
+/// The first step of thinned() alone.
+std::vector<Pixel> aggregated(std::span<const Pixel> line);
+
+/// A coordinate with two decimals, as short as can be: "12.5", "-.25", "0".
+std::string coordinate(double px);
+
+/// SVG path data of the line: two decimals, relative, without accumulating rounding. A single point
+/// becomes a line of no length, which round line caps make a dot.
+std::string path_data(std::span<const Pixel> line);
+
+}  // namespace jounce

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/style.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace jounce {
+namespace {
+
+struct Colour {
+  std::string_view name;
+  std::string_view light;
+  std::string_view dark;
+};
+
+// Lines and limit: M. Okabe and K. Ito, "Color Universal Design" (2008), lightened for dark paper.
+constexpr std::array palette{
+    Colour{"paper", "#ffffff", "#16181b"}, Colour{"ink", "#1c1e21", "#e8e8e6"},
+    Colour{"soft", "#5b6168", "#a3a9b0"},  Colour{"grid", "#e4e7ea", "#2a2e33"},
+    Colour{"knot", "#c3c9d0", "#454b52"},  Colour{"frame", "#8d949c", "#6b727a"},
+    Colour{"pale", "#c9ced4", "#50565d"},  Colour{"limit", "#c0440f", "#ff9063"},
+    Colour{"zone", "#009e73", "#2fc79b"},  Colour{"one", "#0072b2", "#56b4e9"},
+    Colour{"two", "#b3478a", "#e3a3c8"},   Colour{"three", "#00805d", "#35cfa2"},
+    Colour{"four", "#a87400", "#f0b429"},
+};
+
+constexpr std::string_view shape_rules =
+    ".jf{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif;"
+    "font-size:11px}"
+    ".jf .title{font-size:15px;font-weight:600}.jf .label{font-size:12px}"
+    ".jf .mid{text-anchor:middle}.jf .end{text-anchor:end}"
+    ".jf path{fill:none}"
+    ".jf .grid,.jf .knot,.jf .frame{stroke-width:1}"
+    ".jf .l{stroke-width:1.5;stroke-linejoin:round;stroke-linecap:round}"
+    ".jf .l2{stroke-dasharray:7 4}.jf .l3{stroke-dasharray:1.5 3.5}.jf .l4{stroke-dasharray:9 4 "
+    "1.5 "
+    "4}"
+    ".jf .under{stroke-width:4;stroke-linejoin:round}"
+    ".jf .dots{stroke-width:3.5;stroke-linecap:round;stroke-dasharray:none}"
+    ".jf .lim{stroke-width:1.2;stroke-dasharray:6 4}.jf .bad,.jf .limtext{font-weight:600}"
+    ".jf .halo{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
+    ".jf .mark,.jf .badmark{stroke-width:1.3}";
+
+constexpr std::string_view colour_rules =
+    ".jf .paper{fill:@paper}.jf text{fill:@ink}.jf .soft{fill:@soft}"
+    ".jf .grid{stroke:@grid}.jf .knot{stroke:@knot}.jf .frame{stroke:@frame}"
+    ".jf .l1{stroke:@one}.jf .l2{stroke:@two}.jf .l3{stroke:@three}.jf .l4{stroke:@four}"
+    ".jf .under{stroke:@pale}.jf .lim{stroke:@limit}"
+    ".jf .over{fill:@limit;fill-opacity:.07}"
+    ".jf .zone{fill:@zone;fill-opacity:.09;stroke:@zone;stroke-opacity:.3}.jf "
+    ".zonetext{fill:@three}"
+    ".jf .bad,.jf .limtext{fill:@limit}"
+    ".jf .halo{stroke:@paper}.jf .mark{fill:@paper;stroke:@ink}"
+    ".jf .badmark{fill:@limit;stroke:@limit}";
+
+/// The rules with each @name replaced by what colour_of gives for it.
+template <class ColourOf>
+std::string coloured(std::string_view rules, ColourOf colour_of) {
+  std::string out;
+  while (!rules.empty()) {
+    const std::size_t at = rules.find('@');
+    out += rules.substr(0, at);
+    if (at == std::string_view::npos) break;
+    rules.remove_prefix(at + 1);
+    const std::size_t end = rules.find_first_of(";}");
+    for (const Colour& colour : palette)
+      if (colour.name == rules.substr(0, end)) out += colour_of(colour);
+    rules.remove_prefix(end);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string figure_style() {
+  const auto light = [](const Colour& c) { return c.light; };
+  const auto dark = [](const Colour& c) { return c.dark; };
+  return std::string(shape_rules) + coloured(colour_rules, light) +
+         "@media (prefers-color-scheme:dark){" + coloured(colour_rules, dark) + "}";
+}
+
+std::string inlined_figure_style() {
+  const auto variable = [](const Colour& c) { return "var(--" + std::string(c.name) + ")"; };
+  return std::string(shape_rules) + coloured(colour_rules, variable);
+}
+
+std::string colour_variables(bool dark) {
+  std::string out;
+  for (const Colour& c : palette) {
+    out += "--" + std::string(c.name) + ":";
+    out += dark ? c.dark : c.light;
+    out += ";";
+  }
+  return out;
+}
+
+}  // namespace jounce

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace jounce {
+
+/// Text made safe for XML and HTML, in elements and in quoted attributes alike: & < > " ' become
+/// entities; control characters and broken UTF-8, which XML 1.0 cannot hold, become U+FFFD.
+std::string escaped(std::string_view text);
+
+/// How wide the text is at most, in px, in any common sans-serif font of this size.
+double text_width(std::string_view text, double font_size);
+
+/// The text, cut with an ellipsis if it would be wider than `width` px.
+std::string fitted(std::string_view text, double font_size, double width);
+
+}  // namespace jounce

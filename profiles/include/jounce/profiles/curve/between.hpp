@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/profiles/curve/curve.hpp"
+
+namespace jounce {
+
+/// The stretch [from, to] of a curve as a curve of its own, at the same place of the axis.
+///
+///     const Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100})
+///                                 .curve();                      // 0 to 5.7 s
+///     const Trajectory first_second = between(move, 0, 1);       // a part of it
+///     const Trajectory delayed = between(move, -0.5, move.end());  // at rest for half a second
+///
+/// What lies outside f comes by f's policy: its end values at rest (hold), or the turns before and
+/// after (wrap; at most 1e6 segments of them). The result has f's policy, a part of a wrapping curve holds. Exact: no break is
+/// added but the two ends. Throws InputError unless from < to, where f refuses what is asked,
+/// and where a wrapping curve would need more segments.
+template <class Over>
+Curve<Over> between(const Curve<Over>& f, double from, double to);
+
+/// f over [start, end + late] as it comes `delay` later, 0 <= delay <= late: what a filter adds up.
+/// Before and after it f is at rest, unless it wraps; then the interval stays [start, end].
+template <class Over>
+Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
+
+/// What a filter needs where f does not wrap: throws InputError unless f begins and ends at rest, to
+/// 1e-9 of its peak velocity. A curve that is held after a moving end stops in no time.
+template <class Over>
+void require_resting_ends(const Curve<Over>& f);
+
+}  // namespace jounce

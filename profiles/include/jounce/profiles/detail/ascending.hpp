@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::detail {
+
+/// Throws InputError unless the `time` of every event is finite and above that of the one before; the
+/// key counts from 1: `key[2].time`.
+template <class Event>
+void require_ascending(const std::string& key, std::span<const Event> events) {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const std::string name = key + "[" + std::to_string(i + 1) + "].time";
+    require_finite(name.c_str(), events[i].time);
+    if (i > 0 && !(events[i].time > events[i - 1].time))
+      throw InputError(name, events[i].time,
+                       "must be above the time before it, " + number(events[i - 1].time));
+  }
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/curve/curve.hpp"
+
+namespace jounce::detail {
+
+/// Places on an axis whose numbers are of size `scale`, equal except for rounding.
+inline bool same_place(double a, double b, double scale) {
+  return std::abs(a - b) <= 1e-12 * scale;
+}
+
+/// Calls visit(start, f, i, g, k) for each stretch of the interval that both curves have on which
+/// either is one segment: f is the part of segment i, g that of segment k, of equal length. Breaks
+/// that differ by rounding are one; where there are two, f's is taken.
+template <class Over, class Visit>
+void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) {
+  const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
+  const auto near = [scale](double a, double b) { return same_place(a, b, scale); };
+  double x = near(f.start(), g.start()) ? f.start() : std::max(f.start(), g.start());
+  const auto first = [&](const Curve<Over>& c) {
+    std::size_t n = 0;
+    // What ends at x but for rounding is over; where c begins at x, its first segment is just short.
+    const auto over = [&](double end) { return end <= x || (x != c.start() && near(end, x)); };
+    while (n < c.segments().size() && over(c.breaks()[n + 1])) ++n;
+    return n;
+  };
+  std::size_t i = first(f);
+  std::size_t k = first(g);
+  while (i < f.segments().size() && k < g.segments().size()) {
+    const double f_end = f.breaks()[i + 1];
+    const double g_end = g.breaks()[k + 1];
+    const bool both = near(f_end, g_end);
+    const double next = both ? f_end : std::min(f_end, g_end);
+    const bool f_ends = both || next == f_end;
+    const bool g_ends = both || next == g_end;
+    // A whole segment keeps its own length: the difference of two places has fewer digits.
+    const bool f_whole = f_ends && near(x, f.breaks()[i]);
+    const bool g_whole = g_ends && near(x, g.breaks()[k]);
+    const double length = f_whole   ? f.segments()[i].length
+                          : g_whole ? g.segments()[k].length
+                                    : next - x;
+    const auto piece = [&](const Curve<Over>& c, std::size_t n, bool ends_here) {
+      const Segment& whole = c.segments()[n];
+      const double width = std::min(1.0, length / whole.length);
+      const double s0 =
+          ends_here ? 1 - width : std::clamp((x - c.breaks()[n]) / whole.length, 0.0, 1 - width);
+      const double s1 = std::min(1.0, s0 + width);
+      // Beside a piece that is shorter than the rounding of this one, this one does not change.
+      Segment cut =
+          s0 < s1 ? part(whole, s0, s1) : line(length, value(whole, s0), value(whole, s0));
+      cut.length = length;
+      return cut;
+    };
+    visit(x, piece(f, i, f_ends), i, piece(g, k, g_ends), k);
+    i += f_ends ? 1 : 0;
+    k += g_ends ? 1 : 0;
+    x = next;
+  }
+}
+
+}  // namespace jounce::detail

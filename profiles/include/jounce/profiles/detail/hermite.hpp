@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "jounce/profiles/curve/segment.hpp"
+
+// The two-point Hermite polynomial of degree 11, and what a function may differ from it.
+
+namespace jounce::detail {
+
+/// Taylor coefficients f^(k) / k! by s, k = 0 .. n - 1.
+template <std::size_t n>
+using Series = std::array<double, n>;
+
+/// As many as each end of a piece gives; and up to the twelfth, which bounds the error.
+using EndSeries = Series<6>;
+using Majorant = Series<13>;
+
+/// The coefficients of f at s, any s.
+EndSeries taylor(const Segment& f, double s);
+
+/// Bounds of the magnitude of every coefficient of f over |s| <= reach.
+Majorant majorant(const Segment& f, double reach);
+
+/// The series of F(r0 + d): F's coefficients at r0, d's without its first, which is 0. With majorants
+/// of both it is a majorant.
+template <std::size_t n>
+Series<n> substituted(const Series<n>& F, const Series<n>& d) {
+  Series<n> g{};
+  for (std::size_t k = n; k-- > 0;) {  // Horner: g = g d + F_k
+    Series<n> product{};
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 1; i + j < n; ++j) product[i + j] += g[i] * d[j];
+    g = product;
+    g[0] += F[k];
+  }
+  return g;
+}
+
+/// The segment of degree 11 with these coefficients at its ends.
+Segment hermite(double length, const EndSeries& at0, const EndSeries& at1);
+
+/// How far a function may be from its `hermite`, and their derivatives by u, where its twelfth
+/// coefficient by s is at most `twelfth`.
+Jet hermite_error(double length, double twelfth);
+
+/// Throws InputError "tolerance" unless the tolerance is positive and can be told from the rounding of
+/// `magnitude`; and where a fit has come to more than a million pieces.
+void require_tolerance(double tolerance, double magnitude);
+void require_fitting(std::size_t pieces);
+
+/// Appends the fit of a piece, halved until it strays at most by `tolerance`, and widens `error`. A
+/// Piece tells its length(), end(0 or 1) as EndSeries, twelfth(), and halves().
+template <class Piece>
+void fit(const Piece& piece, double tolerance, std::vector<Segment>& out, Jet& error) {
+  const Jet here = hermite_error(piece.length(), piece.twelfth());
+  if (!(here[0] <= tolerance)) {
+    const auto [left, right] = piece.halves();
+    fit(left, tolerance, out, error);
+    fit(right, tolerance, out, error);
+    return;
+  }
+  require_fitting(out.size());
+  out.push_back(hermite(piece.length(), piece.end(0), piece.end(1)));
+  for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], here[k]);
+}
+
+}  // namespace jounce::detail

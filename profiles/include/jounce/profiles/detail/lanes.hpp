@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+// Arithmetic for formulas that hold for a double and for a vector of them, lane by lane
+// (`__attribute__((vector_size))`): a comparison is then a mask, and `mask ? a : b` picks by lane.
+namespace jounce::detail {
+
+#define JOUNCE_INLINE inline __attribute__((always_inline))
+
+using Vector2 = double __attribute__((vector_size(16)));
+using Vector4 = double __attribute__((vector_size(32)));
+using Vector8 = double __attribute__((vector_size(64)));
+template <class Real>
+using Mask = decltype(Real{} < Real{});
+
+template <class Real>
+constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
+
+template <class Real>
+JOUNCE_INLINE Real load(const double* from) {
+  Real x;
+  __builtin_memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class Real>
+JOUNCE_INLINE void store(double* to, Real x) {
+  __builtin_memcpy(to, &x, sizeof x);
+}
+
+template <class Real>
+JOUNCE_INLINE Real every(double x) {  // in every lane
+  return Real{} + x;
+}
+template <class Real>
+JOUNCE_INLINE Real least(Real a, Real b) {
+  return a < b ? a : b;
+}
+template <class Real>
+JOUNCE_INLINE Real greatest(Real a, Real b) {
+  return a > b ? a : b;
+}
+template <class Real>
+JOUNCE_INLINE Real magnitude(Real x) {
+  return greatest(x, -x);
+}
+JOUNCE_INLINE double root_of(double x) {
+  return __builtin_sqrt(x);
+}
+template <class Real>
+JOUNCE_INLINE Real root_of(Real x) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(Real) == 64)
+    return std::bit_cast<Real>(_mm512_maskz_sqrt_pd(0xff, std::bit_cast<__m512d>(x)));
+#endif
+#ifdef __AVX__
+  if constexpr (sizeof(Real) == 32)
+    return std::bit_cast<Real>(_mm256_sqrt_pd(std::bit_cast<__m256d>(x)));
+#endif
+#ifdef __SSE2__
+  if constexpr (sizeof(Real) == 16)
+    return std::bit_cast<Real>(_mm_sqrt_pd(std::bit_cast<__m128d>(x)));
+#endif
+  for (std::size_t i = 0; i < sizeof(Real) / sizeof(double); ++i) x[i] = __builtin_sqrt(x[i]);
+  return x;
+}
+template <class Real>
+JOUNCE_INLINE Real square_root(Real x) {  // of what rounding makes negative: 0
+  return root_of(greatest(x, every<Real>(0)));
+}
+
+/// {a, b}, or {b, a} if they are to be swapped: without a branch, and without memory, from which two
+/// doubles written one by one return late as a vector.
+JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
+  const Vector2 given{a, b};
+  const Vector2 other{b, a};
+  return every<Vector2>(swapped) > 0 ? other : given;
+}
+
+/// The bits of a Real, lane by lane.
+template <class Real>
+struct BitsOf;
+template <>
+struct BitsOf<double> {
+  using Type = std::uint64_t;
+};
+template <>
+struct BitsOf<Vector2> {
+  using Type = std::uint64_t __attribute__((vector_size(16)));
+};
+template <>
+struct BitsOf<Vector4> {
+  using Type = std::uint64_t __attribute__((vector_size(32)));
+};
+template <>
+struct BitsOf<Vector8> {
+  using Type = std::uint64_t __attribute__((vector_size(64)));
+};
+
+/// The cube root within 4 %, for normal x > 0: a third of the exponent, linear in between. 1/3 is
+/// (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, for want of a vector product of 64 bits.
+template <class Real>
+JOUNCE_INLINE Real rough_cube_root(Real x) {
+  using Bits = typename BitsOf<Real>::Type;
+  Bits third = std::bit_cast<Bits>(x);
+  third += third >> 2;
+  third += third >> 4;
+  third += third >> 8;
+  third += third >> 16;
+  return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
+}
+
+/// The cube root within two ulps, for normal x > 0 and its inverse: a series in e = 1 - r^3/x about
+/// the rough root r, good to 1e-8, then one of Newton's steps.
+template <class Real>
+JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
+  const Real r = rough_cube_root(x);
+  const Real e = 1 - r * r * r * per_x;
+  const Real high = 35. / 243 + e * (91. / 729 + e * (728. / 6561));
+  const Real y = r + r * e * (1. / 3 + e * (2. / 9 + e * (14. / 81 + e * high)));
+  return y + y * (1. / 3) * (1 - y * y * y * per_x);
+}
+
+}  // namespace jounce::detail

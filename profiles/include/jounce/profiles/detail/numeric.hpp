@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jounce::detail {
+
+inline constexpr double rounding = 0x1p-49;  ///< eight units in the last place
+inline constexpr double inf = std::numeric_limits<double>::infinity();
+
+inline double square(double x) {
+  return x * x;
+}
+
+inline double cube(double x) {
+  return x * x * x;
+}
+
+/// The square root, of zero where rounding made less of it.
+inline double root(double x) {
+  return std::sqrt(std::max(x, 0.0));
+}
+
+/// `which ? a : b` without a branch, for a condition that no processor foresees.
+inline double either(bool which, double a, double b) {
+  const double pair[] = {b, a};
+  return pair[which];
+}
+
+}  // namespace jounce::detail

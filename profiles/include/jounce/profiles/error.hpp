@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace jounce {
+
+/// Shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
+std::string number(double value);
+
+/// Bad input, in one sentence: its place, its value, and the rule that it breaks.
+///
+/// This is the only exception that Jounce throws for input. A generator gives the key, the value
+/// and the rule; the reader of the document adds the place with at(). An expected outcome (a limit
+/// broken, an optimum not reached) is a returned value instead, and a programming error asserts.
+///
+///     cams/feeder.toml:9:17: segment[2].end.master = 60: must be greater than 75, the knot before
+class InputError : public std::exception {
+ public:
+  InputError(std::string key, std::string value, std::string rule);
+  InputError(std::string key, double value, std::string rule);
+
+  /// The same error with its place in a document; line and column count from 1, 0 means unknown.
+  [[nodiscard]] InputError at(std::string document, int line = 0, int column = 0) const;
+
+  [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
+  [[nodiscard]] const std::string& document() const { return document_; }
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] int column() const { return column_; }
+  [[nodiscard]] const std::string& key() const { return key_; }
+  [[nodiscard]] const std::string& value() const { return value_; }
+  [[nodiscard]] const std::string& rule() const { return rule_; }
+
+ private:
+  void compose();
+
+  std::string document_;
+  int line_ = 0;
+  int column_ = 0;
+  std::string key_, value_, rule_;
+  std::string text_;
+};
+
+/// Throws InputError unless the value is finite / finite and > 0 / finite and >= 0.
+void require_finite(const char* key, double value);
+void require_positive(const char* key, double value);
+void require_not_negative(const char* key, double value);
+
+}  // namespace jounce

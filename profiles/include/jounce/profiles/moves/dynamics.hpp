@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/profiles/moves/profile.hpp"
+
+namespace jounce {
+
+/// The dynamics of a command as PLCopen blocks and most controllers take them: magnitudes, with
+/// `deceleration` for slowing down. In any one unit of length and time: u, s here.
+///
+///     const Dynamics axis{.velocity = 10, .acceleration = 20, .deceleration = 10, .jerk = 200};
+///     const Trajectory running = point_to_point(0, 50, axis).curve();
+///     const Trajectory longer = with_target(running, 2, 80, axis);     // new target at 2 s
+///     const Trajectory slower = with_velocity(running, 2, 5, axis);    // new velocity at 2 s
+///     const Trajectory halted = with_velocity(running, 2, 0, axis);    // MC_Halt
+///
+/// **In flight** position, velocity and (with a jerk) acceleration go on continuously from the
+/// instant of the change. Without jerk the acceleration steps, as in a trapezoid; out of one, a
+/// command with a jerk begins with no acceleration (`state_for` in splice.hpp).
+///
+/// **Throws** InputError for values out of range: velocity and acceleration must be > 0, the others
+/// not negative.
+struct Dynamics {
+  double velocity = 0;           ///< u/s, > 0
+  double acceleration = 0;       ///< u/s^2, > 0
+  double deceleration = 0;       ///< u/s^2; 0: as acceleration
+  double jerk = 0;               ///< u/s^3; 0: not limited
+  double deceleration_jerk = 0;  ///< u/s^3, while slowing down; 0: as jerk
+};
+
+/// Rest to rest: trapezoid or s_curve. Throws InputError where `to` equals `from`.
+Profile point_to_point(double from, double to, const Dynamics& dynamics);
+
+/// Limits of a velocity ramp, in one sense (speeding up, or slowing down).
+struct RampLimits {
+  double acceleration = 0;  ///< u/s^2, > 0, magnitude
+  double jerk_begin = 0;    ///< u/s^3, from zero to the greatest acceleration; 0: not limited
+  double jerk_end = 0;      ///< u/s^3, from there to zero; both are limited, or neither is
+
+  bool operator==(const RampLimits&) const = default;
+};
+
+/// From any state to a velocity (signed) and no acceleration, as fast as the limits allow; `up` for
+/// what speeds up, `down` for what slows down. An acceleration that a state has already is taken
+/// over (not where jerk is not limited); it falls first where it would lead past the velocity, and
+/// until the axis rests where it would turn it round. Where up and down differ, a change through rest
+/// is two ramps. From a state within them the limits hold throughout, except for what an acceleration at
+/// rest, allowed in slowing down, needs to fall. The jerks may differ between begin and end, or
+/// between up and down, not both. Throws InputError also where time or position would overflow.
+Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
+                      const RampLimits& down);
+
+/// The same under dynamics (whose velocity is not used).
+Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
+
+// ---- in flight -------------------------------------------------------------------------------
+
+/// `running` up to t, from there to rest at `target`, as fast as the dynamics allow. A target that
+/// has been passed, or that can no longer be met, is passed and come back to. A velocity above the
+/// new one is brought down first.
+///
+/// Where acceleration and deceleration differ, a motion that must turn round stops first, then
+/// moves back. With two jerks each holds in its own sense where the motion goes to one velocity and
+/// from there to rest, or just stops: the same move given again changes nothing. Otherwise, where it
+/// must turn round or its target has come nearer than that, the larger jerk holds for what is left of
+/// the move: with the smaller one an axis that is speeding up could not help passing its velocity.
+Trajectory with_target(const Trajectory& running, double t, double target,
+                       const Dynamics& dynamics);
+
+/// `running` up to t, from there to `velocity` (signed; dynamics.velocity is not used): where the
+/// result ends, the velocity is reached. Of `running` itself nothing more happens where it has the
+/// velocity already.
+Trajectory with_velocity(const Trajectory& running, double t, double velocity,
+                         const Dynamics& dynamics);
+
+}  // namespace jounce

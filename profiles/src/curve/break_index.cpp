@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/break_index.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "jounce/profiles/detail/large_pages.hpp"
+
+namespace jounce {
+
+BreakIndex::BreakIndex(std::span<const double> breaks) {
+  assert(breaks.size() >= 2);
+  const std::size_t intervals = breaks.size() - 1;
+  const std::size_t cells = per_interval * intervals;
+  const double scale = static_cast<double>(cells) / (breaks.back() - breaks.front());
+  // Few are searched at once; so are lengths whose reciprocal over- or underflows.
+  if (intervals <= few || !std::isnormal(scale)) return;
+  start_ = breaks.front();
+  cells_per_unit_ = scale;
+  last_cell_ = static_cast<double>(cells - 1);
+  detail::reserve_large(before_, cells + 2);
+  before_.resize(cells + 2);
+  // Breaks ascend, and so do their cells: up to that of break i, i - 1 interior ones lie before.
+  // Two cells are written without asking, as many as an interval has of equal length; what is too
+  // much is written over.
+  std::uint32_t* next = before_.data();
+  for (std::uint32_t i = 1; i < intervals; ++i) {
+    std::uint32_t* const end = before_.data() + cell(breaks[i]) + 1;
+    next[0] = next[1] = i - 1;
+    if (end > next + 2) std::fill(next + 2, end, i - 1);
+    next = end;
+  }
+  std::fill(next, before_.data() + cells + 1, static_cast<std::uint32_t>(intervals - 1));
+}
+
+}  // namespace jounce

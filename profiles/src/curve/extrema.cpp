@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/extrema.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/bernstein.hpp"
+
+namespace jounce {
+namespace {
+
+/// `noise`: by how much a candidate must be better, so that rounding does not move the place.
+void widen(Range& range, const Extremum& candidate, double noise = 0) {
+  if (candidate.value < range.min.value - noise) range.min = candidate;
+  if (candidate.value > range.max.value + noise) range.max = candidate;
+}
+
+/// Whether f keeps its sign but for less than `flat` on average: the integral over s of a Bernstein
+/// polynomial of degree n is at most that of its coefficients of one sign, their sum / (n + 1).
+bool keeps_sign(const Segment& f, double flat) {
+  if (f.sines > 0) return false;
+  bool keeps = false;
+  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+    double above = 0;
+    double below = 0;
+    for (const double beta : detail::to_bernstein<n>(f)) (beta > 0 ? above : below) += beta;
+    keeps = std::min(above, -below) <= flat * static_cast<double>(n + 1);
+  });
+  return keeps;
+}
+
+/// Range of g, whose derivative by u is dg, on the segment that begins at `start` on the axis.
+Range range_on(const Segment& g, const Segment& dg, double start, double end) {
+  const Extremum first{value(g, 0), start, Side::right};
+  Range range{first, first};
+  const double noise = 2e-16 * magnitude(g);
+  // Where |g'| stays below this, g moves by less than its own rounding over the whole segment; and
+  // where g' passes zero by no more than that, nothing within lies beyond both ends.
+  const double flat = noise / g.length;
+  if (flat > 0 && !keeps_sign(dg, flat)) {
+    thread_local std::vector<double> critical;
+    roots(dg, flat, critical);
+    for (const double s : critical)
+      widen(range, {value(g, s), start + s * g.length, Side::right}, noise);
+  }
+  widen(range, {value(g, 1), end, Side::left});
+  return range;
+}
+
+}  // namespace
+
+const Extremum& Range::peak() const {
+  return std::abs(min.value) > std::abs(max.value) ? min : max;
+}
+
+Range segment_range(const Segment& f, double start, double end, int order) {
+  assert(order >= 0 && order <= 3);
+  Segment g = f;
+  for (int k = 0; k < order; ++k) g = derivative(g);
+  return range_on(g, derivative(g), start, end);
+}
+
+template <class Over>
+Range segment_range(const Curve<Over>& f, std::size_t segment, int order) {
+  return segment_range(f.segments()[segment], f.breaks()[segment], f.breaks()[segment + 1], order);
+}
+
+template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
+  Ranges ranges;
+  Segment g = f.segments()[segment];
+  for (auto& range : ranges) {
+    const Segment dg = derivative(g);
+    range = range_on(g, dg, f.breaks()[segment], f.breaks()[segment + 1]);
+    g = dg;
+  }
+  return ranges;
+}
+
+template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last) {
+  Ranges all = segment_extrema(f, first);
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const Ranges here = segment_extrema(f, i);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      widen(all[k], here[k].min);
+      widen(all[k], here[k].max);
+    }
+  }
+  return all;
+}
+
+template <class Over>
+Ranges extrema(const Curve<Over>& f) {
+  return segment_extrema(f, 0, f.segments().size() - 1);
+}
+
+template <class Over>
+Range extrema(const Curve<Over>& f, int order) {
+  Range all = segment_range(f, 0, order);
+  for (std::size_t i = 1; i < f.segments().size(); ++i) {
+    const Range here = segment_range(f, i, order);
+    widen(all, here.min);
+    widen(all, here.max);
+  }
+  return all;
+}
+
+template <class Over>
+Jump largest_jump(const Curve<Over>& f, int order) {
+  assert(order >= 0 && order <= 3);
+  const auto k = static_cast<std::size_t>(order);
+  const auto pieces = f.segments();
+  Jump largest;
+  const auto consider = [&](const Segment& before, const Segment& after, double where) {
+    const double step = evaluate(after, 0)[k] - evaluate(before, 1)[k];
+    if (std::abs(step) > std::abs(largest.step)) largest = {step, where};
+  };
+  for (std::size_t i = 1; i < pieces.size(); ++i) consider(pieces[i - 1], pieces[i], f.breaks()[i]);
+  if (f.outside() == Extrapolation::wrap || (f.outside() == Extrapolation::advance && order > 0))
+    consider(pieces.back(), pieces.front(), f.end());
+  if (f.outside() == Extrapolation::hold && order > 0) {  // at rest before and after
+    const double first = evaluate(pieces.front(), 0)[k];
+    const double last = -evaluate(pieces.back(), 1)[k];
+    if (std::abs(first) > std::abs(largest.step)) largest = {first, f.start()};
+    if (std::abs(last) > std::abs(largest.step)) largest = {last, f.end()};
+  }
+  return largest;
+}
+
+#define JOUNCE_INSTANTIATE(Over)                                                 \
+  template Range segment_range(const Curve<Over>&, std::size_t, int);            \
+  template Ranges segment_extrema(const Curve<Over>&, std::size_t);              \
+  template Ranges segment_extrema(const Curve<Over>&, std::size_t, std::size_t); \
+  template Ranges extrema(const Curve<Over>&);                                   \
+  template Range extrema(const Curve<Over>&, int);                               \
+  template Jump largest_jump(const Curve<Over>&, int);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

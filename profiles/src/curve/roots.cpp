@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/curve/roots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+/// The widest angle over which a sine is its Taylor polynomial of degree 11 to within rounding:
+/// the remainder is at most angle^12 / 12! = 1.3e-16.
+constexpr double widest_angle = 0.25;
+
+/// f with each sine, which spans at most widest_angle, replaced by that polynomial. Only so do a
+/// sine and a polynomial that nearly cancel (the error of a table) leave a tight enclosure.
+Segment as_polynomial(const Segment& f) {
+  Segment g = f;
+  g.sines = 0;
+  g.degree = Segment::max_degree;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    const auto& [amplitude, angle, phase] = f.sine[i];
+    const double sn = std::sin(phase);
+    const double cs = std::cos(phase);
+    const std::array cycle{sn, cs, -sn, -cs};  // sin and its derivatives
+    double factor = amplitude;
+    for (std::size_t k = 0; k < g.c.size(); ++k) {
+      g.c[k] += factor * cycle[k % 4];
+      factor *= angle / static_cast<double>(k + 1);
+    }
+  }
+  return g;
+}
+
+/// f is monotone over [a, b]: one sign change at the most, found by Newton kept inside a bracket.
+void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
+  const double fa = value(f, a);
+  const double fb = value(f, b);
+  if (fa == 0 || fb == 0) {
+    out.push_back(fa == 0 ? a : b);
+    return;
+  }
+  if ((fa > 0) == (fb > 0)) {
+    // The Bernstein form saw a change of sign at an end of the piece, where rounding gives f the
+    // other sign: the root is that end.
+    const double nearest = std::min(std::abs(fa), std::abs(fb));
+    if (nearest <= 2e-15 * magnitude(f)) out.push_back(nearest == std::abs(fa) ? a : b);
+    return;
+  }
+  double s = a + (b - a) * fa / (fa - fb);
+  for (int i = 0; i < 100; ++i) {
+    const Jet g = detail::evaluate(f, s);
+    if (g[0] == 0) break;
+    ((g[0] > 0) == (fa > 0) ? a : b) = s;
+    const double newton = s - g[0] / (g[1] * f.length);
+    const double next = newton > a && newton < b ? newton : (a + b) / 2;
+    if (next == s || b - a <= 2e-16) break;
+    s = next;
+  }
+  out.push_back(s);
+}
+
+/// Isolates the roots of f piece by piece; n is the degree of the Bernstein form.
+template <std::size_t n>
+struct Isolation {
+  const Segment& f;
+  double flat;
+  double remainder;  // what the polynomials may differ from f
+  double noise;      // what rounding may make of f = 0
+  std::vector<double>& out;
+
+  /// f over [a, b], where beta is its Bernstein form.
+  void run(double a, double b, const detail::Bernstein<n>& beta) const {
+    const auto [lo, hi] = detail::hull<n>(beta);
+    if (lo > remainder || hi < -remainder) return;
+    if ((lo >= -flat && hi <= flat) || b - a < 1e-13) {
+      out.push_back((a + b) / 2);
+      return;
+    }
+    if (is_monotone(beta)) {
+      bracket(f, a, b, out);
+      return;
+    }
+    if (lo >= -noise && hi <= noise) {  // a multiple root: rounding hides all that is in here
+      out.push_back((a + b) / 2);
+      return;
+    }
+    detail::Bernstein<n> left;
+    detail::Bernstein<n> right;
+    detail::halve<n>(beta, left, right);
+    const double middle = (a + b) / 2;
+    run(a, middle, left);
+    run(middle, b, right);
+  }
+
+  [[nodiscard]] bool is_monotone(const detail::Bernstein<n>& beta) const {
+    bool rises = true;
+    bool falls = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double difference = beta[i + 1] - beta[i];
+      rises = rises & (difference > remainder);
+      falls = falls & (difference < -remainder);
+    }
+    return rises || falls;
+  }
+};
+
+double noise_of(const Segment& f) {
+  return 1e-15 * magnitude(f);
+}
+
+void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
+  double widest = 0;
+  double remainder = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    widest = std::max(widest, std::abs(f.sine[i].angle));
+    remainder += 2e-16 * std::abs(f.sine[i].amplitude);
+  }
+  constexpr std::size_t n = Segment::max_degree;
+  const Isolation<n> isolation{f, flat, remainder, noise_of(f), out};
+  const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
+  for (int i = 0; i < static_cast<int>(pieces); ++i) {
+    const double a = i / pieces;
+    const double b = (i + 1) / pieces;
+    isolation.run(a, b, detail::to_bernstein<n>(as_polynomial(part(f, a, b))));
+  }
+}
+
+void isolate(const Segment& f, double flat, std::vector<double>& out) {
+  if (f.sines > 0) return isolate_sines(f, flat, out);
+  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+    Isolation<n>{f, flat, 0, noise_of(f), out}.run(0, 1, detail::to_bernstein<n>(f));
+  });
+}
+
+}  // namespace
+
+void roots(const Segment& f, double flat, std::vector<double>& out) {
+  out.clear();
+  isolate(f, flat, out);
+  std::erase_if(out, [](double s) { return s <= 0 || s >= 1; });
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end(), [](double a, double b) { return b - a < 1e-13; }),
+            out.end());
+}
+
+namespace {
+
+/// Every s in [0, 1] where g vanishes, each stretch within `flat` of zero once.
+void zeros(const Segment& g, double flat, std::vector<double>& out) {
+  thread_local std::vector<double> interior;
+  roots(g, flat, interior);
+  out.clear();
+  const auto is_new = [&](double s) {
+    return out.empty() || std::abs(value(g, (out.back() + s) / 2)) > flat;
+  };
+  if (std::abs(value(g, 0)) <= flat) out.push_back(0);
+  for (const double s : interior)
+    if (is_new(s)) out.push_back(s);
+  if (std::abs(value(g, 1)) > flat) return;
+  if (!is_new(1) && out.back() > 0) out.pop_back();  // an end that touches: the end itself is meant
+  if (is_new(1)) out.push_back(1);
+}
+
+}  // namespace
+
+template <class Over>
+std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
+  assert(order >= 0 && order <= 3);
+  require_finite("level", level);
+  std::vector<double> found;
+  std::vector<double> s;
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    Segment g = f.segments()[i];
+    for (int k = 0; k < order; ++k) g = derivative(g);
+    const double flat = 4e-16 * (magnitude(g) + std::abs(level));
+    g.c[0] -= level;
+    zeros(g, flat, s);
+    for (const double at : s)
+      found.push_back(at == 1 ? f.breaks()[i + 1] : f.breaks()[i] + at * g.length);
+  }
+  const double apart = 1e-13 * f.length();
+  const auto same = [&](double a, double b) { return b - a <= apart; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  return found;
+}
+
+template std::vector<double> crossings(const Curve<OverTime>&, int, double);
+template std::vector<double> crossings(const Curve<OverMaster>&, int, double);
+
+}  // namespace jounce

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/error.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace jounce {
+
+std::string number(double value) {
+  char text[32];
+  // A whole number beyond 1e15 in full would be an integer to TOML, too large for one.
+  const auto end = std::abs(value) < 1e15 ? std::to_chars(text, text + sizeof text, value)
+                                          : std::to_chars(text, text + sizeof text, value,
+                                                          std::chars_format::scientific);
+  return {text, end.ptr};
+}
+
+namespace {
+
+/// The text, or its beginning where it is too long to read.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  constexpr std::size_t kept = 60;
+  if (text.size() <= most) return text;
+  std::size_t cut = kept;
+  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;  // UTF-8
+  return text.substr(0, cut) + "... (" + std::to_string(text.size()) + " bytes)";
+}
+
+}  // namespace
+
+InputError::InputError(std::string key, std::string value, std::string rule)
+    : key_(std::move(key)), value_(std::move(value)), rule_(std::move(rule)) {
+  compose();
+}
+
+InputError::InputError(std::string key, double value, std::string rule)
+    : InputError(std::move(key), number(value), std::move(rule)) {}
+
+InputError InputError::at(std::string document, int line, int column) const {
+  InputError placed = *this;
+  placed.document_ = std::move(document);
+  placed.line_ = line;
+  placed.column_ = column;
+  placed.compose();
+  return placed;
+}
+
+void InputError::compose() {
+  text_ = document_;
+  if (line_ > 0) text_ += ":" + std::to_string(line_);
+  if (line_ > 0 && column_ > 0) text_ += ":" + std::to_string(column_);
+  if (!text_.empty()) text_ += ": ";
+  if (!key_.empty()) text_ += key_ + (value_.empty() ? ": " : " = " + shortened(value_) + ": ");
+  text_ += rule_;
+}
+
+void require_finite(const char* key, double value) {
+  if (!std::isfinite(value)) throw InputError(key, value, "must be a finite number");
+}
+
+void require_positive(const char* key, double value) {
+  require_finite(key, value);
+  if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
+}
+
+void require_not_negative(const char* key, double value) {
+  require_finite(key, value);
+  if (value < 0) throw InputError(key, value, "must not be negative");
+}
+
+}  // namespace jounce

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/limits/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/detail/limit_check.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::Bound;
+
+std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
+                             double stroke) {
+  std::vector<Bound> bounds;
+  const bool both = limits.position_min && limits.position_max;
+  const double travel = both ? *limits.position_max - *limits.position_min : stroke;
+  const double scale = travel > 0 ? travel : 1;
+  if (limits.position_min)
+    bounds.push_back({0, "limit/position_min", *limits.position_min, false, scale});
+  if (limits.position_max)
+    bounds.push_back({0, "limit/position_max", *limits.position_max, true, scale});
+  const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    if (!rates[k]) continue;
+    const std::string rule = std::string("limit/") + names[k + 1];
+    bounds.push_back({k + 1, rule, *rates[k], true, *rates[k]});
+    bounds.push_back({k + 1, rule, -*rates[k], false, *rates[k]});
+  }
+  return bounds;
+}
+
+const char* advice(const char* quantity, std::size_t order) {
+  constexpr std::array of_cams{
+      "the curve overshoots between its knots: move them, or lower the velocities there",
+      "lengthen the segment, or take a law with a lower velocity coefficient",
+      "lengthen the segment, or take a law with a lower acceleration coefficient",
+      "lengthen the segment, or take a law with a lower jerk coefficient"};
+  constexpr std::array of_motions{
+      "move the target or the points inside, or lower the velocities beside it",
+      "give it more time, or a lower velocity", "give it more time, or a lower acceleration",
+      "give it more time, or a lower jerk"};
+  const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
+                                   std::string_view(quantity)) != OverTime::names.end();
+  return over_time ? of_motions[order] : of_cams[order];
+}
+
+const Extremum& worst_of(const Bound& bound, const Range& range) {
+  return bound.upper ? range.max : range.min;
+}
+
+double margin_of(const Bound& bound, double value) {
+  return (bound.upper ? bound.limit - value : value - bound.limit) / bound.scale;
+}
+
+/// A limit that is met exactly is met: what is left is the rounding of the evaluation.
+bool is_broken(const Bound& bound, double value) {
+  const double room = bound.upper ? bound.limit - value : value - bound.limit;
+  return room < -detail::forgiven * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
+}
+
+/// A peak on a break belongs to both segments beside it: told of the first.
+bool is_told(const std::optional<Finding>& before, const Extremum& worst, double start) {
+  return before && worst.where == start && before->where == start &&
+         std::abs(worst.value - before->value) <= 1e-12 * std::abs(worst.value);
+}
+
+}  // namespace
+
+void require_valid(const Limits& limits) {
+  if (limits.position_min) require_finite("position_min", *limits.position_min);
+  if (limits.position_max) require_finite("position_max", *limits.position_max);
+  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
+    throw InputError("position_min", *limits.position_min,
+                     "must not be above position_max = " + number(*limits.position_max));
+  if (limits.velocity) require_positive("velocity", *limits.velocity);
+  if (limits.acceleration) require_positive("acceleration", *limits.acceleration);
+  if (limits.jerk) require_positive("jerk", *limits.jerk);
+}
+
+bool Report::ok() const {
+  return broken() == 0;
+}
+
+std::size_t Report::broken() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.broken; }));
+}
+
+std::size_t Report::warnings() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [](const Finding& f) { return !f.broken && f.severity == Severity::warning; }));
+}
+
+void sort(Report& report) {
+  const auto rank = [](const Finding& f) {
+    if (f.broken) return 0;
+    if (f.severity == Severity::warning) return 1;
+    return f.severity == Severity::required ? 2 : 3;
+  };
+  std::stable_sort(report.findings.begin(), report.findings.end(),
+                   [&](const Finding& a, const Finding& b) {
+                     return rank(a) != rank(b) ? rank(a) < rank(b) : a.margin < b.margin;
+                   });
+}
+
+namespace detail {
+
+double room_of(const Bound& bound, const Range& range) {
+  return margin_of(bound, worst_of(bound, range).value);
+}
+
+LimitCheck::LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke)
+    : names_(names),
+      bounds_(bounds_of(limits, names, stroke)),
+      closest_(bounds_.size()),
+      broken_(bounds_.size()) {}
+
+Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst,
+                               std::size_t segment) const {
+  const bool broken = is_broken(bound, worst.value);
+  return {bound.rule,
+          "",
+          names_[bound.order],
+          worst.where,
+          worst.value,
+          bound.limit,
+          margin_of(bound, worst.value),
+          broken,
+          segment,
+          broken ? advice(names_[1], bound.order) : ""};
+}
+
+void LimitCheck::consider(std::size_t b, const Range& range, double start, std::size_t segment) {
+  const Bound& bound = bounds_[b];
+  const Extremum& worst = worst_of(bound, range);
+  if (is_broken(bound, worst.value)) {
+    if (is_told(broken_[b], worst, start)) return;
+    broken_[b] = finding_of(bound, worst, segment);
+    report_.findings.push_back(*broken_[b]);
+  } else if (!closest_[b] || margin_of(bound, worst.value) < closest_[b]->margin) {
+    closest_[b] = finding_of(bound, worst, segment);
+  }
+}
+
+std::optional<double> LimitCheck::closest(std::size_t bound) const {
+  return closest_[bound] ? std::optional(closest_[bound]->value) : std::nullopt;
+}
+
+Report LimitCheck::report() && {
+  // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.
+  for (const auto& candidate : closest_) {
+    if (!candidate) continue;
+    const auto same =
+        std::find_if(report_.findings.begin(), report_.findings.end(),
+                     [&](const Finding& other) { return other.rule == candidate->rule; });
+    if (same == report_.findings.end())
+      report_.findings.push_back(*candidate);
+    else if (!same->broken && candidate->margin < same->margin)
+      *same = *candidate;
+  }
+  sort(report_);
+  return std::move(report_);
+}
+
+Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
+                         const std::array<const char*, 4>& names, int order, double tolerance) {
+  Report report;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
+    const auto& range = ranges[k];
+    const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
+    // Below the rounding of the values themselves nothing can be called a step.
+    const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
+    const double step = std::abs(jumps[k].step);
+    const double margin = limit > 0 ? (limit - step) / limit : -step;
+    report.findings.push_back({std::string("continuity/") + names[k], "",
+                               std::string("step of ") + names[k], jumps[k].where, step, limit,
+                               margin, step > limit, std::nullopt,
+                               step > limit ? "make both sides of the joint agree" : ""});
+  }
+  sort(report);
+  return report;
+}
+
+}  // namespace detail
+
+template <class Over>
+Report check(const Curve<Over>& f, const Limits& limits) {
+  require_valid(limits);
+  const Range travel = detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
+  detail::LimitCheck found(limits, Over::names, travel.max.value - travel.min.value);
+  const auto& bounds = found.bounds();
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    Range range;
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+      if (b == 0 || bounds[b].order != bounds[b - 1].order)
+        range = segment_range(f, i, static_cast<int>(bounds[b].order));
+      found.consider(b, range, f.breaks()[i], i);
+    }
+  }
+  return std::move(found).report();
+}
+
+template <class Over>
+Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
+  std::array<Jump, 4> jumps;
+  for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
+  return detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
+}
+
+#define JOUNCE_INSTANTIATE(Over)                            \
+  template Report check(const Curve<Over>&, const Limits&); \
+  template Report check_continuity(const Curve<Over>&, int, double);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

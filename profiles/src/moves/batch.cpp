@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/batch.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "profiles/src/moves/batch_kernel.hpp"
+
+// The formulas are those of a single way (detail/span.hpp), on vectors of moves: a block at a time
+// goes through all of them. The same text is compiled for each width, and the processor is asked
+// once which to use. The rare move that has not settled after the usual steps goes the scalar way.
+
+namespace jounce {
+namespace {
+
+using detail::Block;
+const detail::Kernels& best_kernels() {
+#ifdef JOUNCE_WIDE_KERNELS
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return detail::kernels_avx512;
+  if (avx2) return detail::kernels_avx2;
+#endif
+  return detail::kernels_anywhere;
+}
+
+/// Values [first, first + n) of a column that has one value a move, one for all, or none (zero); the
+/// last one fills the block.
+void fill(std::span<const double> column, std::size_t first, std::size_t n, double* lanes) {
+  if (column.size() <= 1) {
+    std::fill_n(lanes, Block::size, column.empty() ? 0.0 : column[0]);
+    return;
+  }
+  std::copy_n(column.data() + first, n, lanes);
+  std::fill(lanes + n, lanes + Block::size, lanes[n - 1]);
+}
+
+bool sound(const Block& b, std::size_t i) {
+  const double ends = std::max(std::abs(b.entry[i]), std::abs(b.exit[i]));
+  return detail::is_way(b.distance[i]) && detail::is_moderate(b.entry[i]) &&
+         detail::is_moderate(b.exit[i]) && ends <= b.velocity[i] &&
+         detail::is_limit(b.velocity[i]) && detail::is_magnitude(b.acceleration[i]) &&
+         detail::is_limit(b.jerk[i]);
+}
+
+detail::Way<double> one_by_one(const Block& b, std::size_t i) {
+  const detail::Rates<double> rates(b.acceleration[i], b.jerk[i]);
+  const detail::Span<double> s(b.distance[i], b.entry[i], b.exit[i], rates);
+  const auto [duration, peak] = detail::fastest(s, b.velocity[i]);
+  return {duration, s.mirrored ? -peak : peak};
+}
+
+detail::Way<double> answer(const Block& b, std::size_t i) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (b.settled[i] > 0) return {b.duration[i], b.peak[i]};
+  return sound(b, i) ? one_by_one(b, i) : detail::Way<double>{none, none};
+}
+
+[[maybe_unused]] bool fits(std::span<const double> column, std::size_t size, bool optional) {
+  return column.size() == size || column.size() == 1 || (optional && column.empty());
+}
+
+}  // namespace
+
+void minimum_durations(const MoveColumns& moves, std::span<double> durations,
+                       std::span<double> peak) noexcept {
+  const std::size_t size = durations.size();
+  assert(fits(moves.distance, size, false) && fits(moves.velocity, size, false) &&
+         fits(moves.acceleration, size, false) && fits(moves.jerk, size, false));
+  assert(fits(moves.entry, size, true) && fits(moves.exit, size, true));
+  assert(peak.empty() || peak.size() == size);
+  static const detail::Kernels& best = best_kernels();
+  const auto solve = moves.entry.empty() && moves.exit.empty() ? best.rests : best.ways;
+  Block block;
+  for (std::size_t first = 0; first < size; first += Block::size) {
+    const std::size_t n = std::min(Block::size, size - first);
+    fill(moves.distance, first, n, block.distance);
+    fill(moves.entry, first, n, block.entry);
+    fill(moves.exit, first, n, block.exit);
+    fill(moves.velocity, first, n, block.velocity);
+    fill(moves.acceleration, first, n, block.acceleration);
+    fill(moves.jerk, first, n, block.jerk);
+    solve(block);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto way = answer(block, i);
+      durations[first + i] = way.duration;
+      if (!peak.empty()) peak[first + i] = way.peak;
+    }
+  }
+}
+
+}  // namespace jounce

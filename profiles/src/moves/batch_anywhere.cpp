@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profiles/src/moves/batch_kernel.hpp"
+
+namespace jounce::detail {
+namespace {
+
+void ways(Block& block) noexcept {
+  each_way<Vector2>(block);
+}
+void rests(Block& block) noexcept {
+  each_rest<Vector2>(block);
+}
+
+}  // namespace
+
+const Kernels kernels_anywhere{ways, rests};
+
+}  // namespace jounce::detail

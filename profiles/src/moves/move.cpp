@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/move.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "profiles/src/solver/both.hpp"
+#include "profiles/src/solver/brake.hpp"
+#include "profiles/src/solver/rest_to_rest.hpp"
+#include "profiles/src/solver/second_order.hpp"
+#include "profiles/src/solver/solver.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double forgiven = 1e-12;  // share of a limit that rounding may have added
+// What products of a few of them stay finite and do not vanish for.
+constexpr double greatest = 1e50;
+constexpr double least = 1e-50;
+
+bool is_state(const MotionState& s) {
+  return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < greatest;
+}
+
+bool is_magnitude(double x) {
+  return x >= least && (x <= greatest || x == Bounds::none);
+}
+
+bool is_pair(double min, double max) {
+  return is_magnitude(-min) && is_magnitude(max);
+}
+
+bool is_either(double min, double max) {
+  return std::isfinite(min) == std::isfinite(max);
+}
+
+bool are_bounds(const Bounds& b) {
+  const bool limited = is_pair(b.velocity_min, b.velocity_max) &&
+                       is_pair(b.acceleration_min, b.acceleration_max) &&
+                       is_pair(b.jerk_min, b.jerk_max) && is_either(b.jerk_min, b.jerk_max) &&
+                       b.position_min < b.position_max;
+  const int order = detail::order_of(b);
+  if (!limited || order == 3) return limited;
+  return is_either(b.acceleration_min, b.acceleration_max) &&
+         (order == 2 || (std::isfinite(b.velocity_min) && std::isfinite(b.velocity_max)));
+}
+
+MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
+  const auto outside = [](double x, double min, double max) {
+    return x < min * (1 + forgiven) || x > max * (1 + forgiven);
+  };
+  if (outside(to.velocity, b.velocity_min, b.velocity_max) ||
+      outside(to.acceleration, b.acceleration_min, b.acceleration_max))
+    return MoveStatus::target_outside;
+  if (order < 3) return MoveStatus::ok;
+  // Backwards in time the acceleration has the other sign.
+  const MotionState before{to.position, to.velocity, -to.acceleration};
+  const Bounds backwards{b.velocity_min,      b.velocity_max, -b.acceleration_max,
+                         -b.acceleration_min, b.jerk_min,     b.jerk_max};
+  return detail::is_inside(before, backwards, forgiven) ? MoveStatus::ok
+                                                        : MoveStatus::target_unreachable;
+}
+
+// The same questions without branches, for downwards and upwards at once in the two lanes of a vector.
+using detail::Both;
+using detail::every;
+using detail::Vector2;
+
+/// A number as seen downwards and upwards.
+JOUNCE_INLINE Vector2 directed(double x) {
+  return Vector2{-x, x};
+}
+
+struct Magnitudes {
+  Vector2 velocity, acceleration, jerk, position;
+
+  JOUNCE_INLINE explicit Magnitudes(const Bounds& b)
+      : velocity{-b.velocity_min, b.velocity_max},
+        acceleration{-b.acceleration_min, b.acceleration_max},
+        jerk{-b.jerk_min, b.jerk_max},
+        position{-b.position_min, b.position_max} {}
+
+  JOUNCE_INLINE static Both none(Vector2 m) { return Both::equal(m, every<Vector2>(Bounds::none)); }
+  JOUNCE_INLINE static Both finite(Vector2 m) {
+    return Both::at_most(every<Vector2>(least), m) & Both::at_most(m, every<Vector2>(greatest));
+  }
+  JOUNCE_INLINE static Both sound(Vector2 m) { return finite(m) | none(m); }
+  /// Sound, without position limits: the bounds of a second order, which steps, or a third.
+  JOUNCE_INLINE Both limit(bool steps) const {
+    const Both common = sound(velocity) & none(position);
+    if (steps) return common & finite(acceleration) & none(jerk);
+    return common & sound(acceleration) & finite(jerk);
+  }
+  /// The velocity and the acceleration lie inside; a factor makes the limits greater.
+  JOUNCE_INLINE Both hold(double v, double a, double more) const {
+    return Both::at_most(directed(v), velocity * more) &
+           Both::at_most(directed(a), acceleration * more);
+  }
+  /// The velocity stays inside while the acceleration returns to zero (is_inside).
+  JOUNCE_INLINE Both return_inside(double v, double a, double more) const {
+    const Vector2 back{jerk[1], jerk[0]};
+    return Both::at_most(directed(a), Vector2{}) |
+           Both::at_most(every<Vector2>(a * a), 2 * back * (velocity * more - directed(v)));
+  }
+};
+
+}  // namespace
+
+detail::Form detail::form(const MotionState& from, const MotionState& to,
+                          const Bounds& b) noexcept {
+  const Magnitudes m(b);
+  const bool steps = b.jerk_max == Bounds::none;
+  const Both limits = m.limit(steps);
+  const double moves = std::abs(from.velocity) + std::abs(from.acceleration) +
+                       std::abs(to.velocity) + std::abs(to.acceleration);
+  if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest))
+    return Form::any;
+  if (moves == 0) {
+    if (!limits.hold()) return Form::any;
+    if (steps) return Form::second_order;
+    return from.position == to.position ? Form::any : Form::rest_to_rest;
+  }
+  const Both target = limits & m.hold(to.velocity, to.acceleration, 1 + forgiven);
+  if (steps) return target.hold() ? Form::second_order : Form::any;
+  const Both sound = target & m.return_inside(to.velocity, -to.acceleration, 1 + forgiven);
+  const Both inside = m.hold(from.velocity, from.acceleration, 1) &
+                      m.return_inside(from.velocity, from.acceleration, 1);
+  if ((sound & inside).hold()) return from == to ? Form::any : Form::point_to_point;
+  return sound.hold() ? Form::outside : Form::any;
+}
+
+// Each motion is constructed in `out`: a copy takes as long as the solution of a trapezoid.
+bool detail::shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& b,
+                      Profile& out) noexcept {
+  if (form == Form::point_to_point) {
+    ::new (&out) Profile(PointToPoint(from, to, b).shortest(from, to));
+  } else if (form == Form::rest_to_rest) {
+    RestToRest move(to.position - from.position, b);
+    if (!move.solve_shortest()) return false;
+    ::new (&out) Profile(move.profile(from, to));
+  } else if (form == Form::second_order) {
+    ::new (&out) Profile(shortest_second_order(from, to, b));
+  }
+  return form > Form::outside;
+}
+
+MoveStatus detail::status_of(const MotionState& from, const MotionState& to,
+                             const Bounds& b) noexcept {
+  if (!is_state(from) || !is_state(to)) return MoveStatus::not_finite;
+  if (!are_bounds(b)) return MoveStatus::invalid_bounds;
+  return target_status(to, b, order_of(b));
+}
+
+const char* explain(MoveStatus status) noexcept {
+  switch (status) {
+    case MoveStatus::ok:
+      return "the move exists";
+    case MoveStatus::not_finite:
+      return "a state or the duration is not finite, or greater than 1e50";
+    case MoveStatus::invalid_bounds:
+      return "every max must be between 1e-50 and 1e50 (or infinite), every min between -1e50 and "
+             "-1e-50, and the highest derivative that is limited limited in both directions";
+    case MoveStatus::target_outside:
+      return "the target's velocity or acceleration lies outside the bounds";
+    case MoveStatus::target_unreachable:
+      return "the target's acceleration cannot be reached without a velocity outside the bounds";
+    case MoveStatus::position_limit:
+      return "no motion between the two keeps the position limits";
+    case MoveStatus::too_short:
+      return "the move takes longer than the given duration";
+    case MoveStatus::blocked:
+      return "a shorter and a longer duration are possible, but this one needs a reversal";
+    case MoveStatus::not_straight:
+      return "the velocities and accelerations of start and target are not along the line between "
+             "them, or an axis would exceed its velocity limit on this line";
+  }
+  return "";
+}
+
+MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
+  using detail::Form;
+  const Form form = detail::form(from, to, bounds);
+  if (form == Form::point_to_point)
+    return {MoveStatus::ok, detail::PointToPoint(from, to, bounds).shortest(from, to)};
+  if (form == Form::rest_to_rest)
+    if (detail::RestToRest move(to.position - from.position, bounds); move.solve_shortest())
+      return {MoveStatus::ok, move.profile(from, to)};
+  if (form == Form::second_order)
+    return {MoveStatus::ok, detail::shortest_second_order(from, to, bounds)};
+  MoveResult move;
+  if (form == Form::any) move.status = detail::status_of(from, to, bounds);
+  if (move) move.status = detail::Solver(from, to, bounds).shortest(move.profile);
+  return move;
+}
+
+MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
+                   double duration) noexcept {
+  MoveResult move;
+  move.status =
+      !std::isfinite(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
+  if (!move) return move;
+  const detail::Solver solver(from, to, bounds);
+  const double minimum = solver.minimum();
+  if (duration < minimum * (1 - forgiven))
+    move.status = MoveStatus::too_short;
+  else if (duration <= minimum * (1 + forgiven))
+    move.status = solver.shortest(move.profile);
+  else
+    move.status = solver.lasting(duration, move.profile);
+  // The edge of a blocked interval may miss by rounding what the interval itself permits.
+  if (move.status == MoveStatus::blocked && solver.durations().allows(duration))
+    for (double more = 0; move.status == MoveStatus::blocked && more < forgiven;
+         more = 4 * more + 0x1p-52)
+      move.status = solver.lasting(duration * (1 + more), move.profile);
+  return move;
+}
+
+Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
+  Durations d;
+  d.status = detail::status_of(from, to, bounds);
+  return d.status == MoveStatus::ok ? detail::Solver(from, to, bounds).durations() : d;
+}
+
+MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
+                         double acceleration) noexcept {
+  MoveResult move;
+  move.status = detail::status_of(from, {from.position, velocity, acceleration}, bounds);
+  if (move) move.status = detail::to_velocity(from, velocity, acceleration, bounds, move.profile);
+  return move;
+}
+
+bool Durations::allows(double duration) const noexcept {
+  return at_least(duration) <= duration * (1 + forgiven);
+}
+
+double Durations::at_least(double duration) const noexcept {
+  double t = std::max(duration, minimum);
+  for (std::size_t i = 0; i < count; ++i)
+    if (t > blocked[i].from * (1 + forgiven) && t < blocked[i].to) t = blocked[i].to;
+  return t;
+}
+
+}  // namespace jounce

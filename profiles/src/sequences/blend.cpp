@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profiles/src/sequences/blend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+#include "profiles/src/solver/brake.hpp"
+
+// D(e, w) is the distance over which a velocity changes from e to w as fast as it can, beginning and
+// ending without acceleration. It is point-symmetric about its middle, so that with T(dv) its
+// duration, and dv = |e - w|,
+//
+//   (1)  D(e, w) = (e + w)/2 T(dv)
+//
+// For w <= e it grows with e:      a move over L that must end at w may begin at up to the e with
+//
+//   (2)  D(e, w) = L.
+//
+// For w >= e it grows with w:      a move over L that begins at e may end at up to the w of (2).
+// For w <= e it does *not* fall with w everywhere: without a plateau, T = 2 sqrt(dv/j),
+//
+//   (3)  dD/dw = (e - 3 w) / (2 sqrt(j (e - w)))
+//
+// so that stopping takes less way than slowing to e/3. Nothing below rests on more than the two
+// monotonies before (3): what is called reachable has been tried.
+//
+// A start with acceleration, which only the first move of a batch has, first settles at
+//
+//   (4)  n = v + a |a| / (2 j)
+//
+// (natural_velocity() in detail/brake.hpp) and behaves like e = n from there, a constant way on.
+//
+// Turning round changes the sign of the direction, and with it which acceleration may act which way.
+// Where they are equal, the bounds serve both ways and the turn is one move. Where they differ, the
+// axis stops with its deceleration and moves back from rest, as with_target() (dynamics.hpp) does.
+
+namespace jounce::detail {
+namespace {
+
+constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
+constexpr double little = 0x1p-10;    ///< share of a length below which a ramp almost fits it
+
+/// The last v from `holds` towards `fails` that holds, to 2^-64 of their distance. A fixed number of
+/// halvings: the same in every unit.
+template <class Predicate>
+double last_that_holds(double holds, double fails, const Predicate& predicate) {
+  for (int i = 0; i < 64; ++i) {
+    const double middle = holds + (fails - holds) / 2;
+    if (middle == holds || middle == fails) break;
+    (predicate(middle) ? holds : fails) = middle;
+  }
+  return holds;
+}
+
+Profile solved(const MoveResult& move) {
+  if (!move) throw InputError("commands", "", explain(move.status));
+  return move.profile;
+}
+
+double ramp_length(const MotionState& from, double velocity, const Bounds& bounds) {
+  return ramp({0, from.velocity, from.acceleration}, velocity, bounds).end().position;
+}
+
+double ramp_length(double from, double velocity, const Bounds& bounds) {
+  return ramp_length({0, from, 0}, velocity, bounds);
+}
+
+/// The profile ends at the position that it was meant for, not a rounding beside it.
+Profile finished(Profile profile, double target, double velocity) {
+  profile.finish({target, velocity, 0});
+  return profile;
+}
+
+/// A ramp to u, as long at u as there is room, a ramp to the exit. u is the velocity given or, where
+/// that does not fit, the nearest to it that does. From a start without acceleration this is the
+/// shortest motion, and it needs no more than that one ramp to the exit fits.
+///
+///   (5)  D(from, u) + D(u, exit) <= L
+std::vector<Profile> by_ramps(const MotionState& from, double target, double exit, double velocity,
+                              const Bounds& bounds) {
+  const double length = target - from.position;
+  const auto rest = [&](double u) {  // (5)
+    return length - ramp_length(from, u, bounds) - ramp_length(u, exit, bounds);
+  };
+  const auto fits = [&](double u) { return rest(u) >= 0; };
+  const double settled = std::max(natural_velocity(from, bounds), 0.0);
+  const double u =
+      fits(velocity) ? velocity : last_that_holds(fits(settled) ? settled : exit, velocity, fits);
+  const MotionState end{target - ramp_length(u, exit, bounds), u, 0};
+  const MotionState begin{end.position - rest(u), u, 0};
+  Profile cruise(begin, 3);
+  if (u > 0 && rest(u) > rounding * length) cruise.add(rest(u) / u, 0);
+  return {finished(ramp(from, u, bounds), begin.position, u), finished(cruise, end.position, u),
+          finished(ramp(end, exit, bounds), target, exit)};
+}
+
+}  // namespace
+
+namespace {
+
+double jerk_limit(const Dynamics& d) {
+  return d.jerk == 0 ? Bounds::none : d.jerk;
+}
+
+Bounds mirrored(Bounds b) {
+  b.acceleration_min = -std::exchange(b.acceleration_max, -b.acceleration_min);
+  return b;
+}
+
+/// What a way is not known better by, for the positions of its ends.
+double position_rounding(const MotionState& from, double target) {
+  return rounding * std::max(std::abs(from.position), std::abs(target));
+}
+
+}  // namespace
+
+Bounds forward(const Dynamics& d) {
+  Bounds bounds = within(d.velocity, d.acceleration, jerk_limit(d));
+  if (d.deceleration != 0) bounds.acceleration_min = -d.deceleration;
+  return bounds;
+}
+
+bool runs_backwards(const MotionState& from, const Dynamics& dynamics) {
+  return std::min(from.velocity, natural_velocity(from, forward(dynamics))) < 0;  // (4)
+}
+
+bool stops_to_turn(const Dynamics& d) {
+  return d.deceleration != 0 && d.deceleration != d.acceleration;
+}
+
+Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
+  Bounds free = bounds;
+  free.velocity_min = -Bounds::none;
+  free.velocity_max = Bounds::none;
+  return solved(move_velocity(from, velocity, free));
+}
+
+Profile halt(const MotionState& from, const Dynamics& dynamics) {
+  const Bounds bounds = forward(dynamics);
+  const bool backwards = natural_velocity(from, bounds) < 0;
+  return ramp(from, 0, backwards ? mirrored(bounds) : bounds);
+}
+
+double highest_entry(double length, double exit, double cap, const Bounds& bounds) {
+  const auto fits = [&](double v) { return ramp_length(v, exit, bounds) <= length; };
+  if (cap <= exit || fits(cap)) return cap;
+  return last_that_holds(exit, cap, fits);  // (2)
+}
+
+Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
+                    const Dynamics& dynamics) {
+  const double length = target - from.position;
+  const bool backwards = runs_backwards(from, dynamics);
+  if (backwards && stops_to_turn(dynamics)) return {0, true};
+  const Bounds bounds = forward(dynamics);
+  const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
+  if (fits(wanted)) return {wanted, backwards};
+  const double settled = std::max(natural_velocity(from, bounds), 0.0);
+  // Too short to get up to it: (2). Too short to slow down: passes faster if the next moves can
+  // cope, otherwise stops there if (3) permits, or comes back.
+  const double nearest = settled < wanted ? settled : std::min(settled, cap);
+  if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
+  return {0, ramp_length(from, 0, bounds) > length + position_rounding(from, target)};
+}
+
+std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
+                             const Dynamics& dynamics) {
+  const Bounds bounds = forward(dynamics);
+  const double length = target - from.position;
+  const double spare = length - ramp_length(from, exit.velocity, bounds);
+  if (spare <= rounding * length && spare >= -position_rounding(from, target))
+    return {finished(ramp(from, exit.velocity, bounds), target, exit.velocity)};
+  const double fastest = std::max({from.velocity, natural_velocity(from, bounds), exit.velocity});
+  const bool fits = spare > 0 && fastest > 0;
+  if (fits && (fastest > dynamics.velocity || spare < little * length))
+    return by_ramps(from, target, exit.velocity, dynamics.velocity, bounds);
+  return {solved(move_to(from, {target, exit.velocity, 0}, bounds))};
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/sequences/override.hpp"
+
+namespace jounce::detail {
+
+/// One answer to a request: at `begin` the clock leaves what was decided and follows `pieces`.
+struct Ramp {
+  double begin = 0;
+  double end = 0;
+  double factor = 1;  ///< from the end on
+  double path = 0;    ///< path time at the end
+  std::vector<Segment> pieces;
+};
+
+/// The clock as far as it is decided: `pieces` from the start on, then the factor `rate` for ever.
+struct Clock {
+  double start = 0;   ///< s
+  double origin = 0;  ///< path time at the start
+  std::vector<Segment> pieces;
+  double path = 0;  ///< path time at the end of the pieces
+  double rate = 1;
+
+  [[nodiscard]] double end() const;
+  /// The clock up to t, which lies after the start, and its state there.
+  [[nodiscard]] Trajectory until(double t) const;
+  [[nodiscard]] MotionState at(double t) const;
+  /// When the path time is reached; infinite if never.
+  [[nodiscard]] double reaches(double path_time) const;
+  void follow(const Ramp& ramp);
+};
+
+/// The plan: axes over path time, and how fast a clock may change along it.
+struct Path {
+  std::vector<Trajectory> axes;  ///< that hold
+  std::span<const Limits> limits;
+  double acceleration = 0;  ///< acceleration of the clock, nominal: 1/s
+  double jerk = 0;          ///< 1/s^2
+
+  [[nodiscard]] double start() const { return axes.front().start(); }
+  [[nodiscard]] double end() const { return axes.front().end(); }
+  /// Do all axes keep their limits along this stretch of the clock?
+  [[nodiscard]] bool allows(const Trajectory& clock) const;
+  /// The greatest factor that the path from `from` to its end leaves room for.
+  [[nodiscard]] double room(double from) const;
+};
+
+/// The answer to one request: of all starts, shapes and steepnesses that are tried, and with which
+/// all limits hold, the ramp that ends first; nothing if the motion is over before.
+std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
+                                  const FactorRequest& request, double maximum);
+
+}  // namespace jounce::detail

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/profiles/sequences/queue.hpp"
+
+namespace jounce::detail {
+
+/// Throws InputError for what queue() refuses; keys count commands from 1.
+void require_valid(const QueueSpec& spec);
+
+}  // namespace jounce::detail

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/sequences/synchronise.hpp"
+
+namespace jounce::detail {
+
+/// The state of every axis at one knot.
+using Knot = std::vector<MotionState>;
+
+/// The motion between two neighbouring knots.
+struct Hop {
+  double duration = 0;  ///< s; infinite where there is none
+  std::vector<Profile> profiles;
+};
+
+/// What each axis may do, for each stretch between two knots.
+using StretchBounds = std::vector<std::vector<Bounds>>;
+
+/// All axes from one knot to the next in the least common time, if every axis gets there without
+/// turning back on the way.
+Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
+
+/// The durations between the knots.
+std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot> knots);
+
+/// Chooses velocities and accelerations at the interior knots, between which there must be motions, so
+/// that the motion becomes shorter: a local search over one knot at a time (pattern search; the steps are
+/// halved until none helps).
+void shorten(const StretchBounds& bounds, std::span<Knot> knots);
+
+}  // namespace jounce::detail

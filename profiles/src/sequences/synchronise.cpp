@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/sequences/synchronise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <new>
+
+#include "profiles/src/solver/axis_task.hpp"
+#include "profiles/src/solver/brake.hpp"
+#include "profiles/src/solver/solver.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::AxisTask;
+
+/// What is asked of the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
+struct Timing {
+  double minimum;
+  double grid;
+};
+
+/// A duration that differs from a multiple by this share is one.
+constexpr double same_duration = 1e-12;
+constexpr double rounding_of_duration = 1e-13;
+
+/// The next multiple of the grid.
+double on_grid(double t, double grid) {
+  return grid > 0 ? std::ceil(t / grid * (1 - same_duration)) * grid : t;
+}
+
+/// The least duration on the grid that is not less than t and is allowed.
+double at_least(const Durations& allowed, double t, double grid) {
+  double next = on_grid(allowed.at_least(t), grid);
+  while (!allowed.allows(next)) next = on_grid(allowed.at_least(next), grid);
+  return next;
+}
+
+/// The motion that lasts t, or where that is blocked the next possible duration, which becomes t.
+MoveStatus lasting(const AxisTask& task, double& t, double grid, Profile& out) {
+  MoveStatus status = task.lasting(t, out);
+  // At the very edge of a blocked interval rounding decides: then a little later.
+  for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
+    t = at_least(task.durations(), t * (1 + more), grid);
+    status = task.lasting(t, out);
+  }
+  return status;
+}
+
+Profile left_out(const AxisMove& axis) {
+  return {axis.from, 3};
+}
+
+/// The tasks of all axes. The first are kept, where each is asked again; the others are made each time.
+class Tasks {
+ public:
+  Tasks(std::span<const AxisMove> axes, bool keeps) noexcept
+      : axes_(axes), kept_(keeps ? std::min(axes.size(), capacity) : 0) {
+    for (std::size_t i = 0; i < kept_; ++i) ::new (&all_[i].task) AxisTask(axes[i]);
+  }
+
+  const AxisTask& of(std::size_t i) {
+    return i < kept_ ? all_[i].task : *::new (&all_[capacity].task) AxisTask(axes_[i]);
+  }
+
+ private:
+  static constexpr std::size_t capacity = 16;
+  union Slot {  // a std::optional would be cleared at first
+    Slot() noexcept {}
+    AxisTask task;
+  };
+
+  std::span<const AxisMove> axes_;
+  std::size_t kept_;
+  std::array<Slot, capacity + 1> all_;
+};
+
+/// The shortest motion of one axis that is enabled, or the next on the grid.
+MoveStatus alone(const AxisMove& axis, const AxisTask& task, const Timing& timing, Profile& out) {
+  MoveStatus status = task.status();
+  if (status == MoveStatus::ok)
+    status = task.shortest(out);
+  else
+    out = left_out(axis);
+  if (status != MoveStatus::ok || (timing.minimum <= 0 && timing.grid <= 0)) return status;
+  const double shortest = out.duration();
+  double t = on_grid(std::max(shortest, timing.minimum), timing.grid);
+  if (t > shortest * (1 + same_duration))
+    status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out);
+  return status;
+}
+
+Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+                  Tasks& tasks) {
+  Synchronised result;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) {
+      out[i] = left_out(axes[i]);
+      continue;
+    }
+    const MoveStatus status = alone(axes[i], tasks.of(i), timing, out[i]);
+    if (status != MoveStatus::ok) return {status, i, 0};
+    result.duration = std::max(result.duration, out[i].duration());
+  }
+  return result;
+}
+
+Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
+  Tasks tasks(axes, false);
+  return each(axes, out, timing, tasks);
+}
+
+/// The next axis, round and round.
+std::size_t after(std::size_t i, std::size_t axes) {
+  return i + 1 < axes ? i + 1 : 0;
+}
+
+/// A common duration on its way: round and round, from `next` on, every axis is asked until all of them agree.
+struct Agreement {
+  Synchronised common;
+  std::size_t next = 0;
+  std::size_t agreed = 0;  ///< axes, in a row before `next`, that move in this duration already
+};
+
+/// The least time in which all can move. An axis that cruises in a time that another needs anyway has its motion,
+/// and is not asked for its shortest: so the one that likely takes longest comes first.
+Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
+                        const Timing& timing, Tasks& tasks) {
+  Agreement result;
+  double& t = result.common.duration;
+  double most = -Bounds::none;
+  std::size_t usual = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const AxisTask& task = tasks.of(i);
+    if (axes[i].enabled && task.is_usual()) {
+      const double about = task.about();
+      result.next = about > most ? i : result.next;
+      most = std::max(most, about);
+      ++usual;
+      continue;
+    }
+    out[i] = left_out(axes[i]);
+    if (!axes[i].enabled) continue;
+    const MoveStatus status = alone(axes[i], task, {0, 0}, out[i]);
+    if (status != MoveStatus::ok) return {{status, i, 0}};
+    t = std::max(t, out[i].duration());
+  }
+  for (std::size_t k = 0, i = result.next; k < axes.size(); ++k, i = after(i, axes.size())) {
+    const AxisTask& task = tasks.of(i);
+    if (!axes[i].enabled || !task.is_usual()) continue;
+    const double common = on_grid(std::max(t, timing.minimum), timing.grid);
+    ++result.agreed;
+    if (common > 0 && task.cruises(common, out[i])) continue;
+    (void)task.shortest(out[i]);
+    const double shortest = out[i].duration();
+    if (shortest != t) result.agreed = shortest > t ? 1 : 0;  // it does not, or those before do not
+    t = std::max(t, shortest);
+  }
+  if (usual < axes.size() || t != on_grid(std::max(t, timing.minimum), timing.grid))
+    result.agreed = 0;
+  return result;
+}
+
+bool rests(const AxisMove& axis) {
+  return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
+}
+
+/// All in the least time that each can do: whenever one cannot, in the next time that it can. With
+/// `if_moving`, an axis whose target rests stays as fast as it is.
+Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+                     bool if_moving) {
+  Tasks tasks(axes, true);
+  Agreement all = if_moving ? Agreement{each(axes, out, {0, timing.grid}, tasks)}
+                            : in_least_time(axes, out, timing, tasks);
+  if (all.common.status != MoveStatus::ok) return all.common;
+  double& t = all.common.duration;
+  t = on_grid(std::max(t, timing.minimum), timing.grid);
+  for (std::size_t i = all.next; all.agreed < axes.size();
+       i = after(i, axes.size()), ++all.agreed) {
+    if (!axes[i].enabled || (if_moving && rests(axes[i]))) continue;
+    // What is left of a duration by rounding alone is no time to spend: a velocity made of it is any.
+    if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
+    const double before = t;
+    const MoveStatus status = lasting(tasks.of(i), t, timing.grid, out[i]);
+    if (status != MoveStatus::ok) return {status, i, 0};
+    if (t != before) all.agreed = 0;
+  }
+  return all.common;
+}
+
+/// What of an axis may define the common line: the distance, or where nothing moves, a rate.
+double component(const AxisMove& m, int which) {
+  switch (which) {
+    case 0:
+      return m.to.position - m.from.position;
+    case 1:
+      return m.from.velocity;
+    case 2:
+      return m.to.velocity;
+    case 3:
+      return m.from.acceleration;
+    default:
+      return m.to.acceleration;
+  }
+}
+
+/// The axis that goes farthest, and in which component; `which` is 5 if nothing moves at all.
+struct Leader {
+  std::size_t axis = 0;
+  int which = 0;
+};
+
+Leader leader(std::span<const AxisMove> axes) {
+  for (int which = 0; which < 5; ++which) {
+    Leader l{0, 5};
+    double most = 0;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!axes[i].enabled) continue;
+      const double rate = std::abs(component(detail::posed(axes[i]), which));
+      if (rate > most) {
+        most = rate;
+        l = {i, which};
+      }
+    }
+    if (most > 0) return l;
+  }
+  return {0, 5};
+}
+
+/// The bounds of an axis whose rates are `ratio` times the leader's, as bounds of the leader.
+void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double ratio) {
+  const auto both = [ratio](double min, double max, double& lead_min, double& lead_max) {
+    const double lo = (ratio > 0 ? min : max) / ratio;
+    const double hi = (ratio > 0 ? max : min) / ratio;
+    // An axis that hardly moves limits nothing.
+    if (lo > -1e50) lead_min = std::max(lead_min, lo);
+    if (hi < 1e50) lead_max = std::min(lead_max, hi);
+  };
+  const Bounds& b = axis.bounds;
+  both(b.velocity_min, b.velocity_max, lead.velocity_min, lead.velocity_max);
+  both(b.acceleration_min, b.acceleration_max, lead.acceleration_min, lead.acceleration_max);
+  both(b.jerk_min, b.jerk_max, lead.jerk_min, lead.jerk_max);
+  double lo = -Bounds::none;
+  double hi = Bounds::none;
+  both(b.position_min - axis.from.position, b.position_max - axis.from.position, lo, hi);
+  lead.position_min = std::max(lead.position_min, lead_from + lo);
+  lead.position_max = std::min(lead.position_max, lead_from + hi);
+}
+
+/// Whether a component of an axis is `ratio` times the leader's, as well as positions and the states of
+/// a running motion can tell: their last digits are those of the positions and of the bounds.
+bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio, double scale) {
+  constexpr double digits = 0x1p-48;
+  const auto far = [](const AxisMove& m) {
+    return std::abs(m.from.position) + std::abs(m.to.position);
+  };
+  const auto bound = [which](const Bounds& b) {
+    const double most = which < 3 ? std::max(b.velocity_max, -b.velocity_min)
+                                  : std::max(b.acceleration_max, -b.acceleration_min);
+    return which > 0 && std::isfinite(most) ? most : 0;
+  };
+  const double here = component(axis, which);
+  const double there = component(lead, which);
+  const double of_ratio = (far(axis) + std::abs(ratio) * far(lead)) / std::abs(scale);
+  const double slack = 1e-12 * (std::abs(here) + std::abs(ratio * there)) +
+                       digits * (of_ratio * std::abs(there) + (which == 0 ? far(axis) : 0) +
+                                 bound(axis.bounds) + std::abs(ratio) * bound(lead.bounds));
+  return std::abs(here - ratio * there) <= slack;
+}
+
+/// Whether all axes inside their own bounds keep their velocity limits: the line's velocity has to pass
+/// the one at which its acceleration is back at zero.
+Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
+                             const Bounds& line) {
+  constexpr double forgiven = 1e-12;
+  if (detail::order_of(line) < 3) return {};
+  const double peak = detail::natural_velocity(lead.from, line);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double v = component(axis, which) / component(lead, which) * peak;
+    const bool outside = v > axis.bounds.velocity_max * (1 + forgiven) ||
+                         v < axis.bounds.velocity_min * (1 + forgiven);
+    // One that is outside comes inside as the line does.
+    if (outside && detail::is_inside(axis.from, axis.bounds, forgiven))
+      return {MoveStatus::not_straight, i, 0};
+  }
+  return {};
+}
+
+/// Whether all goals are of one kind and sound.
+Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) continue;
+    const MoveStatus status = AxisTask(axes[i]).status();
+    if (status != MoveStatus::ok) return {status, i, 0};
+    if (axes[i].goal != goal) return {MoveStatus::not_straight, i, 0};
+  }
+  return {};
+}
+
+Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
+                      const Timing& timing) {
+  const Leader lead = leader(axes);
+  if (const Synchronised s = one_kind(axes, axes[lead.axis].goal); s.status != MoveStatus::ok)
+    return s;
+  if (lead.which == 5) return each(axes, out, timing);
+  AxisMove first = detail::posed(axes[lead.axis]);
+  const double scale = component(first, lead.which);
+  Bounds bounds = first.bounds;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double ratio = component(axis, lead.which) / scale;
+    for (int k = 0; k < 5; ++k)
+      if (!on_line(axis, first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
+    if (ratio != 0) intersect(bounds, axis, first.from.position, ratio);
+  }
+  if (const Synchronised s = kept_velocities(axes, first, lead.which, bounds);
+      s.status != MoveStatus::ok)
+    return s;
+  Profile along;
+  first = {first.from, first.to, bounds};
+  if (const Synchronised s = each({&first, 1}, {&along, 1}, timing); s.status != MoveStatus::ok)
+    return {s.status, lead.axis, 0};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    out[i] = left_out(axes[i]);
+    if (!axes[i].enabled) continue;
+    const AxisMove axis = detail::posed(axes[i]);
+    const double ratio = component(axis, lead.which) / scale;
+    const MoveStatus status =
+        detail::answered(axes[i], along.scaled(ratio, axis.from, axis.to), out[i]);
+    if (status != MoveStatus::ok) return {status, i, 0};
+  }
+  return {MoveStatus::ok, 0, along.duration()};
+}
+
+}  // namespace
+
+Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
+                         double minimum_duration, double grid) noexcept {
+  assert(axes.size() == out.size());
+  if (!std::isfinite(minimum_duration) || !std::isfinite(grid))
+    return {MoveStatus::not_finite, 0, 0};
+  if (axes.empty()) return {};
+  const Timing timing{minimum_duration, grid};
+  if (sync == Sync::none) return each(axes, out, timing);
+  if (sync == Sync::phase || sync == Sync::phase_or_time) {
+    const Synchronised straight = in_phase(axes, out, timing);
+    if (sync == Sync::phase || straight.status != MoveStatus::not_straight) return straight;
+  }
+  return in_time(axes, out, timing, sync == Sync::time_if_moving);
+}
+
+}  // namespace jounce

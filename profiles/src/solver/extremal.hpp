@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "jounce/profiles/detail/lanes.hpp"
+
+namespace jounce::detail {
+
+// The farthest a jerk-limited axis can get in a given time: the one family of motions on which the
+// general solver rests. docs/generators/move.md derives it at length.
+//
+// Fix both ends, (v0, a0) and (vf, af), and a duration T. The bounds on velocity, acceleration and
+// jerk are convex, so the distances that can be covered in T form an interval [Dmin(T), Dmax(T)].
+// The motion that attains Dmax is an *extremal*:
+//
+//   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
+//
+// The second half run backwards begins at (vf, -af) and is of the same kind as the first. A half
+// that begins at velocity v and acceleration s towards the peak velocity vp, with
+// c = v - s^2/(2 jp) and k = 1/jp + 1/jd (jp, jd > 0: rise and fall of acceleration), has
+//
+//   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held
+//   (2)  t  = (z - s)/jp + h + z/jd
+//   (3)  d  = c (z - s)/jp + (z^3 - s^3)/(6 jp^2) + (c + z^2/(2 jp)) h + z h^2/2
+//             + vp z/jd - z^3/(6 jd^2)
+//
+// Where the acceleration keeps its sign between z1 and -z2, one z is negative: the halves then
+// overlap, and (1) to (3) still hold. Along the family, in the direction of growing T,
+//
+//   (4)  dDmax/dT = H = vp + z1 z2/(2 jd)
+//
+// Dmin is Dmax of the motion mirrored in position.
+//
+// Where one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
+// phase of seconds changes z by less than its last digits. The same equations in the times of the phases
+// keep theirs (extremal_timed.cpp).
+
+/// By how much one jerk must be below the other, or one acceleration above the other, for the digits that
+/// (1) to (3) lose to matter.
+inline constexpr double uneven = 8;
+
+/// A member of the family.
+struct Extremal {
+  // The first and the second half, each in a lane:
+  Vector2 z{};        ///< peak accelerations towards the peak velocity
+  Vector2 rise{};     ///< how long they take to build up
+  Vector2 hold{};     ///< how long they are held
+  double fall = 0;    ///< how long the acceleration takes from z1 to -z2, cruise left out
+  double vp = 0;      ///< peak velocity
+  double cruise = 0;  ///< how long that is held
+};
+
+/// All extremals between two ends. With both accelerations at the ends of one sign there may be two
+/// separate branches: the *early* one, where the velocity changes without the acceleration passing
+/// zero, lasts from its direct change to a longest member; the *main* one lasts from its direct
+/// change to any duration.
+class Extremals {
+ public:
+  struct End {
+    double velocity;
+    double acceleration;
+  };
+  /// Magnitudes, all > 0; may be infinite.
+  struct Limits {
+    double velocity;    ///< upwards
+    double rise, fall;  ///< acceleration upwards and downwards
+  };
+  /// Magnitudes, all > 0: 1/jp, 1/jd, their sum k, and 1/k.
+  struct Jerks {
+    double per_rise, per_fall, k, per_k;
+
+    [[nodiscard]] Jerks mirrored() const noexcept { return {per_fall, per_rise, k, per_k}; }
+  };
+  enum class Branch { early, main };
+
+  /// `degenerate` is the half (0 or 1) with the greater natural velocity, that at which the
+  /// acceleration comes to zero if it begins to at once.
+  /// `dv` is how much greater the velocity `to` is: it may be known better than the two.
+  Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
+            int degenerate) noexcept;
+
+  /// True if there is an early branch, give or take what rounding makes of the velocities.
+  [[nodiscard]] bool has_early() const noexcept;
+  /// The shortest member of a branch, and the longest of the early one.
+  [[nodiscard]] Extremal first(Branch b) const noexcept;
+  [[nodiscard]] Extremal last_early() const noexcept;
+  /// The shortest member of the main branch, the direct change of velocity, as a member of the mirrored family.
+  [[nodiscard]] Extremal mirrored(const Extremal& direct) const noexcept;
+
+  [[nodiscard]] double duration(const Extremal& e) const noexcept {
+    return e.rise[0] + e.hold[0] + e.fall + e.cruise + e.hold[1] + e.rise[1];
+  }
+  [[nodiscard]] double distance(const Extremal& e) const noexcept;
+  /// The durations of the seven phases, jerk + 0 - 0 - 0 +; what rounding made of nothing may be
+  /// negative.
+  [[nodiscard]] std::array<double, 7> phases(const Extremal& e) const noexcept;
+  /// (4)
+  [[nodiscard]] double slope(const Extremal& e) const noexcept {
+    return e.vp + e.z[0] * e.z[1] * ijd_ / 2;
+  }
+
+  /// The members of the branch that cover d, in the order of their duration: at most three.
+  using Members = std::array<Extremal, 3>;
+  [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
+  /// The shortest of them on the main branch, the fast way, given where that begins: d >= covered,
+  /// the distance of `begin`, which is first(Branch::main).
+  [[nodiscard]] Extremal cover(double d, const Extremal& begin, double covered) const noexcept;
+  /// The member of the branch that lasts t.
+  [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
+
+  /// The greater of the velocities at which the acceleration of an end would come to zero.
+  [[nodiscard]] double natural() const noexcept { return natural_; }
+  /// Not extremal, but of the same form: the motion that cruises at the natural velocity in duration t; and
+  /// the one that cruises at the higher velocity that covers d in t. Only for t and d that permit the
+  /// former; false where no velocity covers d, give or take `slack`.
+  [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
+  bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
+  /// The same the fast way; false also where its few steps do not find it.
+  bool soon_cruising(double t, double d, Extremal& out) const noexcept;
+
+ private:
+  template <class Real>
+  struct Half {
+    Real v, s, limit, c;
+    Real gain;     ///< from v to natural
+    Real to_sat;   ///< from natural to sat
+    Real sat;      ///< vp at which z reaches the limit
+    Real natural;  ///< vp at which z is s, or 0 if that is more
+  };
+  /// Both halves, each in a lane.
+  struct Halves : Half<Vector2> {
+    [[nodiscard]] Half<double> operator[](std::size_t i) const noexcept {
+      return {v[i], s[i], limit[i], c[i], gain[i], to_sat[i], sat[i], natural[i]};
+    }
+  };
+  /// A stretch of a branch over which the same z are held, run through by one parameter.
+  struct Stretch {
+    enum class Held { none, one, both, cruise } held;
+    int free;  ///< Held::one: the half that does not hold
+    double lo, hi;
+  };
+  using Stretches = std::array<Stretch, 6>;
+
+  [[nodiscard]] int stretches(Branch b, Stretches& out) const noexcept;
+  [[nodiscard]] Extremal member(const Stretch& p, double x) const noexcept;
+  [[nodiscard]] int turning(const Stretch& p, std::array<double, 2>& out) const noexcept;
+  [[nodiscard]] Extremal solve(const Stretch& p, double d, bool rising,
+                               double guess) const noexcept;
+  [[nodiscard]] double solve_sum(double g, double lo, double hi, bool rising,
+                                 double guess) const noexcept;
+  /// (5) without K, over k: of the sum of both z.
+  [[nodiscard]] double of_sum(double s) const noexcept {
+    return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
+  }
+  [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
+  [[nodiscard]] Extremal cruising_above(double above, double t) const noexcept;
+  double cruising_step(const Extremal& e, double d, double& sign) const noexcept;
+  /// `beyond`: what vp + beyond would round.
+  [[nodiscard]] Extremal at_peak(double vp, double beyond = 0) const noexcept;
+  /// How long the other half holds its limit where the half `free` has z. From the difference of both c,
+  /// as velocities are no measure of it.
+  [[nodiscard]] double held_beside(int free, double z) const noexcept {
+    const double l = half_[static_cast<std::size_t>(1 - free)].limit;
+    return k_ / 2 * ((free == high_ ? q_ : -q_) + (z - l) * (z + l)) / l;
+  }
+  [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
+  /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
+  [[nodiscard]] double rise(const Half<double>& h, double z, double squares) const noexcept {
+    return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
+  }
+
+  // By the time of a slow phase: of both rises together, of the free half's rise, or of the fall.
+  [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
+  [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;
+  [[nodiscard]] Extremal timed_none(double x) const noexcept;
+  [[nodiscard]] Extremal timed_one(int free, double x) const noexcept;
+  [[nodiscard]] double time_of(const Stretch& p, double z) const noexcept;
+  [[nodiscard]] double time_lasting(const Stretch& p, double t) const noexcept;
+  [[nodiscard]] Extremal solve_time(const Stretch& p, double d, bool rising) const noexcept;
+
+  Halves half_;
+  double vmax_, dv_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
+  double
+      excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
+  bool rises_slowly_;  ///< jp is far below jd
+  double natural_;
+  double mean_, cubic_, inverse_, base_;  ///< base of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
+  double q_;                              ///< z_low^2 - z_high^2 while nothing is held
+  int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
+  int first_;  ///< the half that is degenerate at the start of the main branch
+};
+
+}  // namespace jounce::detail

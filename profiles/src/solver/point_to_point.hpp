@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "jounce/profiles/moves/move.hpp"
+
+#include "profiles/src/solver/extremal.hpp"
+
+namespace jounce::detail {
+
+/// One move between two states inside the bounds, third order: both families of extremals, the one
+/// that goes as far up as it can in every duration and the one that goes as far down (as the
+/// mirror image of an upward one). docs/generators/move.md.
+class PointToPoint {
+ public:
+  PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+  /// The shortest motion, as a profile between the two states that were asked for.
+  [[nodiscard]] Profile shortest(const MotionState& from, const MotionState& to) const noexcept;
+  /// The same appended to a way inside.
+  void append_shortest(Profile& out) const noexcept { append(fastest(), out); }
+  /// Appends the phases of a motion of exactly this duration >= minimum(); false if it is blocked.
+  bool lasting(double t, Profile& out) const noexcept;
+  /// The same where that motion cruises for a time that is more than rounding: then t is longer than minimum(),
+  /// and the shortest motion need not be known. Otherwise false.
+  bool cruises(double t, Profile& out) const noexcept;
+  [[nodiscard]] double minimum() const noexcept;
+  [[nodiscard]] Durations durations() const noexcept;
+
+  // The early branch alone, for a start that runs out of the bounds and may meet its target before.
+  // It has the state from which the acceleration has to return at once, and may not pass zero.
+  [[nodiscard]] bool has_early() const noexcept;
+  /// Whose last blocked interval is without end.
+  [[nodiscard]] Durations early_durations() const noexcept;
+
+ private:
+  using Branch = Extremals::Branch;
+
+  PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
+               const Extremals::Jerks& jerks) noexcept;
+
+  /// The phases of one member, and of which family.
+  struct Course {
+    bool upwards = true;
+    std::array<double, 7> phases{};
+  };
+  /// Both families at work on one question.
+  struct Families {
+    Extremals up, down;
+    bool early;
+
+    [[nodiscard]] const Extremals& of(bool upwards) const noexcept { return upwards ? up : down; }
+  };
+
+  [[nodiscard]] Extremals family(bool upwards) const noexcept;
+  [[nodiscard]] Families families() const noexcept;
+  [[nodiscard]] bool is_early(const Extremals& up) const noexcept;
+  /// The distance in the family's own direction.
+  [[nodiscard]] double towards(bool upwards) const noexcept { return upwards ? d_ : -d_; }
+  [[nodiscard]] bool fastest_early(const Extremals& up, Course& out) const noexcept;
+  [[nodiscard]] Course fastest() const noexcept;
+  [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
+  /// Instants between which nothing changes about whether the target can be reached.
+  struct Events {
+    std::array<double, 17> at{};
+    std::size_t count = 0;
+
+    void add(double t) noexcept { at[count++] = t; }
+  };
+  void add_events(Branch b, const Families& both, Events& events) const noexcept;
+  template <class Possible>
+  static void find_blocked(Events events, Durations& out, Possible possible) noexcept;
+  [[nodiscard]] double rounding(double t) const noexcept;
+  [[nodiscard]] std::array<double, 2> jerks(bool upwards) const noexcept;
+  [[nodiscard]] Profile profile(const Course& c, const MotionState& from,
+                                const MotionState& to) const noexcept;
+  void append(const Course& c, Profile& out) const noexcept;
+  [[nodiscard]] Bounds ramps() const noexcept;
+  bool append_long(double t, Profile& out) const noexcept;
+  bool append_mean(const std::array<Course, 2>& ends, const std::array<double, 2>& reach,
+                   Profile& out) const noexcept;
+  bool append_stair(double t, Profile& out) const noexcept;
+  void append_blend(const std::array<Course, 2>& c, double share, Profile& out) const noexcept;
+
+  double rise_, fall_;  ///< the jerks, signed
+  double d_;
+  double dv_;  ///< dv of the velocities: to_ less from_
+  Extremals::End from_, to_;
+  Extremals::Jerks jerks_;
+  std::array<double, 2> natural_;  ///< velocities of start and target
+  bool start_is_higher_;           ///< in its natural velocity
+  Extremals::Limits up_limits_, down_limits_;
+  MotionState scale_;  ///< what the states are made of
+};
+
+/// Adds a blocked interval behind the others: to the last where it goes on, or where there is no room
+/// for another (so that no duration is promised that is blocked).
+void block(const Durations::Interval& interval, Durations& out) noexcept;
+
+}  // namespace jounce::detail

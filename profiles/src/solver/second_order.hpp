@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/profiles/moves/move.hpp"
+
+namespace jounce::detail {
+
+// Where the acceleration may step, a motion rises to a peak velocity p, holds it and falls (or the
+// mirror image of that). With rise r and fall f of the velocity, both > 0,
+//
+//   (1)  t = (p - v0)/r + (p - vf)/f + cruise
+//   (2)  d = (p^2 - v0^2)/(2 r) + (p^2 - vf^2)/(2 f) + p cruise
+//
+// The direct change has p = max(v0, vf) and covers d0. The shortest motion goes up for d > d0: (2)
+// without cruise, or with p = vmax. To last longer than the direct change, by `spare`, it cruises at
+// (d - d0)/spare if that lies between v0 and vf. Otherwise p lies above max(v0, vf) = m by y, and with
+// k = 1/r + 1/f (1) and (2) are
+//
+//   (3)  k y^2/2 - spare y + (d - d0 - m spare) = 0,   the smaller solution; cruise = spare - k y
+
+/// The shortest motion alone, start and target inside the bounds. No branch depends on the numbers: a
+/// processor foresees none of them.
+class ShortestSecondOrder {
+ public:
+  ShortestSecondOrder(const MotionState& from, const MotionState& to,
+                      const Bounds& bounds) noexcept;
+
+  /// The motion begins with an acceleration a, during t.
+  void lead(double t, double a) noexcept;
+
+  [[nodiscard]] double duration() const noexcept { return lead_ + rises_ + cruise_ + falls_; }
+  [[nodiscard]] Profile profile(const MotionState& from, const MotionState& to) const noexcept;
+  void append(Profile& out) const noexcept;
+
+ private:
+  double rise_, fall_;             ///< accelerations, signed
+  double rises_, cruise_, falls_;  ///< s
+  double lead_ = 0;                ///< s, with fall_
+};
+
+/// Down (or up) to the velocity limit, if that is passed.
+struct Slowed {
+  double time, acceleration;
+  MotionState state;  ///< after it
+};
+Slowed slowed(const MotionState& from, const Bounds& bounds) noexcept;
+
+/// The shortest motion from any velocity.
+Profile shortest_second_order(const MotionState& from, const MotionState& to,
+                              const Bounds& bounds) noexcept;
+
+/// The same as PointToPoint for an acceleration that may step; the start inside the bounds.
+class SecondOrder {
+ public:
+  SecondOrder(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
+
+  void shortest(Profile& out) const noexcept { shortest_.append(out); }
+  /// False if the duration, >= minimum(), is blocked.
+  bool lasting(double t, Profile& out) const noexcept;
+  [[nodiscard]] double minimum() const noexcept { return shortest_.duration(); }
+  [[nodiscard]] Durations durations() const noexcept;
+
+ private:
+  /// One direction, in magnitudes.
+  struct Way {
+    double sign, v0, vf, vmax, rise, fall, d;
+
+    [[nodiscard]] double natural() const noexcept { return v0 > vf ? v0 : vf; }
+    [[nodiscard]] double duration(double peak) const noexcept;
+    [[nodiscard]] double distance(double peak) const noexcept;
+    /// (3): lasts longer than the direct change by `spare`, and goes farther by `excess`.
+    void append_cruise(double spare, double excess, Profile& out) const noexcept;
+  };
+
+  [[nodiscard]] bool is_direct() const noexcept;
+
+  ShortestSecondOrder shortest_;
+  Way up_, down_;
+  double direct_;  ///< duration of the direct change
+  double direct_distance_;
+  double rounding_;
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/profiles/moves/move.hpp"
+
+namespace jounce::detail {
+
+/// What the position of a profile runs through, as seen from something that moves at a constant
+/// velocity: from its start, u.
+struct Travel {
+  double lowest = 0, highest = 0;
+  double distance = 0;  ///< where it ends
+  double path = 0;      ///< how far it goes, to and fro
+};
+Travel travelled(const Profile& profile, double velocity = 0) noexcept;
+
+/// The same of the velocity, u/s.
+Travel travelled_in_velocity(const Profile& profile) noexcept;
+
+/// True if a motion turns round on its way, by more than a share of it and rounding: it then passes its
+/// end or goes back.
+bool turns_round(const Travel& travel, double share, double rounding) noexcept;
+
+/// True if a profile keeps every bound from its start on, to a share of 1e-12.
+bool keeps(const Profile& profile, const Bounds& bounds) noexcept;
+
+}  // namespace jounce::detail

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "jounce/profiles/curve/curve.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+
+/// Greatest error of a table against its curve, and the place of it.
+struct SampleError {
+  double position = 0;  ///< max |table - curve| over the whole interval, in its unit, to rounding
+  double where = 0;     ///< on the curve's axis
+  double velocity = 0;  ///< max |table' - curve'|, unit of the first derivative
+};
+
+/// Why a table has as many knots as it has.
+enum class Binding {
+  none,                ///< two knots do
+  tolerance,           ///< tolerance of the position
+  velocity_tolerance,  ///< tolerance of the velocity
+  most,                ///< its error is what so many knots can have
+};
+
+/// "none", "tolerance", "velocity_tolerance", "most".
+const char* name(Binding binding);
+
+struct Sampled {
+  Table table;
+  SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
+  std::optional<Binding> binding = {};  ///< binding of a table of fewest knots: reduce.hpp
+};
+
+/// The table through the curve at the given knots (strictly ascending, first and last at the ends
+/// of the curve). At a knot where a derivative jumps the right limit is taken (the left one at the
+/// end).
+template <class Over>
+Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots);
+
+/// The table of these columns, which span the curve, and its error. Where the curve repeats, a column
+/// that ends on what it begins with except for rounding ends on exactly that.
+template <class Over>
+Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
+
+/// `intervals` >= 1 equal ones.
+template <class Over>
+Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
+
+/// Each segment of the curve in as few equal intervals as keep the position error within
+/// `tolerance` > 0 (unit of the position). A segment that the rule holds exactly gets one. Breaks
+/// of the curve are knots. Throws InputError where more than `most` knots would be needed.
+template <class Over>
+Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
+                      std::size_t most = 1'000'000);
+
+/// Throws InputError, under `key`, for a tolerance below what doubles can certify of this curve:
+/// 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms where that is more.
+template <class Over>
+void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
+
+}  // namespace jounce

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/pvt/live_compare.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "jounce/profiles/curve/cycle_motion.hpp"
+#include "jounce/profiles/curve/roots.hpp"
+
+// The walk of position_compare.cpp from one point's instant to the next one's, piece by piece: what is
+// kept between two pieces is on which side of the next point the axis was.
+
+namespace jounce {
+
+LiveCompare::LiveCompare(const PositionCompare& compare)
+    : compare_(compare),
+      pulses_(compare.mode == CompareMode::fifo_time || compare.mode == CompareMode::linear) {
+  require_valid(compare);
+  found_.reserve(8);
+}
+
+void LiveCompare::arm() {
+  armed_ = true;
+  next_ = 0;
+  side_.reset();
+  if (step_.output) off_in_ = 0;
+}
+
+const CompareStep& LiveCompare::step(double position, double velocity, double dt) {
+  assert(dt > 0);
+  elapsed_ += dt;
+  step_.count = step_.lost = 0;
+  if (std::isfinite(position)) {
+    move(position, velocity);
+    fire(dt);
+    elapsed_ = 0;
+  }
+  end_pulse(dt);
+  if (off_in_) *off_in_ -= dt;
+  return step_;
+}
+
+/// The piece since the last position; where there is none, the place alone.
+void LiveCompare::move(double position, double velocity) {
+  const double from = placed_ ? position_ : position;
+  const double mean = (position - from) / elapsed_;
+  const bool known = std::isfinite(velocity) && std::isfinite(velocity_);
+  piece_ = placed_ && known ? cycle_motion(from, velocity_, position, velocity, elapsed_)
+                            : line(elapsed_, from, from + mean * elapsed_);
+  const bool stood = position == from && velocity == 0 && velocity_ == 0;
+  s_ = placed_ && !stood ? 0 : 1;
+  if (!placed_) side_.reset();
+  placed_ = true;
+  position_ = position;
+  velocity_ = velocity;
+}
+
+void LiveCompare::fire(double dt) {
+  const double skipped = elapsed_ - dt;
+  while (armed_ && next_ < compare_.points.size()) {
+    const ComparePoint& point = compare_.points[next_];
+    const auto s = reach(point.position);
+    if (!s) return;
+    ++next_;
+    pass(point, std::clamp(*s * elapsed_ - skipped, 0.0, std::nextafter(dt, 0)));
+  }
+}
+
+/// Where the piece is first at this level from s_ on.
+std::optional<double> LiveCompare::reach(double level) {
+  const double flat = 4e-16 * (magnitude(piece_) + std::abs(level));
+  const double here = value(piece_, s_) - level;
+  const bool met = (compare_.mode == CompareMode::less && here < 0) ||
+                   (compare_.mode == CompareMode::greater && here > 0);
+  const bool passed = side_ && *side_ * here < 0;  // at the end of the piece before, by rounding
+  side_ = here;
+  if (std::abs(here) <= flat || passed || met) return arrive(s_);
+  if (s_ < 1) {
+    Segment g = piece_;
+    g.c[0] -= level;
+    found_.clear();
+    roots(g, flat, found_);
+    const auto next = std::upper_bound(found_.begin(), found_.end(), s_);
+    if (next != found_.end()) return arrive(*next);
+    side_ = value(piece_, 1) - level;
+    if (std::abs(*side_) <= flat) return arrive(1);
+  }
+  s_ = 1;
+  return std::nullopt;
+}
+
+std::optional<double> LiveCompare::arrive(double s) {
+  s_ = s;
+  side_.reset();
+  return s;
+}
+
+void LiveCompare::pass(const ComparePoint& point, double time) {
+  end_pulse(time);
+  const bool on = pulses_ || point.level;
+  if (on != step_.output) emit(time, on);
+  if (pulses_) off_in_ = time + compare_.pulse;  // one that still lasts is prolonged
+}
+
+/// A pulse that ends before that.
+void LiveCompare::end_pulse(double before) {
+  if (!off_in_ || !(*off_in_ < before)) return;
+  emit(std::max(*off_in_, 0.0), false);
+  off_in_.reset();
+}
+
+void LiveCompare::emit(double time, bool on) {
+  step_.output = on;
+  if (step_.count == CompareStep::most_edges)
+    ++step_.lost;
+  else
+    step_.edge[step_.count++] = {time, on};
+}
+
+}  // namespace jounce

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/position_compare.hpp"
+
+namespace jounce {
+namespace {
+
+std::string point(std::size_t i) {
+  return "point " + std::to_string(i + 1);
+}
+
+/// How fast the axis is between two events against how fast it may be; the worst pair.
+Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion, double frequency) {
+  Finding worst;
+  worst.margin = 2;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const double most = std::abs(events[i].position - events[i - 1].position) * frequency;
+    if (!(events[i].time > events[i - 1].time)) continue;
+    const Extremum peak = extrema(between(motion, events[i - 1].time, events[i].time), 1).peak();
+    const double margin = most > 0 ? 1 - std::abs(peak.value) / most : -1;
+    if (margin >= worst.margin) continue;
+    worst = {.rule = "compare/speed",
+             .axis = {},
+             .quantity = "velocity",
+             .where = peak.where,
+             .value = peak.value,
+             .limit = std::copysign(most, peak.value),
+             .margin = margin,
+             .broken = margin <= 0,
+             .segment = {},
+             .advice = margin <= 0
+                           ? "slower, or " + point(events[i].point) + " further from the one before"
+                           : ""};
+  }
+  return worst;
+}
+
+Finding missed(const PositionCompare& compare, std::size_t fired, const Trajectory& motion) {
+  const bool broken = fired < compare.points.size();
+  return {
+      .rule = "compare/missed",
+      .axis = {},
+      .quantity = "points",
+      .where = motion.end(),
+      .value = static_cast<double>(fired),
+      .limit = static_cast<double>(compare.points.size()),
+      .margin =
+          broken ? static_cast<double>(fired) / static_cast<double>(compare.points.size()) - 1 : 0,
+      .broken = broken,
+      .segment = {},
+      .advice = broken ? point(fired) + " at " + number(compare.points[fired].position) +
+                             " is not passed after the one before, and blocks those after it"
+                       : "",
+      .unit = "1"};
+}
+
+}  // namespace
+
+Report check(const PositionCompare& compare, const Trajectory& motion,
+             const CompareDevice& device) {
+  require_not_negative("sampling_frequency", device.sampling_frequency);
+  require_not_negative("latency", device.latency);
+  const Compared all = compared(compare, motion);
+  Report report;
+  report.findings.push_back(missed(compare, all.events.size(), motion));
+  if (device.sampling_frequency > 0 && all.events.size() > 1)
+    report.findings.push_back(speed(all.events, motion, device.sampling_frequency));
+  for (std::size_t i = 1; i < all.events.size() && compare.pulse > 0; ++i) {
+    const double gap = all.events[i].time - all.events[i - 1].time;
+    if (gap > compare.pulse) continue;
+    report.findings.push_back({.rule = "compare/merged",
+                               .axis = {},
+                               .quantity = "time",
+                               .where = all.events[i].time,
+                               .value = gap,
+                               .limit = compare.pulse,
+                               .margin = gap / compare.pulse - 1,
+                               .broken = false,
+                               .segment = {},
+                               .advice = "the pulses of " + point(all.events[i - 1].point) +
+                                         " and the next are one: shorten them",
+                               .where_unit = {},
+                               .severity = Severity::warning});
+    break;
+  }
+  const double delay =
+      device.latency + (device.sampling_frequency > 0 ? 1 / device.sampling_frequency : 0);
+  const auto fastest = std::max_element(
+      all.events.begin(), all.events.end(),
+      [](const auto& a, const auto& b) { return std::abs(a.velocity) < std::abs(b.velocity); });
+  if (delay > 0 && fastest != all.events.end())
+    report.findings.push_back({.rule = "compare/latency",
+                               .axis = {},
+                               .quantity = "position",
+                               .where = fastest->time,
+                               .value = std::abs(fastest->velocity) * delay,
+                               .limit = 0,
+                               .margin = 0,
+                               .broken = false,
+                               .segment = {},
+                               .advice = {},
+                               .unit = {},
+                               .where_unit = {},
+                               .severity = Severity::note,
+                               .has_limit = false});
+  sort(report);
+  return report;
+}
+
+}  // namespace jounce

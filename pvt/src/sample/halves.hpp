@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "jounce/pvt/reduce.hpp"
+
+#include "pvt/src/sample/interval.hpp"
+
+/// Intervals of quadratic pieces: a controller's segments of linear velocity, one after another without
+/// a step. One piece has a position and a velocity too few for an interval between two knots; two meet
+/// at the knot between.
+namespace jounce::detail {
+
+/// True if one quadratic piece leads from a to b, with the velocities of both.
+bool is_one_quadratic(const Knot& a, const Knot& b);
+
+/// The knot between at which the two pieces meet, in the middle or the step of x next to it; nothing
+/// where the target leaves no place for it. With P = p_b - p_a, h_a and h_b the lengths of the pieces:
+///
+///     (1)  v = (2 P - v_a h_a - v_b h_b) / (h_a + h_b),     p = p_a + (v_a + v) h_a / 2
+std::optional<Knot> knot_between(const Target& target, const Knot& a, const Knot& b);
+
+/// share() of the pieces that the target's table has between two knots; infinite where there is no place
+/// for the knot between.
+template <class Over>
+double share(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& b,
+             const Tolerances& tolerances);
+
+}  // namespace jounce::detail

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/pvt/sample.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/check.hpp"
+
+#include "pvt/src/sample/longest.hpp"
+
+namespace jounce {
+namespace {
+
+/// Lets a periodic table end on exactly the numbers it begins with, where they differ by rounding.
+void close_period(std::vector<double>& column) {
+  if (column.empty()) return;
+  double scale = 0;
+  for (const double value : column) scale = std::max(scale, std::abs(value));
+  if (std::abs(column.back() - column.front()) <= 1e-12 * scale) column.back() = column.front();
+}
+
+template <class Over>
+Columns columns_at(const Curve<Over>& f, Interpolation rule, std::vector<double> knots) {
+  Columns columns;
+  for (const double x : knots) {
+    const Jet jet = f.jet(x, x == f.end() ? Side::left : Side::right);
+    columns.p.push_back(jet[0]);
+    if (rule != Interpolation::linear) columns.v.push_back(jet[1]);
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(jet[2]);
+  }
+  columns.x = std::move(knots);
+  return columns;
+}
+
+/// The exact error of the table: the difference is a curve of the same kind (a Hermite piece minus
+/// a segment keeps the segment's sines), so its extrema are exact too.
+template <class Over>
+SampleError error_of(const Curve<Over>& f, const Table& table) {
+  const auto difference = sum(table.curve<Over>(), scaled(with(f, table.outside()), -1));
+  const Ranges ranges = extrema(difference);
+  return {std::abs(ranges[0].peak().value), ranges[0].peak().where,
+          std::abs(ranges[1].peak().value)};
+}
+
+std::vector<double> equal_parts(double from, double to, std::size_t intervals) {
+  std::vector<double> knots;
+  for (std::size_t i = 0; i < intervals; ++i)
+    knots.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  return knots;
+}
+
+/// A knot has one velocity and one acceleration: where the curve's steps, the table has the right
+/// one, and strays in the interval before by at most (greatest values of the Hermite shapes)
+///
+///     (1)  cubic:   4/27 |dv| d;      quintic:   0.2 |dv| d + 0.01728 |da| d^2
+///
+/// over an interval of length d: so that one is made short enough for an eighth of `wanted`. A curve
+/// that repeats has its end's from its start.
+template <class Over>
+std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation rule, double wanted,
+                                           const std::vector<double>& knots) {
+  std::vector<double> all{knots.front()};
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double x = knots[i];
+    if (rule != Interpolation::linear && (x != f.end() || repeats(f.outside()))) {
+      const Jet left = f.jet(x, Side::left);
+      const Jet right = f.jet(x == f.end() ? f.start() : x, Side::right);
+      const double dv = std::abs(right[1] - left[1]);
+      const double da = rule == Interpolation::quintic_hermite ? std::abs(right[2] - left[2]) : 0;
+      double d = x - all.back();
+      const auto stray = [&] { return 0.2 * dv * d + 0.01728 * da * d * d; };
+      while (stray() > wanted / 8 && x - d / 2 < x) d /= 2;
+      if (d < x - all.back()) all.push_back(x - d);
+    }
+    all.push_back(x);
+  }
+  return all;
+}
+
+/// A knot's position is rounded to e P, P the greatest position. An interval of length L makes of it a
+/// third derivative of its own of up to
+///
+///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
+///
+/// which counts as much as a thousandth of the curve's below the length that this returns.
+template <class Over>
+double noisy_length(const Curve<Over>& f, Interpolation rule) {
+  const Ranges peaks = extrema(f);
+  const double jerk = std::abs(peaks[3].peak().value);
+  if (rule == Interpolation::linear || !(jerk > 0)) return 0;
+  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(peaks[0].peak().value);
+  return std::cbrt((rule == Interpolation::quintic_hermite ? 120 : 24) * rounding / (1e-3 * jerk));
+}
+
+/// The greatest magnitudes of the derivatives of a table's interval or of a curve.
+std::array<double, 4> peaks_of(const Ranges& ranges) {
+  std::array<double, 4> peaks{};
+  for (std::size_t k = 0; k < peaks.size(); ++k) peaks[k] = std::abs(ranges[k].peak().value);
+  return peaks;
+}
+
+/// Knots whose neighbours are not so near that the rounding of their positions shows in the jerk: near ones
+/// are left out or moved apart, where the tolerance allows it and no derivative becomes greater than the
+/// curve's greatest.
+template <class Over>
+class Spread {
+ public:
+  Spread(const Curve<Over>& f, Interpolation rule, double wanted)
+      : f_(f),
+        rule_(rule),
+        allowed_{wanted, detail::inf},
+        least_(noisy_length(f, rule)),
+        peaks_(peaks_of(extrema(f))) {}
+
+  [[nodiscard]] std::vector<double> run(std::vector<double> knots) const {
+    for (std::size_t i = 0; i + 1 < knots.size();) {
+      if (knots[i + 1] - knots[i] >= least_ || !parted(knots, i)) ++i;
+    }
+    return knots;
+  }
+
+ private:
+  [[nodiscard]] bool fits(double a, double b) const {
+    const detail::Knot from = detail::knot_at(f_, a, Side::right);
+    const detail::Knot to = detail::knot_at(f_, b, b == f_.end() ? Side::left : Side::right);
+    return detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
+  }
+
+  /// (2) of this interval is what its rounding may add to the jerk, and d^2 / 12 of it to the velocity.
+  [[nodiscard]] bool keeps_peaks(double a, double b) const {
+    constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
+    const Table table(axis, rule_, Extrapolation::refuse, columns_at(f_, rule_, {a, b}));
+    const std::array<double, 4> here = peaks_of(extrema(table));
+    const double length = b - a;
+    const double noise = 24 * std::numeric_limits<double>::epsilon() * peaks_[0];
+    const std::array factors{0.0, length * length / 12, length / 6, 1.0};
+    for (std::size_t k = 1; k < here.size(); ++k)
+      if (here[k] > peaks_[k] * (1 + 1e-12) + factors[k] * noise / detail::cube(length))
+        return false;
+    return true;
+  }
+
+  /// Knot k at x, or without it; false where the tolerance does not allow it.
+  bool replaced(std::vector<double>& knots, std::size_t k, std::optional<double> x) const {
+    if (k == 0 || k + 1 >= knots.size()) return false;
+    const double before = knots[k - 1];
+    const double after = knots[k + 1];
+    if (!x) {
+      if (!fits(before, after)) return false;
+      knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(k));
+      return true;
+    }
+    if (*x - before < least_ || after - *x < least_ || !fits(before, *x) || !fits(*x, after))
+      return false;
+    knots[k] = *x;
+    return true;
+  }
+
+  /// Whether the interval from knot i was made longer.
+  bool parted(std::vector<double>& knots, std::size_t i) const {
+    return replaced(knots, i + 1, {}) || replaced(knots, i, {}) ||
+           replaced(knots, i + 1, knots[i] + 2 * least_) ||
+           replaced(knots, i, knots[i + 1] - 2 * least_);
+  }
+
+  const Curve<Over>& f_;
+  Interpolation rule_;
+  detail::Tolerances allowed_;
+  double least_;
+  std::array<double, 4> peaks_;
+};
+
+/// f(b) - f(a) without the rounding of either: for every stretch of length h between breaks
+///
+///     (3)  h (v0 + v1) / 2 + h^2 (a0 - a1) / 10 + h^3 (j0 + j1) / 120
+///
+/// which is exact for polynomials up to the sixth power.
+template <class Over>
+double rise(const Curve<Over>& f, double a, double b) {
+  double sum = 0;
+  while (a < b) {
+    const auto above = std::upper_bound(f.breaks().begin(), f.breaks().end(), a);
+    const double end = above == f.breaks().end() ? b : std::min(b, *above);
+    const Jet from = f.jet(a, Side::right);
+    const Jet to = f.jet(end, Side::left);
+    const double h = end - a;
+    sum += h * ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
+    a = end;
+  }
+  return sum;
+}
+
+/// Knots that must stay near each other, as those of a phase that nearly vanishes. Between them, over a length
+/// d, the rounding e of the rise makes a jerk of 60 e / d^3. One of them goes to the double, of many beside
+/// its place, for which e is least. What is left of it is given to both velocities, as e / d: the interval then
+/// has the curve's derivatives, and the intervals beside it, which are long, change by far less.
+template <class Over>
+class ShortIntervals {
+ public:
+  ShortIntervals(const Curve<Over>& f, Interpolation rule)
+      : f_(f), rule_(rule), least_(noisy_length(f, rule)) {}
+
+  [[nodiscard]] Columns columns(std::vector<double> knots) const {
+    Columns all = columns_at(f_, rule_, std::move(knots));
+    for (std::size_t i = 0; i + 1 < all.x.size(); ++i)
+      if (is_short(all, i)) settle(all, i);
+    return all;
+  }
+
+ private:
+  /// A knot at x, so that the interval between it and another one has the curve's rise but for `error`.
+  struct Place {
+    double x = 0;
+    double position = 0;
+    double error = 0;
+  };
+
+  [[nodiscard]] bool is_short(const Columns& all, std::size_t i) const {
+    return i + 1 < all.x.size() && all.x[i + 1] - all.x[i] < least_;
+  }
+
+  void settle(Columns& all, std::size_t i) const {
+    const bool first = i == 0;
+    const bool last = i + 2 == all.x.size();
+    if (first && last) return;
+    const std::size_t moved = last ? i : i + 1;
+    const std::size_t other = last ? i + 1 : i;
+    const auto at = [&](double x) {
+      const double wanted = last ? -rise(f_, x, all.x[other]) : rise(f_, all.x[other], x);
+      const double position = all.p[other] + wanted;
+      return Place{x, position, position - all.p[other] - wanted};
+    };
+    const Place place = best(all.x[moved], all.x[last ? i - 1 : i + 2], at);
+    const Jet jet = f_.jet(place.x, Side::right);
+    all.x[moved] = place.x;
+    all.p[moved] = place.position;
+    all.v[moved] = jet[1];
+    if (!all.a.empty()) all.a[moved] = jet[2];
+    if (first || last || is_short(all, i - 1) || is_short(all, i + 1)) return;
+    const double more = place.error / (all.x[i + 1] - all.x[i]);
+    all.v[i] += more;
+    all.v[i + 1] += more;
+  }
+
+  /// The place of the least error among the doubles from x towards `limit`.
+  template <class At>
+  static Place best(double x, double limit, At at) {
+    constexpr int most = 1 << 16;
+    Place found = at(x);
+    for (int i = 0; i < most && found.error != 0; ++i) {
+      x = std::nextafter(x, limit);
+      if (x == limit) break;
+      if (const Place here = at(x); std::abs(here.error) < std::abs(found.error)) found = here;
+    }
+    return found;
+  }
+
+  const Curve<Over>& f_;
+  Interpolation rule_;
+  double least_;
+};
+
+}  // namespace
+
+template <class Over>
+Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots) {
+  if (knots.size() < 2)
+    throw InputError("knots", std::to_string(knots.size()), "at least two are needed");
+  if (knots.front() != f.start() || knots.back() != f.end())
+    throw InputError("knots", number(knots.front()) + " to " + number(knots.back()),
+                     "must span the curve, " + number(f.start()) + " to " + number(f.end()));
+  return certified(f, rule, columns_at(f, rule, knots));
+}
+
+template <class Over>
+Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns) {
+  if (f.outside() == Extrapolation::wrap) close_period(columns.p);
+  if (repeats(f.outside()))
+    for (auto* column : {&columns.v, &columns.a}) close_period(*column);
+  constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
+  Table table(axis, rule, f.outside(), std::move(columns));
+  const SampleError error = error_of(f, table);
+  return {std::move(table), error, {}};
+}
+
+const char* name(Binding binding) {
+  switch (binding) {
+    case Binding::none:
+      return "none";
+    case Binding::tolerance:
+      return "tolerance";
+    case Binding::velocity_tolerance:
+      return "velocity_tolerance";
+    case Binding::most:
+      break;
+  }
+  return "most";
+}
+
+template <class Over>
+Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals) {
+  if (intervals < 1) throw InputError("intervals", 0.0, "must be at least 1");
+  auto knots = equal_parts(f.start(), f.end(), intervals);
+  knots.push_back(f.end());
+  return sample(f, rule, knots);
+}
+
+template <class Over>
+void require_certifiable(const Curve<Over>& f, const char* key, double tolerance) {
+  double largest = 0;
+  for (const Segment& segment : f.segments()) largest = std::max(largest, magnitude(segment));
+  const double least = std::max(1e-14 * std::abs(extrema(f, 0).peak().value), 1e-15 * largest);
+  if (tolerance < least)
+    throw InputError(key, tolerance,
+                     "must be at least " + number(least) + ": rounding hides smaller errors");
+}
+
+template <class Over>
+Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
+                      std::size_t most) {
+  require_positive("tolerance", tolerance);
+  // What is below the rounding of the values cannot be asked for.
+  const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
+  std::vector<double> knots;
+  for (std::size_t i = 0; i < f.segments().size(); ++i) {
+    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short ones have few digits
+    const auto fits = [&](std::size_t n) {
+      return sample(piece, rule, n).error.position <= wanted;
+    };
+    std::size_t enough = 1;
+    while (!fits(enough)) {
+      enough *= 2;
+      if (knots.size() + enough > most)
+        throw InputError(
+            "tolerance", tolerance,
+            "needs more than " + std::to_string(most) + " knots with a " + name(rule) + " table");
+    }
+    std::size_t too_few = enough / 2;
+    while (enough - too_few > 1) {
+      const std::size_t middle = (enough + too_few) / 2;
+      (fits(middle) ? enough : too_few) = middle;
+    }
+    const auto inner = equal_parts(f.breaks()[i], f.breaks()[i + 1], enough);
+    knots.insert(knots.end(), inner.begin(), inner.end());
+  }
+  knots.push_back(f.end());
+  knots = shortened_before_steps(f, rule, wanted, knots);
+  knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
+  const ShortIntervals<Over> with(f, rule);
+  Sampled sampled = certified(f, rule, with.columns(knots));
+  // An interval that fitted by its symmetry may no longer do so once it is shortened.
+  for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
+    const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
+    knots.insert(above, (*(above - 1) + *above) / 2);
+    sampled = certified(f, rule, with.columns(knots));
+  }
+  return sampled;
+}
+
+#define JOUNCE_INSTANTIATE(Over)                                                          \
+  template Sampled sample(const Curve<Over>&, Interpolation, const std::vector<double>&); \
+  template Sampled sample(const Curve<Over>&, Interpolation, std::size_t);                \
+  template Sampled certified(const Curve<Over>&, Interpolation, Columns);                 \
+  template void require_certifiable(const Curve<Over>&, const char*, double);             \
+  template Sampled sample_within(const Curve<Over>&, Interpolation, double, std::size_t);
+JOUNCE_INSTANTIATE(OverTime)
+JOUNCE_INSTANTIATE(OverMaster)
+#undef JOUNCE_INSTANTIATE
+
+}  // namespace jounce

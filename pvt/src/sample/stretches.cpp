@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pvt/src/sample/stretches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pvt/src/sample/longest.hpp"
+#include "pvt/src/sample/whole_steps.hpp"
+
+// A machine relies on two things that a tolerance says nothing of: a slave that dwells stands still,
+// and one in sync keeps its ratio. So the straight parts of a curve are intervals of its table. Of
+// neighbouring segments on one line, a stretch is the whole. It is kept where
+//
+//   (1)  the curve is bent on one side of it: then a designer drew it;
+//   (2)  or it stands still for a part of 1/64 of the curve. Between straight lines the curve is a
+//        table itself, which may have been recorded in whole counts: its steps are no dwells.
+//
+// Between steps of x the ends move inwards. What leaves no place for two knots is not kept.
+namespace jounce::detail {
+namespace {
+
+constexpr double least_part = 1.0 / 64;
+constexpr double rounding = 4e-15;  // of the sum of a segment's terms
+
+bool is_straight(const Segment& f) {
+  double bend = 0;
+  for (std::size_t i = 2; i < f.c.size(); ++i) bend += std::abs(f.c[i]);
+  return f.sines == 0 && bend <= rounding * magnitude(f);
+}
+
+/// Consecutive segments on one line: [first, last).
+struct Run {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double travel = 0;  ///< 0: a dwell
+};
+
+/// Whether g goes on as f goes.
+bool goes_on(const Segment& f, const Segment& g) {
+  const double allowed = rounding * (magnitude(f) + magnitude(g));
+  const double rate = f.c[1] / f.length - g.c[1] / g.length;
+  return std::abs(value(f, 1) - value(g, 0)) <= allowed &&
+         std::abs(rate) * std::min(f.length, g.length) <= allowed;
+}
+
+template <class Over>
+std::vector<Run> runs(const Curve<Over>& f) {
+  std::vector<Run> all;
+  const auto segments = f.segments();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!is_straight(segments[i])) continue;
+    const bool on = !all.empty() && all.back().last == i && goes_on(segments[i - 1], segments[i]);
+    if (!on) all.push_back({i, i, 0});
+    all.back().last = i + 1;
+  }
+  for (Run& run : all) {
+    const double from = value(segments[run.first], 0);
+    const double travel = value(segments[run.last - 1], 1) - from;
+    const bool stands = std::abs(travel) <= rounding * magnitude(segments[run.first]);
+    run.travel = stands ? 0 : travel;
+  }
+  return all;
+}
+
+template <class Over>
+bool is_kept(const Curve<Over>& f, const Run& run) {
+  const auto segments = f.segments();
+  const bool bent_before = run.first > 0 && !is_straight(segments[run.first - 1]);
+  const bool bent_behind = run.last < segments.size() && !is_straight(segments[run.last]);
+  const double length = f.breaks()[run.last] - f.breaks()[run.first];
+  return bent_before || bent_behind || (run.travel == 0 && length >= least_part * f.length());
+}
+
+/// The step at x, or the next one to the right (towards = 1) or left (-1) of it.
+double step_from(double x, double step, double towards) {
+  if (step == 0 || is_whole(x, step)) return x;
+  const double k = towards > 0 ? std::ceil(x / step) : std::floor(x / step);
+  return steps(k, step);
+}
+
+template <class Over>
+Straight knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
+  const double begin = step_from(f.breaks()[run.first], target.x_step, 1);
+  const double end = step_from(f.breaks()[run.last], target.x_step, -1);
+  Straight made{held_at(f, target, begin, Side::right), held_at(f, target, end, Side::left),
+                run.travel == 0};
+  if (!made.dwell) return made;
+  // A dwell at the end of a period has the position that closes it.
+  const Knot& level = end == f.end() && begin != f.start() ? made.end : made.begin;
+  made.begin.jet = made.end.jet = {level.jet[0], 0, 0, 0};
+  return made;
+}
+
+/// Whether two knots that are not one are far enough apart.
+bool apart(double x, double next, double spacing) {
+  return next == x || next - x >= spacing * (1 - 1e-12);
+}
+
+}  // namespace
+
+template <class Over>
+std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target) {
+  std::vector<Straight> all;
+  for (const Run& run : runs(f)) {
+    if (!is_kept(f, run)) continue;
+    const Straight made = knots_of(f, target, run);
+    if (made.dwell && !all.empty() && !all.back().dwell &&
+        !apart(all.back().end.x, made.begin.x, target.spacing))
+      all.pop_back();  // the dwell matters more
+    const double before = all.empty() ? f.start() : all.back().end.x;
+    if (made.end.x > made.begin.x && apart(made.begin.x, made.end.x, target.spacing) &&
+        apart(before, made.begin.x, target.spacing) && apart(made.end.x, f.end(), target.spacing))
+      all.push_back(made);
+  }
+  return all;
+}
+
+template std::vector<Straight> kept_stretches(const Curve<OverTime>&, const Target&);
+template std::vector<Straight> kept_stretches(const Curve<OverMaster>&, const Target&);
+
+}  // namespace jounce::detail

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/pvt/reduce.hpp"
+
+#include "pvt/src/sample/interval.hpp"
+
+namespace jounce::detail {
+
+/// Where the curve is one straight line, which a reduced table keeps: from knot to knot.
+struct Straight {
+  Knot begin;
+  Knot end;
+  bool dwell = false;  ///< stands still
+};
+
+/// The dwells and straight lines that the target's table keeps exactly, in their order (see
+/// stretches.cpp). Their knots are on the target's steps, never outside of the stretch, and have its
+/// rate; those of a dwell have one position and stand still.
+template <class Over>
+std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target);
+
+}  // namespace jounce::detail

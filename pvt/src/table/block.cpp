@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cassert>
+
+#include "jounce/pvt/table.hpp"
+
+#include "pvt/src/table/sample_kernel.hpp"
+
+// A block is cut where the samples enter and leave the table: what lies inside goes to the widest
+// kernel of this processor, what lies outside, as seldom happens, one by one to jet(), which knows the
+// policy. Samples that do not ascend all go that way.
+
+namespace jounce {
+namespace {
+
+using detail::Samples;
+
+void one_by_one(const Table& table, const auto& at, std::size_t first, std::size_t last,
+                Samples out) {
+  for (std::size_t k = first; k < last; ++k) {
+    const Jet f = table.jet(at.at(k));
+    out.p[k] = f[0];
+    out.v[k] = f[1];
+    out.a[k] = f[2];
+  }
+}
+
+template <class Instants>
+std::size_t first_not_before(const Instants& at, double bound, std::size_t low, std::size_t high) {
+  return detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
+}
+
+/// `size` ascending samples.
+template <class Instants>
+void sample_block(const Table& table, const Instants& at, std::size_t size, Samples out,
+                  void (*kernel)(const detail::KnotColumns&, Interpolation, Instants, std::size_t,
+                                 std::size_t, Samples)) {
+  const std::size_t enters = first_not_before(at, table.start(), 0, size);
+  const std::size_t leaves = first_not_before(at, table.end(), enters, size);
+  one_by_one(table, at, 0, enters, out);
+  if (enters < leaves)
+    kernel(detail::knots_of(table.columns()), table.rule(), at, enters, leaves, out);
+  one_by_one(table, at, leaves, size, out);
+}
+
+}  // namespace
+
+const detail::SampleKernels& detail::sample_kernels() {
+#ifdef JOUNCE_WIDE_KERNELS
+  static const SampleKernels& best = __builtin_cpu_supports("avx512f") ? sample_avx512
+                                     : __builtin_cpu_supports("avx2")  ? sample_avx2
+                                                                       : sample_anywhere;
+  return best;
+#else
+  return sample_anywhere;
+#endif
+}
+
+void Table::sample(std::span<const double> x, std::span<double> p, std::span<double> v,
+                   std::span<double> a) const noexcept {
+  assert(p.size() == x.size() && v.size() == x.size() && a.size() == x.size());
+  const detail::Listed at{x.data()};
+  const Samples out{p.data(), v.data(), a.data()};
+  const detail::SampleKernels& kernels = detail::sample_kernels();
+  if (!kernels.ascends(x.data(), x.size())) return one_by_one(*this, at, 0, x.size(), out);
+  sample_block(*this, at, x.size(), out, kernels.listed);
+}
+
+void Table::sample(const Grid& grid, std::span<double> p, std::span<double> v,
+                   std::span<double> a) const noexcept {
+  assert(grid.step > 0 && v.size() == p.size() && a.size() == p.size());
+  sample_block(*this, detail::Uniform{grid.start, grid.step}, p.size(),
+               {p.data(), v.data(), a.data()}, detail::sample_kernels().uniform);
+}
+
+}  // namespace jounce

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pvt/src/table/hull_kernel.hpp"
+
+namespace jounce::detail {
+
+void hulls_avx2(const KnotColumns& t, Interpolation rule, std::size_t first, std::size_t n,
+                Hulls& out) {
+  hulls_in<Vector4>(t, rule, first, n, out);
+}
+
+}  // namespace jounce::detail

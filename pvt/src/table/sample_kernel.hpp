@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "pvt/src/table/piece.hpp"
+
+// Block sampling, segment by segment: the coefficients once an interval, then a loop over the samples
+// in it, in vectors of the width that the including file is compiled for. Every sample is the value of
+// the same operations, whatever the width and whatever lane it falls into.
+namespace jounce::detail {
+
+/// Where the samples are: at given instants, or at start + k step, rounded twice.
+struct Listed {
+  const double* x;
+
+  [[nodiscard]] JOUNCE_INLINE double at(std::size_t k) const { return x[k]; }
+  /// Samples k, k + 1, ... in vectors one after another.
+  template <class Real>
+  struct Stream {
+    const double* next;
+
+    JOUNCE_INLINE Stream(const Listed& at, std::size_t k) : next(at.x + k) {}
+    [[nodiscard]] JOUNCE_INLINE Real get() const { return load<Real>(next); }
+    JOUNCE_INLINE void advance() { next += lanes<Real>; }
+  };
+  /// About how many samples lie between sample k and `end`, if they are as dense as the n before k.
+  [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t n, double end) const {
+    return (end - x[k]) / (x[k] - x[k - n]) * static_cast<double>(static_cast<long long>(n));
+  }
+};
+struct Uniform {
+  double start, step;
+
+  [[nodiscard]] JOUNCE_INLINE double at(std::size_t k) const {
+    return start + static_cast<double>(static_cast<long long>(k)) * step;
+  }
+  template <class Real>
+  struct Stream {
+    Real start, step, k;  // k: whole numbers, exact
+
+    JOUNCE_INLINE Stream(const Uniform& at, std::size_t first)
+        : start(every<Real>(at.start)), step(every<Real>(at.step)) {
+      constexpr double count[8]{0, 1, 2, 3, 4, 5, 6, 7};
+      k = load<Real>(count) + static_cast<double>(static_cast<long long>(first));
+    }
+    [[nodiscard]] JOUNCE_INLINE Real get() const { return start + k * step; }
+    JOUNCE_INLINE void advance() { k += static_cast<double>(lanes<Real>); }
+  };
+  [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t, double end) const {
+    return (end - at(k)) / step;
+  }
+};
+
+/// Three columns of results.
+struct Samples {
+  double* p;
+  double* v;
+  double* a;
+};
+
+/// The kernels of one width: samples [first, last), which ascend and lie in [x(0), x(size - 1)).
+struct SampleKernels {
+  void (*listed)(const KnotColumns&, Interpolation, Listed, std::size_t first, std::size_t last,
+                 Samples);
+  void (*uniform)(const KnotColumns&, Interpolation, Uniform, std::size_t first, std::size_t last,
+                  Samples);
+  bool (*ascends)(const double* x, std::size_t size);  ///< false where one is no number
+};
+extern const SampleKernels sample_anywhere, sample_avx2, sample_avx512;
+
+/// The widest that this processor has.
+const SampleKernels& sample_kernels();
+
+/// The first index in [low, high] for which `before`, true for a while and then false, is false; high
+/// where it never is: outwards from a guess in steps that double, then by halves.
+template <class Before>
+JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std::size_t high,
+                                      std::size_t guess) {
+  std::size_t near = guess < low ? low : (guess > high ? high : guess);
+  for (std::size_t step = 1; near < high && before(near); step *= 2) {
+    low = near + 1;
+    near = high - near > step ? near + step : high;
+  }
+  high = near;
+  for (std::size_t step = 1; low < high; step *= 2) {
+    const std::size_t back = high - low > step ? high - step : low;
+    if (before(back)) {
+      low = back + 1;
+      break;
+    }
+    high = back;
+  }
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (before(middle))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/// The first sample after k, at most `last`, that is not before `end`; n: samples in the interval
+/// before. Mostly the guess is right within one, whichever way: then without a branch.
+template <class Instants>
+JOUNCE_INLINE std::size_t run_end(const Instants& at, std::size_t k, std::size_t last, double end,
+                                  std::size_t n) {
+  const auto before = [&](std::size_t i) __attribute__((always_inline)) {
+    return at.at(i) < end;
+  };
+  const double ahead = at.ahead(k, n, end);
+  const double room = static_cast<double>(static_cast<long long>(last - k));
+  if (!(ahead < room)) return first_after(before, k + 1, last, last);
+  const std::size_t guess = k + 1 + static_cast<std::size_t>(static_cast<long long>(ahead));
+  if (guess >= k + 3 && guess + 2 < last && before(guess - 2) && !before(guess + 1)) [[likely]]
+    return guess - 1 + static_cast<std::size_t>(before(guess - 1)) +
+           static_cast<std::size_t>(before(guess));
+  return first_after(before, k + 1, last, guess);
+}
+
+template <class Real, int degree>
+JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, const Samples& out) {
+  const Real s = (x - f.x0) * f.per_length;
+  store(out.p + k, position(f, s));
+  store(out.v + k, velocity(f, s));
+  store(out.a + k, acceleration(f, s));
+}
+
+/// Samples [first, last) of one interval: a vector at each end, and between them those that fill whole
+/// vectors of the first column, whose stores then cross no cache line. Where they overlap, samples
+/// become again what they are.
+template <class Real, int degree, class Instants>
+JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
+                              std::size_t last, const Samples& out) {
+  constexpr std::size_t n = lanes<Real>;
+  using Stream = typename Instants::template Stream<Real>;
+  if (last - first < n) {
+    for (std::size_t k = first; k < last; ++k) sample_at<double>(f, at.at(k), k, out);
+    return;
+  }
+  sample_at(f, Stream(at, first).get(), first, out);
+  std::size_t k =
+      first + n - (reinterpret_cast<std::uintptr_t>(out.p + first) / sizeof(double)) % n;
+  Stream x(at, k);
+  for (; k + n <= last; k += n, x.advance()) sample_at(f, x.get(), k, out);
+  sample_at(f, Stream(at, last - n).get(), last - n, out);
+}
+
+template <class Real, int degree, class Instants>
+JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::size_t first,
+                                 std::size_t last, const Samples& out) {
+  std::size_t knot = 1;  // the first after the sample
+  std::size_t n = 0;     // samples in the interval before
+  for (std::size_t k = first; k < last;) {
+    const double x = at.at(k);
+    knot = first_after(
+        [&](std::size_t i) __attribute__((always_inline)) { return t.x[i] <= x; }, knot, t.size - 1,
+        knot);
+    const double end = t.x[knot];
+    const std::size_t next = run_end(at, k, last, end, n);
+    sample_run<Real>(piece<degree>(t, knot - 1), at, k, next, out);
+    n = next - k;
+    k = next;
+  }
+}
+
+/// Every pair of neighbours, without stopping early.
+template <class Real>
+JOUNCE_INLINE bool all_ascend(const double* x, std::size_t size) {
+  Mask<Real> good = Real{} <= Real{};
+  std::size_t k = 0;
+  for (; k + lanes<Real> < size; k += lanes<Real>)
+    good &= load<Real>(x + k) <= load<Real>(x + k + 1);
+  bool all = true;
+  for (std::size_t i = 0; i < lanes<Real>; ++i) all &= good[i] != 0;
+  for (; k + 1 < size; ++k) all &= x[k] <= x[k + 1];
+  return all;
+}
+
+template <class Real, class Instants>
+JOUNCE_INLINE void sample_table(const KnotColumns& t, Interpolation rule, const Instants& at,
+                                std::size_t first, std::size_t last, const Samples& out) {
+  if (rule == Interpolation::linear)
+    sample_pieces<Real, 1>(t, at, first, last, out);
+  else if (rule == Interpolation::cubic_hermite)
+    sample_pieces<Real, 3>(t, at, first, last, out);
+  else
+    sample_pieces<Real, 5>(t, at, first, last, out);
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/profiles/curve/difference.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/report/report_text.hpp"
+
+namespace jounce {
+
+/// One of two versions of a curve, with its properties: a spec, a table, or anything made in
+/// a program.
+struct Version {
+  std::string name;
+  std::variant<Cam, Trajectory> curve;
+  Labels labels;
+  std::vector<double> knots = {};            ///< places on the axis; empty: the breaks of the curve
+  std::vector<std::string> knot_names = {};  ///< one each, "end of 2 in step"; may be empty
+  std::optional<Limits> limits = {};         ///< none: it is of a kind without limits, as a table
+};
+
+/// Tolerances for equal versions.
+///
+/// Left as it is: by rounding alone. A share is of the range of each quantity. A quantity with a
+/// number of its own, in its unit, may differ by that; once there is one, quantities without a
+/// number and without a share are shown but not judged.
+struct Tolerance {
+  std::optional<double> share = {};
+  std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
+};
+
+/// A property in which two versions differ: "periodic", "unit of position",
+/// "limit geo_velocity". An empty text: not given.
+struct Remark {
+  std::string what;
+  std::string before;
+  std::string after;
+};
+
+/// Changes from one version to another. Numbers are in the units of `after`.
+struct Comparison {
+  std::string before;  ///< names
+  std::string after;
+  Labels labels;  ///< labels of `after`
+  Changes changes;
+  std::array<bool, 4> beyond{};   ///< true for those that exceed the tolerance
+  std::vector<KnotChange> knots;  ///< listed, but not judged: the curve is
+  std::vector<std::string> knot_names_before;
+  std::vector<std::string> knot_names_after;
+  std::vector<Remark> remarks;  ///< interval, units, policy outside, limits: each a difference
+
+  /// True if nothing exceeds the tolerance and nothing else was changed.
+  [[nodiscard]] bool equal() const;
+};
+
+/// Compares the curves exactly (see difference.hpp), and their properties: the interval, the
+/// policy outside, units, and limits where both have some. `before` is converted into the units of
+/// `after`, unless one has none. Throws InputError where one runs over time and the other over a
+/// master, where units do not measure the same thing, or where there is no stretch in common.
+Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
+
+/// The version with its axis and its position counted in other units: curve, knots and limits. Units
+/// that are not known on either side stay. Throws InputError (key "unit") where two do not measure
+/// the same thing.
+Version in_units(Version version, const Units& units);
+
+/// For people: one line a quantity with its peaks and the largest difference, then knots and
+/// remarks, more than `most` knots counted only.
+std::string to_text(const Comparison& comparison, std::size_t most = 10);
+
+/// {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, every number in full.
+std::string to_json(const Comparison& comparison);
+
+}  // namespace jounce

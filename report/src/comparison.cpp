@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/report/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/pvt/table.hpp"
+
+namespace jounce {
+namespace {
+
+double factor(const std::string& from, const std::string& to) {
+  return from.empty() || to.empty() ? 1 : conversion(from, to);
+}
+
+void scale(std::optional<double>& limit, double by) {
+  if (limit) *limit *= by;
+}
+
+std::string text_of(const std::optional<double>& value) {
+  return value ? number(*value) : "";
+}
+
+/// Collects what is said differently.
+class Remarks {
+ public:
+  void say(const std::string& what, const std::string& before, const std::string& after) {
+    if (before != after) all.push_back({what, before, after});
+  }
+  /// Numbers, which a conversion of units may have rounded.
+  void say(const std::string& what, const std::optional<double>& before,
+           const std::optional<double>& after, double scale = 0) {
+    if (!before && !after) return;
+    if (before && after) {
+      const double size = std::max({scale, std::abs(*before), std::abs(*after)});
+      if (std::abs(*before - *after) <= 1e-12 * size) return;
+    }
+    all.push_back({what, text_of(before), text_of(after)});
+  }
+
+  std::vector<Remark> all;
+};
+
+void say_limits(Remarks& remarks, const Limits& a, const Limits& b, const Labels& labels) {
+  const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
+  remarks.say("limit position_min", a.position_min, b.position_min);
+  remarks.say("limit position_max", a.position_max, b.position_max);
+  remarks.say(std::string("limit ") + names[1], a.velocity, b.velocity);
+  remarks.say(std::string("limit ") + names[2], a.acceleration, b.acceleration);
+  remarks.say(std::string("limit ") + names[3], a.jerk, b.jerk);
+}
+
+template <class Over>
+std::vector<Remark> remarks_of(const Curve<Over>& a, const Curve<Over>& b, const Version& before,
+                               const Version& after, const Units& old_units) {
+  Remarks remarks;
+  const double scale = std::max({std::abs(a.start()), std::abs(a.end()), b.length()});
+  remarks.say("start", a.start(), b.start(), scale);
+  remarks.say("end", a.end(), b.end(), scale);
+  remarks.say("outside", name(a.outside()), name(b.outside()));
+  const Units& units = after.labels.units;
+  const char* axis = after.labels.over_master ? "unit of the master" : "unit of the time";
+  if (!old_units.x.empty() && !units.x.empty()) remarks.say(axis, old_units.x, units.x);
+  if (!old_units.position.empty() && !units.position.empty())
+    remarks.say("unit of the position", old_units.position, units.position);
+  if (before.limits && after.limits)
+    say_limits(remarks, *before.limits, *after.limits, after.labels);
+  return std::move(remarks.all);
+}
+
+/// Whether the tolerance lets this quantity pass.
+bool tolerated(const Change& change, std::size_t order, const Tolerance& tolerance) {
+  if (change.none()) return true;
+  if (tolerance.of[order]) return std::abs(change.largest.value) <= *tolerance.of[order];
+  if (tolerance.share) return change.within(*tolerance.share);
+  return std::any_of(tolerance.of.begin(), tolerance.of.end(),
+                     [](const auto& one) { return one.has_value(); });
+}
+
+template <class Over>
+std::vector<double> places(const Version& version, const Curve<Over>& curve) {
+  if (!version.knots.empty()) return version.knots;
+  return {curve.breaks().begin(), curve.breaks().end()};
+}
+
+}  // namespace
+
+bool Comparison::equal() const {
+  return remarks.empty() &&
+         std::none_of(beyond.begin(), beyond.end(), [](bool is_beyond) { return is_beyond; });
+}
+
+Version in_units(Version version, const Units& units) {
+  const double x = factor(version.labels.units.x, units.x);
+  const double y = factor(version.labels.units.position, units.position);
+  if (x != 1 || y != 1)
+    std::visit([&](auto& curve) { curve = scaled(curve, y, x); }, version.curve);
+  for (double& knot : version.knots) knot *= x;
+  if (version.limits) {
+    scale(version.limits->position_min, y);
+    scale(version.limits->position_max, y);
+    scale(version.limits->velocity, y / x);
+    scale(version.limits->acceleration, y / (x * x));
+    scale(version.limits->jerk, y / (x * x * x));
+  }
+  version.labels.units = units;
+  return version;
+}
+
+Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance) {
+  const Units& units = after.labels.units;
+  const Version old = in_units(before, units);
+  return std::visit(
+      [&]<class Over>(const Curve<Over>& b) -> Comparison {
+        const auto* a = std::get_if<Curve<Over>>(&old.curve);
+        if (a == nullptr)
+          throw InputError("axis", before.labels.over_master ? "master" : "time",
+                           before.name + " and " + after.name +
+                               " cannot be compared: one is over the master, the other over time");
+        Comparison result{before.name, after.name, after.labels, compare(*a, b), {}, {}, {},
+                          {},          {}};
+        for (std::size_t k = 0; k < result.beyond.size(); ++k)
+          result.beyond[k] = !tolerated(result.changes[k], k, tolerance);
+        result.knots = knot_changes(*a, places(old, *a), b, places(after, b));
+        result.knot_names_before = before.knot_names;
+        result.knot_names_after = after.knot_names;
+        result.remarks = remarks_of(*a, b, old, after, before.labels.units);
+        return result;
+      },
+      after.curve);
+}
+
+}  // namespace jounce

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "jounce/base/document.hpp"
+
+namespace jounce::detail {
+
+/// One table of a TOML document while it is read. Every getter remembers the key as known and
+/// records its place; finish() rejects whatever was not asked for.
+class TomlReader {
+ public:
+  TomlReader(const toml::table& table, std::string path, Document& document);
+  TomlReader(TomlReader&&) = default;  // moved only: a copy would forget what it has read
+  TomlReader& operator=(TomlReader&&) = default;
+
+  /// A number, or a quantity with unit in quotes, in `unit`.
+  double number(const char* key, const std::string& unit);
+  std::optional<double> optional_number(const char* key, const std::string& unit);
+  /// A number or a quantity as it is written, where only later is known in what it counts.
+  std::optional<std::string> optional_quantity(const char* key);
+  std::optional<std::size_t> optional_count(const char* key);
+  /// A whole number of any sign.
+  std::optional<std::int64_t> optional_whole(const char* key);
+  std::int64_t whole(const char* key);
+  std::optional<bool> optional_flag(const char* key);
+  std::string text(const char* key);
+  std::optional<std::string> optional_text(const char* key);
+  /// The index of a text among the permitted ones.
+  std::size_t choice(const char* key, std::span<const std::string> permitted);
+  std::optional<std::size_t> optional_choice(const char* key,
+                                             std::span<const std::string> permitted);
+
+  std::optional<TomlReader> optional_table(const char* key);
+  TomlReader table(const char* key);
+  /// [[key]] or key = [{...}, ...]; empty if there is none. Counted from 1 in messages.
+  std::vector<TomlReader> tables(const char* key);
+  /// key = [a, b] of two numbers.
+  std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
+  /// key = a, the same as [a, a], or key = [a, b].
+  std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
+  /// True if key holds tables: [[key]] or key = [{...}, ...].
+  bool holds_tables(const char* key);
+  /// key = [a, b, ...]: one number for each unit; nothing if the key is left out.
+  std::vector<double> numbers(const char* key, std::span<const std::string> units);
+  /// key = [a, b, ...]: any number of numbers.
+  std::vector<double> number_list(const char* key, const std::string& unit);
+  std::vector<std::string> texts(const char* key);
+
+  [[nodiscard]] const Document& document() const { return *document_; }
+  [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
+  [[nodiscard]] bool is_text(const char* key) const;
+  [[nodiscard]] std::vector<std::string> keys() const;
+  /// The full name of a key, as messages show it: "segment[2].end.master".
+  [[nodiscard]] std::string path(std::string_view key) const;
+  /// Throws InputError where a key that nobody has read is `key` but for a slip of the pen: before
+  /// saying that it is missing.
+  void refuse_misspelt(const char* key) const;
+  [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
+  void finish();
+
+ private:
+  const toml::node* find(const char* key);
+  const toml::node& require(const char* key);
+  [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
+                                   const std::string& meant) const;
+  double read_number(const toml::node& node, const std::string& key, const std::string& unit);
+
+  const toml::table* table_;
+  std::string path_;
+  Document* document_;
+  std::set<std::string> known_;
+};
+
+/// The document as TOML. Throws InputError, placed: an empty file, a slip of the syntax.
+toml::table parse_toml(const Document& document);
+
+/// `jounce = 1`, with which every file begins.
+void require_version(TomlReader& top);
+
+/// The text of a value as it stands in the document, for messages.
+std::string shown(const toml::node& node);
+
+}  // namespace jounce::detail

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <string>
+#include <vector>
+
+#include "jounce/base/units.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+struct Ratio {
+  std::int64_t numerator = 1, denominator = 1;
+
+  [[nodiscard]] double value() const {
+    return static_cast<double>(numerator) / static_cast<double>(denominator);
+  }
+};
+
+Ratio read_ratio(TomlReader& reader) {
+  Ratio ratio{reader.whole("numerator"), reader.optional_whole("denominator").value_or(1)};
+  if (ratio.denominator < 1)
+    reader.fail("denominator", std::to_string(ratio.denominator), "must be at least 1");
+  return ratio;
+}
+
+Law read_law(TomlReader& reader, Law otherwise) {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const LawInfo& law : all_laws()) all.emplace_back(law.name);
+    return all;
+  }();
+  const auto chosen = reader.optional_choice("law", names);
+  return chosen ? all_laws()[*chosen].law : otherwise;
+}
+
+GearSpec read_for_ever(TomlReader& gear, const Units& units) {
+  const Ratio ratio = read_ratio(gear);
+  GearSpec spec{ratio.numerator, ratio.denominator, gear.number("master_period", units.x)};
+  if (!(spec.master_period > 0))
+    gear.fail("master_period", number(spec.master_period), "must be greater than 0");
+  return spec;
+}
+
+/// A clutch of [gear] itself, or of a [[gear.change]].
+RatioChange read_change(TomlReader& reader, const Units& units, double at) {
+  RatioChange change;
+  change.at = at;
+  change.ratio = read_ratio(reader).value();
+  change.distance = reader.number("distance", units.x);
+  change.law = read_law(reader, Law::line);
+  return change;
+}
+
+PhaseShift read_shift(TomlReader& reader, const Units& units) {
+  PhaseShift shift;
+  shift.at = reader.number("at", units.x);
+  shift.shift = reader.number("shift", units.position);
+  shift.distance = reader.number("distance", units.x);
+  shift.law = read_law(reader, Law::poly345);
+  return shift;
+}
+
+GearCourse read_course(TomlReader& gear, const Units& units) {
+  GearCourse course;
+  course.master_start = gear.optional_number("master_start", units.x).value_or(0);
+  course.master_end = gear.number("master_end", units.x);
+  course.slave_start = gear.optional_number("slave_start", units.position).value_or(0);
+  course.ratio =
+      gear.optional_number("from_ratio", rate_unit(units.position, units.x, 1)).value_or(0);
+  const double at = gear.optional_number("engage_at", units.x).value_or(course.master_start);
+  course.changes.push_back(read_change(gear, units, at));
+  for (TomlReader& change : gear.tables("change")) {
+    course.changes.push_back(read_change(change, units, change.number("at", units.x)));
+    change.finish();
+  }
+  for (TomlReader& shift : gear.tables("shift")) {
+    course.shifts.push_back(read_shift(shift, units));
+    shift.finish();
+  }
+  return course;
+}
+
+GearInPosPart read_in_pos(TomlReader& gear, const Units& units) {
+  GearInPosPart part;
+  const Ratio ratio = read_ratio(gear);
+  GearInPosSpec& spec = part.gear;
+  spec.numerator = ratio.numerator;
+  spec.denominator = ratio.denominator;
+  spec.master_sync_position = gear.number("master_sync_position", units.x);
+  spec.slave_sync_position = gear.number("slave_sync_position", units.position);
+  spec.master_start_distance = gear.number("master_start_distance", units.x);
+  spec.slave_start = gear.optional_number("slave_start", units.position).value_or(0);
+  spec.avoid_reversal = gear.optional_flag("avoid_reversal").value_or(false);
+  spec.slave_period = gear.optional_number("slave_period", units.position);
+  spec.law = read_law(gear, Law::quintic);
+  part.master_start = gear.optional_number("master_start", units.x).value_or(0);
+  part.master_end = gear.number("master_end", units.x);
+  return part;
+}
+
+}  // namespace
+
+SyncSpec read_gear(TomlReader gear, const Units& units) {
+  const std::vector<std::string> words{"at_once", "distance", "position"};
+  SyncSpec spec;
+  switch (gear.optional_choice("engage", words).value_or(0)) {
+    case 0:
+      spec = read_for_ever(gear, units);
+      break;
+    case 1:
+      spec = read_course(gear, units);
+      break;
+    default:
+      spec = read_in_pos(gear, units);
+  }
+  gear.finish();
+  return spec;
+}
+
+}  // namespace jounce::detail

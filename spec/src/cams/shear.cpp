@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <numbers>
+
+#include "jounce/base/units.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// Slave units that are one master unit, where both are lengths.
+double ratio_of(TomlReader& shear, const Units& units) {
+  if (const auto ratio = shear.optional_number("ratio", rate_unit(units.position, units.x, 1)))
+    return *ratio;
+  try {
+    return conversion(units.x, units.position);
+  } catch (const InputError&) {
+    shear.fail("ratio", "",
+               "is missing: " + units.x + " is not a " + units.position +
+                   "; give the travel of the carriage per master unit in step");
+  }
+}
+
+double angle_of(TomlReader& shear) {
+  const double angle = shear.optional_number("angle", "deg").value_or(0);
+  if (!(angle > -90 && angle < 90))
+    shear.fail("angle", number(angle),
+               "must be between -90 and 90 deg: the guide follows the line");
+  return angle * std::numbers::pi / 180;
+}
+
+void read_lengths(TomlReader& shear, const Spec& spec, FlyingShear& to) {
+  const std::string& master = spec.units.x;
+  to.cut_length = shear.number("cut_length", master);
+  to.line_speed = shear.number("line_speed", rate_unit(master, spec.time_unit, 1));
+  to.sync_time = shear.optional_number("sync_time", spec.time_unit);
+  to.sync_length = shear.optional_number("sync_length", master);
+  to.stroke = shear.optional_number("stroke", spec.units.position);
+  to.acceleration_length = shear.optional_number("acceleration_length", master);
+  to.deceleration_length = shear.optional_number("deceleration_length", master);
+  to.return_length = shear.optional_number("return_length", master);
+}
+
+}  // namespace
+
+FlyingShear read_shear(TomlReader shear, Spec& spec) {
+  FlyingShear made;
+  read_lengths(shear, spec, made);
+  made.limits = spec.slave;
+  made.safety = shear.optional_number("safety", "1").value_or(1);
+  made.ramp = read_law(shear, "ramp").value_or(made.ramp);
+  made.return_law = read_law(shear, "return_law").value_or(made.return_law);
+  if (auto form = shear.optional_table("return_form")) {
+    made.return_form = read_form(*form);
+    form->finish();
+  }
+  made.ratio = ratio_of(shear, spec.units);
+  made.angle = angle_of(shear);
+  for (const auto& [key, value] :
+       {std::pair{"cut_length", made.cut_length}, {"line_speed", made.line_speed}})
+    if (!(value > 0)) shear.fail(key, number(value), "must be greater than 0");
+  shear.finish();
+  // The line is the master: a spec of ten lines does not say it twice.
+  spec.master = MasterSpec{made.line_speed, 3 * made.cut_length, {}};
+  return made;
+}
+
+Indexer read_indexer(TomlReader indexer, const Units& units) {
+  Indexer made;
+  made.distance = indexer.number("distance", units.position);
+  made.cycle = indexer.number("cycle", units.x);
+  made.motion = indexer.number("motion", units.x);
+  made.before = indexer.optional_number("before", units.x).value_or(0);
+  if (const auto count = indexer.optional_count("count")) {
+    if (*count < 1 || *count > 100'000)
+      indexer.fail("count", std::to_string(*count), "must be between 1 and 100000");
+    made.count = static_cast<int>(*count);
+  }
+  made.law = read_law(indexer, "law").value_or(made.law);
+  made.form = read_form(indexer);
+  if (!(made.cycle > 0)) indexer.fail("cycle", number(made.cycle), "must be greater than 0");
+  indexer.finish();
+  return made;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <vector>
+
+#include "jounce/base/units.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
+
+}  // namespace
+
+std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
+  auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
+  if (!is_unit(unit))
+    reader.fail(key, '"' + unit + '"', "is not a known unit, such as mm, deg, rev, pulse, s, ms");
+  return unit;
+}
+
+std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback) {
+  std::string unit = read_unit(reader, key, fallback);
+  for (const char* base : {"m", "rad", "pulse"}) {
+    try {
+      if (conversion(unit, base) > 0) return unit;
+    } catch (const InputError&) {  // it measures something else
+    }
+  }
+  reader.fail(key, '"' + unit + '"',
+              "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev) or "
+              "pulse, count, inc");
+}
+
+TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Domain axis) {
+  TableOptions options;
+  auto table = owner.optional_table("table");
+  if (!table) return options;
+  if (const auto rule = table->optional_choice("rule", rules))
+    options.rule = static_cast<Interpolation>(*rule);
+  if (finished) {
+    table->finish();
+    return options;
+  }
+  options.tolerance = table->optional_number("tolerance", units.position);
+  options.intervals = table->optional_count("intervals");
+  if (options.intervals.value_or(1) > 10'000'000)
+    table->fail("intervals", std::to_string(*options.intervals), "must be at most 10000000");
+  if (options.tolerance && !(*options.tolerance > 0))
+    table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
+  if (options.tolerance && options.intervals)
+    table->fail("intervals", "", "either a tolerance or a number of intervals, not both");
+  read_target(*table, units, axis, options);
+  table->finish();
+  return options;
+}
+
+namespace {
+
+/// The three rates under their names, per `x`.
+void read_rates(TomlReader& table, Limits& limits, const std::array<const char*, 4>& names,
+                const std::string& position, const std::string& x) {
+  const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    *rates[k] =
+        table.optional_number(names[k + 1], rate_unit(position, x, static_cast<int>(k) + 1));
+    if (*rates[k] && !(**rates[k] > 0))
+      table.fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
+  }
+}
+
+}  // namespace
+
+Limits read_limits(TomlReader& owner, const Units& units) {
+  return read_limits(owner, units, nullptr, "");
+}
+
+Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
+                   const std::string& time_unit) {
+  Limits limits;
+  auto table = owner.optional_table("limits");
+  if (!table) return limits;
+  limits.position_min = table->optional_number("position_min", units.position);
+  limits.position_max = table->optional_number("position_max", units.position);
+  read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
+  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
+    table->fail("position_min", number(*limits.position_min), "must not be above position_max");
+  if (slave) {
+    if (auto over_time = table->optional_table("slave")) {
+      read_rates(*over_time, *slave, OverTime::names, units.position, time_unit);
+      over_time->finish();
+    }
+  }
+  table->finish();
+  return limits;
+}
+
+}  // namespace jounce::detail

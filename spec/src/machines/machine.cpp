@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/base/file.hpp"
+#include "jounce/spec/machine_spec.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::TomlReader;
+
+const std::vector<std::string> sides{"setpoint", "actual"};
+
+bool is_machine(const Document& document) {
+  try {
+    const toml::table root = detail::parse_toml(document);
+    return root["kind"].value<std::string>() == "machine";
+  } catch (const InputError&) {
+    return false;  // whoever reads it as something else says what is wrong
+  }
+}
+
+MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& folder) {
+  MachineSpec::Axis axis{.spec = reader.text("spec"), .key = reader.path("spec")};
+  axis.key.erase(axis.key.rfind('.'));
+  if (const std::filesystem::path given(axis.spec); given.is_relative())
+    axis.spec = (folder / given).string();
+  axis.follow = detail::read_whom(reader);
+  reader.finish();
+  return axis;
+}
+
+/// The communication thread turns every 2 ms: one that is watched more closely would often be late.
+std::optional<double> read_watchdog(TomlReader& top) {
+  const auto watchdog = top.optional_number("watchdog", "s");
+  if (watchdog && *watchdog != 0 && !(*watchdog >= 0.01 && *watchdog <= 3600))
+    top.fail("watchdog", number(*watchdog), "must be 10 ms to 1 h, or 0 for none");
+  return watchdog;
+}
+
+void read_body(TomlReader& top, MachineSpec& machine) {
+  detail::require_version(top);
+  (void)top.text("kind");
+  (void)top.optional_text("name");
+  machine.watchdog = read_watchdog(top);
+  const auto folder = std::filesystem::path(machine.document.name).parent_path();
+  for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
+  machine.masters = detail::read_masters(top);
+  if (machine.axes.empty())
+    top.fail("axis", "", "is missing: a machine needs an [[axis]] with a spec for each axis");
+  top.finish();
+}
+
+}  // namespace
+
+std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
+  auto table = owner.optional_table("follow");
+  if (!table) return std::nullopt;
+  FollowWhom whom;
+  if (table->has("axis") == table->has("master"))
+    table->fail("axis", "", "an axis follows either an axis or a master: name one of them");
+  if (table->has("master")) {
+    whom.master = table->text("master");
+  } else {
+    whom.axis = table->text("axis");
+    whom.actual = table->optional_choice("of", sides).value_or(0) == 1;
+  }
+  table->finish();
+  return whom;
+}
+
+std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
+  MachineSpec machine{
+      .document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
+  if (!is_machine(machine.document)) return std::nullopt;
+  const toml::table root = detail::parse_toml(machine.document);
+  TomlReader top(root, "", machine.document);
+  try {
+    read_body(top, machine);
+  } catch (const InputError& error) {
+    throw machine.document.located(error);
+  }
+  return machine;
+}
+
+std::optional<MachineSpec> read_machine(const std::string& path) {
+  return parse_machine(read_file(path), path);
+}
+
+}  // namespace jounce

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/base/units.hpp"
+#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/optimize/spline_times.hpp"
+#include "jounce/pvt/fill.hpp"
+
+#include "spec/src/toml/parts.hpp"
+#include "spec/src/toml/point_file.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> fillings{"natural",      "clamped",      "periodic",
+                                        "not_a_knot",   "monotone",     "shape_preserving",
+                                        "minimum_jerk", "within_limits"};
+const std::vector<std::string> objectives{"shortest"};
+
+/// A derivative of a knot; left out only where `velocities` says how to find it.
+std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
+                                    bool may_be_missing) {
+  if (!knot.has(key)) knot.refuse_misspelt(key);
+  if (!may_be_missing && !knot.has(key))
+    knot.fail(key, "", "is missing: give it, or set a rule at the top: velocities = \"clamped\"");
+  return knot.optional_number(key, unit);
+}
+
+void read_rows(TomlReader& top, const Units& units, FillSpec& fill, bool may_be_missing) {
+  for (TomlReader& knot : top.tables("knot")) {
+    fill.x.push_back(knot.number("time", units.x));
+    fill.p.push_back(knot.number("position", units.position));
+    if (fill.rule != Interpolation::linear)
+      fill.v.push_back(
+          derivative_of(knot, "velocity", rate_unit(units.position, units.x, 1), may_be_missing));
+    if (fill.rule == Interpolation::quintic_hermite)
+      fill.a.push_back(derivative_of(knot, "acceleration", rate_unit(units.position, units.x, 2),
+                                     may_be_missing));
+    knot.finish();
+  }
+}
+
+void take_columns(const Points& points, const Units& units, FillSpec& fill, bool may_be_missing) {
+  const auto derivative = [&](const char* name, int order, auto& values) {
+    if (points.find(name) == nullptr) {
+      if (!may_be_missing)
+        throw InputError(
+            name, "",
+            "is missing: give the column, or set a rule in the spec: velocities = \"clamped\"")
+            .at(points.document, 1);
+      values.resize(points.size());
+    } else {
+      for (const double v : points.in_unit(name, rate_unit(units.position, units.x, order)))
+        values.push_back(v);
+    }
+  };
+  fill.x = points.in_unit("time", units.x);
+  fill.p = points.in_unit("position", units.position);
+  if (points.size() < 2)
+    throw InputError("row", "1", "is the only point: a table needs at least two")
+        .at(points.document, static_cast<int>(points.lines.front()));
+  if (fill.rule != Interpolation::linear) derivative("velocity", 1, fill.v);
+  if (fill.rule == Interpolation::quintic_hermite) derivative("acceleration", 2, fill.a);
+}
+
+std::optional<Points> knots_file(TomlReader& top, Interpolation rule) {
+  switch (rule) {
+    case Interpolation::linear:
+      return read_point_file(top, "knot", {"time", "position"});
+    case Interpolation::cubic_hermite:
+      return read_point_file(top, "knot", {"time", "position", "velocity"});
+    case Interpolation::quintic_hermite:
+      break;
+  }
+  return read_point_file(top, "knot", {"time", "position", "velocity", "acceleration"});
+}
+
+FillSpec read_fill(TomlReader& top, const Units& units, Interpolation rule,
+                   const std::optional<Points>& points) {
+  FillSpec fill;
+  const auto filling = top.optional_choice("velocities", fillings);
+  if (filling) fill.filling = *filling_named(fillings[*filling]);
+  fill.rule = rule;
+  fill.outside = read_outside(top, true);
+  if (points)
+    take_columns(*points, units, fill, filling.has_value());
+  else
+    read_rows(top, units, fill, filling.has_value());
+  if (filling && rule == Interpolation::linear)
+    top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has no velocities");
+  return fill;
+}
+
+Table made_of(FillSpec fill, Spec& spec) {
+  if (fill.rule == Interpolation::linear)
+    return Table(Domain::time, fill.rule, fill.outside,
+                 {std::move(fill.x), std::move(fill.p), {}, {}});
+  fill.limits = spec.limits;
+  try {
+    Filled made = filled(fill);
+    spec.fill = std::move(made.report);
+    return std::move(made.table);
+  } catch (const InputError& error) {
+    if (error.key() != "rule") throw;
+    throw InputError("table.rule", error.value(), error.rule());
+  }
+}
+
+/// The table, if all its segments are finite: otherwise the knot that ends the first that is not.
+Table with_finite_segments(Table table) {
+  try {
+    require_curve(table);
+  } catch (const InputError& error) {
+    const std::string begin = "segment[";
+    if (!error.key().starts_with(begin)) throw;
+    const int segment = std::stoi(error.key().substr(begin.size()));
+    throw InputError("knot[" + std::to_string(segment + 1) + "]", "",
+                     "ends a segment whose " + error.rule());
+  }
+  return table;
+}
+
+Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
+  std::optional<Points> points = knots_file(top, rule);
+  FillSpec fill = read_fill(top, spec.units, rule, points);
+  if (points) points->columns.clear();  // read; the lines are kept for errors
+  const auto table = [&] {
+    if (spec.himc) himc::require_pvt(fill.x);
+    return with_finite_segments(made_of(fill, spec));
+  };
+  return points ? placed_in(*points, table) : table();
+}
+
+/// The knots of a cubic spline, exactly: cubics are quintics too.
+Table table_of(const Trajectory& spline, Interpolation rule) {
+  Columns columns;
+  for (const double x : spline.breaks()) {
+    const Jet jet = spline.jet(x, x == spline.end() ? Side::left : Side::right);
+    columns.x.push_back(x);
+    columns.p.push_back(jet[0]);
+    columns.v.push_back(jet[1]);
+    if (rule == Interpolation::quintic_hermite) columns.a.push_back(jet[2]);
+  }
+  return Table(Domain::time, rule, Extrapolation::hold, std::move(columns));
+}
+
+void refuse_beside_times(TomlReader& reader, const char* key) {
+  if (reader.has(key)) reader.fail(key, "", "is found by times = \"shortest\": leave it out");
+}
+
+Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
+  if (rule == Interpolation::linear)
+    top.fail("times", "\"shortest\"", "needs the rule cubic_hermite or quintic_hermite");
+  refuse_beside_times(top, "velocities");
+  if (top.has("points"))
+    top.fail("points", "",
+             "has times: for times = \"shortest\" give each [[knot]] a position only");
+  SplineTimesSpec times;
+  times.limits = {spec.limits};
+  for (TomlReader& knot : top.tables("knot")) {
+    times.points.push_back({knot.number("position", spec.units.position)});
+    for (const char* key : {"time", "velocity", "acceleration"}) refuse_beside_times(knot, key);
+    knot.finish();
+  }
+  try {
+    return table_of(spline_times(times).joints.front(), rule);
+  } catch (const InputError& error) {
+    const bool of_limits = error.key().starts_with("limits[1]");
+    throw InputError(of_limits ? "limits" + error.key().substr(9) : "knot", error.value(),
+                     error.rule());
+  }
+}
+
+}  // namespace
+
+bool wants_shortest_times(TomlReader& top) {
+  return top.optional_choice("times", objectives).has_value();
+}
+
+Table read_knots(TomlReader& top, Spec& spec, Interpolation rule) {
+  static const std::vector<std::string> controllers{"himc"};
+  spec.himc = top.optional_choice("controller", controllers).has_value();
+  if (!wants_shortest_times(top)) return filled_table(top, spec, rule);
+  Table table = shortest_table(top, spec, rule);
+  if (spec.himc) himc::require_pvt(table.columns().x);
+  return table;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "jounce/base/units.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+MoveSpec read_trapezoid(MotionFields& f) {
+  TrapezoidSpec t;
+  f.may("from", 0, t.from);
+  f.need("to", 0, t.to);
+  f.need("velocity", 1, t.velocity);
+  f.need("acceleration", 2, t.acceleration);
+  f.may("deceleration", 2, t.deceleration);
+  return t;
+}
+
+/// Jerk, or what controllers ask for instead: the time in which the acceleration builds up, so that
+/// jerk = acceleration / smoothing in each half (Googol smoothTime, HMPL SetSmoothTime).
+void read_jerk(MotionFields& f, SCurveSpec& s) {
+  const auto jerk = f.optional("jerk", 3);
+  const auto smoothing = f.optional_time("smoothing");
+  const auto deceleration_jerk = f.optional("deceleration_jerk", 3);
+  TomlReader& move = f.reader();
+  if (jerk.has_value() == smoothing.has_value())
+    move.fail("jerk", "",
+              "an s_curve needs either jerk or smoothing (the rise time of the acceleration)");
+  if (smoothing) {
+    if (!(*smoothing > 0)) move.fail("smoothing", number(*smoothing), "must be greater than 0");
+    if (deceleration_jerk)
+      move.fail("deceleration_jerk", number(*deceleration_jerk), "needs jerk instead of smoothing");
+    s.jerk = s.acceleration / *smoothing;
+    s.deceleration_jerk = (s.deceleration == 0 ? s.acceleration : s.deceleration) / *smoothing;
+  } else {
+    s.jerk = *jerk;
+    s.deceleration_jerk = deceleration_jerk.value_or(0);
+  }
+}
+
+MoveSpec read_s_curve(MotionFields& f) {
+  const auto t = std::get<TrapezoidSpec>(read_trapezoid(f));
+  SCurveSpec s{t.from, t.to, t.velocity, t.acceleration, t.deceleration, 0, 0};
+  read_jerk(f, s);
+  return s;
+}
+
+MoveSpec read_fourth_order(MotionFields& f) {
+  FourthOrderSpec s;
+  f.may("from", 0, s.from);
+  f.need("to", 0, s.to);
+  f.need("velocity", 1, s.velocity);
+  f.need("acceleration", 2, s.acceleration);
+  f.need("jerk", 3, s.jerk);
+  f.need("jounce", 4, s.jounce);
+  return s;
+}
+
+constexpr std::array directions{Direction::negative, Direction::shortest, Direction::positive,
+                                Direction::current, Direction::fastest};
+const std::vector<std::string> direction_names{"negative", "shortest", "positive", "current",
+                                               "fastest"};
+
+MoveSpec read_point_to_point(MotionFields& f) {
+  PointToPointSpec s;
+  TomlReader& move = f.reader();
+  s.from = f.state("from");
+  (void)move.number("to", f.units().position);  // must be there
+  s.to = f.state("to");
+  s.bounds = f.bounds();
+  s.duration = f.optional_time("duration");
+  if (s.duration && !(*s.duration > 0))
+    move.fail("duration", number(*s.duration), "must be greater than 0");
+  s.period = f.optional("period", 0);
+  if (const auto direction = move.optional_choice("direction", direction_names)) {
+    if (!s.period)
+      move.fail("direction", '"' + direction_names[*direction] + '"',
+                "needs the period of the axis: only a modulo axis has a choice of direction");
+    s.direction = directions[*direction];
+  }
+  return s;
+}
+
+MoveSpec read_velocity(MotionFields& f) {
+  VelocitySpec s;
+  s.from = f.state("from");
+  f.need("to_velocity", 1, s.velocity);
+  f.may("to_acceleration", 2, s.acceleration);
+  s.bounds = f.bounds();
+  return s;
+}
+
+constexpr std::array general{
+    ProfileReader{"trapezoid", read_trapezoid}, ProfileReader{"s_curve", read_s_curve},
+    ProfileReader{"fourth_order", read_fourth_order},
+    ProfileReader{"point_to_point", read_point_to_point}, ProfileReader{"velocity", read_velocity}};
+
+}  // namespace
+
+std::span<const ProfileReader> general_profiles() {
+  return general;
+}
+
+MoveSpec read_move(TomlReader move, const Units& units) {
+  std::vector<ProfileReader> all(general.begin(), general.end());
+  for (const ProfileReader& reader : controller_profiles()) all.push_back(reader);
+  const std::vector<std::string> names = [&] {
+    std::vector<std::string> each;
+    for (const ProfileReader& reader : all) each.emplace_back(reader.name);
+    return each;
+  }();
+  MotionFields fields(move, units);
+  MoveSpec spec = all[move.choice("profile", names)].read(fields);
+  move.finish();
+  return spec;
+}
+
+Dynamics read_dynamics(MotionFields& f, bool with_velocity) {
+  Dynamics d;
+  if (with_velocity) f.need("velocity", 1, d.velocity);
+  f.need("acceleration", 2, d.acceleration);
+  f.may("deceleration", 2, d.deceleration);
+  f.may("jerk", 3, d.jerk);
+  f.may("deceleration_jerk", 3, d.deceleration_jerk);
+  return d;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vector>
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> types{"absolute", "relative", "velocity", "halt", "dwell"};
+const std::vector<std::string> modes{"aborting",          "buffered",      "blending_low",
+                                     "blending_previous", "blending_next", "blending_high"};
+
+void read_over(MotionFields& f, Dynamics& d) {
+  f.may("velocity", 1, d.velocity);
+  f.may("acceleration", 2, d.acceleration);
+  f.may("deceleration", 2, d.deceleration);
+  f.may("jerk", 3, d.jerk);
+}
+
+MotionCommand read_what(MotionFields& f) {
+  TomlReader& command = f.reader();
+  double value = 0;
+  switch (command.choice("type", types)) {
+    case 0:
+      f.need("position", 0, value);
+      return MoveAbsolute{value};
+    case 1:
+      f.need("distance", 0, value);
+      return MoveRelative{value};
+    case 2:
+      return MoveVelocity{static_cast<int>(command.optional_whole("direction").value_or(1))};
+    case 3:
+      return Halt{};
+    default:
+      return Dwell{command.number("time", f.units().x)};
+  }
+}
+
+void require_dynamics(MotionFields& f, const QueuedCommand& c) {
+  const char* elsewhere = "is missing: give it here, or for all commands under [dynamics]";
+  if (c.dynamics.velocity == 0 && !std::holds_alternative<Halt>(c.command))
+    f.reader().fail("velocity", "", elsewhere);
+  if (c.dynamics.acceleration == 0) f.reader().fail("acceleration", "", elsewhere);
+}
+
+QueuedCommand read_command(TomlReader& command, const Units& units, const Dynamics& common) {
+  MotionFields fields(command, units);
+  QueuedCommand c{.command = read_what(fields), .dynamics = common};
+  if (!std::holds_alternative<Dwell>(c.command)) {
+    read_over(fields, c.dynamics);
+    require_dynamics(fields, c);
+  }
+  if (const auto mode = command.optional_choice("mode", modes))
+    c.mode = static_cast<BufferMode>(*mode);
+  c.issued = fields.optional_time("issued");
+  command.finish();
+  return c;
+}
+
+}  // namespace
+
+QueueSpec read_queue(TomlReader& top, const Units& units) {
+  QueueSpec queue;
+  if (auto start = top.optional_table("start")) {
+    MotionFields fields(*start, units);
+    fields.may("position", 0, queue.start.position);
+    fields.may("velocity", 1, queue.start.velocity);
+    fields.may("acceleration", 2, queue.start.acceleration);
+    start->finish();
+  }
+  Dynamics common;
+  if (auto dynamics = top.optional_table("dynamics")) {
+    MotionFields fields(*dynamics, units);
+    read_over(fields, common);
+    dynamics->finish();
+  }
+  for (TomlReader& command : top.tables("command"))
+    queue.commands.push_back(read_command(command, units, common));
+  return queue;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "jounce/controllers/himc/himc.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// Takes the filter only if the controller that the operator names does.
+template <class Require>
+void require_of_himc(TomlReader& then, const Require& require) {
+  try {
+    require();
+  } catch (const InputError& error) {
+    then.fail(error.key().c_str(), error.value(), error.rule());
+  }
+}
+
+Operator read_moving_average(MotionFields& f) {
+  return MovingAverageSpec{f.reader().number("window", f.units().x)};
+}
+
+Operator read_shaper(MotionFields& f) {
+  const std::vector<std::string> kinds{"zv", "zvd", "ei"};
+  TomlReader& then = f.reader();
+  ShaperSpec s;
+  s.kind = static_cast<ShaperKind>(then.choice("kind", kinds));
+  s.mode.frequency = then.number("frequency", "Hz");
+  f.may_in("damping", "1", s.mode.damping);
+  if (s.kind == ShaperKind::ei) f.may_in("tolerance", "1", s.tolerance);
+  const std::vector<std::string> controllers{"himc", "himc_group"};
+  if (const auto of = then.optional_choice("controller", controllers))
+    require_of_himc(then, [&] { himc::require_in_shape(s, static_cast<himc::FilterOf>(*of)); });
+  return s;
+}
+
+Operator read_notch(MotionFields& f) {
+  NotchSpec s;
+  s.frequency = f.reader().number("frequency", "Hz");
+  f.may_in("damping", "1", s.damping);
+  f.may_in("mode_damping", "1", s.mode_damping);
+  f.may_in("settled", "1", s.settled);
+  const std::vector<std::string> controllers{"himc"};
+  if (f.reader().optional_choice("controller", controllers))
+    require_of_himc(f.reader(), [&] { himc::require_vsf(s); });
+  return s;
+}
+
+Operator read_retime(MotionFields&) {
+  return RetimeSpec{};
+}
+
+Operator read_override(MotionFields& f) {
+  OverrideSpec s;
+  f.may_in("factor", "1", s.factor);
+  f.may_in("maximum", "1", s.maximum);
+  for (TomlReader& each : f.reader().tables("request")) {
+    s.requests.push_back({each.number("time", f.units().x), each.number("factor", "1")});
+    each.finish();
+  }
+  return s;
+}
+
+ChangeSpec read_change(MotionFields& f, ChangeSpec::To to) {
+  ChangeSpec c{.to = to};
+  c.time = f.reader().number("time", f.units().x);
+  c.dynamics = read_dynamics(f, to != ChangeSpec::To::velocity);
+  return c;
+}
+
+Operator read_new_target(MotionFields& f) {
+  ChangeSpec c = read_change(f, ChangeSpec::To::target);
+  f.need("to", 0, c.value);
+  return c;
+}
+
+Operator read_new_velocity(MotionFields& f) {
+  ChangeSpec c = read_change(f, ChangeSpec::To::velocity);
+  f.need("velocity", 1, c.value);
+  return c;
+}
+
+Operator read_move_additive(MotionFields& f) {
+  ChangeSpec c = read_change(f, ChangeSpec::To::additive);
+  f.need("distance", 0, c.value);
+  return c;
+}
+
+Operator read_move_superimposed(MotionFields& f) {
+  ChangeSpec c = read_change(f, ChangeSpec::To::superimposed);
+  f.need("distance", 0, c.value);
+  c.abort = f.optional_time("abort");
+  return c;
+}
+
+/// The unit of the axis of that name; of the only one, or of the spec, where there is none.
+const std::string& unit_of(const std::string& axis, std::span<const AxisPart> parts) {
+  const auto named = std::find_if(parts.begin(), parts.end(),
+                                  [&](const AxisPart& part) { return part.name == axis; });
+  return (named == parts.end() ? parts.front() : *named).units.position;
+}
+
+/// One point at least, and no more than a spec holds.
+std::size_t count_of(TomlReader& reference) {
+  const std::size_t count = reference.optional_count("count").value_or(0);
+  if (count < 2 || count > 1'000'000)
+    reference.fail("count", std::to_string(count), "must be from 2 to 1e6");
+  return count;
+}
+
+/// Values in the unit of the corrected axis, the grid in those of its references.
+Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
+  static const std::vector<std::string> rules{"linear", "cubic"};
+  TomlReader& then = f.reader();
+  CompensateSpec s;
+  s.axis = then.optional_text("axis").value_or("");
+  const std::string& unit = unit_of(s.axis, parts);
+  if (const auto rule = then.optional_choice("rule", rules))
+    s.table.rule = static_cast<GridRule>(*rule);
+  s.tolerance = then.optional_number("tolerance", unit);
+  s.table.most = then.optional_number("most", unit).value_or(s.table.most);
+  if (!(s.table.most > 0)) then.fail("most", number(s.table.most), "must be greater than 0");
+  std::size_t points = 1;
+  for (TomlReader& reference : then.tables("reference")) {
+    s.references.push_back(reference.optional_text("axis").value_or(""));
+    const std::string& own = s.references.back().empty() ? s.axis : s.references.back();
+    const std::string& grid = unit_of(own, parts);
+    s.table.axes.push_back(
+        {reference.number("base", grid), reference.number("interval", grid), count_of(reference)});
+    points *= s.table.axes.back().count;
+    if (points > 1'000'000)
+      then.fail("reference", "", "makes a grid of more than 1e6 points, which is the limit");
+    reference.finish();
+  }
+  if (s.references.empty())
+    then.fail("reference", "", "is missing: a grid has one to three reference axes");
+  s.table.values = then.numbers("values", std::vector<std::string>(points, unit));
+  return s;
+}
+
+struct OperatorReader {
+  const char* name;
+  Operator (*read)(MotionFields& fields);
+};
+constexpr std::array operators{OperatorReader{"moving_average", read_moving_average},
+                               OperatorReader{"shaper", read_shaper},
+                               OperatorReader{"notch", read_notch},
+                               OperatorReader{"retime", read_retime},
+                               OperatorReader{"override", read_override},
+                               OperatorReader{"new_target", read_new_target},
+                               OperatorReader{"new_velocity", read_new_velocity},
+                               OperatorReader{"move_additive", read_move_additive},
+                               OperatorReader{"move_superimposed", read_move_superimposed}};
+
+}  // namespace
+
+std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
+  std::vector<std::string> names;
+  for (const OperatorReader& each : operators) names.emplace_back(each.name);
+  names.emplace_back("compensation");
+  const std::vector<AxisPart> parts = spec.parts();
+  std::vector<Operator> all;
+  for (TomlReader& then : top.tables("then")) {
+    MotionFields fields(then, spec.units);
+    const std::size_t chosen = then.choice("operator", names);
+    all.push_back(chosen < operators.size() ? operators[chosen].read(fields)
+                                            : read_compensation(fields, parts));
+    then.finish();
+  }
+  return all;
+}
+
+}  // namespace jounce::detail

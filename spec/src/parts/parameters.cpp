@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "jounce/base/nearest.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+/// The unit of a number that the spec has read. Throws InputError where there is none of that name.
+std::string unit_of(TomlReader& parameter, const std::string& key) {
+  const auto& units = parameter.document().units;
+  if (const auto it = units.find(key); it != units.end() && !key.starts_with("optimize"))
+    return it->second;
+  std::vector<std::string> known;
+  for (const auto& [name, unit] : units) known.push_back(name);
+  const std::string hint = nearest(key, known);
+  parameter.fail(
+      "key", '"' + key + '"',
+      "is not a number of this spec" +
+          (hint.empty() ? std::string("; if the spec leaves it out, write it there first")
+                        : ": did you mean \"" + hint + "\"?"));
+}
+
+SpecParameter read_parameter(TomlReader& table) {
+  SpecParameter parameter;
+  parameter.key = table.text("key");
+  parameter.unit = unit_of(table, parameter.key);
+  const auto range = table.optional_pair("range", parameter.unit);
+  if (!range) table.fail("range", "", "is missing: [least, greatest]");
+  std::tie(parameter.lower, parameter.upper) = *range;
+  if (parameter.lower >= parameter.upper)
+    table.fail("range", number(parameter.lower) + " to " + number(parameter.upper),
+               "must be [least, greatest], in this order");
+  table.finish();
+  return parameter;
+}
+
+FigureBound read_bound(TomlReader& table) {
+  FigureBound bound{table.text("figure")};
+  bound.at_least = table.optional_quantity("at_least");
+  bound.at_most = table.optional_quantity("at_most");
+  if (!bound.at_least && !bound.at_most)
+    table.fail("at_most", "", "is missing: at_most, at_least, or both");
+  table.finish();
+  return bound;
+}
+
+void read_figure(TomlReader& table, ParametersSpec& spec) {
+  const auto least = table.optional_text("minimize");
+  const auto most = table.optional_text("maximize");
+  if (least.has_value() == most.has_value())
+    table.fail(
+        "minimize", least ? '"' + *least + '"' : "",
+        least ? "cannot be combined with maximize"
+              : "is missing: minimize or maximize = \"...\", a key figure such as \"duration\"");
+  spec.figure = least ? *least : *most;
+  spec.maximize = most.has_value();
+}
+
+void read_options(TomlReader& table, SearchOptions& options) {
+  const std::vector<std::string> ways{"global", "local"};
+  if (const auto way = table.optional_choice("search", ways)) options.global = *way == 0;
+  if (const auto seed = table.optional_count("seed")) options.seed = *seed;
+  if (const auto most = table.optional_count("max_evaluations")) {
+    if (*most > 1'000'000)
+      table.fail("max_evaluations", std::to_string(*most), "must be at most 1000000");
+    options.max_evaluations = static_cast<int>(*most);
+  }
+  options.seconds = table.optional_number("seconds", "s");
+  if (options.seconds && *options.seconds <= 0)
+    table.fail("seconds", number(*options.seconds), "must be greater than 0");
+  options.tolerance = table.optional_number("tolerance", "1").value_or(options.tolerance);
+  if (options.tolerance < 1e-9 || options.tolerance > 0.01)
+    table.fail("tolerance", number(options.tolerance), "must be from 1e-9 to 0.01");
+}
+
+}  // namespace
+
+std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole) {
+  if (!top.has("optimize")) return std::nullopt;
+  TomlReader table = top.table("optimize");
+  if (std::holds_alternative<CamSpec>(whole.subject) && !table.has("parameter"))
+    return std::nullopt;  // of free knots: read_optimize()
+  ParametersSpec spec;
+  std::set<std::string> chosen;
+  for (TomlReader& parameter : table.tables("parameter")) {
+    if (!whole.optimize.free.empty())
+      table.fail("parameter", "",
+                 "cannot be combined with `free` knots: optimize one, then the other");
+    spec.parameters.push_back(read_parameter(parameter));
+    if (!chosen.insert(spec.parameters.back().key).second)
+      parameter.fail("key", '"' + spec.parameters.back().key + '"', "is given twice");
+  }
+  if (spec.parameters.empty())
+    table.fail("parameter", "",
+               "is missing: name each number that may change in an [[optimize.parameter]]");
+  read_figure(table, spec);
+  for (TomlReader& bound : table.tables("require")) spec.require.push_back(read_bound(bound));
+  read_options(table, spec.options);
+  table.finish();
+  return spec;
+}
+
+}  // namespace jounce::detail

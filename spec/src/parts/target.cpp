@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/units.hpp"
+#include "jounce/controllers/table_target.hpp"
+
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+std::optional<double> positive(TomlReader& table, const std::string& key, const std::string& unit) {
+  const auto value = table.optional_number(key.c_str(), unit);
+  if (value && !(*value > 0)) table.fail(key.c_str(), number(*value), "must be greater than 0");
+  return value;
+}
+
+/// The controller's own numbers, and its rule unless the spec names one; with the resolution of the
+/// first column.
+Target read_controller(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
+  const std::string resolution = spec_key(axis, "x_step");
+  const auto x_step = positive(table, resolution, units.x);
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const ControllerTable& each : controller_tables()) all.emplace_back(each.name);
+    return all;
+  }();
+  const auto choice = table.optional_choice("controller", names);
+  if (!choice) return {.x_step = x_step.value_or(0)};
+  const ControllerTable& controller = controller_tables()[*choice];
+  const std::string word = '"' + names[*choice] + '"';
+  if (controller.axis != axis)
+    table.fail("controller", word, std::string("needs a table over ") + name(controller.axis));
+  if (options.rule.value_or(controller.rule) != controller.rule)
+    table.fail("controller", word, std::string("needs a ") + name(controller.rule) + " table");
+  options.rule = controller.rule;
+  try {
+    return target_of(controller, units, x_step, resolution);
+  } catch (const InputError& error) {
+    table.fail("controller", error.value(), error.rule());
+  }
+}
+
+}  // namespace
+
+void read_target(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
+  static const std::vector<std::string> spacings{"even", "fewest"};
+  const auto key = [&](const char* member) { return spec_key(axis, member); };
+  const std::string rate = rate_unit(units.position, units.x, 1);
+  bool wanted = table.has("controller");
+  for (const char* member : {"velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step"})
+    wanted = wanted || table.has(key(member).c_str());
+  const auto knots = table.optional_choice("knots", spacings);
+  Target target = read_controller(table, units, axis, options);
+  target.velocity_tolerance = positive(table, key("velocity_tolerance"), rate);
+  if (const auto most = table.optional_count("most")) target.most = *most;
+  target.spacing = positive(table, "spacing", units.x).value_or(0);
+  target.p_step = positive(table, key("p_step"), units.position).value_or(0);
+  target.v_step = positive(table, key("v_step"), rate).value_or(0);
+  if (!wanted && knots.value_or(0) == 0) return;
+  if (knots == std::size_t{0}) table.fail("knots", "\"even\"", "needs knots = \"fewest\"");
+  if (options.intervals)
+    table.fail("intervals", std::to_string(*options.intervals),
+               "give either equal intervals or the fewest knots, not both");
+  options.target = target;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/spec/spec.hpp"
+
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/io/points.hpp"
+
+#include "spec/src/axis_drive.hpp"
+#include "spec/src/toml/parts.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::TomlReader;
+
+using detail::read_unit;
+
+/// A kind of spec: what it runs over, and what reads its own part, after units, table and limits.
+struct Kind {
+  const char* name;
+  enum { over_time, over_master, no_curve } runs;
+  void (*read)(TomlReader& top, Spec& spec);
+};
+
+void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
+  TomlReader units = top.table("units");
+  spec.units.position = detail::read_position_unit(units, "position", nullptr);
+  spec.time_unit = read_unit(units, "time", "s");
+  try {
+    (void)conversion(spec.time_unit, "s");
+  } catch (const InputError&) {
+    units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
+  }
+  const bool over_master = kind.runs == Kind::over_master;
+  spec.units.x = over_master ? read_unit(units, "master", nullptr) : spec.time_unit;
+  if (kind.runs == Kind::no_curve && units.has("master"))
+    spec.master_unit = read_unit(units, "master", nullptr);
+  units.finish();
+}
+
+std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
+  auto table = top.optional_table("master");
+  if (!table) return std::nullopt;
+  MasterSpec master;
+  master.velocity = table->number("velocity", rate_unit(spec.units.x, spec.time_unit, 1));
+  master.distance = table->number("distance", spec.units.x);
+  master.acceleration =
+      table->optional_number("acceleration", rate_unit(spec.units.x, spec.time_unit, 2));
+  for (const auto& [key, value] : {std::pair{"velocity", master.velocity},
+                                   {"distance", master.distance},
+                                   {"acceleration", master.acceleration.value_or(1)}})
+    if (!(value > 0)) table->fail(key, number(value), "must be greater than 0");
+  table->finish();
+  return master;
+}
+
+/// What belongs to the one axis of a spec.
+void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
+  const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
+  spec.table =
+      detail::read_table_options(top, spec.units, knots_are_the_table,
+                                 kind.runs == Kind::over_master ? Domain::master : Domain::time);
+  Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
+  spec.limits = detail::read_limits(top, spec.units, slave, spec.time_unit);
+  if (kind.name != std::string_view("axis")) spec.drive = detail::read_drive(top, spec.units);
+}
+
+/// What any cam may have beside it: a master, a coupling, switches.
+void read_beside_cam(TomlReader& top, Spec& spec) {
+  if (auto master = read_master(top, spec)) spec.master = master;
+  spec.follower = detail::read_follower(top, spec);
+  spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
+  spec.switches = detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
+}
+
+void read_cam(TomlReader& top, Spec& spec) {
+  spec.subject = detail::read_cam(top, spec.units, spec);
+  spec.master = read_master(top, spec);
+  detail::read_optimize(top, spec);
+  spec.disc = detail::read_disc(top, spec.units);
+  spec.polydyne = detail::read_polydyne(top);
+}
+
+void read_pvt(TomlReader& top, Spec& spec) {
+  if (!spec.table.rule) spec.table.rule = Interpolation::cubic_hermite;
+  spec.subject = detail::read_knots(top, spec, *spec.table.rule);
+}
+
+void read_axis(TomlReader& top, Spec& spec) {
+  AxisSpec axis = detail::read_axis(top.table("axis"), spec.units);
+  axis.homing = detail::read_homing(top, spec.units);
+  axis.follow = detail::read_whom(top);
+  (void)detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
+  spec.subject = axis;
+  spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
+  spec.compare = detail::read_compare(top, spec);
+}
+
+void read_drive_alone(TomlReader& top, Spec& spec) {
+  if (!spec.drive) top.fail("drive", "", "is missing: a spec of kind drive needs a [drive]");
+  spec.subject = DriveAlone{};
+}
+
+constexpr std::array kinds{
+    Kind{"cam", Kind::over_master, read_cam},
+    Kind{"gear", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_gear(top.table("gear"), spec.units));
+         }},
+    Kind{"follow", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_follow(top, spec.units));
+         }},
+    Kind{"knife", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_knife(top.table("knife"), spec.units));
+         }},
+    Kind{"shear", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_shear(top.table("shear"), spec));
+         }},
+    Kind{"indexer", Kind::over_master,
+         [](auto& top, auto& spec) {
+           spec.subject = SyncSpec(detail::read_indexer(top.table("indexer"), spec.units));
+         }},
+    Kind{"move", Kind::over_time,
+         [](auto& top, auto& spec) {
+           spec.subject = detail::read_move(top.table("move"), spec.units);
+         }},
+    Kind{"queue", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_queue(top, spec.units); }},
+    Kind{"axes", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_axes(top, spec); }},
+    Kind{"pvt", Kind::over_time, read_pvt},
+    Kind{"pt", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_time_table(top, spec.units); }},
+    Kind{"axis", Kind::no_curve, read_axis},
+    Kind{"drive", Kind::no_curve, read_drive_alone},
+};
+
+/// Kinds of files that other verbs take.
+void refuse_other_kinds(TomlReader& top) {
+  const auto kind = top.optional_text("kind");
+  if (kind == "machine")
+    top.fail("kind", "\"machine\"", "is for `jounce run`: give the spec of one of its axes here");
+  if (kind == "sweep")
+    top.fail("kind", "\"sweep\"", "is for `jounce sweep`: give the spec that it varies here");
+}
+
+void read_body(TomlReader& top, Spec& spec) {
+  detail::require_version(top);
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Kind& kind : kinds) all.emplace_back(kind.name);
+    return all;
+  }();
+  refuse_other_kinds(top);
+  const Kind& kind = kinds.at(top.choice("kind", names));
+  spec.name = top.optional_text("name").value_or("");
+  read_units(top, spec, kind);
+  if (kind.name != std::string_view("axes")) read_one_axis(top, spec, kind);
+  kind.read(top, spec);
+  if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
+  if (kind.runs == Kind::over_time) {
+    spec.then = detail::read_then(top, spec);
+    spec.compare = detail::read_compare(top, spec);
+  }
+  if (kind.runs != Kind::no_curve) spec.parameters = detail::read_parameters(top, spec);
+  top.finish();
+}
+
+}  // namespace
+
+void detail::require_version(TomlReader& top) {
+  if (!top.has("jounce"))
+    top.fail("jounce", "",
+             "is missing: a spec begins with `jounce = 1`, the version of its format");
+  const auto version = top.optional_count("jounce");
+  if (*version != Spec::version)
+    top.fail("jounce", std::to_string(*version),
+             "this program reads format version " + std::to_string(Spec::version));
+}
+
+namespace {
+
+/// The parser keeps a table for each part of a dotted key within the one before, and destroys them by calls
+/// within calls: 50 000 parts overrun the stack. It bounds nested values itself.
+void require_shallow_keys(const Document& document) {
+  constexpr std::size_t most = 256;
+  int line = 1;
+  std::size_t dots = 0;
+  for (const char c : document.text) {
+    if (c == '\n') ++line;
+    const bool word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' ||
+                      c == ' ' || c == '\t' || c == '"' || c == '\'';
+    if (c == '.')
+      ++dots;
+    else if (!word && std::exchange(dots, 0) >= most && (c == '=' || c == ']'))
+      throw InputError("key", "", "has more than " + std::to_string(most) + " parts between dots")
+          .at(document.name, line);
+  }
+}
+
+}  // namespace
+
+toml::table detail::parse_toml(const Document& document) {
+  require_shallow_keys(document);
+  if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("", "", "the file is empty").at(document.name, 1);
+  try {
+    return toml::parse(std::string_view(document.text), std::string_view(document.name));
+  } catch (const toml::parse_error& error) {
+    if (begins_as_points(document.text))
+      throw InputError(
+          "", "",
+          "is a table of points: name it in a spec (kind = \"pvt\" for points over time): "
+          "points = \"" +
+              document.name + '"')
+          .at(document.name, 1);
+    const auto at = error.source().begin;
+    throw InputError("", "", "is not TOML: " + std::string(error.description()))
+        .at(document.name, static_cast<int>(at.line), static_cast<int>(at.column));
+  }
+}
+
+Spec parse_spec(std::string text, std::string name) {
+  Document document{std::move(name), std::move(text), {}, {}};
+  document.hash = sha256(document.text);
+  const toml::table root = detail::parse_toml(document);
+  Spec spec;
+  spec.document = std::move(document);
+  TomlReader top(root, "", spec.document);
+  try {
+    read_body(top, spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+  return spec;
+}
+
+Spec::Spec() = default;
+Spec::Spec(const Spec& other) = default;
+Spec::Spec(Spec&& other) noexcept = default;
+Spec& Spec::operator=(const Spec& other) = default;
+Spec& Spec::operator=(Spec&& other) noexcept = default;
+Spec::~Spec() = default;
+
+std::optional<double> Spec::master_period() const {
+  if (const auto* sync = std::get_if<SyncSpec>(&subject)) return jounce::master_period(*sync);
+  const auto* cam = std::get_if<CamSpec>(&subject);
+  if (cam == nullptr || !cam->periodic || cam->segments.empty()) return std::nullopt;
+  const double period = cam->segments.back().end.master - cam->start.master;
+  if (!(period > 0)) return std::nullopt;  // design() says what is wrong
+  return period;
+}
+
+std::vector<AxisPart> Spec::parts() const {
+  if (!axes.empty()) return axes;
+  return {{"", units, table, limits, drive}};
+}
+
+Spec read_spec(const std::string& path) {
+  return parse_spec(read_file(path), path);
+}
+
+}  // namespace jounce

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/src/toml/point_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace jounce::detail {
+namespace {
+
+[[noreturn]] void fail(const Points& points, std::size_t point, const std::string& key,
+                       const std::string& value, const std::string& rule) {
+  throw InputError(key, value, rule).at(points.document, static_cast<int>(points.lines[point]));
+}
+
+std::string listed(std::span<const std::string> words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+}  // namespace
+
+std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
+                                      std::initializer_list<std::string_view> columns) {
+  const auto given = owner.optional_text("points");
+  if (!given) return std::nullopt;
+  if (owner.has(rows))
+    owner.fail("points", '"' + *given + '"',
+               std::string("cannot be combined with [[") + rows + "]]");
+  const std::filesystem::path spec = owner.document().name;
+  Points points = read_points((spec.parent_path() / *given).string());
+  for (const PointColumn& column : points.columns)
+    if (std::find(columns.begin(), columns.end(), column.name) == columns.end()) {
+      std::string names;
+      for (const auto& name : columns) names += (names.empty() ? "" : ", ") + std::string(name);
+      throw InputError(column.name, "", "is not a column of this table; possible columns: " + names)
+          .at(points.document, 1);
+    }
+  return points;
+}
+
+std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words) {
+  std::vector<std::size_t> types(points.size(), 0);
+  const PointColumn* column = points.find("type");
+  if (column == nullptr) return types;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const std::string& word = column->words[i];
+    const auto at = std::find(words.begin(), words.end(), word);
+    types[i] = static_cast<std::size_t>(at - words.begin());
+    if (at != words.end()) continue;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), types[i]);
+    if (error != std::errc() || end != word.data() + word.size() || types[i] >= words.size())
+      fail(points, i, "type", word, "must be one of " + listed(words) + ", or its number from 0");
+  }
+  return types;
+}
+
+std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
+                               const PointQuantity& position, bool increments,
+                               std::span<const std::string> types) {
+  const std::vector<double> at = points.in_unit(x.name, x.unit);
+  const std::vector<double> to = points.in_unit(position.name, position.unit);
+  const std::vector<std::size_t> type = types_of(points, types);
+  std::vector<PtPoint> all;
+  all.reserve(points.size());
+  PtPoint before;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PtPoint point{at[i], to[i], static_cast<PtType>(type[i])};
+    if (increments) point = {before.x + point.x, before.position + point.position, point.type};
+    if (!(point.x > before.x))
+      fail(points, i, x.name, number(at[i]),
+           "must be greater than " + (increments ? "0" : number(before.x)));
+    all.push_back(point);
+    before = point;
+  }
+  return all;
+}
+
+InputError placed(const InputError& error, const Points& points) {
+  const std::string& key = error.key();
+  const auto open = key.find('[');
+  std::size_t point = 0;
+  if (!error.document().empty() || open == key.npos ||
+      std::from_chars(key.data() + open + 1, key.data() + key.size(), point).ec != std::errc() ||
+      point < 1 || point > points.size())
+    return error;
+  const auto dot = key.find('.', open);
+  const std::string column = dot == key.npos ? key : key.substr(dot + 1);
+  return InputError(column, error.value(), error.rule())
+      .at(points.document, static_cast<int>(points.lines[point - 1]));
+}
+
+}  // namespace jounce::detail

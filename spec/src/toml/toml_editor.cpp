@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/src/toml/toml_editor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace jounce::detail {
+
+std::size_t TomlEditor::offset(const toml::source_position& place) const {
+  return detail::offset(text_, place);
+}
+
+void TomlEditor::replace(const toml::table& table, const char* key, std::string value) {
+  const toml::source_region& at = table.get(key)->source();
+  edits_.push_back({offset(at.begin), offset(at.end), std::move(value)});
+}
+
+void TomlEditor::add_beside(const toml::table& table, const char* beside, const char* key,
+                            const std::string& value) {
+  // The other's line has the indent and, with dotted keys, the prefix.
+  const std::string entry = std::string(key) + " = " + value;
+  const toml::source_region& source = table.get(beside)->source();
+  const std::size_t other = text_.rfind(beside, offset(source.begin));
+  const std::size_t before = text_.find_last_of("{,\n", other);
+  const std::size_t begin = text_.find_first_not_of(" \t", before + 1);
+  const std::string prefixed = text_.substr(begin, other - begin) + entry;
+  if (text_[before] != '\n') {
+    edits_.push_back({begin, begin, prefixed + ", "});
+    return;
+  }
+  const std::size_t end = std::min(text_.find('\n', offset(source.end)), text_.size());
+  edits_.push_back({end, end, text_.substr(before, begin - before) + prefixed});
+}
+
+void TomlEditor::add(const toml::table& table, const char* beside, const char* key,
+                     const std::string& value) {
+  if (!table.is_inline()) {
+    add_beside(table, beside, key, value);
+    return;
+  }
+  const std::size_t brace = text_.rfind('}', offset(table.source().end) - 1);
+  const std::size_t last = text_.find_last_not_of(" \t", brace - 1) + 1;
+  edits_.push_back({last, last, ", " + std::string(key) + " = " + value});  // never the first
+}
+
+void TomlEditor::erase_tables(const toml::array& tables) {
+  for (const toml::node& each : tables) {
+    const std::size_t head = text_.rfind("[[", offset(each.source().begin) + 1);
+    const std::size_t begin = text_.find_last_of('\n', head) + 1;
+    std::size_t end = text_.find('\n', head);
+    while (end < text_.size() && text_.find_first_not_of(" \t", end + 1) < text_.size() &&
+           text_[text_.find_first_not_of(" \t", end + 1)] != '[')
+      end = text_.find('\n', end + 1);
+    edits_.push_back({begin, std::min(end, text_.size() - 1) + 1, ""});
+  }
+}
+
+void TomlEditor::erase(const toml::table& table, const char* key) {
+  const auto entry = table.find(key);
+  if (entry == table.end()) return;
+  const toml::array* array = entry->second.as_array();
+  if (array != nullptr && !array->empty() && array->front().is_table() &&
+      !array->front().as_table()->is_inline()) {
+    erase_tables(*array);
+    return;
+  }
+  std::size_t begin = offset(entry->first.source().begin);
+  std::size_t end = offset(entry->second.source().end);
+  const std::size_t after = text_.find_first_not_of(" \t", end);
+  if (table.is_inline()) {
+    if (after < text_.size() && text_[after] == ',')
+      end = text_.find_first_not_of(" \t", after + 1);
+    else
+      begin = text_.find_last_of(',', begin);  // the last of several
+  } else {                                     // the line, a comment at its end included
+    begin = text_.find_last_of('\n', begin) + 1;
+    end = std::min(text_.find('\n', end), text_.size() - 1) + 1;
+  }
+  edits_.push_back({begin, end, ""});
+}
+
+std::string TomlEditor::result() const {
+  return edited(text_, edits_);
+}
+
+}  // namespace jounce::detail

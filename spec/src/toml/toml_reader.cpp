@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/spec/detail/toml_reader.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "jounce/base/nearest.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
+
+namespace jounce::detail {
+namespace {
+
+Document::Place place(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+std::string join(std::span<const std::string> words) {
+  std::string all;
+  for (const auto& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+}  // namespace
+
+std::string shown(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  if (const auto text = node.value_exact<std::string>()) return '"' + printable(*text) + '"';
+  if (const auto value = node.value_exact<double>()) return number(*value);
+  std::ostringstream out;
+  node.visit([&](const auto& value) { out << value; });
+  return out.str();
+}
+
+TomlReader::TomlReader(const toml::table& table, std::string path, Document& document)
+    : table_(&table), path_(std::move(path)), document_(&document) {
+  if (!path_.empty()) document.places.emplace(path_, place(table.source()));
+}
+
+std::string TomlReader::path(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+void TomlReader::fail(const char* key, const std::string& value, const std::string& rule) {
+  throw document_->located(InputError(path(key), value, rule));
+}
+
+const toml::node* TomlReader::find(const char* key) {
+  known_.insert(key);
+  const toml::node* node = table_->get(key);
+  if (node != nullptr) document_->places[path(key)] = place(node->source());
+  return node;
+}
+
+const toml::node& TomlReader::require(const char* key) {
+  const toml::node* node = find(key);
+  if (node != nullptr) return *node;
+  refuse_misspelt(key);
+  fail(key, "", "is missing");
+}
+
+void TomlReader::refuse_misspelt(const char* key) const {
+  const std::string wanted = key;
+  for (const auto& [other, node] : *table_)
+    if (!known_.contains(std::string(other.str())) &&
+        !nearest(other.str(), std::span(&wanted, 1)).empty())
+      throw unknown(other, node, wanted);
+}
+
+InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
+                               const std::string& meant) const {
+  const auto at = place(key.source());
+  return InputError(path(key.str()), shown(node),
+                    "is not a key of this table: did you mean " + meant + "?")
+      .at(document_->name, at.line, at.column);
+}
+
+double TomlReader::read_number(const toml::node& node, const std::string& key,
+                               const std::string& unit) {
+  document_->units.emplace(key, unit);
+  const auto error = [&](const std::string& value, const std::string& rule) {
+    const auto at = place(node.source());
+    return InputError(key, value, rule).at(document_->name, at.line, at.column);
+  };
+  if (const auto text = node.value_exact<std::string>()) {
+    try {
+      return quantity(*text, unit);
+    } catch (const InputError& e) {
+      throw error('"' + *text + '"', e.rule());
+    }
+  }
+  if (!node.is_number())
+    throw error(shown(node),
+                "must be a number in " + unit + ", or a quantity such as \"12.5 " + unit + '"');
+  // Not value<double>(): that has none for a whole number beyond 2^53.
+  const auto whole = node.value_exact<std::int64_t>();
+  const double value =
+      whole ? static_cast<double>(*whole) : node.value_exact<double>().value_or(NAN);
+  if (!std::isfinite(value)) throw error(shown(node), "must be a finite number");
+  return value;
+}
+
+double TomlReader::number(const char* key, const std::string& unit) {
+  return read_number(require(key), path(key), unit);
+}
+
+std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  return read_number(*node, path(key), unit);
+}
+
+std::optional<std::string> TomlReader::optional_quantity(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (const auto text = node->value_exact<std::string>(); text && printable(*text) == *text)
+    return *text;
+  if (!node->is_number()) fail(key, shown(*node), "must be a number, or a quantity in quotes");
+  return shown(*node);
+}
+
+std::optional<std::size_t> TomlReader::optional_count(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::int64_t>();
+  if (!value || *value < 1) fail(key, shown(*node), "must be a whole number of at least 1");
+  return static_cast<std::size_t>(*value);
+}
+
+std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::int64_t>();
+  if (!value) fail(key, shown(*node), "must be a whole number");
+  return value;
+}
+
+std::int64_t TomlReader::whole(const char* key) {
+  require(key);
+  return *optional_whole(key);
+}
+
+std::optional<bool> TomlReader::optional_flag(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) fail(key, shown(*node), "must be true or false");
+  return node->value<bool>();
+}
+
+std::string TomlReader::text(const char* key) {
+  require(key);
+  return *optional_text(key);
+}
+
+std::optional<std::string> TomlReader::optional_text(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::string>();
+  if (!value) fail(key, shown(*node), "must be a string in quotes");
+  if (!is_printable(*value))
+    fail(key, '"' + printable(*value) + '"', "must not contain control characters");
+  return value;
+}
+
+std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
+  const std::string given = text(key);
+  for (std::size_t i = 0; i < permitted.size(); ++i)
+    if (permitted[i] == given) return i;
+  const std::string hint = nearest(given, permitted);
+  fail(key, '"' + given + '"',
+       (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") +
+           (permitted.size() > 1 ? "must be one of " : "must be ") + join(permitted));
+}
+
+std::optional<std::size_t> TomlReader::optional_choice(const char* key,
+                                                       std::span<const std::string> permitted) {
+  if (find(key) == nullptr) return std::nullopt;
+  return choice(key, permitted);
+}
+
+TomlReader TomlReader::table(const char* key) {
+  require(key);
+  return *optional_table(key);
+}
+
+std::optional<TomlReader> TomlReader::optional_table(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) fail(key, shown(*node), "must be a table");
+  return TomlReader(*node->as_table(), path(key), *document_);
+}
+
+std::vector<TomlReader> TomlReader::tables(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr)
+    fail(key, shown(*node), std::string("must be a list of tables: [[") + key + "]]");
+  std::vector<TomlReader> readers;
+  for (const auto& element : *array) {
+    const std::string name = path(key) + "[" + std::to_string(readers.size() + 1) + "]";
+    if (!element.is_table()) {
+      const auto at = place(element.source());
+      throw InputError(name, shown(element), "must be a table")
+          .at(document_->name, at.line, at.column);
+    }
+    readers.emplace_back(*element.as_table(), name, *document_);
+  }
+  return readers;
+}
+
+std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* key,
+                                                                   const std::string& unit) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != 2)
+    fail(key, shown(*node), "must be two numbers, [lower, upper]");
+  return std::pair{read_number(*array->get(0), path(key), unit),
+                   read_number(*array->get(1), path(key), unit)};
+}
+
+std::optional<std::pair<double, double>> TomlReader::optional_range(const char* key,
+                                                                    const std::string& unit) {
+  const toml::node* node = find(key);
+  if (node == nullptr || node->is_array()) return optional_pair(key, unit);
+  const double value = read_number(*node, path(key), unit);
+  return std::pair{value, value};
+}
+
+bool TomlReader::holds_tables(const char* key) {
+  const toml::node* node = find(key);
+  const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  return array != nullptr && !array->empty() && array->front().is_table();
+}
+
+std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != units.size())
+    fail(key, shown(*node), "must be a list of " + std::to_string(units.size()) + " numbers");
+  std::vector<double> all;
+  for (const std::string& unit : units)
+    all.push_back(read_number(*array->get(all.size()),
+                              path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
+  return all;
+}
+
+std::vector<double> TomlReader::number_list(const char* key, const std::string& unit) {
+  const toml::node& node = require(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) fail(key, shown(node), "must be a list of numbers");
+  std::vector<double> all;
+  for (const auto& element : *array)
+    all.push_back(
+        read_number(element, path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
+  return all;
+}
+
+bool TomlReader::is_text(const char* key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_string();
+}
+
+std::vector<std::string> TomlReader::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, node] : *table_) all.emplace_back(key.str());
+  return all;
+}
+
+std::vector<std::string> TomlReader::texts(const char* key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr) fail(key, shown(*node), "must be a list of strings");
+  std::vector<std::string> all;
+  for (const auto& element : *array) {
+    const auto value = element.value_exact<std::string>();
+    if (!value) fail(key, shown(element), "must be a string in quotes");
+    all.push_back(*value);
+  }
+  return all;
+}
+
+void TomlReader::finish() {
+  const std::vector<std::string> known(known_.begin(), known_.end());
+  for (const auto& [key, node] : *table_) {
+    if (known_.contains(std::string(key.str()))) continue;
+    if (const std::string hint = nearest(key.str(), known); !hint.empty())
+      throw unknown(key, node, hint);
+    const auto at = place(key.source());
+    throw InputError(path(key.str()), shown(node),
+                     "is not a key of this table; possible keys: " + join(known))
+        .at(document_->name, at.line, at.column);
+  }
+}
+
+}  // namespace jounce::detail

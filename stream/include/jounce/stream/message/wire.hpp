@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/security/key.hpp"
+
+/// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool can
+/// read them, with fixed arrays only: a type has one length.
+namespace jounce::wire {
+
+using Bytes = std::vector<std::byte>;
+
+/// Why bytes are no message.
+enum class Reject {
+  too_short,       ///< shorter than type, magic and version
+  wrong_magic,     ///< not Jounce's
+  wrong_version,   ///< another version of the protocol
+  unknown_type,    ///< a type hash unknown to this version
+  wrong_length,    ///< not the one length of its type
+  wrong_checksum,  ///< damaged on the way
+  bad_field,       ///< an enumeration, a count or a name out of its range
+  not_authentic,   ///< its mac is not that of the key; or it has one, and no key is set
+};
+inline constexpr std::size_t reject_count = 8;
+const char* name(Reject reject);
+
+/// A key signs the message. Throws InputError for a name, unit or count that does
+/// not fit the wire. A reason is shortened.
+Bytes encode(const Message& message, const std::optional<Key>& key = {});
+
+/// A key rejects messages without its signature before any field is read. Never
+/// throws and never reads past the bytes, for any input.
+std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
+                                     const std::optional<Key>& key = {});
+
+/// The channels of an executor: each message has its own.
+enum class Lane {
+  table,    ///< Header, Chunk, Queue, Rows: to the executor
+  command,  ///< Arm, Start, Stop, Heartbeat, Order: to the executor
+  reply,    ///< Ack, Reply, QueueAck: from the executor
+  status,   ///< Status: from the executor; only the newest counts
+  master,   ///< Master: to all executors that follow it, under the master's name
+  event,    ///< Event: from the executor
+  masters,  ///< MasterStatus: from the executor; only the newest of each master counts
+  claim,    ///< Claim: between executors of one name
+};
+Lane lane(const Body& body);
+
+/// "JOUNCE2.<executor>.table", ...
+std::string channel(const std::string& executor, Lane lane);
+
+}  // namespace jounce::wire

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/message/refusal.hpp"
+#include "jounce/stream/receiver/assembly.hpp"
+#include "jounce/stream/receiver/row_intake.hpp"
+#include "jounce/stream/receiver/table_store.hpp"
+#include "jounce/stream/security/key.hpp"
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce {
+
+struct ReceiverOptions {
+  std::string executor;                        ///< the name this axis answers to
+  std::uint32_t most_knots = 1U << 24U;        ///< most knots of one table
+  std::size_t memory = std::size_t{1} << 28U;  ///< bytes of all tables, complete or under way
+  Nanos session_timeout =
+      std::chrono::seconds(1);  ///< session timeout of silence, then the axis is free again
+  Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
+  std::uint32_t credit =
+      8;  ///< messages of 12.8 KB under way, 1...64; 8 fit a socket's default buffer
+  std::uint32_t most_rows = 1U << 20U;  ///< most rows of one bank of a queue
+  std::size_t most_queues = 4;          ///< most queues of one session
+  std::optional<wire::Key> key{};       ///< key that must sign commands; none: no signature needed
+};
+
+/// A table is complete and has proved itself. It stays in the store.
+struct TableReady {
+  std::int64_t session = 0;
+  StoredTable table;
+};
+
+/// The tables are complete, and their axes and units fit the mode. Owes an answer.
+struct ArmRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  wire::ArmMode mode = wire::ArmMode::play;
+  StoredTable slave;
+  std::optional<StoredTable> master;       ///< for follow_table
+  CouplingSpec coupling{};                 ///< coupling of a slave over master
+  wire::CamEnd end = wire::CamEnd::brake;  ///< for follow_input
+};
+
+/// The queue is open. Owes an answer.
+struct QueueArmRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  std::uint32_t queue = 0;
+  std::uint8_t bank = 0;  ///< bank of a static queue: the one that begins
+};
+
+/// Follows an accepted arm of the same session; a queue has its prefill. Owes an answer.
+struct StartRequested {
+  std::int64_t session = 0;
+  std::int32_t command = 0;
+  std::int64_t tick = -1;  ///< tick of the executor; -1: the next one
+  wire::StartAt when = wire::StartAt::tick;
+  double position = 0;  ///< position of the master, m, with master_position
+};
+
+/// Something else that the axis is to do; its values are within their ranges, and a queue that they
+/// name is open. Owes an answer.
+struct OrderRequested {
+  std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
+  std::int32_t command = 0;
+  wire::OrderKind kind = wire::OrderKind::enable;
+  std::int64_t at = -1;  ///< tick; -1: the next one
+  std::array<double, 8> value{};
+};
+
+/// Rows will come for this queue. It may be refused by Receiver::refuse_queue().
+struct QueueOpened {
+  std::int64_t session = 0;
+  wire::Queue queue;
+};
+
+/// Rows in order and without gaps, within the free space. One that would break a limit is refused
+/// by Receiver::refuse_row().
+struct RowsArrived {
+  std::int64_t session = 0;
+  wire::Rows rows;
+};
+
+/// A stop, or an abort: always to be obeyed. Owes an answer.
+struct StopRequested {
+  std::int64_t session = 0;  ///< 0: an operator
+  std::int32_t command = 0;
+  wire::StopMode mode = wire::StopMode::stop;
+};
+
+/// The axis has no owner any more. An armed motion without a start must be disarmed; whether a
+/// motion goes on is the axis's choice.
+struct SessionEnded {
+  enum class Why { released, silent, operator_stop };
+  std::int64_t session = 0;
+  Why why = Why::released;
+};
+
+using StreamEvent =
+    std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded,
+                 QueueArmRequested, OrderRequested, QueueOpened, RowsArrived>;
+
+/// The executor's half of the protocol: a pure state machine without thread, clock or link.
+///
+///     Receiver receiver({.executor = "feeder"}, random_id());
+///     receiver.receive(message, now);                      // each arrived message
+///     for (const auto& answer : receiver.poll(now)) ...    // to be sent; calls every few ms
+///     while (const auto event = receiver.take_event()) ... // for the axis, in order
+///     receiver.accept(arm.session, arm.command);           // the axis's answer
+///
+/// Any message may be lost, doubled, delayed or reordered. Every one is checked: counts are bounded
+/// before memory is taken, the hash is computed from what arrived, and the table is constructed
+/// anew. Messages for another executor are ignored, and so are those that executors send.
+///
+/// **Challenge.** A number that every command must carry. Each session ends with a new one, and so
+/// does each start of the executor, so that older messages have no effect. The refusal
+/// `stale_challenge` carries the present one. Operators, who have no session, have one of their own,
+/// which each of their commands uses up.
+class Receiver {
+ public:
+  /// `boot` > 0: a random number, another one at every start. Throws InputError for a bad name.
+  Receiver(ReceiverOptions options, std::int64_t boot);
+
+  void receive(const wire::Message& message, Nanos now);
+
+  /// Ends a session that has been silent for too long, and answers what has arrived. Take in what
+  /// waits on the link first, so that waiting is not taken for silence.
+  [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  /// The answers alone: for a streamer that should go on while more of the same is taken in.
+  [[nodiscard]] std::vector<wire::Message> answers();
+
+  [[nodiscard]] std::optional<StreamEvent> take_event();
+
+  /// The axis's answer to the event of this session and command. One that comes too late, after
+  /// another command or the session's end, does nothing.
+  void accept(std::int64_t session, std::int32_t command);
+  /// `cause`: the axis's own number.
+  void refuse(std::int64_t session, std::int32_t command, std::string reason,
+              std::int32_t cause = 0);
+
+  /// Progress of this queue of the present session: frees space for more rows.
+  void level(std::uint32_t queue, const QueueLevel& level);
+  /// The executor cannot play this queue, or not this row of it (from 0 in its bank).
+  void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
+  void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
+
+  [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
+  [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be handed to the axis
+  [[nodiscard]] const TableStore& store() const { return store_; }
+  [[nodiscard]] const std::string& executor() const { return options_.executor; }
+  [[nodiscard]] std::int64_t boot() const { return boot_; }
+  /// Challenge of the messages of a session, and of those of an operator.
+  [[nodiscard]] std::int64_t challenge() const { return challenge_; }
+  [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
+
+  /// The status message of this axis, ready to be sent.
+  [[nodiscard]] wire::Message status(const wire::Status& status) const;
+
+ private:
+  /// A table of the live session: under way, stored, or refused.
+  struct Slot {
+    wire::Header header;
+    std::optional<Assembly> assembly{};
+    std::optional<StoredTable> stored{};
+    Refused refused{};
+    bool ack_due = true;
+  };
+
+  /// The newest command of a session and what became of it.
+  struct Record {
+    enum class Kind { heartbeat, arm, start, stop, order };
+    std::int64_t session = 0;
+    std::int64_t challenge = 0;
+    Kind kind = Kind::heartbeat;
+    wire::Reply reply{};
+    bool due = false;
+    std::optional<wire::Order> order{};
+  };
+
+  /// A queue of the live session.
+  struct OpenQueue {
+    RowIntake intake;
+    bool ack_due = true;
+  };
+
+  void take(const wire::Header& header);
+  void take(const wire::Chunk& chunk);
+  void take(const wire::Queue& queue);
+  void take(const wire::Rows& rows);
+  void take(const wire::Arm& arm);
+  void take(const wire::Start& start);
+  void take(const wire::Stop& stop);
+  void take(const wire::Heartbeat& heartbeat);
+  void take(const wire::Order& order);
+  template <class Other>
+  void take(const Other& /*from an executor*/) {}
+
+  [[nodiscard]] bool is_fresh(std::int32_t number) const;
+  [[nodiscard]] Refused barred(const wire::Message& message) const;
+  [[nodiscard]] bool repeats(const wire::Message& message, const Record& record) const;
+  void answer_barred(const wire::Message& message, Refused refused);
+  void receive_operators(const wire::Message& message);
+  [[nodiscard]] std::int64_t draw_challenge();
+
+  void open(std::int64_t session);
+  void end(SessionEnded::Why why);
+  void expire(Nanos now);
+
+  [[nodiscard]] Slot announced(const wire::Header& header);
+  void learn(Slot& slot, const Sha256& hash);
+  void finish(Slot& slot);
+  [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
+  void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
+  [[nodiscard]] OpenQueue* open_queue(std::uint32_t queue);
+  [[nodiscard]] Refused misses(const wire::Order& order);
+  void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
+
+  bool is_new(Record& record, Record::Kind kind, std::int32_t command) const;
+  void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
+  void arm_queue(const wire::Arm& arm);
+  void done(const Record& record);
+  void settle(Record& record, Refused refused);
+  [[nodiscard]] Record* pending(std::int64_t session, std::int32_t command);
+  void send(std::int64_t session, wire::Body body);
+  void answer_stranger(std::int64_t session, wire::Body body);
+
+  ReceiverOptions options_;
+  std::int64_t boot_;
+  TableStore store_;
+
+  std::int64_t session_ = 0;
+  Nanos heard_{};
+  bool armed_ = false;
+  bool holds_ = false;           // a hold-to-run jog was ordered in this session
+  std::int64_t challenges_ = 0;  // drawn so far
+  std::int64_t challenge_;
+  std::int64_t operators_challenge_;
+  std::map<std::uint32_t, Slot> slots_;
+  std::map<std::uint32_t, OpenQueue> queues_;
+  std::uint64_t rows_taken_ = 0;                                       // messages of them
+  std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // and bank; of the last arm
+  Record command_;   // command of the live session, or else of the last one
+  Record operator_;  // operator of session 0
+  std::deque<std::int64_t> ended_;
+
+  std::vector<wire::Message> outgoing_;
+  std::deque<StreamEvent> events_;
+};
+
+}  // namespace jounce

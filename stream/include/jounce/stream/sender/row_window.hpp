@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/sender/chunk_window.hpp"
+
+namespace jounce {
+
+/// The rows of one bank in transit: selective repeat, and never more than the free space.
+class RowWindow {
+ public:
+  explicit RowWindow(const wire::Queue& queue, std::uint8_t bank = 0, Pace pace = {});
+
+  /// Number of rows that may be handed over now: by free space and free messages.
+  [[nodiscard]] std::size_t wants() const;
+  /// 1...min(wants(), 200) rows.
+  void push(std::vector<wire::Row> rows);
+
+  /// An ack that makes no sense, or is older than one before, changes nothing.
+  void acknowledge(const wire::QueueAck& ack);
+
+  /// The messages to be sent now; they count as sent.
+  [[nodiscard]] std::vector<wire::Rows> due(Nanos now);
+
+  /// Rows that the executor has.
+  [[nodiscard]] std::uint64_t acknowledged() const { return before_; }
+  [[nodiscard]] bool idle() const { return under_way_.empty(); }
+  [[nodiscard]] std::size_t resent() const { return resent_; }
+  [[nodiscard]] std::size_t sent() const { return next_ + under_way_.size(); }  ///< messages
+
+ private:
+  struct Sent {
+    wire::Rows rows;
+    Nanos at{};
+    std::uint32_t times = 0;
+    bool arrived = false;
+  };
+
+  std::uint32_t queue_;
+  std::uint8_t bank_;
+  Pace pace_;
+  std::deque<Sent> under_way_;  // the first is message next_
+  std::uint32_t next_ = 0;
+  std::uint64_t before_ = 0;  // rows before message next_
+  std::uint64_t pushed_ = 0;  // rows of all messages
+  std::uint64_t limit_ = 0;   // number of the last row with space
+  unsigned back_off_ = 0;
+  std::size_t resent_ = 0;
+};
+
+}  // namespace jounce

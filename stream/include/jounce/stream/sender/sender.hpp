@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/sender/chunk_window.hpp"
+#include "jounce/stream/sender/command_slot.hpp"
+#include "jounce/stream/sender/farewell.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce {
+
+/// Times of a streamer.
+struct SenderOptions {
+  Pace pace;
+  Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of headers and commands, until answered
+  Nanos heartbeat = std::chrono::milliseconds(100);    ///< between signs of life
+  Nanos patience = std::chrono::seconds(5);            ///< without any answer
+  Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
+  Nanos progress_patience = std::chrono::seconds(10);  ///< without one more chunk arriving
+};
+
+/// Why a stream failed.
+enum class StreamError {
+  none,             ///< it did not
+  no_answer,        ///< the executor has never answered
+  contact_lost,     ///< it has, but no longer does
+  stalled,          ///< it answers, but no chunk gets through
+  command_timeout,  ///< it answers, but without an outcome of arm, start or stop
+  out_of_time,      ///< the bound on the total time was reached
+  restarted,        ///< the executor has restarted and forgotten
+  refused,          ///< see refusal and reason
+  underrun,         ///< rows came too slowly, and the axis has stopped on its path
+  stopped,          ///< somebody else has stopped the axis, or a fault of its own has
+  dropped,          ///< the start was accepted for later, and could not take place then: see reason
+};
+const char* name(StreamError error);
+
+enum class StreamStage {
+  downloading,
+  arming,
+  starting,
+  stopping,
+  swapping,   ///< the swap is accepted, and waits for its boundary
+  waiting,    ///< the last start is accepted, and has not taken place yet
+  holding,    ///< the goal is reached, heartbeats hold the session
+  releasing,  ///< the session is about to end; a motion goes on
+  released,
+  failed,
+};
+const char* name(StreamStage stage);
+
+struct StreamProgress {
+  StreamStage stage = StreamStage::downloading;
+  std::size_t chunks = 0;   ///< chunks of all tables
+  std::size_t arrived = 0;  ///< arrived of those, acknowledged
+  std::size_t resent = 0;   ///< chunks sent again
+};
+
+/// Outcome or state of a stream. Each flag is set when the executor has confirmed it.
+struct StreamOutcome {
+  StreamError error = StreamError::none;
+  wire::Refusal refusal = wire::Refusal::none;
+  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::string reason;      ///< in words; may be empty
+  bool downloaded = false;
+  bool armed = false;
+  bool started = false;  ///< for StreamPlan::await: it has begun; else it may still wait
+  bool stopped = false;
+  std::size_t swaps = 0;  ///< accepted
+  StreamProgress progress;
+
+  [[nodiscard]] bool ok() const { return error == StreamError::none; }
+};
+
+/// The streamer's half of the protocol: a pure state machine without thread, clock or link.
+///
+///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
+///     while (!sender.ended()) {
+///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
+///       sender.receive(message, now);                      // each arrived message
+///       sender.hash();                                     // if nothing has
+///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
+///     }
+///
+/// A failed sender has a farewell, which frees the axis: poll once more, or better until it is over.
+class Sender {
+ public:
+  /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
+  Sender(StreamPlan plan, std::int64_t session, SenderOptions options = {});
+
+  [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  void receive(const wire::Message& message, Nanos now);
+  /// Hashes a chunk's worth of the table under way, if the plan has no hash of it; false: there
+  /// was nothing to hash. Call it while no message arrives; a caller that does not do so has
+  /// the hash computed in one go, when all chunks have arrived.
+  bool hash();
+
+  /// Goes on to a further goal.
+  void raise(StreamGoal goal);
+  /// Goes on to the start, at this tick of the executor.
+  void start_at(std::int64_t tick);
+  /// Stops the axis if anything was armed, and gives the goal up.
+  void stop(wire::StopMode mode);
+  /// Ends the session; a motion goes on.
+  void release();
+  /// Gives up.
+  void fail(StreamError error, std::string reason);
+
+  [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
+  /// It has ended, and a failed one has sent its farewell.
+  [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
+  [[nodiscard]] bool ended() const {
+    return stage() == StreamStage::released || stage() == StreamStage::failed;
+  }
+  [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] std::int64_t session() const { return session_; }
+  [[nodiscard]] std::int64_t challenge() const { return challenge_; }
+
+ private:
+  [[nodiscard]] StreamStage stage() const { return outcome_.progress.stage; }
+  void enter(StreamStage stage) { outcome_.progress.stage = stage; }
+
+  void announce_all();
+  void download(Nanos now);
+  void command(Nanos now);
+  void check_patience(Nanos now);
+  void send(wire::Body body, Nanos now);
+  void take(const wire::Ack& ack, std::int64_t challenge, Nanos now);
+  void take(const wire::Reply& reply, std::int64_t challenge, Nanos now);
+  void take(const wire::Status& status, std::int64_t challenge, Nanos now);
+  template <class Other>
+  void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
+  bool asks_by_name(Nanos now);
+  void begin_anew(std::int64_t challenge);
+  [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
+  void accepted();
+  void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
+  void next_table(Nanos now);
+  void await_start(const wire::Status& status);
+  void be_over(const wire::Status& status);
+  [[nodiscard]] wire::Arm arm_of(const SwapPlan& leg) const;
+  void pursue();
+  void count();
+
+  StreamPlan plan_;
+  std::vector<SwapPlan> legs_;
+  std::size_t leg_ = 0;  // the one that is to be armed or started next
+  bool leg_armed_ = false;
+  std::int32_t start_ = 0;     // number of the last start that was accepted
+  std::optional<Nanos> due_;   // the last start looks as if it had taken place, since then
+  bool waited_ = false;        // it was seen to wait
+  std::optional<Nanos> over_;  // the axis has stood since then, with nothing to begin
+  std::int64_t session_;
+  SenderOptions options_;
+  std::int64_t challenge_ = 0;  // the last challenge of the executor
+  StreamOutcome outcome_;
+  std::vector<wire::Header> headers_;
+  bool given_up_ = false;  // the goal, after a stop
+  std::vector<wire::Message> outgoing_;
+
+  std::size_t table_ = 0;              // the one under way
+  std::optional<ChunkWindow> window_;  // once its header is acknowledged
+  std::size_t arrived_before_ = 0, resent_before_ = 0;
+  struct Hashing {
+    std::size_t table = 0;
+    std::size_t knots = 0;  // hashed so far
+    ContentHasher hasher{};
+  };
+  std::optional<Hashing> hashing_;
+  bool told_ = false;  // the last header had the hash
+
+  CommandSlot command_;
+
+  std::vector<std::int64_t> boots_;  // boots of the executor, the present one last
+  bool begun_ = false;
+  Farewell farewell_;
+  Nanos heard_{}, progressed_{}, sent_{};
+  std::optional<Nanos> header_sent_;
+  std::optional<Nanos> named_;  ///< since when a table without space is requested by its hash
+};
+
+}  // namespace jounce

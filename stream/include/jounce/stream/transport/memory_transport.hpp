@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce {
+
+class MemoryTransport;
+
+/// Connects the links of one process: a message sent on one reaches all that subscribe,
+/// the sender included, at once and whole.
+class MemoryNetwork {
+ public:
+  /// Called where a real link would wait, with the longest time to wait: here a test lets its
+  /// virtual clock and the other side go on. May be empty.
+  std::function<void(Nanos)> on_wait;
+
+ private:
+  friend class MemoryTransport;
+  std::vector<MemoryTransport*> links_;
+};
+
+/// One link of a MemoryNetwork, which must outlive it. All links of a network are used by one
+/// thread.
+class MemoryTransport : public Transport {
+ public:
+  explicit MemoryTransport(MemoryNetwork& network);
+  ~MemoryTransport() override;
+  MemoryTransport(const MemoryTransport&) = delete;
+  MemoryTransport& operator=(const MemoryTransport&) = delete;
+
+  void subscribe(const std::string& channel, int capacity) override;
+  void send(const std::string& channel, std::span<const std::byte> bytes) override;
+  std::optional<Packet> receive(Nanos timeout) override;
+
+ private:
+  struct Subscription {
+    int capacity = 1;
+    int waiting = 0;
+  };
+
+  MemoryNetwork& network_;
+  std::map<std::string, Subscription> subscriptions_;
+  std::deque<Packet> waiting_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace jounce {
+
+using Nanos = std::chrono::nanoseconds;
+
+/// The time since any fixed instant; it never goes back.
+using Clock = std::function<Nanos()>;
+
+/// The machine's monotonic clock.
+Nanos steady_now();
+
+/// Bytes as they came from a channel.
+struct Packet {
+  std::string channel;
+  std::vector<std::byte> bytes;
+};
+
+/// The link itself failed (no network, no route): a fault of the machine, not of the input.
+class TransportError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Moves bytes on named channels. It may lose, double, delay and reorder them: the protocol above
+/// copes. Used by one thread.
+class Transport {
+ public:
+  virtual ~Transport() = default;
+
+  /// Receives this channel from now on, once. At most `capacity` >= 1 packets of it wait for receive();
+  /// later ones are lost while they wait. (LCM keeps the oldest ones: for the newest state,
+  /// drain the link, then wait.)
+  virtual void subscribe(const std::string& channel, int capacity) = 0;
+
+  virtual void send(const std::string& channel, std::span<const std::byte> bytes) = 0;
+
+  /// The next packet; waits for one at most `timeout` >= 0. Throws TransportError if the link is
+  /// gone.
+  virtual std::optional<Packet> receive(Nanos timeout) = 0;
+
+ protected:
+  Transport() = default;
+  Transport(const Transport&) = default;
+  Transport& operator=(const Transport&) = default;
+};
+
+}  // namespace jounce

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// What executors and masters say of themselves: Status, Event, Master; and Order.
+#include <cmath>
+
+#include "stream/src/message/fields.hpp"
+#include "stream/src/message/lcm_body.hpp"
+
+namespace jounce::wire {
+namespace {
+
+bool get_histogram(const std::int32_t (&from)[16], Histogram& to) {
+  std::copy(from, from + 16, to.begin());
+  return std::all_of(to.begin(), to.end(), [](std::int32_t count) { return count >= 0; });
+}
+
+}  // namespace
+
+void put(const Status& from, jounce_lcm::status_t& to) {
+  to.state = number_of(from.state);
+  to.next = number_of(from.next);
+  to.tick = from.tick;
+  to.cycle_ns = from.cycle_ns;
+  to.master_position = from.master_position;
+  to.slave_position = from.slave_position;
+  to.slave_velocity = from.slave_velocity;
+  put_bytes(from.table, to.table_prefix);
+  to.last_error = from.last_error;
+  to.late_ticks = from.late_ticks;
+  to.finished = from.finished;
+  to.stopped = from.stopped;
+  to.actual_position = from.actual_position;
+  to.following_error = from.following_error;
+  to.torque = from.torque;
+  to.override = from.override_;
+  to.progress = number_of(from.progress);
+  to.reason = from.reason;
+  to.queue_rows = put_count("queue_rows", from.queue_rows);
+  to.queue_capacity = put_count("queue_capacity", from.queue_capacity);
+  to.outputs = std::bit_cast<std::int32_t>(from.outputs);
+  to.boot = from.boot;
+  to.rejected = from.rejected;
+  to.not_authentic = from.not_authentic;
+  std::copy(from.lateness.begin(), from.lateness.end(), to.lateness);
+  std::copy(from.computing.begin(), from.computing.end(), to.computing);
+  put_unit("unit of x", from.units.x, to.unit_x);
+  put_unit("unit of position", from.units.position, to.unit_position);
+  to.start_command = from.start_command;
+  to.start_outcome = number_of(from.start);
+  to.start_cause = from.start_cause;
+  put_text(from.start_reason, to.start_reason, reason_bytes);
+  to.held = from.held ? 1 : 0;
+  to.homed = from.homed ? 1 : 0;
+  to.unwritten = static_cast<std::int8_t>(from.unwritten);
+}
+
+bool get(const jounce_lcm::status_t& from, Status& to) {
+  to.tick = from.tick;
+  to.cycle_ns = from.cycle_ns;
+  to.master_position = from.master_position;
+  to.slave_position = from.slave_position;
+  to.slave_velocity = from.slave_velocity;
+  to.last_error = from.last_error;
+  to.late_ticks = from.late_ticks;
+  to.finished = from.finished;
+  to.stopped = from.stopped;
+  to.actual_position = from.actual_position;
+  to.following_error = from.following_error;
+  to.torque = from.torque;
+  to.override_ = from.override;
+  to.reason = from.reason;
+  to.outputs = std::bit_cast<std::uint32_t>(from.outputs);
+  to.boot = from.boot;
+  to.rejected = from.rejected;
+  to.not_authentic = from.not_authentic;
+  to.start_command = from.start_command;
+  to.start_cause = from.start_cause;
+  to.unwritten = static_cast<std::uint8_t>(from.unwritten);
+  return get_enum(from.state, to.state) && get_enum(from.next, to.next) && to.tick >= 0 &&
+         to.cycle_ns > 0 && to.late_ticks >= 0 && to.finished >= 0 && to.stopped >= 0 &&
+         get_bytes(from.table_prefix, to.table) && to.override_ >= 0 && to.override_ <= 2 &&
+         get_enum(from.progress, to.progress) && get_count(from.queue_rows, to.queue_rows) &&
+         get_count(from.queue_capacity, to.queue_capacity) && to.boot >= 0 && to.rejected >= 0 &&
+         to.not_authentic >= 0 && get_histogram(from.lateness, to.lateness) &&
+         get_histogram(from.computing, to.computing) &&
+         get_text(from.unit_x, unit_bytes, to.units.x) &&
+         get_text(from.unit_position, unit_bytes, to.units.position) && to.start_command >= 0 &&
+         get_enum(from.start_outcome, to.start) &&
+         get_text(from.start_reason, reason_bytes, to.start_reason) &&
+         get_flag(from.held, to.held) && get_flag(from.homed, to.homed) && to.unwritten <= 7;
+}
+
+void put(const Event& from, jounce_lcm::event_t& to) {
+  to.boot = from.boot;
+  to.count = from.count;
+  to.kind = number_of(from.kind);
+  to.number = put_count("number", from.number);
+  to.on = from.on ? 1 : 0;
+  to.tick = from.tick;
+  to.offset_s = from.offset_s;
+  to.position = from.position;
+}
+
+bool get(const jounce_lcm::event_t& from, Event& to) {
+  to.boot = from.boot;
+  to.count = from.count;
+  to.tick = from.tick;
+  to.offset_s = from.offset_s;
+  to.position = from.position;
+  return to.boot >= 1 && to.count >= 1 && get_enum(from.kind, to.kind) &&
+         get_count(from.number, to.number) && to.number >= 1 && get_flag(from.on, to.on) &&
+         to.tick >= 0 && to.offset_s >= 0 && std::isfinite(to.offset_s);
+}
+
+void put(const Master& from, jounce_lcm::master_t& to) {
+  to.seq = from.seq;
+  to.stamp_ns = from.stamp_ns;
+  to.clock = from.clock;
+  to.valid = from.valid ? 1 : 0;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  put_unit("unit", from.unit, to.unit);
+}
+
+bool get(const jounce_lcm::master_t& from, Master& to) {
+  to.seq = from.seq;
+  to.stamp_ns = from.stamp_ns;
+  to.clock = from.clock;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  constexpr std::int64_t latest = std::int64_t{1} << 62;  // 146 years: differences are numbers
+  return to.seq >= 0 && to.stamp_ns >= 0 && to.stamp_ns <= latest && to.clock >= 0 &&
+         get_flag(from.valid, to.valid) && std::isfinite(to.position) && !std::isinf(to.velocity) &&
+         get_text(from.unit, unit_bytes, to.unit) && !to.unit.empty();
+}
+
+void put(const MasterStatus& from, jounce_lcm::master_status_t& to) {
+  to.boot = from.boot;
+  put_text(from.master, to.master, executor_bytes);
+  put_unit("unit", from.unit, to.unit);
+  to.tick = from.tick;
+  to.lost = from.lost ? 1 : 0;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  to.age_s = from.age_s;
+  to.taken = from.taken;
+  to.refused = from.refused;
+}
+
+bool get(const jounce_lcm::master_status_t& from, MasterStatus& to) {
+  to.boot = from.boot;
+  to.tick = from.tick;
+  to.position = from.position;
+  to.velocity = from.velocity;
+  to.age_s = from.age_s;
+  to.taken = from.taken;
+  to.refused = from.refused;
+  return to.boot >= 1 && get_text(from.master, executor_bytes, to.master) &&
+         is_executor_name(to.master) && get_text(from.unit, unit_bytes, to.unit) &&
+         !to.unit.empty() && to.tick >= 0 && get_flag(from.lost, to.lost) &&
+         std::isfinite(to.position) != to.lost && std::isfinite(to.velocity) != to.lost &&
+         !(to.age_s < 0) && !std::isinf(to.age_s) && to.taken >= 0 && to.refused >= 0;
+}
+
+void put(const Claim& from, jounce_lcm::claim_t& to) {
+  to.boot = from.boot;
+  to.rival = from.rival;
+  to.up = from.up ? 1 : 0;
+}
+
+bool get(const jounce_lcm::claim_t& from, Claim& to) {
+  to.boot = from.boot;
+  to.rival = from.rival;
+  return to.boot >= 1 && to.rival >= 0 && get_flag(from.up, to.up);
+}
+
+void put(const Order& from, jounce_lcm::order_t& to) {
+  to.command = from.command;
+  to.kind = number_of(from.kind);
+  to.at = from.at;
+  std::copy(from.value.begin(), from.value.end(), to.value);
+}
+
+// Values out of range are the receiver's to refuse: with words, as the sender can do something.
+bool get(const jounce_lcm::order_t& from, Order& to) {
+  to.at = from.at;
+  std::copy(from.value, from.value + to.value.size(), to.value.begin());
+  return get_command(from.command, to.command) && get_enum(from.kind, to.kind) && to.at >= -1;
+}
+
+}  // namespace jounce::wire

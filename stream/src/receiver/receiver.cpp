@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/receiver/receiver.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <type_traits>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/message/wire.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::size_t remembered_sessions = 16;
+constexpr std::size_t most_answers = 64;  // between two polls, for messages of strangers
+
+/// The number of a command; 0: it is none.
+std::int32_t number_of(const wire::Body& body) {
+  return std::visit(
+      [](const auto& each) -> std::int32_t {
+        using Each = std::decay_t<decltype(each)>;
+        if constexpr (requires { each.command; } && !std::is_same_v<Each, wire::Reply>)
+          return each.command;
+        else
+          return 0;
+      },
+      body);
+}
+
+/// Whether it is for an executor; what executors and masters send is not.
+bool is_command(const wire::Body& body) {
+  const wire::Lane lane = wire::lane(body);
+  return lane == wire::Lane::table || lane == wire::Lane::command;
+}
+
+/// Whether a session may begin with it.
+bool opens(const wire::Body& body) {
+  const auto* const heartbeat = std::get_if<wire::Heartbeat>(&body);
+  return (heartbeat != nullptr && !heartbeat->release) ||
+         std::holds_alternative<wire::Header>(body) || std::holds_alternative<wire::Queue>(body);
+}
+
+ReceiverOptions checked(ReceiverOptions options) {
+  if (!wire::is_executor_name(options.executor))
+    throw InputError("executor", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  if (options.credit < 1 || options.credit > 64)
+    throw InputError("credit", std::to_string(options.credit), "must be 1 to 64");
+  return options;
+}
+
+}  // namespace
+
+Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
+    : options_(checked(std::move(options))),
+      boot_(boot),
+      store_(options_.memory),
+      challenge_(draw_challenge()),
+      operators_challenge_(draw_challenge()) {
+  assert(boot > 0);
+}
+
+/// Another one each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It need not
+/// be a secret: with a key nobody else can sign for it, and without one anybody may.
+std::int64_t Receiver::draw_challenge() {
+  std::int64_t drawn = 0;
+  while (drawn <= 0) {
+    auto z = static_cast<std::uint64_t>(boot_) +
+             static_cast<std::uint64_t>(++challenges_) * 0x9E3779B97F4A7C15U;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    drawn = static_cast<std::int64_t>(z ^ (z >> 31U));
+  }
+  return drawn;
+}
+
+void Receiver::receive(const wire::Message& message, Nanos now) {
+  if (message.executor != options_.executor || !is_command(message.body)) return;
+  if (message.session == 0) return receive_operators(message);
+  if (message.session != session_) expire(now);
+  if (repeats(message, command_)) {
+    command_.due = true;
+    return;
+  }
+  if (Refused refused = barred(message)) return answer_barred(message, std::move(refused));
+  if (session_ == 0 && opens(message.body)) open(message.session);
+  const bool fresh = is_fresh(number_of(message.body));
+  const std::uint64_t before = rows_taken_;
+  std::visit([&](const auto& body) { take(body); }, message.body);
+  if (message.session == session_ && (fresh || rows_taken_ != before)) heard_ = now;
+}
+
+/// Whether it proves that its streamer lives. Once there are commands, only what was never said
+/// before does: a repeated message may be anybody's, or the network's.
+bool Receiver::is_fresh(std::int32_t number) const {
+  const wire::Reply& last = command_.reply;
+  const bool waits = number == last.command && last.outcome == wire::Outcome::pending;
+  return last.command == 0 || number > last.command || waits;
+}
+
+/// A command whose outcome is recorded, of the last session: it is answered once more.
+bool Receiver::repeats(const wire::Message& message, const Record& record) const {
+  return session_ == 0 && number_of(message.body) == record.reply.command &&
+         number_of(message.body) != 0 && message.session == record.session &&
+         message.challenge == record.challenge;
+}
+
+/// Why this message may not do anything.
+Refused Receiver::barred(const wire::Message& message) const {
+  const std::int64_t session = message.session;
+  if (session == session_ && message.challenge == challenge_) return {};
+  // The last owner may stop its motion even after its session, until there is another one.
+  if (session_ == 0 && session == command_.session && message.challenge == command_.challenge &&
+      std::holds_alternative<wire::Stop>(message.body))
+    return {};
+  if (session_ != 0 && session != session_)
+    return {wire::Refusal::busy, "the axis belongs to another session"};
+  if (std::find(ended_.begin(), ended_.end(), session) != ended_.end())
+    return {wire::Refusal::session_ended, {}};
+  if (message.challenge != challenge_) return {wire::Refusal::stale_challenge, {}};
+  if (!opens(message.body)) return {wire::Refusal::unknown_session, {}};
+  return {};
+}
+
+void Receiver::answer_barred(const wire::Message& message, Refused refused) {
+  const auto answer = [&](const auto& body) {
+    using Body = std::decay_t<decltype(body)>;
+    if constexpr (requires { body.table; } && !std::is_same_v<Body, wire::Status>)
+      refuse_table(message.session, body.table, std::move(refused));
+    else if constexpr (std::is_same_v<Body, wire::Queue> || std::is_same_v<Body, wire::Rows>)
+      refuse_queue_of(message.session, body.queue, std::move(refused));
+    else
+      refuse_command(message.session, number_of(message.body), std::move(refused));
+  };
+  std::visit(answer, message.body);
+}
+
+/// Each of an operator's commands uses up the challenge that it carries. Without a key, a stop that
+/// does not know it is obeyed all the same: it is on the safe side, and sooner.
+void Receiver::receive_operators(const wire::Message& message) {
+  const std::int32_t number = number_of(message.body);
+  const auto* const stop = std::get_if<wire::Stop>(&message.body);
+  const auto* const order = std::get_if<wire::Order>(&message.body);
+  if (stop == nullptr && (order == nullptr || !wire::is_operators(order->kind))) return;
+  if (number == operator_.reply.command && message.challenge == operator_.challenge) {
+    operator_.due = true;
+    return;
+  }
+  const bool sudden = stop != nullptr && !options_.key && message.challenge == 0;
+  if (message.challenge != operators_challenge_ && !sudden)
+    return refuse_command(0, number, {wire::Refusal::stale_challenge, {}});
+  operators_challenge_ = draw_challenge();
+  operator_ = {.challenge = message.challenge,
+               .kind = stop != nullptr ? Record::Kind::stop : Record::Kind::order,
+               .reply = {.boot = boot_, .command = number},
+               .due = true};
+  if (order != nullptr) {
+    if (Refused refused = misses(*order)) return settle(operator_, std::move(refused));
+    events_.emplace_back(OrderRequested{0, number, order->kind, order->at, order->value});
+    return;
+  }
+  armed_ = false;
+  events_.emplace_back(StopRequested{0, number, stop->mode});
+  if (session_ != 0) end(SessionEnded::Why::operator_stop);
+}
+
+std::vector<wire::Message> Receiver::poll(Nanos now) {
+  expire(now);
+  return answers();
+}
+
+std::vector<wire::Message> Receiver::answers() {
+  for (auto& [table, slot] : slots_)
+    if (std::exchange(slot.ack_due, false)) send(session_, ack(table, slot));
+  for (auto& [index, queue] : queues_)
+    if (std::exchange(queue.ack_due, false)) send(session_, queue.intake.ack(boot_));
+  for (Record* record : {&command_, &operator_})
+    if (std::exchange(record->due, false)) send(record->session, record->reply);
+  return std::exchange(outgoing_, {});
+}
+
+std::optional<StreamEvent> Receiver::take_event() {
+  if (events_.empty()) return std::nullopt;
+  StreamEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+wire::Message Receiver::status(const wire::Status& status) const {
+  return {options_.executor, session_, status, challenge_};
+}
+
+void Receiver::send(std::int64_t session, wire::Body body) {
+  const std::int64_t challenge = session == 0 ? operators_challenge_ : challenge_;
+  outgoing_.push_back({options_.executor, session, std::move(body), challenge});
+}
+
+/// Whoever asks is answered, but not without bounds.
+void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
+  if (outgoing_.size() < most_answers) send(session, std::move(body));
+}
+
+// ---- sessions -----------------------------------------------------------------------------------
+
+void Receiver::open(std::int64_t session) {
+  session_ = session;
+  armed_ = false;
+  command_ = {.session = session, .challenge = challenge_};
+}
+
+void Receiver::end(SessionEnded::Why why) {
+  for (const auto& [table, slot] : slots_)
+    if (slot.assembly) store_.release(bytes_of(slot.header));
+  slots_.clear();
+  queues_.clear();
+  armed_queue_.reset();
+  challenge_ = draw_challenge();
+  // A stop is still owed its answer; nothing else may take effect any longer.
+  const bool undecided =
+      command_.reply.command != 0 && command_.reply.outcome == wire::Outcome::pending;
+  if (undecided && command_.kind != Record::Kind::stop)
+    settle(command_, {wire::Refusal::session_ended, {}});
+  ended_.push_back(session_);
+  if (ended_.size() > remembered_sessions) ended_.pop_front();
+  events_.emplace_back(SessionEnded{session_, why});
+  session_ = 0;
+  armed_ = false;
+  holds_ = false;
+}
+
+void Receiver::expire(Nanos now) {
+  const Nanos patience = holds_ ? options_.hold_timeout : options_.session_timeout;
+  if (session_ != 0 && now - heard_ > patience) end(SessionEnded::Why::silent);
+}
+
+}  // namespace jounce

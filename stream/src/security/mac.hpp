@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "jounce/stream/security/key.hpp"
+
+namespace jounce::wire {
+
+inline constexpr std::size_t mac_bytes = 16;
+
+/// Writes the keyed BLAKE2b-128 of `bytes` to `mac`, mac_bytes long; zeros without a key.
+void write_mac(std::span<const std::byte> bytes, const std::optional<Key>& key, std::byte* mac);
+
+/// True if `mac` is what write_mac() would write, in a time that does not depend on their difference.
+bool is_mac(std::span<const std::byte> bytes, const std::optional<Key>& key, const std::byte* mac);
+
+}  // namespace jounce::wire

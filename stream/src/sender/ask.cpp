@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/ask.hpp"
+
+#include <utility>
+#include <variant>
+
+namespace jounce {
+
+std::optional<wire::Reply> ask(Transport& link, wire::Message& message, CommandSlot& slot,
+                               const AskOptions& options, const Clock& clock, Rejects& rejects) {
+  const bool learns = message.session == 0 || slot.number() == 1;
+  std::optional<wire::Reply> last;
+  for (const Nanos end = clock() + options.patience; clock() <= end;) {
+    if (auto body = slot.due(clock(), options.repeat)) {
+      message.body = *std::move(body);
+      send_message(link, message, options.key);
+    }
+    const auto answer = next_message(link, options.repeat, rejects, options.key);
+    const auto* const reply = answer ? std::get_if<wire::Reply>(&answer->body) : nullptr;
+    if (reply == nullptr || answer->executor != message.executor ||
+        answer->session != message.session || !slot.is_answered_by(*reply))
+      continue;
+    if (learns && reply->refusal == wire::Refusal::stale_challenge) {
+      if (std::exchange(message.challenge, answer->challenge) != answer->challenge) slot.hurry();
+      continue;
+    }
+    last = *reply;
+    if (last->outcome != wire::Outcome::pending) break;
+  }
+  slot.clear();
+  return last;
+}
+
+}  // namespace jounce

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/client.hpp"
+
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+using wire::OrderKind;
+using wire::Refusal;
+
+/// Whether the executor knows this session no more, and so has done nothing.
+bool is_over(Refusal refusal) {
+  return refusal == Refusal::unknown_session || refusal == Refusal::session_ended ||
+         refusal == Refusal::stale_challenge;
+}
+
+CallOutcome refused(const wire::Reply& reply) {
+  const std::string why = reply.reason.empty() ? "" : ": " + reply.reason;
+  return {StreamError::refused, reply.refusal, reply.cause, name(reply.refusal) + why};
+}
+
+}  // namespace
+
+Client::Client(Transport& link, std::string executor, ClientOptions options, Clock clock)
+    : link_(link),
+      executor_(std::move(executor)),
+      options_(std::move(options)),
+      clock_(std::move(clock)) {
+  if (!wire::is_executor_name(executor_))
+    throw InputError("executor", executor_, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+  link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
+}
+
+/// One command under the next number, repeated until it is decided.
+CallOutcome Client::ask(const wire::Body& body) {
+  wire::Message message{executor_, session_, {}, challenge_};
+  slot_.issue(body);
+  const auto reply =
+      jounce::ask(link_, message, slot_,
+                  {.key = options_.key, .patience = options_.patience, .repeat = options_.repeat},
+                  clock_, rejects_);
+  challenge_ = message.challenge;
+  if (!reply) {
+    const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
+    return {StreamError::no_answer, Refusal::none, 0,
+            "no answer from executor " + executor_ +
+                (foreign ? "; its messages are unsigned, or signed with another key" : "")};
+  }
+  if (slot_.number() > 1 && reply->boot != boot_)
+    return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
+  boot_ = reply->boot;
+  if (reply->outcome == wire::Outcome::refused) return refused(*reply);
+  if (reply->outcome == wire::Outcome::accepted) return {};
+  return {StreamError::command_timeout, Refusal::none, 0,
+          "the executor received the command, but the axis did not accept or reject it in time"};
+}
+
+void Client::send(wire::Body body) {
+  send_message(link_, {executor_, session_, std::move(body), challenge_}, options_.key);
+}
+
+/// What comes next for this session.
+std::optional<wire::Message> Client::hear(Nanos timeout) {
+  auto message = next_message(link_, timeout, rejects_, options_.key);
+  const bool ours = message && message->executor == executor_ && message->session == session_;
+  return ours ? std::move(message) : std::nullopt;
+}
+
+CallOutcome Client::open() {
+  session_ = random_id();
+  challenge_ = boot_ = 0;
+  slot_ = CommandSlot();
+  CallOutcome outcome = ask(wire::Heartbeat{});
+  if (!outcome.ok()) session_ = 0;
+  return outcome;
+}
+
+/// In the session that is there, or else in a new one.
+CallOutcome Client::tell(wire::Body body) {
+  if (session_ != 0) {
+    CallOutcome outcome = ask(body);
+    if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+  }
+  if (CallOutcome outcome = open(); !outcome.ok()) return outcome;
+  return ask(body);
+}
+
+CallOutcome Client::order(const wire::Order& order) {
+  if (const std::string rule = contradiction(order); !rule.empty())
+    throw InputError(name(order.kind), "", rule);
+  if (order.at < -1) throw InputError("at", std::to_string(order.at), "must be -1 or more");
+  return tell(order);
+}
+
+CallOutcome Client::order(OrderKind kind, std::initializer_list<double> given, std::int64_t at) {
+  return order(wire::Order{.kind = kind, .at = at, .value = wire::values(kind, given)});
+}
+
+CallOutcome Client::release() {
+  if (session_ == 0) return {};
+  CallOutcome outcome = ask(wire::Heartbeat{.release = true});
+  session_ = 0;
+  const bool was_over = outcome.error == StreamError::refused && is_over(outcome.refusal);
+  return was_over ? CallOutcome{} : outcome;
+}
+
+CallOutcome Client::stop(wire::StopMode mode) {
+  return tell(wire::Stop{.mode = mode});
+}
+
+CallOutcome Client::set_position(double position, bool relative) {
+  return order(OrderKind::set_position, {position, relative ? 1.0 : 0.0});
+}
+
+CallOutcome Client::home(double position) {
+  constexpr double where_it_stands = 37;
+  return order(OrderKind::home, {position, where_it_stands});
+}
+
+CallOutcome Client::search_home(int method, double offset) {
+  return order(OrderKind::home, {offset, static_cast<double>(method)});
+}
+
+CallOutcome Client::override_(double factor) {
+  return order(OrderKind::override_, {factor});
+}
+
+CallOutcome Client::move_absolute(double position, const Pacing& p, int direction) {
+  return order(OrderKind::move_absolute, {position, p.velocity, p.acceleration, p.deceleration,
+                                          p.jerk, static_cast<double>(direction)});
+}
+
+CallOutcome Client::move_relative(double distance, const Pacing& p) {
+  return order(OrderKind::move_relative,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_additive(double distance, const Pacing& p) {
+  return order(OrderKind::move_additive,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_superimposed(double distance, const Pacing& p) {
+  return order(OrderKind::move_superimposed,
+               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::move_velocity(double velocity, const Pacing& p) {
+  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk});
+}
+
+CallOutcome Client::jog(double velocity, const Pacing& p) {
+  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk, 0, 1});
+}
+
+CallOutcome Client::halt(const Pacing& p) {
+  return order(OrderKind::halt, {p.deceleration, p.jerk});
+}
+
+CallOutcome Client::gear_in(std::int32_t numerator, std::int32_t denominator, const Pacing& p) {
+  return order(OrderKind::gear_in,
+               {static_cast<double>(numerator), static_cast<double>(denominator), p.acceleration,
+                p.deceleration, p.jerk});
+}
+
+CallOutcome Client::gear_in_pos(std::int32_t numerator, std::int32_t denominator,
+                                double master_sync, double slave_sync, double master_start_distance,
+                                bool avoid_reversal) {
+  return order(OrderKind::gear_in_pos,
+               {static_cast<double>(numerator), static_cast<double>(denominator), master_sync,
+                slave_sync, master_start_distance, avoid_reversal ? 1.0 : 0.0});
+}
+
+}  // namespace jounce

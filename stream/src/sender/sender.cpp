@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/sender.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <span>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/message/wire.hpp"
+
+namespace jounce {
+namespace {
+
+std::string milliseconds(Nanos time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
+         " ms";
+}
+
+/// The knots [from, to) of all columns that there are.
+std::array<std::span<const double>, 4> rows_of(const Columns& columns, std::size_t from,
+                                               std::size_t to) {
+  std::array<std::span<const double>, 4> rows{columns.x, columns.p, columns.v, columns.a};
+  for (auto& column : rows)
+    if (!column.empty()) column = column.subspan(from, to - from);
+  return rows;
+}
+
+}  // namespace
+
+Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
+    : plan_(std::move(plan)), session_(session), options_(options) {
+  assert(session > 0);
+  require_valid(plan_);
+  legs_ = legs_of(plan_);
+  const std::uint32_t window = options_.pace.window;
+  if (window < 1 || window > 64)
+    throw InputError("window", std::to_string(window), "must be 1 to 64");
+  const std::uint32_t chunk = options_.pace.chunk;
+  if (chunk < 4 || chunk > wire::chunk_values) {
+    throw InputError("chunk", std::to_string(chunk),
+                     "must be 4 to " + std::to_string(wire::chunk_values));
+  }
+  announce_all();
+}
+
+/// A table that fits a window is hashed before: it could not be sent any earlier for that, and is not
+/// sent at all if the executor has it.
+void Sender::announce_all() {
+  for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
+    const StreamPlan::Item& item = plan_.tables[i];
+    wire::Header header = header_of(item, i, options_.pace.chunk);
+    if (!header.has_hash() && header.chunks <= wire::cut(header).chunks_for(options_.pace.window))
+      header.hash = content_hash(item.table, item.units);
+    static_cast<void>(wire::encode({plan_.executor, session_, header}));  // throws if it must
+    outcome_.progress.chunks += header.chunks;
+    headers_.push_back(std::move(header));
+  }
+}
+
+// ---- what to send -------------------------------------------------------------------------------
+
+std::vector<wire::Message> Sender::poll(Nanos now) {
+  if (!std::exchange(begun_, true)) heard_ = progressed_ = now;
+  if (!ended()) check_patience(now);
+  if (stage() == StreamStage::downloading) {
+    download(now);
+  } else if (!ended()) {
+    command(now);
+  } else {
+    for (wire::Body& body : farewell_.due(now, options_.repeat)) send(std::move(body), now);
+  }
+  return std::exchange(outgoing_, {});
+}
+
+void Sender::send(wire::Body body, Nanos now) {
+  outgoing_.push_back({plan_.executor, session_, std::move(body), challenge_});
+  sent_ = now;
+}
+
+void Sender::download(Nanos now) {
+  const wire::Header& header = headers_[table_];
+  const bool arrived = window_ && window_->arrived() == header.chunks;
+  while (arrived && hash()) continue;
+  if (window_) {
+    for (const std::uint32_t seq : window_->due(now))
+      send(chunk_of(plan_.tables[table_].table, header, seq), now);
+    count();
+  }
+  // Repeated while chunks flow, a header asks for an ack and keeps the session alive.
+  const bool quiet = now - sent_ >= options_.heartbeat;
+  // Until it is answered, and once nothing but its hash can be missing, it is repeated sooner.
+  const bool awaited = !window_ || arrived;
+  const bool again = awaited && (!header_sent_ || now - *header_sent_ >= options_.repeat);
+  const bool news = header.has_hash() && header_sent_ && !told_;
+  if (!quiet && !again && !news) return;
+  send(header, now);
+  header_sent_ = now;
+  told_ = header.has_hash();
+}
+
+bool Sender::hash() {
+  if (stage() != StreamStage::downloading || headers_[table_].has_hash()) return false;
+  wire::Header& header = headers_[table_];
+  const auto& [table, units, known] = plan_.tables[table_];
+  if (!hashing_ || hashing_->table != table_) hashing_.emplace(Hashing{.table = table_});
+  const std::size_t from = hashing_->knots;
+  const std::size_t to = std::min<std::size_t>(from + header.per_chunk, table.size());
+  hashing_->hasher.add(rows_of(table.columns(), from, to));
+  hashing_->knots = to;
+  if (to < table.size()) return true;
+  header.hash =
+      hashing_->hasher.result(header.axis, header.rule, header.outside, units, table.size());
+  hashing_.reset();
+  return true;
+}
+
+void Sender::command(Nanos now) {
+  if (command_.empty() && now - sent_ >= options_.heartbeat) command_.issue(wire::Heartbeat{});
+  if (auto body = command_.due(now, options_.repeat)) send(*std::move(body), now);
+}
+
+void Sender::check_patience(Nanos now) {
+  const bool silent = now - heard_ > options_.patience;
+  const bool late = command_.is_older(now, options_.command_patience);
+  if (stage() == StreamStage::releasing && (silent || late)) {
+    outcome_.reason = "the executor did not confirm the release";
+    return enter(StreamStage::released);
+  }
+  if (silent) {
+    fail(boots_.empty() ? StreamError::no_answer : StreamError::contact_lost,
+         "no answer from executor " + plan_.executor + " for " + milliseconds(options_.patience));
+  } else if (late) {
+    fail(StreamError::command_timeout, "the executor did not accept or reject the command within " +
+                                           milliseconds(options_.command_patience));
+  } else if (stage() == StreamStage::downloading &&
+             now - progressed_ > options_.progress_patience) {
+    fail(StreamError::stalled,
+         "the executor confirmed no chunk for " + milliseconds(options_.progress_patience));
+  }
+}
+
+// ---- what arrives -------------------------------------------------------------------------------
+
+void Sender::receive(const wire::Message& message, Nanos now) {
+  if (message.executor != plan_.executor || message.session != session_) return;
+  if (ended()) {
+    if (const auto* const reply = std::get_if<wire::Reply>(&message.body)) farewell_.take(*reply);
+    return;
+  }
+  const std::int64_t told = message.challenge;
+  std::visit([&](const auto& body) { take(body, told, now); }, message.body);
+}
+
+/// Notes a sign of life; whether it comes from the executor as it is now. A new boot means that it
+/// has forgotten what it had: a download begins anew, anything later fails.
+bool Sender::hear(std::int64_t boot, Nanos now) {
+  const bool known = std::find(boots_.begin(), boots_.end(), boot) != boots_.end();
+  if (known && boots_.back() != boot) return false;  // from before its restart
+  heard_ = now;
+  if (known) return true;
+  boots_.push_back(boot);
+  if (boots_.size() == 1) return true;
+  if (stage() != StreamStage::downloading) {
+    fail(StreamError::restarted, "the executor has restarted");
+    return false;
+  }
+  if (window_) resent_before_ += window_->resent();
+  window_.reset();
+  table_ = 0;
+  arrived_before_ = 0;
+  header_sent_.reset();
+  count();
+  return false;
+}
+
+void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
+  if (!hear(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
+  // A chunk has overtaken its header, or the session is forgotten: the header opens it anew.
+  if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
+  if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
+  if (ack.refusal == wire::Refusal::out_of_memory && asks_by_name(now)) return;
+  if (ack.refusal != wire::Refusal::none) return refused(ack.refusal, ack.reason);
+  if (ack.complete && headers_[table_].has_hash()) return next_table(now);
+  if (!window_) {
+    Pace pace = options_.pace;
+    pace.window = wire::cut(headers_[table_]).chunks_for(pace.window);
+    window_.emplace(headers_[table_].chunks, pace);
+    progressed_ = now;
+  }
+  if (window_->acknowledge(ack, now)) progressed_ = now;
+  count();
+}
+
+/// There is no room for a table that was announced without its hash; but it may be there already, where
+/// it is played, or twice in this plan: so the hash is told, and what was answered before that passed over.
+bool Sender::asks_by_name(Nanos now) {
+  if (!headers_[table_].has_hash()) {
+    while (hash()) continue;
+    header_sent_.reset();
+    named_ = now;
+  }
+  return named_ && now - *named_ < options_.patience / 4;
+}
+
+/// Nothing counts that was sent before the executor told its challenge.
+void Sender::begin_anew(std::int64_t challenge) {
+  if (challenge == challenge_) return;  // told already
+  challenge_ = challenge;
+  window_.reset();
+  header_sent_.reset();
+  count();
+}
+
+void Sender::next_table(Nanos now) {
+  if (window_) resent_before_ += window_->resent();
+  window_.reset();
+  arrived_before_ += headers_[table_].chunks;
+  header_sent_.reset();
+  named_.reset();
+  progressed_ = now;
+  ++table_;
+  count();
+  if (table_ < headers_.size()) return;
+  outcome_.downloaded = true;
+  pursue();
+}
+
+void Sender::count() {
+  outcome_.progress.arrived = arrived_before_ + (window_ ? window_->arrived() : 0);
+  outcome_.progress.resent = resent_before_ + (window_ ? window_->resent() : 0);
+}
+
+void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos now) {
+  if (!hear(reply.boot, now) || !command_.is_answered_by(reply)) return;
+  if (reply.outcome == wire::Outcome::refused) {
+    refused(reply.refusal, reply.reason, reply.cause);
+  } else if (reply.outcome == wire::Outcome::accepted) {
+    if (stage() == StreamStage::starting) start_ = reply.command;
+    accepted();
+  }
+}
+
+void Sender::accepted() {
+  command_.clear();
+  switch (stage()) {
+    case StreamStage::arming:
+      outcome_.armed = leg_armed_ = true;
+      break;
+    case StreamStage::starting:
+      if (plan_.await && leg_ + 1 == legs_.size()) return enter(StreamStage::waiting);
+      outcome_.swaps = leg_;
+      outcome_.started = true;
+      leg_armed_ = false;
+      due_.reset();
+      over_.reset();
+      waited_ = false;
+      if (++leg_ < legs_.size()) return enter(StreamStage::swapping);
+      break;
+    case StreamStage::stopping:
+      outcome_.stopped = true;
+      break;
+    case StreamStage::releasing:
+      return enter(StreamStage::released);
+    default:
+      return;
+  }
+  pursue();
+}
+
+void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause) {
+  command_.clear();
+  if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // it is over already
+  outcome_.refusal = refusal;
+  outcome_.cause = cause;
+  fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
+}
+
+// ---- where to -----------------------------------------------------------------------------------
+
+wire::Arm Sender::arm_of(const SwapPlan& leg) const {
+  return {.mode = leg.mode,
+          .slave = headers_[leg.slave].hash,
+          .master = leg.mode == wire::ArmMode::follow_table ? headers_[leg.master].hash : Sha256{},
+          .coupling = leg.coupling,
+          .end = leg.mode == wire::ArmMode::follow_input ? leg.end : wire::CamEnd::brake};
+}
+
+void Sender::pursue() {
+  const bool more = !given_up_ && leg_ < legs_.size();
+  if (more && plan_.goal >= StreamGoal::arm && !leg_armed_) {
+    enter(StreamStage::arming);
+    command_.issue(arm_of(legs_[leg_]));
+  } else if (more && plan_.goal >= StreamGoal::start) {
+    const SwapPlan& leg = legs_[leg_];
+    enter(StreamStage::starting);
+    command_.issue(wire::Start{.tick = leg.when == wire::StartAt::tick ? plan_.start_tick : -1,
+                               .when = leg.when,
+                               .position = leg.position});
+  } else {
+    enter(StreamStage::holding);
+  }
+}
+
+/// A swap has taken place when its table is the one that is played and nothing waits. A status may
+/// be late: if it is the same table as before, this must have been so for a while.
+void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos now) {
+  constexpr Nanos a_while = std::chrono::milliseconds(500);
+  if (stage() == StreamStage::waiting) return await_start(status);
+  if (stage() != StreamStage::swapping) return;
+  waited_ |= status.next == wire::Next::waiting;
+  const Sha256& hash = headers_[legs_[leg_ - 1].slave].hash;
+  const bool there = status.next == wire::Next::nothing &&
+                     std::equal(status.table.begin(), status.table.end(), hash.begin());
+  const bool stands = status.state == wire::AxisState::disabled ||
+                      status.state == wire::AxisState::standstill ||
+                      status.state == wire::AxisState::error_stop;
+  if (there || !stands || status.next != wire::Next::nothing) {
+    over_.reset();
+  } else if (now - over_.value_or(now) >= a_while) {
+    return be_over(status);
+  } else if (!over_) {
+    over_ = now;
+  }
+  if (!there) return due_.reset();
+  if (!due_) due_ = now;
+  const bool new_table = leg_ < 2 || headers_[legs_[leg_ - 2].slave].hash != hash;
+  if (waited_ || new_table || now - *due_ >= a_while) pursue();
+}
+
+/// What became of the last start: the axis says so for as long as the session lives.
+void Sender::await_start(const wire::Status& status) {
+  if (status.start_command != start_) return;  // older than the start
+  if (status.start == wire::StartOutcome::begun) {
+    outcome_.swaps = leg_;
+    outcome_.started = true;
+    leg_armed_ = false;
+    ++leg_;
+    pursue();
+  } else if (status.start == wire::StartOutcome::dropped) {
+    outcome_.cause = status.start_cause;
+    fail(StreamError::dropped, status.start_reason);
+  }
+}
+
+/// The axis stands and waits for nothing: what was to begin has ended unseen, or never will begin.
+void Sender::be_over(const wire::Status& status) {
+  outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
+  if (outcome_.cause == 0) return pursue();
+  fail(StreamError::stopped, "the axis came to rest before the swap: cause " +
+                                 std::to_string(outcome_.cause) + " (docs/executor/axis.md)");
+}
+
+void Sender::raise(StreamGoal goal) {
+  if (ended() || goal <= plan_.goal) return;
+  plan_.goal = goal;
+  require_valid(plan_);
+  if (stage() == StreamStage::holding) pursue();
+}
+
+void Sender::start_at(std::int64_t tick) {
+  plan_.start_tick = tick;
+  raise(StreamGoal::start);
+}
+
+void Sender::stop(wire::StopMode mode) {
+  if (ended()) return;
+  given_up_ = true;
+  if (stage() == StreamStage::downloading) return release();
+  enter(StreamStage::stopping);
+  command_.issue(wire::Stop{.mode = mode});
+}
+
+void Sender::release() {
+  if (ended()) return;
+  if (boots_.empty()) return enter(StreamStage::released);
+  enter(StreamStage::releasing);
+  command_.issue(wire::Heartbeat{.release = true});
+}
+
+void Sender::fail(StreamError error, std::string reason) {
+  if (ended()) return;
+  // What waits is not taken back: a stop would end the motion under way, too.
+  if (stage() == StreamStage::waiting && error != StreamError::dropped)
+    reason += "; the accepted start still waits in the axis: cancel it with a stop";
+  outcome_.error = error;
+  outcome_.reason = std::move(reason);
+  // Whether an unanswered start took place is not known: what may move is stopped.
+  const auto& last = command_.body();
+  const bool perhaps_started = last && std::holds_alternative<wire::Start>(*last);
+  if (!boots_.empty()) farewell_.begin(command_.number(), perhaps_started);
+  enter(StreamStage::failed);
+}
+
+const char* name(StreamError error) {
+  constexpr const char* names[] = {
+      "none",      "no_answer", "contact_lost", "stalled", "command_timeout", "out_of_time",
+      "restarted", "refused",   "underrun",     "stopped", "dropped"};
+  return names[static_cast<std::size_t>(error)];
+}
+
+const char* name(StreamStage stage) {
+  constexpr const char* names[] = {"downloading", "arming",  "starting",  "stopping", "swapping",
+                                   "waiting",     "holding", "releasing", "released", "failed"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+}  // namespace jounce

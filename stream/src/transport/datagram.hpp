@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce::detail {
+
+/// The longest datagram, in bytes.
+inline constexpr std::size_t longest_datagram = 65536;
+
+/// A packet as one datagram of at most longest_datagram: its channel, a zero byte, its bytes.
+std::vector<std::byte> datagram_of(const std::string& channel, std::span<const std::byte> bytes);
+
+/// Returns nothing where the bytes are no such datagram.
+std::optional<Packet> packet_of(std::span<const std::byte> datagram);
+
+/// True if the channel has this name. A * stands for any text without a dot.
+bool matches(const std::string& pattern, const std::string& channel);
+
+}  // namespace jounce::detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce::detail {
+
+/// This program's socket in a socket folder, and a thread that takes from it what is subscribed to.
+/// The thread is needed because Linux keeps only some ten datagrams for a socket.
+class UnixInbox {
+ public:
+  /// Throws TransportError where no socket can be made.
+  explicit UnixInbox(const std::filesystem::path& folder);
+  ~UnixInbox();
+  UnixInbox(const UnixInbox&) = delete;
+  UnixInbox& operator=(const UnixInbox&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  void subscribe(const std::string& channel, int capacity);
+  std::optional<Packet> receive(Nanos timeout);
+
+ private:
+  struct Subscription {
+    int capacity = 1;
+    int waiting = 0;
+  };
+  struct Waiting {
+    Packet packet;
+    Subscription* subscription;
+  };
+
+  void read();
+  void keep(Packet packet);
+
+  std::filesystem::path path_;
+  int socket_ = -1;
+  std::mutex mutex_;  // mutex of all below
+  std::condition_variable arrived_;
+  std::map<std::string, Subscription> subscriptions_;
+  std::deque<Waiting> waiting_;
+  bool ending_ = false;
+  int error_ = 0;  // errno that ended the thread
+  std::thread thread_;
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/transport/unix_transport.hpp"
+
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "stream/src/transport/datagram.hpp"
+#include "stream/src/transport/unix_inbox.hpp"
+#include "stream/src/transport/unix_peers.hpp"
+#include "stream/src/transport/unix_socket.hpp"
+
+namespace jounce {
+namespace {
+
+[[noreturn]] void refuse(const std::string& folder, const std::string& rule) {
+  throw InputError("unix", folder, rule);
+}
+
+std::string usable(const std::string& folder) {
+  if (folder.empty() || folder.size() > detail::longest_folder)
+    refuse(folder, fmt::format("must name a folder, in at most {} bytes", detail::longest_folder));
+  struct stat about {};
+  if ((mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) || stat(folder.c_str(), &about) != 0)
+    throw TransportError(fmt::format("cannot use the folder {}: {}", folder, std::strerror(errno)));
+  if (!S_ISDIR(about.st_mode)) refuse(folder, "must be a folder");
+  if ((about.st_mode & S_IWOTH) != 0)
+    refuse(folder,
+           "must not be writable for all users of this machine, because they could move the axes: "
+           "name another folder, or chmod o-w this one");
+  return folder;
+}
+
+}  // namespace
+
+struct UnixTransport::Impl {
+  explicit Impl(const std::string& name) : peers(usable(name)) {
+    peers.refresh();
+    if (peers.size() >= detail::most_peers)
+      throw TransportError(
+          fmt::format("{}: {} programs already use it, and it serves no more: end one of them",
+                      name, detail::most_peers));
+    inbox.emplace(name);
+  }
+
+  detail::UnixPeers peers;
+  std::optional<detail::UnixInbox> inbox;
+};
+
+UnixTransport::UnixTransport(const std::string& folder) : impl_(std::make_unique<Impl>(folder)) {}
+
+UnixTransport::~UnixTransport() = default;
+
+void UnixTransport::subscribe(const std::string& channel, int capacity) {
+  assert(channel.size() <= 63 && capacity >= 1);
+  impl_->inbox->subscribe(channel, capacity);
+}
+
+void UnixTransport::send(const std::string& channel, std::span<const std::byte> bytes) {
+  assert(channel.size() <= 63 && bytes.size() <= 65000);
+  if (access(impl_->inbox->path().c_str(), F_OK) != 0)
+    throw TransportError(
+        fmt::format("{}: this program's socket has been removed", impl_->inbox->path().string()));
+  impl_->peers.refresh();
+  impl_->peers.send(detail::datagram_of(channel, bytes));
+}
+
+std::optional<Packet> UnixTransport::receive(Nanos timeout) {
+  return impl_->inbox->receive(timeout);
+}
+
+}  // namespace jounce

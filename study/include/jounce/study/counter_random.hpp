@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace jounce {
+
+/// Random numbers without a state: a number depends only on its address, not on those drawn
+/// before and by whom.
+///
+///     const Draw d{.seed = 1, .stream = stream_of("drive.load_inertia"), .sample = 17};
+///     uniform(d);                                                      // (0, 1)
+///     normal(d);                                                       // mean 0, sigma 1
+///
+/// Philox 4x32 with 10 rounds: J. K. Salmon, M. A. Moraes, R. O. Dror and D. E. Shaw, "Parallel random
+/// numbers: as easy as 1, 2, 3", SC11 (2011). Pinned by tests against the authors' known answers.
+struct Draw {
+  std::uint64_t seed = 1;
+  std::uint64_t stream = 0;
+  std::uint64_t sample = 0;
+};
+
+/// One stream a name: a further parameter does not change what the others draw.
+std::uint64_t stream_of(std::string_view name);
+
+/// In (0, 1), ends excluded.
+double uniform(const Draw& draw);
+
+/// Standard normal, from the same address: G. E. P. Box and M. E. Muller (1958).
+double normal(const Draw& draw);
+
+/// The bare generator.
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
+                                    std::array<std::uint32_t, 2> key);
+
+}  // namespace jounce

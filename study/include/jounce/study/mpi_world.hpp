@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "jounce/study/sweep.hpp"
+
+namespace jounce::detail {
+struct MpiCalls;
+}
+
+namespace jounce {
+
+/// True if mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and as
+/// which of how many: from the environment, without MPI.
+struct MpiPlace {
+  bool started = false;
+  int rank = 0;
+};
+MpiPlace mpi_place();
+
+/// The processes that mpirun has started, while it lives.
+///
+///     MpiWorld world;
+///     SweepResult result = run_sweep(spec, {.farm = world.farm(hex(spec.identity()))});
+///     if (world.rank() != 0) return;               // only the first has all rows
+///
+/// MPI is loaded from the module jounce_mpi.so, which stands beside the program, or in
+/// ../lib/jounce beside its folder. Throws InputError where there is none: a build without MPI.
+class MpiWorld {
+ public:
+  MpiWorld();
+  ~MpiWorld();
+  MpiWorld(const MpiWorld&) = delete;
+  MpiWorld& operator=(const MpiWorld&) = delete;
+
+  [[nodiscard]] int rank() const { return rank_; }
+  [[nodiscard]] int size() const { return size_; }
+
+  /// Rank 0 hands out cases, more at once the cheaper they are (20 ms of work at most), and takes the lines; a thread of
+  /// its own makes cases, too. The others make them, and take nothing. Rank 0 throws InputError if another's `identity` is not its own: it sees
+  /// other files. A world of one works on its own threads.
+  [[nodiscard]] Farm farm(std::string identity) const;
+
+  /// Ends all processes at once.
+  void abort(int status) const;
+
+ private:
+  const detail::MpiCalls* calls_;
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+/// farm() of a rank over any such calls.
+Farm farm_over(const detail::MpiCalls& calls, int rank, int size, std::string identity);
+
+}  // namespace jounce

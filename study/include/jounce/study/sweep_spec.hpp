@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/design/key_figures.hpp"
+#include "jounce/study/sample_design.hpp"
+#include "jounce/study/spec_numbers.hpp"
+
+namespace jounce {
+
+/// Every one of these: a list, or a grid of equal steps.
+struct Values {
+  std::vector<double> all;
+};
+
+/// Drawn for each sample of the Monte Carlo analysis.
+struct UniformSpread {
+  double from = 0;
+  double to = 0;
+};
+struct NormalSpread {
+  double mean = 0;
+  double sigma = 0;
+};
+
+/// A number of the spec that takes several values, counted in what the spec counts it in there.
+struct SweepParameter {
+  std::string key;   ///< key in SpecNumbers
+  std::string unit;  ///< unit in the spec; "" if there is none
+  std::variant<Values, UniformSpread, NormalSpread> how;
+
+  [[nodiscard]] bool random() const { return !std::holds_alternative<Values>(how); }
+};
+
+struct SweepObjective {
+  std::string figure;
+  bool greatest = false;  ///< to be maximised
+};
+
+/// A figure that must not exceed a value, in the unit that the figure has.
+struct SweepLimit {
+  std::string figure;
+  double at_most = 0;
+};
+
+/// A sweep file: which numbers of which spec take which values, and what is looked at.
+///
+///     jounce = 1
+///     kind = "sweep"
+///     spec = "cam.toml"                       # beside this file
+///     figures = ["peak torque", "residual"]   # left out: all that the spec has
+///     optima = true                           # each case is what `jounce optimize` makes of it
+///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]
+///     [[parameter]]
+///     key = "segment[1].end.master"
+///     values = [100, 110, 120]                # or from, to, count
+///     [[parameter]]
+///     key = "drive.load_inertia"
+///     tolerance = "10 %"                      # or uniform = { from, to }, normal = { mean, sigma }
+///     [monte_carlo]
+///     samples = 1000
+///     design = "sobol"                        # or "latin_hypercube"; left out: "random"
+///     [limits]
+///     "peak torque" = 2.5                     # beside those of the spec
+///
+/// **Cases**: every combination of the listed values, each with all samples; numbered from 0, the last
+/// listed parameter runs fastest except for the samples, which run faster still. The numbers of a case
+/// depend on the seed, the key and the number of the sample alone: each combination meets the same
+/// samples, so that they can be compared. `tolerance` is uniform about the number in the spec, a share of it.
+struct SweepSpec {
+  static constexpr std::size_t most_cases = 10'000'000;
+
+  Document document;
+  std::string name;
+  SpecNumbers base;  ///< the spec as given
+  std::vector<SweepParameter> parameters;
+  std::size_t samples = 1;  ///< 1 where nothing is random
+  std::uint64_t seed = 1;
+  SampleDesign design = {};
+  bool optima =
+      false;  ///< each case is optimised by the [optimize] of the spec, before it is looked at
+  std::size_t chosen =
+      0;  ///< how many of the last of `given` are numbers that each case chooses, with `optima`
+  std::vector<KeyFigure> given;  ///< the figures that are looked at, of the spec as given
+  bool given_ok = false;         ///< true if it is within all limits
+  std::vector<SweepObjective> objectives;
+  std::vector<SweepLimit> limits;
+
+  [[nodiscard]] bool random() const;
+  /// True if the samples are independent, so that shares among them have an interval.
+  [[nodiscard]] bool independent() const { return design.design() == Design::random; }
+  [[nodiscard]] std::size_t cases() const;
+  /// The numbers of a case, in the order of the parameters.
+  [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
+  /// SHA-256 of all that the results depend on: both texts, what the spec as given makes (so also of
+  /// files that it names), and this program.
+  [[nodiscard]] Sha256 identity() const;
+
+ private:
+  /// Value of a random parameter in a sample, the `which`-th of these.
+  [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
+};
+
+/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws
+/// InputError as read_spec() does, for a spec that makes nothing, and for a key, figure or unit that it does not have.
+SweepSpec read_sweep(const std::string& path);
+
+}  // namespace jounce

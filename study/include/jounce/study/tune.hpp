@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jounce/design/key_figures.hpp"
+
+namespace jounce {
+
+/// A number that was chosen, counted as the file counts it.
+struct TunedNumber {
+  std::string key;
+  std::string unit;  ///< "1" for a pure number
+  double given = 0;
+  double reached = 0;
+  double lower = 0;
+  double upper = 0;
+  bool at_bound = false;
+};
+
+/// A figure that is optimized, or held within bounds.
+struct TunedFigure {
+  std::string name;
+  std::string unit;
+  std::optional<double> given = {};  ///< none: the spec as given cannot be made
+  double reached = 0;
+  std::optional<double> at_least = {};
+  std::optional<double> at_most = {};
+};
+
+struct TuneOutcome {
+  SearchOutcome search;
+  std::vector<TunedNumber> numbers;  ///< in the order of the spec
+  std::vector<TunedFigure>
+      figures;  ///< the objective, then what is required; empty: nothing can be made
+  std::vector<std::string> active;  ///< active limits, or missed ones: sentences
+  Report report;                    ///< report of the best: every limit that the spec states
+  std::string text;                 ///< the spec with the numbers of the best, nothing else touched
+
+  [[nodiscard]] bool usable() const { return search.usable(); }
+};
+
+/// Chooses the numbers that the spec's [[optimize.parameter]] names, for the key figure that it minimises
+/// or maximises, such that every limit of the spec holds (check, and the drive where there is a
+/// [drive]) and what [[optimize.require]] demands.
+///
+///     TuneOutcome best = tune(read_spec("shear.toml"));
+///     if (best.usable()) write("faster.toml", best.text);
+///
+/// **Rounding.** A few digits are enough for a machine: the numbers of the best are rounded as far as
+/// everything still holds and the figure loses no more than half the tolerance.
+///
+/// Each rule of the report is a constraint of its own, a limit of a curve one for each bound and segment.
+/// Where the generator refuses a choice, its reason is kept: it is what limits the best beside it. Throws
+/// InputError, placed in the document, where the spec has no [[optimize.parameter]], for a figure that it does not have, for a
+/// bound that is no quantity of the figure's unit, for a number outside its range.
+TuneOutcome tune(const Spec& spec,
+                 const std::function<bool(const SearchProgress&)>& keep_going = {});
+
+}  // namespace jounce

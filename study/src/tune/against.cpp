@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/study/against.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+#include "study/src/tune/driven_cam.hpp"
+
+// With z the shape and y(z) what a drive does at the instants that are looked at. Of a linear drive y_l
+// is affine in z, and the problem is convex (ResponseOf). Of another drive
+//
+//   (1)  y(z) ~ y_l(z) + d,    d = y(z_k) - y_l(z_k)
+//
+// where y_l is the same drive without what makes it nonlinear: exact at z_k, with the slopes of y_l. An arm's
+// weight G sin(a(r)) grows with the reference r; its slope along z_k, as if the load stood where r is, goes with
+// the torque of y_l:
+//
+//   (3)  T_l(z) <- T_l(z) + G cos(a(r_k)) a' r(z)
+//
+// (nearly exact, as the load lags by far less than the arm must turn for its weight to change). Solved,
+// the drive itself is run along what is found; better, and z_k moves there; not better, and d goes only
+// part of the way
+//
+//   (2)  d <- (d_old + d_new) / 2
+//
+// Of a linear drive peaks between the instants count as well: where a peak of the response, found on a grid 64 times as
+// close, is above what the program saw, it becomes an instant, and all is solved again, until there is none.
+//
+// Every figure is known by integration at the end. A ceiling C that the integrated
+// figure F exceeds is lowered to C C / F, and all is solved again.
+
+namespace jounce {
+namespace {
+
+using detail::DrivenCam;
+using Lists = DrivenCam::Lists;
+using Status = Outcome::Status;
+using Clock = std::chrono::steady_clock;
+
+constexpr double worth_a_round = 1e-3;  ///< relative gain
+constexpr double rounding = 1e-9;       ///< of a ceiling
+constexpr double new_peak =
+    1e-6;  ///< relative: a peak that exceeds a figure by more becomes an instant
+constexpr double floor_of_peaks = 1e-9;  ///< relative to the given figure: less is rounding
+constexpr int max_exchanges = 12;        ///< exchanges of instants per solution
+
+/// What a drive has beside its linear twin, at a cam.
+struct Correction {
+  Lists lists = {};                 ///< d of (1)
+  std::vector<double> slopes = {};  ///< of (3)
+};
+
+/// The problem with every figure of the drive as a function of the shape.
+class Prepared {
+ public:
+  Prepared(const CamShapeProblem& problem, const DrivenCam& cam) : problem_(problem), cam_(cam) {
+    for (auto& stage : problem_.minimize)
+      for (WeightedFigure& m : stage) wanted_.push_back(&m.figure);
+    for (Ceiling& c : problem_.ceilings) wanted_.push_back(&c.figure);
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  /// d of (1), and what ceilings are held to.
+  CamShapeProblem& with(const Correction& correction, const std::vector<double>& at_most) {
+    for (ShapeFigure* figure : wanted_)
+      if (const auto drive = drive_figure(*figure)) fill(*figure, *drive, correction);
+    for (std::size_t i = 0; i < at_most.size(); ++i) problem_.ceilings[i].at_most = at_most[i];
+    return problem_;
+  }
+
+ private:
+  void fill(ShapeFigure& figure, DriveFigure drive, const Correction& correction) const {
+    const auto found = correction.lists.find(drive);
+    const auto of = [respond = cam_.response(drive, correction.slopes),
+                     d = found == correction.lists.end() ? std::vector<double>{}
+                                                         : found->second](const Trajectory& shape) {
+      std::vector<double> y = respond(shape);
+      for (std::size_t i = 0; i < d.size(); ++i) y[i] += d[i];
+      return y;
+    };
+    if (auto* peak = std::get_if<ResponseOf>(&figure)) peak->of = of;
+    if (auto* rms = std::get_if<RmsResponseOf>(&figure)) rms->of = of;
+  }
+
+  CamShapeProblem problem_;
+  const DrivenCam& cam_;
+  std::vector<ShapeFigure*> wanted_;
+};
+
+/// Nothing where the drive could not be integrated.
+std::optional<Correction> correction_at(const DrivenCam& driven, const CamSpec& cam) {
+  std::vector<double> slopes = driven.weight_slopes(cam);
+  Lists own = driven.measured(cam);
+  Lists twin = driven.linear(cam, slopes);
+  for (auto& [figure, y] : own) {
+    if (y.size() != twin[figure].size()) return std::nullopt;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] -= twin[figure][i];
+  }
+  if (own.empty()) return std::nullopt;
+  return Correction{std::move(own), std::move(slopes)};
+}
+
+void halve(std::vector<double>& y, const std::vector<double>& other) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = (y[i] + other[i]) / 2;
+}
+
+Correction halfway(const Correction& a, Correction b) {  // (2)
+  for (auto& [figure, y] : b.lists)
+    if (const auto other = a.lists.find(figure); other != a.lists.end()) halve(y, other->second);
+  if (a.slopes.size() == b.slopes.size()) halve(b.slopes, a.slopes);
+  return b;
+}
+
+/// What counts of a cam that was driven.
+struct Standing {
+  double score = 1;     ///< weighted sum, of the given cam 1
+  bool excess = false;  ///< over a ceiling
+
+  [[nodiscard]] bool better_than(const Standing& other) const {
+    return excess != other.excess ? !excess : score < other.score;
+  }
+};
+
+class Search {
+ public:
+  Search(const CamShapeProblem& problem, const Against& against,
+         const CamShapeKeepGoing& keep_going)
+      : problem_(problem),
+        against_(against),
+        keep_going_(keep_going),
+        driven_(problem, against),
+        prepared_(problem, driven_) {
+    for (const Ceiling& c : problem.ceilings) at_most_.push_back(c.at_most);
+    out_.given = driven_.run(problem.cam);
+    best_.excess = breaks_ceiling(out_.given);
+    exact_ = driven_.is_linear() && out_.given.saturation.empty();
+  }
+
+  AgainstOutcome run() {
+    if (!out_.given.integration.ok()) return failed();
+    if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Correction{});
+    for (out_.rounds = 1;; ++out_.rounds) {
+      const bool more = round();
+      if (!more || out_.rounds == against_.max_rounds) break;
+    }
+    return told();
+  }
+
+ private:
+  AgainstOutcome failed() {
+    out_.shapes.status = Status::infeasible;
+    out_.shapes.reason = "the drive model could not be integrated with the given cam: " +
+                         out_.given.integration.reason;
+    out_.shapes.best = problem_.cam;
+    return out_;
+  }
+
+  /// One solution and its run; whether another may be better.
+  bool round() {
+    CamShapeOutcome found = solved();
+    if (!found.usable()) {
+      if (!have_) out_.shapes = std::move(found);
+      return false;
+    }
+    DriveResult run = driven_.run(found.best);
+    if (!run.integration.ok()) return false;
+    const bool stopped = found.status == Status::cancelled;
+    const double before = best_.score;
+    const CamSpec cam = found.best;
+    const bool excess = lower_ceilings(run);
+    if (!run.saturation.empty()) {
+      exact_ = false;
+      driven_.forget_peaks();
+    }
+    const bool better = take(std::move(found), std::move(run), excess);
+    if (stopped) return false;
+    if (exact_) return excess;
+    return correct(cam, better) &&
+           (excess || !better || before - best_.score > worth_a_round * before);
+  }
+
+  /// The shapes of one convex problem, with the peaks of a linear drive where they are.
+  CamShapeOutcome solved() {
+    for (int k = 0;; ++k) {
+      CamShapeOutcome found = optimize_cam_shapes(prepared_.with(correction_, at_most_), watched());
+      const bool done = !exact_ || !found.usable() || found.status == Status::cancelled ||
+                        k == max_exchanges || out_of_time();
+      if (done || add_peaks(found) == 0) return found;
+    }
+  }
+
+  [[nodiscard]] bool out_of_time() const {
+    const std::chrono::duration<double> gone = Clock::now() - begin_;
+    return problem_.seconds && gone.count() >= *problem_.seconds;
+  }
+
+  /// How many peaks of the drive's figures stand out of the instants that were looked at.
+  std::size_t add_peaks(const CamShapeOutcome& found) {
+    std::size_t added = 0;
+    auto figure = found.runs.front().figures.begin();
+    const auto look = [&](const ShapeFigure& of, double level) {
+      if (const auto drive = drive_figure(of))
+        added += driven_.add_peaks(*drive, found.best,
+                                   level * (1 + new_peak) + floor_of_peaks * figure->given);
+      ++figure;
+    };
+    for (const auto& stage : problem_.minimize)
+      for (const WeightedFigure& m : stage) look(m.figure, figure->reached);
+    for (std::size_t i = 0; i < at_most_.size(); ++i)
+      look(problem_.ceilings[i].figure, at_most_[i]);
+    return added;
+  }
+
+  bool correct(const CamSpec& cam, bool better) {
+    const auto now = correction_at(driven_, cam);
+    if (!now || (!better && ++worse_ > 3)) return false;
+    correction_ = better ? *now : halfway(correction_, *now);
+    return true;
+  }
+
+  /// Whether a ceiling of the drive is exceeded.
+  bool lower_ceilings(const DriveResult& run) {
+    bool excess = false;
+    for (std::size_t i = 0; i < at_most_.size(); ++i) {
+      const Ceiling& ceiling = problem_.ceilings[i];
+      const auto drive = drive_figure(ceiling.figure);
+      if (!drive) continue;
+      const double value = detail::value_of(*drive, run);
+      if (value <= ceiling.at_most * (1 + rounding)) continue;
+      at_most_[i] *= ceiling.at_most / value;
+      excess = true;
+    }
+    return excess;
+  }
+
+  [[nodiscard]] bool breaks_ceiling(const DriveResult& run) const {
+    return std::any_of(
+        problem_.ceilings.begin(), problem_.ceilings.end(), [&](const Ceiling& ceiling) {
+          const auto drive = drive_figure(ceiling.figure);
+          return drive && detail::value_of(*drive, run) > ceiling.at_most * (1 + rounding);
+        });
+  }
+
+  /// Whether it is better than the best so far, which is the given cam to begin with: what keeps the
+  /// ceilings comes before what does not; then the first weighted sum counts. The first is kept anyway,
+  /// so that there is something to tell.
+  bool take(CamShapeOutcome found, DriveResult run, bool excess) {
+    const Standing now{weighted(found, run), excess};
+    const bool better = now.better_than(best_);
+    if (have_ && !better && !now.better_than(told_)) return false;
+    have_ = true;
+    told_ = now;
+    if (better) best_ = now;
+    promised_ = weighted(found, std::nullopt);
+    out_.shapes = std::move(found);
+    out_.best = std::move(run);
+    return better;
+  }
+
+  /// Relative to the given cam; the drive's figures by integration, where there is one.
+  [[nodiscard]] double weighted(const CamShapeOutcome& found,
+                                const std::optional<DriveResult>& run) const {
+    double sum = 0;
+    double all = 0;
+    for (std::size_t i = 0; i < problem_.minimize.front().size(); ++i) {
+      const WeightedFigure& m = problem_.minimize.front()[i];
+      const FigureResult& figure = found.runs.front().figures[i];
+      double given = figure.given;
+      double reached = figure.reached;
+      if (const auto drive = run ? drive_figure(m.figure) : std::nullopt) {
+        given = detail::value_of(*drive, out_.given);
+        reached = detail::value_of(*drive, *run);
+      }
+      sum += m.weight * (given > 0 ? reached / given : 1 + reached);
+      all += m.weight;
+    }
+    return sum / all;
+  }
+
+  [[nodiscard]] CamShapeKeepGoing watched() const {
+    return [this](const CamShapeProgress& p) { return !keep_going_ || keep_going_(p); };
+  }
+
+  AgainstOutcome told() {
+    if (!have_) return out_;
+    add_figures();
+    // Where the given cam breaks a ceiling, or the best within the limits is no better, it need not be.
+    const bool improved = told_.score < 1 || breaks_ceiling(out_.given) ||
+                          (promised_ >= 1 && out_.shapes.status == Status::optimal);
+    out_.real = !told_.excess && improved;
+    if (!exact_) without_bounds();
+    if (told_.excess)
+      out_.shapes.reason = "by integration, a limit of the drive is exceeded";
+    else if (!improved)
+      out_.shapes.reason = "by integration, the given cam is at least as good for the drive";
+    if (!out_.real) out_.shapes.status = Status::stalled;
+    return out_;
+  }
+
+  void add_figures() {
+    const auto add = [&](const ShapeFigure& figure) {
+      if (const auto drive = drive_figure(figure))
+        out_.figures.push_back({name(*drive), detail::value_of(*drive, out_.given),
+                                detail::value_of(*drive, out_.best)});
+    };
+    for (const auto& stage : problem_.minimize)
+      for (const WeightedFigure& m : stage) add(m.figure);
+    for (const Ceiling& c : problem_.ceilings) add(c.figure);
+  }
+
+  void without_bounds() {
+    for (CamRunOutcome& run : out_.shapes.runs) {
+      run.shape.spline_bound.reset();
+      for (FigureResult& figure : run.figures) figure.bound.reset();
+    }
+    if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
+    out_.shapes.reason = "the drive is not linear: better in its own runs, but not proven best (" +
+                         std::to_string(out_.rounds) + " rounds tried)";
+  }
+
+  const CamShapeProblem& problem_;
+  const Against& against_;
+  const CamShapeKeepGoing& keep_going_;
+  DrivenCam driven_;
+  Prepared prepared_;
+  AgainstOutcome out_;
+  Correction correction_;
+  std::vector<double> at_most_;
+  bool exact_ = true;  ///< the linear drive is the drive
+  Clock::time_point begin_ = Clock::now();
+  bool have_ = false;
+  Standing best_;  ///< of the given cam to begin with
+  Standing told_;  ///< of `out_`
+  double promised_ = 1;
+  int worse_ = 0;
+};
+
+void require_valid(const CamShapeProblem& problem, const Against& against) {
+  require_valid(against.drive);
+  require_positive("velocity", against.velocity);
+  require_not_negative("settle", against.settle);
+  bool asked = false;
+  const auto look = [&](const ShapeFigure& figure) {
+    const auto drive = drive_figure(figure);
+    asked = asked || drive;
+    if (against.periodic && drive == DriveFigure::residual)
+      throw InputError("minimize", '"' + name(*drive) + '"',
+                       "needs a standstill after the cam, which a periodic cam does not have");
+  };
+  for (const auto& stage : problem.minimize)
+    for (const WeightedFigure& m : stage) look(m.figure);
+  for (const Ceiling& c : problem.ceilings) look(c.figure);
+  if (!asked)
+    throw InputError("minimize", "",
+                     "must name a figure of the drive, such as \"drive rms torque\"");
+  if (problem.shapes.empty())
+    throw InputError("shapes", "none", "must name a segment with a free shape");
+}
+
+}  // namespace
+
+AgainstOutcome optimize_against(const CamShapeProblem& problem, const Against& against,
+                                const CamShapeKeepGoing& keep_going) {
+  require_valid(problem, against);
+  return Search(problem, against, keep_going).run();
+}
+
+}  // namespace jounce

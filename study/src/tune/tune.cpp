@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/study/tune.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/report/report_text.hpp"
+#include "jounce/study/spec_numbers.hpp"
+
+#include "study/src/tune/tune_rows.hpp"
+
+namespace jounce {
+namespace {
+
+using Point = std::vector<double>;
+
+std::string parameter_key(std::size_t i, const char* field) {
+  return "optimize.parameter[" + std::to_string(i + 1) + "]." + field;
+}
+
+/// The spec as a function of its numbers.
+class Tuned {
+ public:
+  explicit Tuned(const Spec& spec)
+      : spec_(spec), wanted_(*spec.parameters), numbers_(spec.document) {
+    for (std::size_t i = 0; i < wanted_.parameters.size(); ++i) add(i);
+    names_ = {wanted_.figure};
+    for (const FigureBound& bound : wanted_.require)
+      if (std::find(names_.begin(), names_.end(), bound.figure) == names_.end())
+        names_.push_back(bound.figure);
+    if (std::find(names_.begin(), names_.end(), "margin") == names_.end())
+      names_.emplace_back("margin");
+  }
+
+  [[nodiscard]] const std::vector<SearchVariable>& variables() const { return variables_; }
+
+  [[nodiscard]] const std::string& unit(std::size_t i) const { return units_[i]; }
+
+  [[nodiscard]] std::string text(const Point& x) const {
+    std::vector<SpecNumbers::Change> changes;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x[i] != variables_[i].start) changes.push_back({variables_[i].name, x[i]});
+    return numbers_.text(changes);
+  }
+
+  [[nodiscard]] Assessment assessed(const Point& x) const {
+    return assess_by_segment(parse_spec(text(x), spec_.document.name), names_);
+  }
+
+  SearchAnswer operator()(const Point& x) {
+    try {
+      return answer_of(assessed(x));
+    } catch (const InputError& error) {
+      if (error.key() == "figure") throw named(error);
+      if (error.key().starts_with("optimize.")) throw;
+      return {
+          0,
+          {},
+          false,
+          error.key() + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule()};
+    }
+  }
+
+  /// The rule behind each constraint; what is required follows, lower and upper bounds in turn.
+  [[nodiscard]] const std::vector<std::string>& rules() const { return rows_.rules(); }
+
+  [[nodiscard]] std::vector<TunedFigure> figures(const Assessment& at) const {
+    std::vector<TunedFigure> all;
+    const auto add = [&](const std::string& name) -> TunedFigure& {
+      const auto f = std::find_if(at.figures.begin(), at.figures.end(),
+                                  [&](const KeyFigure& each) { return each.name == name; });
+      return all.emplace_back(TunedFigure{name, f->unit, {}, f->value});
+    };
+    add(wanted_.figure);
+    for (std::size_t i = 0; i < wanted_.require.size(); ++i) {
+      TunedFigure& figure = add(wanted_.require[i].figure);
+      figure.at_least = bound(i, "at_least", wanted_.require[i].at_least, figure.unit);
+      figure.at_most = bound(i, "at_most", wanted_.require[i].at_most, figure.unit);
+    }
+    return all;
+  }
+
+ private:
+  /// A variable is counted as the file counts it: what is written back is what was searched.
+  void add(std::size_t i) {
+    const SpecParameter& p = wanted_.parameters[i];
+    const std::string written = numbers_.unit(p.key);
+    const double own = written.empty() ? 1 : conversion(written, p.unit);
+    const double start = numbers_.value(p.key);
+    if (start * own < p.lower || start * own > p.upper)
+      throw spec_.document.located(
+          InputError(parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper),
+                     "must contain the value in the spec, " + number(start * own) +
+                         ", the start of the search"));
+    units_.push_back(written.empty() ? p.unit : written);
+    variables_.push_back(
+        {p.key, std::min(p.lower / own, start), std::max(p.upper / own, start), start});
+  }
+
+  [[nodiscard]] InputError named(const InputError& error) const {
+    std::string key = std::string("optimize.") + (wanted_.maximize ? "maximize" : "minimize");
+    for (std::size_t i = 0; i < wanted_.require.size(); ++i)
+      if (error.value() == '"' + wanted_.require[i].figure + '"' &&
+          wanted_.require[i].figure != wanted_.figure)
+        key = "optimize.require[" + std::to_string(i + 1) + "].figure";
+    return spec_.document.located(InputError(key, error.value(), error.rule()));
+  }
+
+  [[nodiscard]] std::optional<double> bound(std::size_t i, const char* field,
+                                            const std::optional<std::string>& text,
+                                            const std::string& unit) const {
+    if (!text) return std::nullopt;
+    try {
+      return quantity(*text, unit.empty() ? "1" : unit);
+    } catch (const InputError& error) {
+      throw spec_.document.located(
+          InputError("optimize.require[" + std::to_string(i + 1) + "]." + field, '"' + *text + '"',
+                     error.rule()));
+    }
+  }
+
+  SearchAnswer answer_of(const Assessment& at) {
+    SearchAnswer answer;
+    answer.constraints = rows_.of(at);
+    for (const TunedFigure& f : figures(at)) {
+      if (f.at_least) answer.constraints.push_back(*f.at_least - f.reached);
+      if (f.at_most) answer.constraints.push_back(f.reached - *f.at_most);
+    }
+    const double value = at.figures.front().value;
+    answer.objective = wanted_.maximize ? -value : value;
+    return answer;
+  }
+
+  const Spec& spec_;
+  const ParametersSpec& wanted_;
+  SpecNumbers numbers_;
+  std::vector<SearchVariable> variables_;
+  std::vector<std::string> units_;
+  std::vector<std::string> names_;
+  detail::TuneRows rows_;
+};
+
+bool meets(const SearchAnswer& answer) {
+  return answer.possible && std::isfinite(answer.objective) &&
+         std::all_of(answer.constraints.begin(), answer.constraints.end(),
+                     [](double constraint) { return constraint <= 0; });
+}
+
+/// x to so many decimals, each up or down as the bits of `how` say.
+Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, int digits,
+                 unsigned how) {
+  Point y = x;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double range = variables[i].upper - variables[i].lower;
+    const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(range)));
+    const double per_unit = std::pow(10.0, std::abs(decimals));
+    const double scaled = decimals >= 0 ? x[i] * per_unit : x[i] / per_unit;
+    const double whole =
+        (how >> std::min<std::size_t>(i, 2) & 1U) != 0U ? std::ceil(scaled) : std::floor(scaled);
+    y[i] = std::clamp(decimals >= 0 ? whole / per_unit : whole * per_unit, variables[i].lower,
+                      variables[i].upper);
+  }
+  return y;
+}
+
+/// The best in as few digits as lose no more than half the tolerance: three of the range to nine.
+void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) {
+  const double objective = best.answer.objective;
+  const auto combinations = std::min<std::size_t>(best.best.size(), 3);
+  for (int digits = 3; digits < 10; ++digits)
+    for (unsigned how = 0; how < 1U << combinations; ++how) {
+      const Point x = rounded_to(tuned.variables(), best.best, digits, how);
+      const SearchAnswer answer = tuned(x);
+      ++best.evaluations;
+      if (!meets(answer)) continue;
+      if (answer.objective - objective > 0.5 * options.tolerance * std::abs(objective)) continue;
+      best.best = x;
+      best.answer = answer;
+      return;
+    }
+}
+
+/// The worst finding of a rule, as a sentence.
+std::string worst_of(const Report& report, const std::string& rule, const Labels& labels) {
+  const Finding* worst = nullptr;
+  for (const Finding& f : report.findings)
+    if (states_limit(f) && rule_of(f) == rule && (worst == nullptr || f.margin < worst->margin))
+      worst = &f;
+  return worst == nullptr ? rule : sentence(*worst, labels);
+}
+
+std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcome,
+                                   const Labels& labels) {
+  std::vector<std::string> all;
+  std::vector<std::string> required;
+  for (const TunedFigure& f : outcome.figures) {
+    if (f.at_least)
+      required.push_back(f.name + " is at its minimum, " + number(*f.at_least) + " " + f.unit);
+    if (f.at_most)
+      required.push_back(f.name + " is at its maximum, " + number(*f.at_most) + " " + f.unit);
+  }
+  const std::size_t rules = tuned.rules().size();
+  for (const std::size_t i : outcome.search.active) {
+    if (i >= rules) all.push_back(required.at(i - rules));
+    if (i >= rules || tuned.rules()[i].empty()) continue;
+    std::string worst = worst_of(outcome.report, tuned.rules()[i], labels);
+    if (std::find(all.begin(), all.end(), worst) == all.end()) all.push_back(std::move(worst));
+  }
+  for (const TunedNumber& n : outcome.numbers)
+    if (n.at_bound)
+      all.push_back(n.key + " is at its bound " + number(n.reached) +
+                    (n.unit == "1" ? "" : " " + n.unit));
+  if (!outcome.search.beyond.empty())
+    all.push_back("a step beyond is rejected: " + outcome.search.beyond);
+  return all;
+}
+
+void add_numbers(const Tuned& tuned, TuneOutcome& outcome) {
+  const auto& bounds = outcome.search.at_bound;
+  for (std::size_t i = 0; i < tuned.variables().size(); ++i) {
+    const SearchVariable& v = tuned.variables()[i];
+    outcome.numbers.push_back({v.name, tuned.unit(i), v.start, outcome.search.best[i], v.lower,
+                               v.upper,
+                               std::find(bounds.begin(), bounds.end(), i) != bounds.end()});
+  }
+}
+
+/// What is required and not held, as sentences.
+std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
+  std::vector<std::string> all;
+  const auto add = [&](const TunedFigure& f, const char* bound, double limit) {
+    all.push_back(f.name + " comes to " + number(f.reached) + " " + f.unit + ": " + bound + " " +
+                  number(limit) + " is required");
+  };
+  for (const TunedFigure& f : figures) {
+    if (f.at_least && f.reached < *f.at_least) add(f, "at least", *f.at_least);
+    if (f.at_most && f.reached > *f.at_most) add(f, "at most", *f.at_most);
+  }
+  return all;
+}
+
+/// What the spec came to as it was given; nothing where it cannot be made.
+std::vector<TunedFigure> given_figures(Tuned& tuned) {
+  Point start;
+  for (const SearchVariable& v : tuned.variables()) start.push_back(v.start);
+  if (!tuned(start).possible) return {};
+  return tuned.figures(tuned.assessed(start));
+}
+
+}  // namespace
+
+TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress&)>& keep_going) {
+  if (!spec.parameters)
+    throw InputError("optimize.parameter", "",
+                     "is missing: name each number that may change in an [[optimize.parameter]]")
+        .at(spec.document.name);
+  Tuned tuned(spec);
+  const std::vector<TunedFigure> given = given_figures(tuned);
+  TuneOutcome outcome;
+  outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
+  const bool cancelled = outcome.search.status == Outcome::Status::cancelled;
+  if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
+  add_numbers(tuned, outcome);
+  outcome.text = tuned.text(outcome.search.best);
+  if (!outcome.search.answer.possible) return outcome;
+  const Assessment best = tuned.assessed(outcome.search.best);
+  outcome.report = best.report;
+  outcome.figures = tuned.figures(best);
+  for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
+  if (!outcome.usable()) {
+    if (outcome.search.status == Outcome::Status::infeasible)
+      outcome.search.reason = "no values tried keep all limits";
+    outcome.active = missed_of(outcome.figures);
+    return outcome;
+  }
+  outcome.active = active_of(tuned, outcome, {spec.units, spec.over_master(), {}});
+  return outcome;
+}
+
+}  // namespace jounce

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/src/tune/tune_rows.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace jounce::detail {
+namespace {
+
+constexpr double most = 1e6;        ///< a margin beyond says no more
+constexpr double least = 1e-9;      ///< by which a broken limit is broken at least
+constexpr std::size_t places = 32;  ///< more segments share constraints with their neighbours
+
+struct Rule {
+  double margin = most;
+  bool broken = false;
+};
+
+/// The smallest margin of each rule. `check` decides what is broken, not the sign.
+std::map<std::string, Rule> rules_of(const Report& report) {
+  std::map<std::string, Rule> all;
+  for (const Finding& f : report.findings) {
+    if (!states_limit(f)) continue;
+    Rule& rule = all[rule_of(f)];
+    rule.margin = std::min(rule.margin, f.margin);
+    rule.broken = rule.broken || f.broken;
+  }
+  return all;
+}
+
+std::vector<const LimitMargin*> rooms_of(const Assessment& at, const std::string& rule) {
+  std::vector<const LimitMargin*> all;
+  for (const LimitMargin& room : at.rooms)
+    if (room.rule == rule) all.push_back(&room);
+  return all;
+}
+
+/// The smallest margin of each place: of so many segments, each the same number but for rounding.
+std::vector<double> by_place(const std::vector<double>& segments, std::size_t count) {
+  std::vector<double> margins(count, most);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    double& margin = margins[i * count / segments.size()];
+    margin = std::min(margin, segments[i]);
+  }
+  return margins;
+}
+
+double constraint(double margin, bool broken) {
+  return broken ? -std::clamp(margin, -most, most) : -std::clamp(margin, 0.0, most);
+}
+
+/// A rule that is broken breaks at least one constraint, whatever rounding makes of it.
+void mark_broken(std::vector<double>& all, std::size_t from) {
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto worst = std::max_element(begin, all.end());
+  if (worst != all.end()) *worst = std::max(*worst, least);
+}
+
+}  // namespace
+
+void TuneRows::settle(const Assessment& at) {
+  for (const auto& [rule, margin] : rules_of(at.report)) {
+    const auto rooms = rooms_of(at, rule);
+    for (std::size_t b = 0; b < rooms.size(); ++b)
+      groups_.push_back({rule, b, std::min(places, rooms[b]->segments.size()), true});
+    if (rooms.empty()) groups_.push_back({rule});
+  }
+  for (const Group& group : groups_) rules_.insert(rules_.end(), group.places, group.rule);
+  rules_.emplace_back();
+}
+
+std::vector<double> TuneRows::of(const Assessment& at) {
+  if (rules_.empty()) settle(at);
+  std::map<std::string, Rule> left = rules_of(at.report);
+  std::vector<double> all;
+  std::size_t first = 0;  // constraint of a rule
+  for (const Group& group : groups_) {
+    if (group.bound == 0) first = all.size();
+    const auto it = left.find(group.rule);
+    const Rule rule = it == left.end() ? Rule{1, false} : it->second;
+    const auto rooms = rooms_of(at, group.rule);
+    const bool known = group.by_segment && group.bound < rooms.size();
+    for (const double margin : known ? by_place(rooms[group.bound]->segments, group.places)
+                                     : std::vector<double>(group.places, rule.margin))
+      all.push_back(constraint(margin, rule.broken));
+    const bool last = &group == &groups_.back() || (&group + 1)->rule != group.rule;
+    if (last && rule.broken) mark_broken(all, first);
+    if (last && it != left.end()) left.erase(it);
+  }
+  double others = 1;
+  for (const auto& [name, rule] : left)
+    others = std::min(others, rule.broken ? std::min(rule.margin, -least) : rule.margin);
+  all.push_back(-others);
+  return all;
+}
+
+}  // namespace jounce::detail

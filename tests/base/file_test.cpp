@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/file.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace jounce {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::why;
+
+class Files : public testing::WithFolder {};
+
+/// Writes in a process of its own whose files may have 1000 bytes; 0: it failed, as it should.
+int write_too_much(const std::string& path) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{1000, 1000};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    write_files({{path, "fits"}, {path + "2", std::string(2000, 'a')}});
+  } catch (const std::system_error&) {
+    return 0;
+  }
+  return 1;
+}
+
+TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
+  write_file(in("a"), "old");
+  const pid_t child = fork();
+  if (child == 0) _exit(write_too_much(in("a")));
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(files(), 1U) << "a alone";
+  EXPECT_EQ(read_file(in("a")), "old") << "all files or none";
+}
+
+TEST_F(Files, ADeviceWithoutEndIsRefused) {
+  EXPECT_THAT(why([] { (void)read_file("/dev/zero"); }),
+              HasSubstr("/dev/zero: is no regular file and gives more than 256 MiB"));
+}
+
+/// Runs what writes to a pipe in a process of its own.
+template <class Write>
+pid_t beside(Write write) {
+  const pid_t child = fork();
+  if (child == 0) {
+    write();
+    _exit(0);
+  }
+  return child;
+}
+
+TEST_F(Files, APipeWithoutAWriterIsRefused) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(why([&] { (void)read_file(in("pipe")); }),
+              HasSubstr("pipe: is a pipe that no program opened for writing within 5 s"));
+}
+
+TEST_F(Files, APipeIsReadToTheEndOfItsWriter) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  const pid_t writer = beside([&] {
+    usleep(100'000);  // after the reader
+    const int pipe = open(in("pipe").c_str(), O_WRONLY);
+    usleep(200'000);  // open, and nothing written yet
+    for (int i = 0; i < 3; ++i) {
+      if (write(pipe, "part ", 5) != 5) _exit(1);
+      usleep(50'000);
+    }
+  });
+  EXPECT_EQ(read_file(in("pipe")), "part part part ");
+  int status = 1;
+  waitpid(writer, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+/// Why it cannot be written.
+std::string fault_of(const std::string& path) {
+  try {
+    write_file(path, "text");
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Files, APipeWithoutAReaderIsAFault) {
+  ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(fault_of(in("pipe")), HasSubstr("no program reads this pipe within 5 s"));
+}
+
+TEST_F(Files, ALinkIsWrittenThroughAlsoToNothing) {
+  std::filesystem::create_symlink("there", in("link"));
+  std::filesystem::create_symlink("link", in("second"));
+  write_file(in("second"), "text");
+  EXPECT_EQ(read_file(in("there")), "text");
+  EXPECT_TRUE(std::filesystem::is_symlink(in("second")));
+  std::filesystem::create_symlink("none/there", in("broken"));
+  EXPECT_THAT(fault_of(in("broken")), HasSubstr("none/there: No such file or directory"));
+}
+
+TEST_F(Files, ALinkToItselfAndANameTooLongAreNamed) {
+  std::filesystem::create_symlink("b", in("a"));
+  std::filesystem::create_symlink("a", in("b"));
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }),
+              HasSubstr("a: cannot be read: Too many levels of symbolic links"));
+  EXPECT_THAT(fault_of(in("a")), HasSubstr("cannot write "));
+  EXPECT_THAT(fault_of(in("a")), HasSubstr("Too many levels of symbolic links"));
+  const std::string name(300, 'a');
+  EXPECT_THAT(why([&] { (void)read_file(in(name.c_str())); }), HasSubstr("cannot be read: File name too long"));
+  EXPECT_THAT(fault_of(in(name.c_str())), HasSubstr("cannot write "));
+  EXPECT_EQ(files(), 2U);
+}
+
+// As `check /dev/stdin` and `check <(...)` have it: a pipe without a name, whose writer may be gone already.
+TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(write(ends[1], "all", 3), 3);
+  close(ends[1]);
+  EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "all");
+  EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "")
+      << "nothing is left, and nobody writes";
+  close(ends[0]);
+}
+
+TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
+  write_file(in("points.csv"), "points");
+  write_file(in("other.csv"), "other");
+  std::filesystem::create_symlink(in("points.csv"), in("link.csv"));
+  {
+    const KeptInputs inputs;
+    (void)read_file(in("points.csv"));
+    for (const char* name : {"points.csv", "link.csv"})
+      EXPECT_THAT(why([&] { write_file(in(name), "made"); }),
+                  HasSubstr(std::string(name) + ": is also an input"));
+    EXPECT_THAT(why([&] {
+                  write_files({{in("new.csv"), ""}, {in("points.csv"), ""}});
+                }),
+                HasSubstr("is also an input"));
+    EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
+    write_file(in("other.csv"), "made");
+  }
+  write_file(in("points.csv"), "made");
+  EXPECT_EQ(read_file(in("points.csv")), "made") << "a library's user may replace what it has read";
+}
+
+TEST_F(Files, NameWhatIsNoText) {
+  using namespace std::string_literals;
+  write_file(in("a"), "\xFF\xFEt\0i\0m\0"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("a:1: is text in UTF-16"));
+  write_file(in("a"), "\xFE\xFF\0t\0i"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("UTF-16"));
+  write_file(in("a"), "\x1F\x8B\x08"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("compressed by gzip"));
+  write_file(in("a"), "PK\x03\x04 and so on"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("spreadsheet"));
+}
+
+TEST(InputErrors, ShortenWhatIsTooLongToRead) {
+  const std::string digits(100'000, '9');
+  const InputError error("position", digits, "must be a finite number");
+  EXPECT_EQ(std::string(error.what()),
+            "position = " + std::string(60, '9') + "... (100000 bytes): must be a finite number");
+  EXPECT_EQ(error.value(), digits);
+  const std::string exact(200, 'a');
+  EXPECT_THAT(InputError("k", exact, "r").what(), HasSubstr(exact));
+  std::string two_bytes = "a";
+  for (int i = 0; i < 200; ++i) two_bytes += "\u00b5";
+  EXPECT_THAT(InputError("k", two_bytes, "r").what(), HasSubstr("\u00b5... (401 bytes)"));
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/units.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+TEST(Units, ConvertWhatMeasuresTheSame) {
+  EXPECT_DOUBLE_EQ(conversion("mm", "m"), 1e-3);
+  EXPECT_DOUBLE_EQ(conversion("rev", "deg"), 360);
+  EXPECT_DOUBLE_EQ(conversion("pulse/ms", "pulse/s"), 1000);
+  EXPECT_DOUBLE_EQ(conversion("rpm", "rad/s"), 2 * std::numbers::pi / 60);
+  EXPECT_DOUBLE_EQ(conversion("kg cm^2", "kg m^2"), 1e-4);
+  EXPECT_DOUBLE_EQ(conversion("N m s/rad", "kg m^2/s/rad"), 1);
+  EXPECT_DOUBLE_EQ(conversion("inc", "count"), 1);
+}
+
+TEST(Units, KeepMetresRadiansAndPulsesApart) {
+  EXPECT_THROW(conversion("mm", "deg"), InputError);
+  EXPECT_THROW(conversion("deg", "pulse"), InputError);
+  EXPECT_THROW(conversion("pulse", "mm"), InputError);
+  EXPECT_THROW(conversion("s", "Hz"), InputError) << "an inverse is not a unit of the same thing";
+}
+
+TEST(Units, KnowWhatIsNoUnit) {
+  for (const char* text : {"", " ", "furlong", "1", "3.5", "m @ 3", "mm)", "[mm]"})
+    EXPECT_FALSE(is_unit(text)) << text;
+  for (const char* text : {"mm", "mm/deg^2", "1/s", "pulse/pulse", "N.m"})
+    EXPECT_TRUE(is_unit(text)) << text;
+}
+
+TEST(Quantity, ReadsANumberWithOrWithoutUnit) {
+  EXPECT_DOUBLE_EQ(quantity("12.5", "mm"), 12.5);
+  EXPECT_DOUBLE_EQ(quantity(" +12.5 cm ", "mm"), 125);
+  EXPECT_DOUBLE_EQ(quantity("-3e2deg", "deg"), -300);
+  EXPECT_DOUBLE_EQ(quantity("50 pulse/ms", "pulse/s"), 50000);
+}
+
+std::string complaint(const char* text, const char* unit) {
+  try {
+    (void)quantity(text, unit);
+  } catch (const InputError& error) {
+    return error.rule();
+  }
+  return "no error";
+}
+
+TEST(Quantity, SaysWhatIsWrongAndWhatFits) {
+  EXPECT_EQ(complaint("3 deg", "mm"), "the unit deg does not fit; the value must be in mm");
+  EXPECT_EQ(complaint("3 furlong", "mm"), "\"furlong\" is not a unit; the value must be in mm");
+  for (const char* text : {"", "mm", "nan", "inf", "-inf mm", "1e400"})
+    EXPECT_EQ(complaint(text, "mm"),
+              "must be a finite number, with or without a unit, such as \"12.5 mm\"")
+        << text;
+  EXPECT_EQ(complaint("1,5 mm", "mm"), "\",5 mm\" is not a unit; the value must be in mm");
+}
+
+TEST(RateUnit, ReadsAsPeopleWriteIt) {
+  EXPECT_EQ(rate_unit("mm", "deg", 0), "mm");
+  EXPECT_EQ(rate_unit("mm", "deg", 1), "mm/deg");
+  EXPECT_EQ(rate_unit("mm", "s", 3), "mm/s^3");
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/controllers/controller_errors.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/cam/coupling/coupling_cycle.hpp"
+#include "jounce/cam/design/design.hpp"
+#include "jounce/cam/switches/cam_switches.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+
+namespace jounce {
+namespace {
+
+Cam cam(Extrapolation outside) {
+  return Cam({line(10, 0, 20)}, 0, outside);
+}
+
+/// "InputError KEY" of whatever is thrown, as the table has it.
+std::string thrown(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const InputError& error) {
+    return "InputError " + error.key();
+  }
+  return "nothing";
+}
+
+std::string engaging(const Coupling& coupling, const Jet& master) {
+  return std::string("CouplingStatus ") + name(engage(coupling, {}, master, 0).status);
+}
+
+/// What provokes each error that this room can give, by controller and code.
+std::map<std::string, std::function<std::string()>> provocations() {
+  using When = Trigger::When;
+  const auto spec = [](const CouplingSpec& given) {
+    return [given] { return thrown([&] { Coupling(cam(Extrapolation::hold), given); }); };
+  };
+  const auto trigger = [](const Trigger& given, const char* prefix) {
+    return [=] { return thrown([&] { require_valid(given, cam(Extrapolation::hold), prefix); }); };
+  };
+  const auto switches = [](const CamSwitchSpec& given) {
+    return [given] { return thrown([&] { CamSwitches bits(given); }); };
+  };
+  return {
+      {"PMC600 600", switches({.switches = {}, .tracks = {{.track = 1}}})},
+      {"PMC600 601", switches({.switches = {{.track = 33, .last_on_position = 1}}, .tracks = {}})},
+      {"PMC600 629",
+       [] {
+         // 1000 turns in one step: 2000 edges.
+         CamSwitches bits({.switches = {{.first_on_position = 30, .last_on_position = 80}},
+                           .tracks = {},
+                           .period = 360});
+         bits.step(0, 360e6, 1e-3);
+         return std::string(bits.step(360e3, 360e6, 1e-3).lost > 0 ? "SwitchStep lost" : "none");
+       }},
+      {"PMC600 626",
+       [] {
+         return engaging(Coupling(cam(Extrapolation::refuse)), {11, 0, 0, 0});
+       }},
+      {"PMC600 627", spec({.start = StartMode::ramp_in})},
+      {"PMC600 628", spec({.master_scaling = 0})},
+      {"PMC600 678",
+       [] {
+         return engaging(Coupling(cam(Extrapolation::hold)), {NAN, 0, 0, 0});
+       }},
+      {"PMC600 751",
+       [] {
+         return thrown([] { Followed(cam(Extrapolation::refuse), Trajectory({line(1, 0, 11)})); });
+       }},
+      {"PMC600 752", [] { return thrown([] { design(CamSpec{}); }); }},
+      {"PMC600 753",
+       [] {
+         CamSpec backwards;
+         backwards.segments = {{Law::quintic, {-1, 0, {}, {}}, ""}};
+         return thrown([&] { design(backwards); });
+       }},
+      {"PMC600 754",
+       [] { return thrown([] { require_valid(Limits{.position_min = 1, .position_max = 0}); }); }},
+      {"HMPL 0x1388", trigger({When::master_position, 5, 6}, "engage")},
+      {"HMPL 0x1389", trigger({When::master_position, 11, 0}, "engage")},
+      {"HMPL 0x138a", spec({.master_scaling = -1})},
+      {"HMPL 0x138b", spec({.slave_scaling = 0})},
+      {"HMPL 0x138d", trigger({When::master_position, 5, -1}, "disengage")},
+      {"HMPL 0x138e", trigger({When::master_position, -1, 0}, "disengage")},
+      {"HMPL 0x1392",
+       [] {
+         const Due missed = due({When::master_position, 5, 0.1}, cam(Extrapolation::hold), {},
+                                {0, {4, 2, 0, 0}}, {1, {6, 2, 0, 0}});
+         return std::string("CouplingStatus ") + name(missed.status);
+       }},
+  };
+}
+
+std::string key(const ControllerError& error) {
+  return std::string(error.controller) + " " + code_text(error);
+}
+
+TEST(ControllerErrors, EachThatTheLibraryCanGiveIsProvoked) {
+  const auto provoke = provocations();
+  // Of a spec or an executor: tests/io and tests/executor.
+  const std::set<std::string> elsewhere{"HMPL 0x1390", "HMPL 0x1391"};
+  for (const ControllerError& error : controller_errors()) {
+    const std::string here = error.here;
+    const bool of_library = here.starts_with("InputError") || here.starts_with("CouplingStatus") ||
+                            here.starts_with("SwitchStep");
+    if (!of_library || elsewhere.contains(key(error))) {
+      EXPECT_FALSE(provoke.contains(key(error))) << key(error);
+      continue;
+    }
+    ASSERT_TRUE(provoke.contains(key(error))) << key(error);
+    EXPECT_EQ(provoke.at(key(error))(), here) << key(error);
+  }
+}
+
+TEST(ControllerErrors, ListsEveryCodeOfTheManuals) {
+  std::set<std::string> codes;
+  for (const ControllerError& error : controller_errors()) codes.insert(key(error));
+  EXPECT_EQ(codes.size(), controller_errors().size()) << "none twice";
+  for (const unsigned code :
+       {600U, 601U, 602U, 625U, 626U, 627U, 628U, 629U, 678U, 750U, 751U, 752U, 753U, 754U})
+    EXPECT_TRUE(codes.contains(key({"PMC600", code, "", "", ""}))) << code;
+  for (unsigned code = 0x1388; code <= 0x1397; ++code)
+    EXPECT_TRUE(codes.contains(key({"HMPL", code, "", "", ""}))) << code;
+}
+
+TEST(ControllerErrors, ArePrintedInTheDocs) {
+  std::ifstream file(JOUNCE_SOURCE_DIR "/docs/cam/errors.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const ControllerError& error : controller_errors())
+    EXPECT_NE(page.find(row(error) + "\n"), std::string::npos) << row(error);
+}
+
+TEST(CouplingStatus, HasAWordAndASentenceForEach) {
+  std::set<std::string> names, sentences;
+  for (int i = 0; i <= static_cast<int>(CouplingStatus::window_missed); ++i) {
+    names.insert(name(static_cast<CouplingStatus>(i)));
+    sentences.insert(explain(static_cast<CouplingStatus>(i)));
+  }
+  EXPECT_EQ(names.size(), 7U);
+  EXPECT_EQ(sentences.size(), 7U);
+}
+
+}  // namespace
+}  // namespace jounce

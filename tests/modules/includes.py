@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the includes against the modules that CMakeLists.txt declares.
+
+    includes.py ROOT
+
+A module includes the modules that its jounce_declare() names, each at least once, and no other. CMake accepts only modules
+that are declared before it, so there is no circle. Another module's `src` folder is private, except for tests and benchmarks. No public
+header includes a header from a `detail` folder."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+declared = {words[0]: words[1:] for words in map(str.split, re.findall(
+    r"^jounce_declare\(([\w ]+)\)", (root / "CMakeLists.txt").read_text(), re.MULTILINE))}
+trouble = []
+
+
+def sources(folder):
+    return sorted(p for p in (root / folder).rglob("*") if p.suffix in (".hpp", ".cpp", ".in"))
+
+
+def includes(path):
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        if found := re.match(r'#include ["<]((?:jounce/(\w+)|(\w+)/src)/[^">]+)', line):
+            yield f"{path.relative_to(root)}:{number}", found[1], found[2] or found[3], bool(found[3])
+
+
+for module, uses in declared.items():
+    used = set()
+    for path in sources(module):
+        public = "include" in path.parts and "detail" not in path.parts
+        for where, name, other, private in includes(path):
+            used.add(other)
+            if other != module and other not in uses:
+                trouble.append(f"{where}: {name}: {module} does not use {other}")
+            if private and (other != module or public):
+                trouble.append(f"{where}: {name} is private to {other}")
+            if public and "/detail/" in name:
+                trouble.append(f"{where}: a public header includes {name}")
+    trouble += [f"CMakeLists.txt: {module} uses {m} and includes nothing of it" for m in uses if m not in used]
+for path in sources("examples"):
+    trouble += [f"{where}: {name} is private to {other}" for where, name, other, private in includes(path) if private]
+print("\n".join(trouble) or f"{len(declared)} modules include what they declare")
+sys.exit(bool(trouble))

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/design/make.hpp"
+#include "jounce/design/sync_check.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "report/src/sync_text.hpp"
+
+namespace jounce {
+namespace {
+
+std::string spec(const std::string& gear) {
+  return "jounce = 1\nkind = \"gear\"\nunits = { position = \"mm\", master = \"deg\" }\n" + gear;
+}
+
+TEST(GearSpec, MakesALineThatGoesOnFromWhereItEnds) {
+  const Made made =
+      make(parse_spec(spec("[gear]\nnumerator = -4\ndenominator = 3\nmaster_period = 360\n"), "g"));
+  const Cam& cam = std::get<Cam>(*made.curve);
+  EXPECT_EQ(cam.outside(), Extrapolation::advance);
+  EXPECT_EQ(cam.jet(90)[0], -120);
+  EXPECT_EQ(cam.jet(360e9 + 90)[0], -480e9 - 120);
+  EXPECT_EQ(made.segments, std::vector<std::string>{"1 gear"});
+  ASSERT_EQ(made.zones.size(), 1U);
+}
+
+TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
+  const Made made = make(parse_spec(
+      spec("[gear]\nengage = \"distance\"\nnumerator = 1\ndenominator = 2\ndistance = 100\n"
+           "engage_at = 10\nmaster_end = 1000\nslave_start = 7\n"
+           "[[gear.change]]\nat = 500\nnumerator = 2\ndistance = 40\nlaw = \"345\"\n"
+           "[[gear.shift]]\nat = 700\nshift = -3\ndistance = 100\n"),
+      "g"));
+  const Cam& cam = std::get<Cam>(*made.curve);
+  EXPECT_EQ(cam.jet(10)[0], 7);
+  EXPECT_NEAR(cam.jet(110)[0], 7 + 25, 1e-12);
+  EXPECT_NEAR(cam.jet(540)[0], 7 + 25 + 195 + 50, 1e-12);
+  EXPECT_NEAR(cam.jet(1000)[0], 277 + 2 * 460 - 3, 1e-11);
+  EXPECT_EQ(made.segments, (std::vector<std::string>{"1 hold", "2 clutch", "3 gear", "4 clutch",
+                                                     "5 gear", "6 phase", "7 gear"}));
+  EXPECT_EQ(made.zones.size(), 3U);
+}
+
+TEST(GearSpec, EngagesAtPositions) {
+  const std::string text =
+      "[gear]\nengage = \"position\"\nnumerator = 1\ndenominator = 2\n"
+      "master_sync_position = 5000\nslave_sync_position = 2000\nmaster_end = 10000\n";
+  const Made made = make(parse_spec(spec(text + "master_start_distance = 4000\n"), "g"));
+  const Cam& cam = std::get<Cam>(*made.curve);
+  EXPECT_EQ(cam.jet(1000)[0], 0);
+  EXPECT_NEAR(cam.jet(5000)[0], 2000, 1e-12);
+  EXPECT_NEAR(cam.jet(10000)[0], 4500, 1e-12);
+  ASSERT_EQ(made.zones.size(), 1U);
+  EXPECT_EQ(made.zones[0].from, 5000);
+}
+
+TEST(GearSpec, AnEngagementThatMustTurnBackIsTold) {
+  const auto checked = [](const std::string& gear) {
+    return check_sync(parse_spec(
+        spec("[gear]\nengage = \"position\"\ndenominator = 2\nmaster_sync_position = 5000\n"
+             "master_start_distance = 4000\nmaster_end = 10000\n" +
+             gear),
+        "g"));
+  };
+  EXPECT_TRUE(checked("numerator = 1\nslave_sync_position = 1000\n").findings.empty());
+  const Report still = checked("numerator = 1\nslave_sync_position = 0\n");  // h = 0
+  ASSERT_EQ(still.findings.size(), 1U);
+  const Finding& f = still.findings[0];
+  EXPECT_EQ(f.rule, "gear/reversal");
+  EXPECT_EQ(f.severity, Severity::warning);
+  EXPECT_FALSE(f.broken);
+  EXPECT_NEAR(f.where, 2600, 1e-6);  // z = 0.4 of k D (-4 z^3 + 7 z^4 - 3 z^5)
+  EXPECT_NEAR(f.value, -0.256, 1e-12);
+  EXPECT_THAT(f.advice, testing::HasSubstr("it must reverse to gain speed, here to -395.062 mm"));
+  EXPECT_THAT(f.advice, testing::HasSubstr("with slave_start between -1200 and -800 the slave"));
+  EXPECT_TRUE(
+      checked("numerator = 1\nslave_sync_position = 0\nslave_start = -1000\n").findings.empty());
+  const Report against = checked("numerator = -1\nslave_sync_position = 2000\n");  // rho = -1
+  ASSERT_EQ(against.findings.size(), 1U);
+  EXPECT_GT(against.findings[0].value, 0.5);
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("moves against the gear"));
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("to 2218.73 mm"));
+  EXPECT_THAT(against.findings[0].advice, testing::HasSubstr("between 2800 and 3200"));
+}
+
+TEST(GearSpec, AClutchOfNoDistanceIsFoundWhereTheCamBegins) {
+  const auto checked = [](const std::string& gear) {
+    return check_sync(
+        parse_spec(spec("[gear]\nengage = \"distance\"\nnumerator = 4\ndenominator = 3\n"
+                        "master_end = 1440\n" +
+                        gear),
+                   "g"));
+  };
+  const Report steps = checked("distance = 0\n");
+  ASSERT_EQ(steps.findings.size(), 1U);
+  EXPECT_EQ(steps.findings[0].rule, "gear/ratio_step");
+  EXPECT_TRUE(steps.findings[0].broken);
+  EXPECT_EQ(steps.findings[0].where, 0);
+  EXPECT_EQ(steps.findings[0].value, 4.0 / 3);
+  EXPECT_EQ(sync_sentence(steps.findings[0], "0 deg"),
+            "the ratio steps from 0 to 1.33333 mm/deg at 0 deg, where the slave engages");
+  EXPECT_TRUE(checked("distance = 10\n").findings.empty());
+  EXPECT_TRUE(checked("distance = 0\nengage_at = 5\n").findings.empty()) << "continuity tells it";
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    make(parse_spec(spec(text), "g.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
+  const std::string position =
+      "[gear]\nengage = \"position\"\nnumerator = 1\nmaster_sync_position = 500\n"
+      "slave_sync_position = 100\nmaster_start_distance = 400\navoid_reversal = true\n";
+  EXPECT_THAT(
+      refusal(position + "master_end = 900\n"),
+      testing::AllOf(testing::StartsWith("g.toml:10:18: gear.avoid_reversal"),
+                     testing::HasSubstr("777"), testing::HasSubstr("to 250 instead of 400")));
+  EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 30\n"), testing::StrEq(""));
+  EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 1\n"),
+              testing::HasSubstr("776"));
+  const std::string distance = "[gear]\nengage = \"distance\"\nnumerator = 1\nmaster_end = 100\n";
+  EXPECT_THAT(refusal(distance + "distance = -1\n"),
+              testing::StartsWith("g.toml:8:12: gear.distance = -1: must not be negative"));
+  EXPECT_THAT(refusal(distance + "distance = 10\n[[gear.change]]\nat = 5\nnumerator = 2\n"
+                                 "distance = 1\n"),
+              testing::StartsWith("g.toml:10:6: gear.change[1].at = 5: must not lie before 10"));
+  EXPECT_THAT(refusal(distance + "distance = 10\nmaster_period = 3\n"),
+              testing::HasSubstr("master_period"));
+}
+
+TEST(AxesSpec, WithoutLimitsOfItsOwnAnAxisFollowsOnTheLine) {
+  const std::string head =
+      "jounce = 1\nkind = \"axes\"\nsync = \"phase\"\nunits = { position = \"pulse\" }\n"
+      "[[axis]]\nname = \"m\"\nfrom = 0\nto = 4000\nvelocity = 2000\nacceleration = 4000\n";
+  const auto both = make_axes(parse_spec(head + "[[axis]]\nname = \"s\"\nfrom = 10\nto = "
+                                                "-1990\n[[axis]]\nname = \"z\"\nfrom = 5\nto = 5\n",
+                                         "a"));
+  const auto& master = std::get<Trajectory>(*both[0].curve);
+  const auto& slave = std::get<Trajectory>(*both[1].curve);
+  EXPECT_NEAR(slave.end(), 2.5, 1e-12);  // PMC600 manual 6.3, example 6.7
+  EXPECT_EQ(slave.end(), master.end());
+  EXPECT_NEAR(extrema(slave, 1).min.value, -1000, 1e-9);
+  for (int i = 0; i <= 100; ++i)
+    EXPECT_NEAR(slave.at(i * 0.025).position, 10 - master.at(i * 0.025).position / 2, 1e-9);
+  EXPECT_EQ(std::get<Trajectory>(*both[2].curve).at(1).position, 5);
+}
+
+TEST(GearSpec, RefusesADenominatorOfNought) {
+  try {
+    parse_spec(spec("[gear]\nnumerator = 1\ndenominator = 0\nmaster_period = 360\n"), "g.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "g.toml:6:15: gear.denominator = 0: must be at least 1");
+  }
+}
+
+}  // namespace
+}  // namespace jounce

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "jounce/profiles/curve/jet.hpp"
+#include "jounce/validate/drive.hpp"
+
+#include "validate/src/drive/bodies.hpp"
+#include "validate/src/witness/piece.hpp"
+
+namespace jounce::detail {
+
+/// What switches. Modes change between steps only, so that what a solver integrates is smooth.
+struct DriveMode {
+  int torque = 0;              ///< 1 or -1 while the torque stands at that limit, else 0
+  int feed = 0;                ///< sign of the reference's velocity: friction feed-forward
+  std::vector<int> slip = {};  ///< slip of a body that rubs: the sign of its motion; 0: it sticks
+  std::vector<int> contact =
+      {};  ///< contact of a joint with a gap: the flank that touches; 0: neither
+
+  bool operator==(const DriveMode&) const = default;
+};
+
+/// The equations of the axis at the head of drive_model.cpp, in deviations from the reference.
+/// No function allocates.
+///
+/// States: angle and speed of each body in rad and rad/s relative to the reference (2 i and
+/// 2 i + 1), the integral part in N m; where they are modelled, the delayed command (two) and the
+/// torque behind the lag of the current loop; the integrals of T^2 and of the motor's power.
+class DriveModel {
+ public:
+  explicit DriveModel(const Drive& drive);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t load() const { return load_; }  ///< index of its angle
+  [[nodiscard]] std::size_t integral() const { return 2 * train_.size(); }
+  [[nodiscard]] std::size_t torque_squared() const { return size_ - 2; }
+  [[nodiscard]] std::size_t work() const { return size_ - 1; }
+  [[nodiscard]] bool sampled() const { return drive_.controller.cycle > 0; }
+  [[nodiscard]] const Drive& drive() const { return drive_; }
+  [[nodiscard]] const std::vector<Body>& train() const { return train_; }
+  [[nodiscard]] double radians_per_unit() const { return radians_; }
+  [[nodiscard]] double inertia() const { return inertia_; }
+  [[nodiscard]] double friction() const { return viscous_; }
+  [[nodiscard]] double dry_friction() const { return coulomb_; }
+
+  [[nodiscard]] const DriveMode& mode() const { return mode_; }
+  [[nodiscard]] DriveMode& mode() { return mode_; }
+
+  /// r is the reference in user units; y has `size()` entries, and so has dy.
+  [[nodiscard]] double commanded(const Jet& r, const double* y) const;  ///< T_d of (3)
+  [[nodiscard]] double torque(const Jet& r, const double* y) const;     ///< T of (6), the motor's
+  [[nodiscard]] double motor_speed(const Jet& r, const double* y) const;
+  /// The limit on the side of the sign, as a signed torque, at that speed of the motor: (4).
+  [[nodiscard]] double limit(int sign, double motor_speed) const;
+  /// True if it is less there than the motor's peak.
+  [[nodiscard]] bool weakened(int sign, double motor_speed) const;
+  void rhs(const Jet& r, const double* y, double* dy) const;
+  /// dfdy[column * size + row], zeros filled in before.
+  void jacobian(const Jet& r, const double* y, double* dfdy) const;
+
+  /// Rest in equilibrium at the reference's position, and the modes that belong to it.
+  void rest(const Jet& r, double* y);
+  /// The axis moves on as it is where the reference steps, so the deviations step.
+  void shift(const Jet& before, const Jet& after, double* y) const;
+
+  /// Torque of the joint before body i, i >= 1: (7).
+  [[nodiscard]] double joint(std::size_t i, const double* y) const;
+  /// How far the flank of that sign is pressed, in N m; it touches where this is positive: (8).
+  [[nodiscard]] double pressed(std::size_t i, int flank, const double* y) const;
+  /// All torque on body i but dry friction and the loss of its gear.
+  [[nodiscard]] double net(std::size_t i, const Jet& r, const double* y) const;
+  /// The greatest torque that dry friction and the loss of the gear hold at rest against motion of
+  /// that sign, >= 0: (11).
+  [[nodiscard]] double holding(std::size_t i, int sign, const double* y) const;
+
+  /// What a sampled controller gives out, until it is called again.
+  void hold(double torque) { held_ = torque; }
+  /// e and T_c of (1) and (2) for a motor read at `angle`, relative to the reference, and `speed`.
+  [[nodiscard]] double velocity_error(const Jet& r, double angle, double speed) const;
+  [[nodiscard]] double asked(const Jet& r, double velocity_error, double integral) const;
+
+ private:
+  [[nodiscard]] double asked(const Jet& r, const double* y) const;
+  [[nodiscard]] double limited(const Jet& r, const double* y) const;
+  [[nodiscard]] double loads(std::size_t i, double angle) const;
+  [[nodiscard]] double rubbing(std::size_t i, double speed, const double* y) const;
+  void rest_train(double reference, double* y) const;
+  void controller_rhs(const Jet& r, const double* y, double* dy) const;
+  [[nodiscard]] double passed(std::size_t i, const double* y) const;
+
+  void controller_jacobian(const Jet& r, const double* y, double* dfdy) const;
+  void body_jacobian(std::size_t i, const Jet& r, const double* y, double* dfdy) const;
+  void torque_row(std::size_t row, double share, const Jet& r, const double* y, double* dfdy) const;
+  void limited_row(std::size_t row, double share, const Jet& r, const double* y,
+                   double* dfdy) const;
+  void commanded_row(std::size_t row, double share, double* dfdy) const;
+  void asked_row(std::size_t row, double share, double* dfdy) const;
+
+  Drive drive_;
+  std::vector<Body> train_;
+  double radians_;
+  double inertia_, viscous_, coulomb_;
+  bool delayed_, lagging_;
+  std::size_t load_;
+  std::size_t delay_, lag_, size_;  // indices of states
+  DriveMode mode_;
+  double held_ = 0;
+};
+
+/// The sizes of what a run is about, rad, rad/s and N m: what tolerances are shares of. All > 0.
+struct DriveScales {
+  double angle, speed, torque;
+
+  DriveScales(const DriveModel& model, const Scales& reference);
+};
+
+}  // namespace jounce::detail

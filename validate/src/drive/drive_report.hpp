@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/validate/drive.hpp"
+
+namespace jounce::detail {
+
+/// What a run is worth against the limits given; `end`: of the reference.
+Report drive_report(const DriveResult& result, const Drive& drive, const DriveOptions& options,
+                    double end);
+
+/// Throws InputError for a sync interval that is not within the motion.
+void require_within(const DriveOptions& options, double start, double end);
+
+}  // namespace jounce::detail

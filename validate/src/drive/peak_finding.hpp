@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/validate/drive.hpp"
+
+namespace jounce::detail {
+
+/// A peak against what its magnitude may be, > 0; the advice is for one that is beyond.
+inline Finding peak_finding(const char* rule, const char* quantity, const Peak& peak, double limit,
+                            const char* advice) {
+  Finding finding;
+  finding.rule = rule;
+  finding.quantity = quantity;
+  finding.where = peak.where;
+  finding.value = peak.value;
+  finding.limit = std::copysign(limit, peak.value);
+  finding.margin = (limit - std::abs(peak.value)) / limit;
+  finding.broken = !(std::abs(peak.value) <= limit);
+  if (finding.broken) finding.advice = advice;
+  return finding;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace jounce::detail {
+
+/// Counts the zeros of a speed that decays, as long as the swings between them stand out.
+class Swings {
+ public:
+  /// A speed on the way, in the order of time.
+  void see(double speed) { speed_ = std::max(speed_, std::abs(speed)); }
+  /// It goes through zero.
+  void zero(double time) {
+    zeros_.push_back({time, speed_});
+    if (zeros_.size() > 1) fastest_ = std::max(fastest_, speed_);
+    speed_ = 0;
+  }
+
+  /// The greatest speed between two zeros so far.
+  [[nodiscard]] double fastest() const { return fastest_; }
+
+  /// Zeros in pairs over the time from the first to the last, up to the first swing slower than `noise` or
+  /// than 1 % of the fastest; 0 where there are not two. The swing before the first zero began before
+  /// the watch: only what lies between zeros counts.
+  [[nodiscard]] double frequency(double noise) const {
+    const double least = std::max(noise, 0.01 * fastest_);
+    std::size_t swings = 0;
+    while (swings + 1 < zeros_.size() && zeros_[swings + 1].speed >= least) ++swings;
+    if (swings < 2) return 0;
+    return static_cast<double>(swings) / (2 * (zeros_[swings].time - zeros_[0].time));
+  }
+
+ private:
+  struct Zero {
+    double time;
+    double speed;  ///< the greatest since the one before
+  };
+  std::vector<Zero> zeros_;
+  double speed_ = 0;
+  double fastest_ = 0;
+};
+
+}  // namespace jounce::detail

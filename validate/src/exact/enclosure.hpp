@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "jounce/profiles/curve/segment.hpp"
+
+#include "validate/src/linear/ladder.hpp"
+
+namespace jounce::detail {
+
+/// Between which magnitudes an output stays.
+struct Bounds {
+  double least = 0;  ///< 0 where it may go through zero
+  double most = 0;
+};
+
+/// For an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
+inline Bounds bounds_of(double begin, double end, double length, double bend) {
+  const double slack = length * length / 8 * bend;
+  const double near = std::min(std::abs(begin), std::abs(end));
+  return {(begin < 0) != (end < 0) ? 0 : std::max(0.0, near - slack),
+          std::max(std::abs(begin), std::abs(end)) + slack};
+}
+
+/// A stretch of the way of a linear system: its state at the beginning, its outputs at both ends, and a
+/// bound of each output's second derivative in between.
+struct Stretch {
+  double time = 0;  ///< time of its beginning
+  double length = 0;
+  Eigen::VectorXd z;
+  Eigen::VectorXd begin;  ///< outputs
+  Eigen::VectorXd end;
+  Eigen::VectorXd bend;
+
+  [[nodiscard]] Bounds bounds(Eigen::Index row) const {
+    return bounds_of(begin(row), end(row), length, bend(row));
+  }
+};
+
+/// Where the outputs of a ladder's system go between two instants, certified: no more than a bound says,
+/// and over a short time a polynomial that is exact to rounding. Derivation: enclosure.cpp.
+class Enclosure {
+ public:
+  /// Of stretches of `longest()` at most. The ladder must outlive it.
+  explicit Enclosure(Ladder& ladder);
+
+  [[nodiscard]] double longest() const { return longest_; }
+  /// The rung that goes as far.
+  [[nodiscard]] std::size_t level() const { return level_; }
+
+  /// Second derivatives' bounds over `longest()` from z on, one an output.
+  void bend(const Eigen::VectorXd& z, double* found);
+
+  /// Divides a stretch until `open(stretch)` is false for a part, which `done(part)` is told, or the part is
+  /// short enough to be a polynomial: `leaf(part)`. In the order of time.
+  template <class Open, class Done, class Leaf>
+  void search(const Stretch& s, const Open& open, const Done& done, const Leaf& leaf) {
+    if (!open(s)) return done(s);
+    if (s.length <= ladder_->shortest() * (1 + 1e-12)) return leaf(s);
+    const auto [first, second] = halves(s);
+    search(first, open, done, leaf);
+    search(second, open, done, leaf);
+  }
+
+  /// An output over a stretch that search() calls short enough, exact within 1e-12 of its terms.
+  [[nodiscard]] Segment polynomial(const Stretch& s, Eigen::Index row) {
+    return ladder_->polynomial(s.z, row, s.length);
+  }
+
+ private:
+  struct Halves {
+    Stretch first;
+    Stretch second;
+  };
+  [[nodiscard]] Halves halves(const Stretch& s);
+
+  Ladder* ladder_;
+  std::size_t level_;
+  double longest_;
+  Eigen::MatrixXd twice_;   // M^2
+  Eigen::MatrixXd reach_;   // G of (3)
+  Eigen::VectorXd second_;  // M^2 z
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Weighted least squares over everything recorded. With x_j = log p_j, q_k(t_i; x) the model's
+// quantity k at sample i and d_ki what was recorded,
+//
+//     (1)  r_ki = (q_k(t_i; x) - d_ki) / sigma_k,        J = dr/dx from forward sensitivities
+//     (2)  minimise |r|^2                                Levenberg and Marquardt
+//     (3)  sigma_k^2 = sum_i (q_k - d_k)^2 / (m_k - n m_k / m)
+//
+// (2) and (3) in turn until no sigma_k changes by 1 %: together they are the greatest likelihood for
+// Gaussian noise of unknown size on each quantity. Then (J^T J)^-1 is the covariance of x, and
+//
+//     (4)  log p_j in x_j +- t_95(m - n) sqrt((J^T J)^-1_jj)
+//
+// G. A. F. Seber, C. J. Wild, Nonlinear Regression, Wiley 1989, ch. 2 and 5.
+
+#include "validate/src/identify/identify_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+#include "validate/src/drive/drive_response.hpp"
+#include "validate/src/identify/identify_rules.hpp"
+
+namespace jounce::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int weightings = 8;     // (2), (3) at most as often
+constexpr double settled = 0.01;  // of a sigma
+constexpr double flat = 1e-3;     // of |r|^2: a step of some hundredths of a standard deviation
+
+/// A sampled controller does not depend smoothly on anything: a count more or less steps. Fitted is
+/// with a continuous one that is as late: hold and difference quotient cost half a cycle each.
+Drive continuous(Drive drive) {
+  Controller& c = drive.controller;
+  c.delay += c.cycle;
+  c.cycle = c.encoder_counts = 0;
+  return drive;
+}
+
+/// Logarithms, but straight in the numbers themselves, p (1 + step): what only a sum of two numbers
+/// decides (friction of motor and load) is a straight valley then.
+VectorXd advanced(const VectorXd& x, const VectorXd& step) {
+  return x.array() + step.array().log1p();
+}
+
+class Fit {
+ public:
+  Fit(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
+      const IdentifyProgress& keep_going)
+      : recording_(recording), reference_(reference), spec_(spec), keep_going_(keep_going) {
+    base_ = continuous(spec.drive);
+    Drive copy = spec.drive;
+    for (const std::string& key : spec.fit) first_.push_back(*numbered(copy, key).value);
+    for (std::size_t k = 0; k < outputs; ++k)
+      if (!recorded(recording, k).empty()) fit_.used.push_back(k);
+    commanded_.reserve(recording.time.size());
+    for (const double t : recording.time) commanded_.push_back(command(t));
+  }
+
+  Fitted run() {
+    search();
+    if (fit_.found.status != LeastSquares::Status::not_computable)
+      fit_.values = values(fit_.found.x);
+    return std::move(fit_);
+  }
+
+ private:
+  [[nodiscard]] double command(double t) const {
+    return reference_.jet(std::clamp(t, reference_.start(), reference_.end()),
+                          t >= reference_.end() ? Side::left : Side::right)[0];
+  }
+
+  [[nodiscard]] std::vector<double> values(const VectorXd& x) const {
+    std::vector<double> all = first_;
+    for (std::size_t j = 0; j < all.size(); ++j) all[j] *= std::exp(x[static_cast<Index>(j)]);
+    return all;
+  }
+
+  /// What was answered less what was recorded.
+  [[nodiscard]] Linearised compared(const DriveResponse& r) const {
+    const auto m = static_cast<Index>(recording_.time.size());
+    const auto n = static_cast<Index>(first_.size());
+    Linearised all{VectorXd(m * blocks()), Eigen::MatrixXd(m * blocks(), n)};
+    for (Index b = 0; b < blocks(); ++b) {
+      const std::size_t k = fit_.used[static_cast<std::size_t>(b)];
+      const bool deviation = k == position || k == load;
+      for (Index i = 0; i < m; ++i) {
+        const auto s = static_cast<std::size_t>(i);
+        const double measured = recorded(recording_, k)[s] - (deviation ? commanded_[s] : 0);
+        all.residual[b * m + i] = r.value[k][s] - measured;
+      }
+      all.jacobian.middleRows(b * m, m) = Eigen::Map<const Eigen::MatrixXd>(r.by[k].data(), m, n);
+    }
+    return all;
+  }
+
+  /// (1) without the weights.
+  std::optional<Linearised> deviations(const VectorXd& x) {
+    const std::vector<double> now = values(x);
+    try {  // two numbers may not fit together, each right in itself
+      jounce::require_valid(with_numbers(base_, spec_.fit, now));
+    } catch (const InputError& error) {
+      fit_.failure = error.what();
+      return std::nullopt;
+    }
+    const DriveResponse r =
+        respond(reference_, {&base_, spec_.fit, now, recording_.time, spec_.tolerance});
+    if (!r.integration.ok()) {
+      fit_.failure = r.integration.reason;
+      return std::nullopt;
+    }
+    Linearised all = compared(r);
+    // A model that runs away, every number of it finite, would weigh as noise beyond all bounds.
+    if (!std::isfinite(all.residual.squaredNorm() + all.jacobian.squaredNorm())) {
+      fit_.failure = "its response overflows";
+      return std::nullopt;
+    }
+    return all;
+  }
+
+  [[nodiscard]] Index blocks() const { return static_cast<Index>(fit_.used.size()); }
+
+  /// (3), but not below what the integrator leaves.
+  [[nodiscard]] VectorXd noise(const VectorXd& r) const {
+    VectorXd sigma(blocks());
+    const double free =
+        std::max(1 - static_cast<double>(first_.size()) / static_cast<double>(r.size()), 0.1);
+    for (Index b = 0; b < blocks(); ++b) {
+      const std::vector<double>& d = recorded(recording_, fit_.used[static_cast<std::size_t>(b)]);
+      const auto [low, high] = std::minmax_element(d.begin(), d.end());
+      const double least = 30 * spec_.tolerance * (*high - *low);
+      sigma[b] = std::max({rms(fit_.block(r, b)) / std::sqrt(free), least, 1e-300});
+    }
+    return sigma;
+  }
+
+  void weigh(Linearised& at, const VectorXd& sigma) const {
+    for (Index b = 0; b < blocks(); ++b) {
+      at.residual.segment(b * fit_.samples(), fit_.samples()) /= sigma[b];
+      at.jacobian.middleRows(b * fit_.samples(), fit_.samples()) /= sigma[b];
+    }
+  }
+
+  /// Weighted for the solver, which stops where the caller said so.
+  std::optional<Linearised> weighted(const VectorXd& x) {
+    if (fit_.cancelled) return std::nullopt;
+    auto r = deviations(x);
+    if (!r) return r;
+    const double share = r->residual.norm() / std::max(fit_.before.norm(), 1e-300);
+    if (keep_going_ && !keep_going_(++runs_, share)) fit_.cancelled = true;
+    weigh(*r, fit_.sigma);
+    return r;
+  }
+
+  void search() {
+    fit_.found.status = LeastSquares::Status::not_computable;
+    VectorXd x = VectorXd::Zero(static_cast<Index>(first_.size()));
+    const auto first = deviations(x);
+    if (!first) return;
+    fit_.before = first->residual;
+    fit_.sigma = noise(fit_.before);
+    double damping = 1e-3;
+    for (int weighting = 0; weighting < weightings; ++weighting) {
+      const int left = spec_.max_iterations - fit_.iterations;
+      if (left <= 0) return;
+      fit_.found = least_squares([this](const VectorXd& at) { return weighted(at); }, x,
+                                 {.max_iterations = left,
+                                  .damping = damping,
+                                  .longest_step = 0.7,
+                                  .advance = advanced,
+                                  .flat = flat});
+      fit_.iterations += fit_.found.iterations;
+      damping = fit_.found.damping;
+      x = fit_.found.x;
+      if (weigh_anew() || fit_.cancelled) return;
+    }
+  }
+
+  /// Brings what was found to the newest weights, for the covariance; whether they are the old ones.
+  bool weigh_anew() {
+    VectorXd unweighted = fit_.found.at.residual;
+    for (Index b = 0; b < blocks(); ++b)
+      unweighted.segment(b * fit_.samples(), fit_.samples()) *= fit_.sigma[b];
+    const VectorXd sigma = noise(unweighted);
+    const bool same = ((sigma - fit_.sigma).array().abs() <= settled * sigma.array()).all();
+    weigh(fit_.found.at, (sigma.array() / fit_.sigma.array()).matrix());
+    fit_.sigma = sigma;
+    return same;
+  }
+
+  const Recording& recording_;
+  const SignalView& reference_;
+  const IdentifySpec& spec_;
+  Drive base_;
+  const IdentifyProgress& keep_going_;
+  std::vector<double> first_;
+  std::vector<double> commanded_;
+  Fitted fit_;
+  int runs_ = 0;
+};
+
+}  // namespace
+
+double rms(const VectorXd& r) {
+  return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
+}
+
+Fitted fitted(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
+              const IdentifyProgress& keep_going) {
+  return Fit(recording, reference, spec, keep_going).run();
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fit tells: intervals, what cannot be told apart, what the residuals show. (4) is that of
+// identify_fit.cpp.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "validate/src/drive/drive_response.hpp"
+#include "validate/src/identify/identify_fit.hpp"
+#include "validate/src/identify/identify_rules.hpp"
+#include "validate/src/identify/residual_tests.hpp"
+
+namespace jounce::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Status = Identification::Status;
+
+constexpr double known = 1.0;      // a 95 % interval wider than a factor e either way: not known
+constexpr double together = 0.95;  // correlation from which two numbers are named
+
+double autocorrelation(const VectorXd& r) {
+  const Index n = r.size() - 1;
+  const double all = r.squaredNorm();
+  return all > 0 ? r.head(n).dot(r.tail(n)) / all : 0;
+}
+
+double inertia(const Drive& drive) {
+  double all = drive.motor.inertia;
+  for (const Mass& mass : drive.train) all += mass.inertia;
+  return all;
+}
+
+/// (4), and which numbers it leaves unknown.
+std::string add_numbers(const IdentifySpec& spec, const Fitted& fit, const Covariance& c,
+                        Identification& answer) {
+  const double t = student_95(static_cast<double>(fit.found.at.residual.size()) -
+                              static_cast<double>(fit.values.size()));
+  Drive first = spec.drive;
+  std::string unknown;
+  for (std::size_t j = 0; j < fit.values.size(); ++j) {
+    const DriveNumber number = numbered(first, spec.fit[j]);
+    const double half = t * c.deviation[static_cast<Index>(j)];  // (4)
+    const double a = fit.values[j] * std::exp(-half), b = fit.values[j] * std::exp(half);
+    answer.numbers.push_back(
+        {number.key, number.unit, *number.value, fit.values[j], std::min(a, b), std::max(a, b)});
+    if (!(half <= known)) unknown += (unknown.empty() ? "" : ", ") + number.key;
+  }
+  return unknown;
+}
+
+void entangle(const Covariance& c, Identification& answer) {
+  for (Index i = 0; i < c.correlation.rows(); ++i)
+    for (Index j = i + 1; j < c.correlation.cols(); ++j)
+      if (std::abs(c.correlation(i, j)) > together)
+        answer.entangled.push_back({answer.numbers[static_cast<std::size_t>(i)].key,
+                                    answer.numbers[static_cast<std::size_t>(j)].key,
+                                    c.correlation(i, j)});
+  std::sort(answer.entangled.begin(), answer.entangled.end(),
+            [](const Entangled& a, const Entangled& b) {
+              return std::abs(a.correlation) > std::abs(b.correlation);
+            });
+}
+
+/// Below this residuals are the integrator's.
+double significant(const std::vector<double>& d, double tolerance) {
+  const auto [low, high] = std::minmax_element(d.begin(), d.end());
+  return 1e3 * tolerance * (*high - *low);
+}
+
+void test_residuals(const VectorXd& before, const VectorXd& after, Explained& e) {
+  const std::span<const double> r(after.data(), static_cast<std::size_t>(after.size()));
+  e.white = whiteness(r);
+  e.growth = growth(r);
+  e.worsening = worsening({before.data(), r.size()}, r);
+}
+
+/// What the tests say against the model.
+std::vector<std::string> doubts(const Explained& e) {
+  std::vector<std::string> all;
+  const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
+    if (test.failed())
+      all.push_back(
+          fmt::format("the residuals of {} {} ({} {:.4g}, limit {:.4g} at 0.1 %): the model is "
+                      "incomplete, and the intervals are too narrow",
+                      e.quantity, what, statistic, test.value, test.limit));
+  };
+  doubt(e.white, "are not white", "Ljung-Box Q");
+  doubt(e.growth, "grow along the recording", "Goldfeld-Quandt F");
+  doubt(e.worsening, "are greater than those of the start", "F");
+  return all;
+}
+
+void explain(const Recording& recording, const IdentifySpec& spec, const Fitted& fit,
+             Identification& answer) {
+  for (std::size_t b = 0; b < fit.used.size(); ++b) {
+    const auto at = static_cast<Index>(b);
+    const std::vector<double>& d = recorded(recording, fit.used[b]);
+    const VectorXd r = fit.block(fit.found.at.residual, at) * fit.sigma[at];
+    Explained e{quantities[fit.used[b]], rms(fit.block(fit.before, at)), rms(r),
+                autocorrelation(r)};
+    e.model.resize(d.size());
+    for (std::size_t i = 0; i < d.size(); ++i) e.model[i] = d[i] + r[static_cast<Index>(i)];
+    if (e.after > std::max(significant(d, spec.tolerance), resolution(d) / 2))
+      test_residuals(fit.block(fit.before, at), r, e);
+    for (const std::string& doubt : doubts(e)) answer.notes.push_back(doubt);
+    answer.explained.push_back(std::move(e));
+  }
+}
+
+/// What was done to the controller.
+void note(const IdentifySpec& spec, Identification& answer) {
+  if (spec.drive.controller.cycle > 0)
+    answer.notes.push_back(
+        "the model replaces the sampled controller by a continuous one, one cycle later");
+  const double before = spec.drive.controller.torque_feed_forward;
+  const double after = answer.drive.controller.torque_feed_forward;
+  if (before != after)
+    answer.notes.push_back(
+        fmt::format("controller.torque_feed_forward is {:.4g} of the fitted inertia: the setting "
+                    "of the controller, {:.4g} of {:.4g} kg m^2, has not changed",
+                    after, before, before == 0 ? 0 : inertia(spec.drive)));
+}
+
+std::string not_told(const std::string& unknown, const Identification& answer) {
+  if (answer.entangled.empty()) return "this recording does not determine " + unknown;
+  const Entangled& e = answer.entangled.front();
+  return fmt::format(
+      "this recording does not determine {}; {} and {} cannot be told apart "
+      "(correlation {:.4f})",
+      unknown, e.first, e.second, e.correlation);
+}
+
+void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& unknown,
+              std::size_t samples, Identification& answer) {
+  const auto end = [&](Status status, std::string reason) {
+    answer.status = status;
+    answer.reason = std::move(reason);
+  };
+  if (fit.cancelled)
+    return end(Status::cancelled, "stopped on request; the numbers are the best so far");
+  if (!unknown.empty()) return end(Status::not_identifiable, not_told(unknown, answer));
+  if (fit.found.status != LeastSquares::Status::converged)
+    return end(
+        Status::stalled,
+        fmt::format("no convergence within {} iterations: start closer, or fit fewer numbers",
+                    spec.max_iterations));
+  for (const Explained& e : answer.explained)
+    if (const auto all = doubts(e); !all.empty()) return end(Status::misfit, all.front());
+  end(Status::converged,
+      fmt::format("{} number{} fitted to {} samples in {} iterations", answer.numbers.size(),
+                  answer.numbers.size() == 1 ? "" : "s", samples, answer.iterations));
+}
+
+}  // namespace
+
+Identification told(const Recording& recording, const IdentifySpec& spec, const Fitted& fit) {
+  Identification answer;
+  answer.drive = spec.drive;
+  answer.iterations = fit.iterations;
+  if (fit.found.status == LeastSquares::Status::not_computable) {
+    answer.status = Status::failed;
+    answer.reason = "the model cannot be integrated with the start's numbers: " + fit.failure;
+    return answer;
+  }
+  answer.drive = with_numbers(spec.drive, spec.fit, fit.values);
+  const Covariance c = covariance(fit.found.at.jacobian);
+  const std::string unknown = add_numbers(spec, fit, c, answer);
+  entangle(c, answer);
+  explain(recording, spec, fit, answer);
+  note(spec, answer);
+  conclude(spec, fit, unknown, recording.time.size(), answer);
+  return answer;
+}
+
+}  // namespace jounce::detail

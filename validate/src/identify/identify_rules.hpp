@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "jounce/validate/identify.hpp"
+
+#include "validate/src/drive/drive_response.hpp"
+
+namespace jounce::detail {
+
+inline constexpr std::array<const char*, outputs> quantities{"position", "velocity", "torque",
+                                                             "load"};
+
+/// What was recorded of an output; empty: nothing.
+const std::vector<double>& recorded(const Recording& recording, std::size_t output);
+
+/// A number to fit, as the start has it. Throws InputError with all there are.
+DriveNumber numbered(Drive& drive, const std::string& key);
+
+/// Throw InputError as identify() and commanded_motion() say.
+void require_times(const Recording& recording);
+void require_valid(const Recording& recording);
+void require_valid(const IdentifySpec& spec);
+
+}  // namespace jounce::detail

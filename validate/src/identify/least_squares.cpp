@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Levenberg and Marquardt's method. About x the residual is r + J dx; the step solves
+//
+//     (1)  min |r + J dx|^2 + mu D^2 |dx|^2,     D = the norm of the greatest column of J so far
+//
+// as one linear least-squares problem by QR: J^T J would square a condition number that is large
+// already where two numbers can hardly be told apart. mu begins small, falls tenfold with each gain and
+// rises tenfold with each loss (D. W. Marquardt, J. SIAM 11, 1963); so it does as long as the
+// step is longer than is allowed. One D for all: the variables are of one kind.
+
+#include "validate/src/identify/least_squares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "jounce/cam/detail/pivoted_qr.hpp"
+
+namespace jounce::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// J and r by the triangle R and Q^T r, which have the same normal equations in n rows.
+Linearised condensed(const Linearised& at) {
+  const Index n = at.jacobian.cols();
+  if (at.jacobian.rows() <= n) return at;
+  const Eigen::HouseholderQR<MatrixXd> qr(at.jacobian);
+  const VectorXd rotated = qr.householderQ().adjoint() * at.residual;
+  return {rotated.head(n), qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()};
+}
+
+VectorXd damped_step(const Linearised& at, double damping) {
+  const Index m = at.jacobian.rows();
+  const Index n = at.jacobian.cols();
+  MatrixXd a(m + n, n);
+  a << at.jacobian, MatrixXd::Identity(n, n) * damping;
+  VectorXd b = VectorXd::Zero(m + n);
+  b.head(m) = -at.residual;
+  return PivotedQr(a).solve(b);  // (1)
+}
+
+/// Damped as much as it takes to be no longer than that: what hardly acts must not run away, nor hold
+/// back what does. Nothing where the numbers overflow: no damping makes a step of what is not finite.
+std::optional<VectorXd> step_within(const Linearised& at, double scale, double longest,
+                                    double& mu) {
+  for (double damping = mu; std::isfinite(damping); damping *= 10) {
+    VectorXd step = damped_step(at, std::sqrt(damping) * scale);
+    if (!step.allFinite()) break;
+    mu = damping;
+    if (step.cwiseAbs().maxCoeff() <= longest) return step;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
+                           const LeastSquaresOptions& options) {
+  LeastSquares best{LeastSquares::Status::not_computable, x, {}, 0, options.damping};
+  auto here = f(x);
+  if (!here) return best;
+  best.at = std::move(*here);
+  best.status = LeastSquares::Status::stalled;
+  Linearised small = condensed(best.at);
+  double scale = 0;
+  double mu = options.damping;
+  for (; best.iterations < options.max_iterations; ++best.iterations) {
+    scale = std::max({scale, small.jacobian.colwise().norm().maxCoeff(), 1e-300});
+    const auto within = step_within(small, scale, options.longest_step, mu);
+    if (!within) break;
+    const VectorXd& step = *within;
+    best.damping = mu;
+    const double promised =
+        small.residual.squaredNorm() - (small.residual + small.jacobian * step).squaredNorm();
+    const double cost = best.at.residual.squaredNorm();
+    if (step.cwiseAbs().maxCoeff() <= options.tolerance ||
+        promised <= std::max(options.flat, 1e-14 * cost)) {
+      best.status = LeastSquares::Status::converged;
+      break;
+    }
+    const VectorXd next = options.advance ? options.advance(best.x, step) : best.x + step;
+    auto there = f(next);
+    const double gain = there ? cost - there->residual.squaredNorm() : -1;
+    if (gain > 0) {
+      best.x = next;
+      best.at = std::move(*there);
+      small = condensed(best.at);
+      mu = std::max(mu / 10, 1e-15);
+    } else {
+      if (promised <= 1e-9 * cost) {  // as flat as the accuracy of the residuals can tell
+        best.status = LeastSquares::Status::converged;
+        break;
+      }
+      mu *= 10;
+    }
+  }
+  return best;
+}
+
+Covariance covariance(const MatrixXd& jacobian) {
+  const Index n = jacobian.cols();
+  // Columns to equal length first, so that units do not decide what counts as unknown.
+  VectorXd length = jacobian.colwise().norm();
+  const double longest = length.maxCoeff();
+  for (double& l : length) l = std::max(l, 1e-10 * (longest > 0 ? longest : 1));
+  const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<MatrixXd> svd(
+      Linearised(condensed({VectorXd::Zero(jacobian.rows()), scaled})).jacobian,
+      Eigen::ComputeFullV);
+  VectorXd singular = VectorXd::Zero(n);
+  singular.head(svd.singularValues().size()) = svd.singularValues();
+  const double least = 1e-10 * std::max(singular.maxCoeff(), 1e-300);
+  const MatrixXd half = length.cwiseInverse().asDiagonal() * svd.matrixV() *
+                        singular.cwiseMax(least).cwiseInverse().asDiagonal();
+  const MatrixXd whole = half * half.transpose();
+  Covariance answer;
+  answer.deviation = whole.diagonal().cwiseSqrt();
+  answer.correlation = answer.deviation.cwiseInverse().asDiagonal() * whole *
+                       answer.deviation.cwiseInverse().asDiagonal();
+  return answer;
+}
+
+double student_95(double degrees_of_freedom) {
+  const double v = std::max(degrees_of_freedom, 1.0);
+  constexpr double z = 1.959963984540054;
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * v) + (5 * z5 + 16 * z3 + 3 * z) / (96 * v * v) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * v * v * v);
+}
+
+}  // namespace jounce::detail

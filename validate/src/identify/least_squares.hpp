@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+namespace jounce::detail {
+
+/// Residuals and their derivatives at one place.
+struct Linearised {
+  Eigen::VectorXd residual;  ///< m
+  Eigen::MatrixXd jacobian;  ///< m x n
+};
+
+/// Nothing where the residuals cannot be computed: the step there is not taken.
+using ResidualFunction = std::function<std::optional<Linearised>(const Eigen::VectorXd& x)>;
+
+struct LeastSquaresOptions {
+  int max_iterations = 50;
+  double damping = 1e-3;    ///< mu to begin with
+  double longest_step = 1;  ///< in any entry of x
+  /// Where a step leads; left out: x + step. Must agree with that to first order.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& step)> advance =
+      {};
+  double tolerance =
+      1e-8;         ///< tolerance of x: a step shorter than this in every entry ends the search
+  double flat = 0;  ///< so does one that promises no more than this of |residual|^2
+};
+
+struct LeastSquares {
+  enum class Status { converged, stalled, not_computable };
+  Status status = Status::stalled;
+  Eigen::VectorXd x;
+  Linearised at;  ///< there
+  int iterations = 0;
+  double damping = 0;  ///< mu of the last step: where a search like this one may begin
+};
+
+/// Minimises |residual(x)|^2 (Levenberg, Marquardt), from x on.
+/// `not_computable`: the residuals cannot be computed at the start. `stalled` is also a place from which
+/// no step is finite: residuals or derivatives that overflow.
+LeastSquares least_squares(const ResidualFunction& f, const Eigen::VectorXd& x,
+                           const LeastSquaresOptions& options = {});
+
+/// Standard deviations and correlations of x, for residuals of standard deviation 1. Directions that
+/// the residuals say nothing about are given 1e-10 of what they say about the best known direction.
+struct Covariance {
+  Eigen::VectorXd deviation;    ///< n
+  Eigen::MatrixXd correlation;  ///< n x n, 1 on the diagonal
+};
+Covariance covariance(const Eigen::MatrixXd& jacobian);
+
+/// The factor of a standard deviation within which Student's distribution has 95 %: 1.96 for many
+/// degrees of freedom. Within 1 % from 3 on (Cornish and Fisher's expansion, Abramowitz 26.7.5).
+double student_95(double degrees_of_freedom);
+
+}  // namespace jounce::detail

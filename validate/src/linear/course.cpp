@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/src/linear/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jounce::detail {
+namespace {
+
+constexpr double rounding = 1e-12;  // a step of position or velocity below this is none
+constexpr double smooth = 1e-4;     // a step of acceleration below this is left to error control
+
+}  // namespace
+
+double usable(double scale) {
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+double shortest_time(double from, double to) {
+  return std::max(rounding * (to - from), 16 * std::numeric_limits<double>::epsilon() *
+                                              std::max(std::abs(from), std::abs(to)));
+}
+
+bool steps(const Jet& before, const Jet& after, const Scales& size) {
+  const auto by = [&](std::size_t k, double scale, double share) {  // true of NaN
+    return !(std::abs(after[k] - before[k]) <= share * scale);
+  };
+  return by(0, size.range, rounding) || by(1, size.peak[1], rounding) ||
+         by(2, size.peak[2], smooth);
+}
+
+}  // namespace jounce::detail

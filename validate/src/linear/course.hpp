@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "jounce/validate/signal_view.hpp"
+
+#include "validate/src/witness/piece.hpp"
+
+namespace jounce::detail {
+
+// What every run along a reference shares.
+
+/// For an interval; no law has its zeros at these multiples.
+inline constexpr double longest_step = 0.3;
+
+/// A reference after its end.
+struct Standstill {
+  double position;
+  std::array<double, 2> interval;
+
+  [[nodiscard]] double start() const { return interval[0]; }
+  [[nodiscard]] double end() const { return interval[1]; }
+  [[nodiscard]] std::span<const double> breaks() const { return interval; }
+  [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
+};
+
+/// The scale, or 1 where there is none.
+double usable(double scale);
+
+/// The length of time that is none on an axis from `from` to `to`: rounding.
+double shortest_time(double from, double to);
+
+/// True if position, velocity or acceleration step from one piece to the next, by more than rounding
+/// or, of the acceleration, than error control takes: the solver then begins anew.
+bool steps(const Jet& before, const Jet& after, const Scales& size);
+
+}  // namespace jounce::detail

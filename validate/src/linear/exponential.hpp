@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace jounce::detail {
+
+/// The norm (largest row sum) up to which exponential_series() is exact to rounding.
+constexpr double exponential_reach = 0.5;
+constexpr int exponential_terms = 16;  // 0.5^16 / 16! = 7e-19
+
+/// exp(M) by Taylor's series, for a norm within exponential_reach.
+Eigen::MatrixXd exponential_series(const Eigen::MatrixXd& m);
+
+/// exp(M): of M halved until the series is exact, and squared as often.
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
+
+}  // namespace jounce::detail

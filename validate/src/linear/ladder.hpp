@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "jounce/profiles/curve/segment.hpp"
+
+#include "validate/src/linear/linear_system.hpp"
+
+namespace jounce::detail {
+
+/// The integral of the product of two outputs.
+struct ProductIntegral {
+  Eigen::Index a = 0;
+  Eigen::Index b = 0;
+  double sum = 0;
+};
+
+/// A linear system together with all references of one kind: polynomials up to a degree, and sines
+/// of given angular frequencies. Such a reference is itself the output of an autonomous linear
+/// system, so that both together are z' = M z, and every response is an exponential. The derivation
+/// stands at the head of ladder.cpp.
+///
+/// The ladder holds exp(M h 2^j), each rung the square of the one below. Any length of time is a
+/// whole number of h, whose binary digits say which rungs, and a rest that a short series takes.
+class Ladder {
+ public:
+  /// `step` > 0: a length that will be asked for often, made to be one rung.
+  Ladder(const LinearSystem& system, int degree, std::vector<double> frequencies, double step);
+
+  /// True if the segment is of this kind: its degree and its sines' frequencies.
+  [[nodiscard]] bool takes(const Segment& f) const;
+
+  [[nodiscard]] Eigen::Index states() const { return states_; }
+  [[nodiscard]] double step() const { return step_; }
+  [[nodiscard]] Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(m_.rows()); }
+
+  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return m_; }
+  /// h: the norm of the system's part of M h is at most 1/2.
+  [[nodiscard]] double shortest() const { return h_; }
+  /// exp(M h 2^j).
+  [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
+  /// W of (7) for outputs a and b over h 2^j.
+  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
+  /// exp(|M| h), entry by entry no less than |exp(M u)| for any u in [0, h].
+  [[nodiscard]] Eigen::MatrixXd greatest() const;
+  /// Output `row` over a time no longer than `shortest()` from z on, as a polynomial.
+  [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row, double time);
+
+  /// Puts the segment's reference at u (0 to its length) into the lower part of z.
+  void place(const Segment& f, double u, Eigen::VectorXd& z) const;
+
+  /// The system's part of z after a time; the reference's part must be placed anew. Returns the time
+  /// really gone, which differs from what was asked by rounding at most. Integrals over that time of
+  /// products of outputs, two at most, are added to their sums.
+  double advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products = {});
+
+  [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z
+  /// The same, into as many numbers as there are outputs.
+  void read(const Eigen::VectorXd& z, double* y) const;
+
+  /// How many instants are read ahead at most.
+  static constexpr int block = 32;
+  /// The outputs at z and at the next instants, `step` apart, `count` in all (1 to block): so many times
+  /// as many numbers as there are outputs, one instant behind the other.
+  void read_ahead(const Eigen::VectorXd& z, int count, double* y);
+
+ private:
+  [[nodiscard]] const Eigen::MatrixXd& ahead();
+  [[nodiscard]] Eigen::MatrixXd series(Eigen::Index output) const;
+  void derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) const;
+  void rest(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products);
+
+  Eigen::Index states_;
+  int degree_;
+  std::vector<double> frequencies_;
+  double h_;
+  double step_;
+  std::size_t step_rung_ = 0;  // step_ = h_ 2^step_rung_
+  Eigen::MatrixXd m_;
+  Eigen::MatrixXd outputs_;
+  Eigen::MatrixXd ahead_;
+  std::vector<Eigen::MatrixXd> rungs_;
+  std::map<std::pair<Eigen::Index, Eigen::Index>, std::vector<Eigen::MatrixXd>> integrals_;
+  Eigen::VectorXd term_;
+  Eigen::VectorXd next_;
+};
+
+}  // namespace jounce::detail

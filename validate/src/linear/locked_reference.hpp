@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+#include "validate/src/drive/drive_model.hpp"
+#include "validate/src/drive/switches.hpp"
+#include "validate/src/witness/piece.hpp"
+#include "validate/src/witness/solver.hpp"
+
+namespace jounce::detail {
+
+/// The reference as a solver sees it whose zero is the reference's start: locked to one piece at a time.
+class LockedReference {
+ public:
+  /// `before`: what the axis did until the first piece.
+  LockedReference(double origin, const SignalPiece& first, const Jet& before)
+      : origin_(origin), piece_(first), before_(before) {}
+
+  /// The last answer is kept, since right-hand side, Jacobian and events ask for the same instants.
+  const Jet& at(double t) {
+    if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
+    return jet_;
+  }
+
+  /// Locks it to the piece, and tells solver and switches. True where the solver must begin anew, at the start,
+  /// at a step of the reference, where its own step has become too long, and where the friction fed
+  /// forward changes its sign; then the deviations have stepped as the reference does, since the axis moves on as it is.
+  bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
+             OdeSolver& solver);
+  void leave() { before_ = piece_.at(piece_.end); }
+
+ private:
+  double origin_;
+  SignalPiece piece_;
+  Jet before_;
+  Jet jet_{};
+  double asked_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace jounce::detail

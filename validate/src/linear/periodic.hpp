@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "jounce/validate/drive.hpp"
+
+#include "validate/src/exact/exact_path.hpp"
+
+namespace jounce::detail {
+
+/// Where a linear drive, as that balanced system, begins each period of a reference that repeats for ever: the state
+/// right after the step from the period's end to its start. Throws InputError for loops that do not calm down.
+Eigen::VectorXd periodic_start(const LinearSystem& system, const Trajectory& period,
+                               const Drive& drive);
+
+/// How the way of a run begins: at rest on its start, or as periodic_start() says.
+PathStart path_start(const LinearSystem& system, const Trajectory& reference, const Drive& drive,
+                     bool periodic);
+
+/// Throws InputError, with what is in the way, for a drive whose steady state is not known: one that is not
+/// linear, or whose controller has a cycle.
+void require_steady(const Drive& drive);
+
+/// A result without a run where the loop is unstable: it has no steady state. Its report has the finding
+/// "drive/stability" alone.
+std::optional<DriveResult> without_steady_state(const Drive& drive, double start);
+
+/// The same start as the states of DriveModel.
+std::vector<double> periodic_model_start(const Trajectory& period, const Drive& drive);
+
+}  // namespace jounce::detail

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "validate/src/drive/drive_model.hpp"
+
+namespace jounce::detail {
+
+/// The controller at its sample instants, as struct Controller says: reads, computes, gives out later.
+class SampledController {
+ public:
+  explicit SampledController(DriveModel& model);
+
+  /// The next instant at which it reads or its torque changes, in s from the start of the run.
+  [[nodiscard]] double next() const;
+  /// Does what is due at `t`: the state's integral part and the torque that the model holds.
+  /// `slack`: instants no farther apart are one.
+  void act(double t, double slack, const Jet& r, std::span<double> y);
+
+ private:
+  struct Output {
+    double time;
+    double torque;
+    int limited;  ///< the side on which the limit was met, or 0
+  };
+
+  void read(const Jet& r, std::span<double> y);
+
+  DriveModel& model_;
+  double cycle_, delay_;
+  double count_;             ///< rad; 0: exact
+  double samples_ = 0;       ///< read so far
+  double angle_ = 0;         ///< absolute, as read last
+  std::vector<Output> due_;  ///< in order
+};
+
+}  // namespace jounce::detail

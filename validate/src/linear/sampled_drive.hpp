@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/validate/linear_drive.hpp"
+
+namespace jounce::detail {
+
+/// exact_run() for a linear drive, checked, whose controller has a cycle.
+ExactRun sampled_run(const Trajectory& reference, const Drive& drive,
+                     std::span<const double> times);
+
+}  // namespace jounce::detail

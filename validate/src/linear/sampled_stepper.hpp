@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "jounce/validate/drive.hpp"
+
+#include "validate/src/drive/drive_model.hpp"
+#include "validate/src/linear/stepped_reference.hpp"
+
+namespace jounce::detail {
+
+/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its
+/// cycles: between the instants at which the torque changes, an exponential; at its reading, the
+/// controller with its encoder, its limit and its delay. Only the constructor allocates.
+class SampledStepper {
+ public:
+  /// Throws InputError where the period is no whole number of cycles.
+  SampledStepper(const Drive& drive, double period);
+
+  /// `position` in u is where the encoder's own zero is told from.
+  void rest(double position);
+  void step(const SteppedReference& reference, int periods);
+  /// Motor and load relative to the place of rest, N m, rad/s.
+  [[nodiscard]] DriveSample sample(double unit) const;
+  /// What the reference moved since rest(), u.
+  [[nodiscard]] double moved() const { return moved_; }
+
+ private:
+  using Matrix = std::vector<double>;  // states by states, by columns
+
+  void advance(const Matrix& m);
+  void read(const Jet& r);
+  void give();
+  [[nodiscard]] double output(std::size_t row) const;
+
+  Drive drive_;
+  DriveModel limits_;
+  double inertia_, viscous_;
+  double radians_;  // per u
+  double count_;    // rad; 0: exact
+  int cycles_;      // a period
+  std::size_t states_;
+  bool split_ = false;  // the torque changes between two readings
+  Matrix before_;       // from a reading to the change of torque, or to the next reading
+  Matrix after_;
+  Matrix outputs_;
+  std::vector<double> rest_;
+  double rest_torque_ = 0;
+  double torque_scale_ = 1;
+  std::vector<double> x_;
+  std::vector<double> next_;
+  std::vector<double> due_;  // torques on their way, a ring
+  std::size_t read_ = 0;     // readings made
+  double zero_ = 0;          // rad, of the encoder at the place of rest
+  double moved_ = 0;         // u
+  double angle_ = 0;         // as read last
+  double integral_ = 0;
+};
+
+}  // namespace jounce::detail

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "jounce/profiles/curve/jet.hpp"
+
+namespace jounce::detail {
+
+/// What a drive makes of two setpoints, T apart: the quintic that meets position, velocity and
+/// acceleration of both. Where their velocities do not go with their positions (a corner, or a
+/// setpoint that was frozen), the straight line.
+class SteppedReference {
+ public:
+  static constexpr std::size_t derivatives = 5;
+
+  SteppedReference() = default;
+  SteppedReference(const Jet& from, const Jet& to, double T);
+
+  /// Position relative to `from`, velocity, acceleration and jerk at 0 <= t <= T.
+  [[nodiscard]] Jet at(double t) const;
+  /// r', r'', ..., r^(5) at t.
+  [[nodiscard]] std::array<double, derivatives> rates(double t) const;
+
+ private:
+  std::array<double, derivatives + 1> c_{};  // sum of c_k t^k, c_0 = 0
+};
+
+}  // namespace jounce::detail

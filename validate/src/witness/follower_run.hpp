@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/validate/follower.hpp"
+
+namespace jounce::detail {
+
+/// The run of follow(), for a follower and options that have been checked, without the report.
+FollowerResult run(const SignalView& lift, const SpringFollower& follower,
+                   const FollowerOptions& options);
+
+}  // namespace jounce::detail

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <cvodes/cvodes.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include "jounce/validate/integration.hpp"
+
+#include "validate/src/witness/owned.hpp"
+
+namespace jounce::detail {
+
+/// y' = rhs(t, y) as plain functions of arrays. None of them may allocate.
+struct Ode {
+  /// dy = f(t, y)
+  std::function<void(double t, const double* y, double* dy)> rhs;
+  /// df/dy, column by column: jacobian[column * size + row], handed over filled with zeros
+  std::function<void(double t, const double* y, double* jacobian)> jacobian;
+  /// as many functions as `events`; a change of sign of any ends a step there
+  std::function<void(double t, const double* y, double* g)> event;
+  int events = 0;
+  /// df/dp, one parameter after another: dfdp[j * size + row], handed over filled with zeros
+  std::function<void(double t, const double* y, double* dfdp)> by_parameter = {};
+  /// One a parameter, > 0: by how much it has to change for the state to change by its own size. None:
+  /// no sensitivities are integrated.
+  std::vector<double> parameters = {};
+};
+
+enum class Method { adams, bdf };
+
+struct SolverOptions {
+  Method method = Method::bdf;
+  double relative = 1e-8;
+  std::vector<double> absolute;  ///< one a state, > 0
+  double closest = 0;            ///< a stop no farther away than this counts as reached
+  long max_steps = 0;
+};
+
+enum class Step { inside, stop, event, failed };
+
+/// CVODES with a dense Newton solver, one step at a time. What it adds is what CVODES leaves to the
+/// caller (all measured on version 6.4.1):
+///
+/// - every step has a stop time, and none stays pending: step() sets it anew each time, never
+///   within rounding of the present (which is refused with -22);
+/// - messages go into Integration::reason, not to stderr;
+/// - exceptions thrown by the functions of the Ode are carried across the C code and rethrown;
+/// - a right-hand side that is not finite ends the integration as `not_finite`.
+///
+/// Where the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated beside the state, to
+/// the same tolerance (forward, staggered corrector, under error control):
+///
+///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
+///
+/// At a jump of the state whoever changes state() changes sensitivity() too, before restart().
+class OdeSolver {
+ public:
+  OdeSolver(Ode ode, SolverOptions options, double t0, std::span<const double> y0);
+  OdeSolver(const OdeSolver&) = delete;
+  OdeSolver& operator=(const OdeSolver&) = delete;
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::span<double> state() { return {N_VGetArrayPointer(y_.get()), size_}; }
+  [[nodiscard]] std::span<const double> state() const {
+    return {N_VGetArrayPointer(y_.get()), size_};
+  }
+
+  /// dy/dp_j now.
+  [[nodiscard]] std::span<double> sensitivity(std::size_t j) {
+    return {N_VGetArrayPointer(sensitivities_.at[j]), size_};
+  }
+
+  /// Other tolerances, before a restart.
+  void tolerate(double relative, std::span<const double> absolute);
+  /// Begins anew at t from state(), which may have been changed: after every jump and event.
+  void restart(double t);
+
+  /// No step is longer than this from the next but one on.
+  void limit_step(double longest);
+  /// How far the solver would go next; after a restart 0, as it then looks for itself.
+  [[nodiscard]] double next_step() const;
+
+  /// One step, not beyond `stop`.
+  Step step(double stop);
+  /// Which way the event function went through zero: -1, 0 (not at all) or 1.
+  [[nodiscard]] int crossing(std::size_t event) const { return crossings_[event]; }
+  [[nodiscard]] std::span<const int> crossings() const { return crossings_; }
+
+  /// Where the step just made began.
+  [[nodiscard]] double before() const { return before_; }
+  /// The state at t between before() and time(); `state` holds as many numbers as state() does.
+  void interpolate(double t, std::span<double> state) const;
+  /// The same of the sensitivities, one parameter after another.
+  void interpolate_sensitivities(double t, std::span<double> sensitivities) const;
+
+  /// Counts and outcome so far.
+  [[nodiscard]] const Integration& integration() const { return integration_; }
+
+ private:
+  /// As many vectors as there are parameters, the way CVODES takes them.
+  struct Vectors {
+    std::vector<N_Vector> at;
+    explicit Vectors(std::size_t count, N_Vector like);
+    Vectors(const Vectors&) = delete;
+    Vectors& operator=(const Vectors&) = delete;
+    ~Vectors();
+  };
+
+  static int rhs(double t, N_Vector y, N_Vector dy, void* self);
+  static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix j, void* self, N_Vector,
+                      N_Vector, N_Vector);
+  static int event(double t, N_Vector y, double* g, void* self);
+  static int weights(N_Vector y, N_Vector weight, void* self);
+  static int sensitivity_rhs(int count, double t, N_Vector y, N_Vector dy, N_Vector* s,
+                             N_Vector* ds, void* self, N_Vector, N_Vector);
+  static void message(int code, const char* module, const char* function, char* text, void* self);
+
+  void set_up_sensitivities();
+  template <class Call>
+  int guarded(Call call) noexcept;
+  Step fail(Ended ended, std::string reason);
+
+  Ode ode_;
+  SolverOptions options_;
+  std::size_t size_;
+  sundials::Context context_;
+  Owned<N_Vector> y_;
+  Owned<N_Vector> between_;
+  Owned<SUNMatrix> matrix_;
+  Owned<SUNLinearSolver> linear_;
+  Owned<void*> cvode_;
+  Vectors sensitivities_;
+  Vectors sensitivities_between_;
+  std::vector<double> dfdy_;
+  std::vector<double> dfdp_;
+  std::vector<int> crossings_;
+  double time_ = 0;
+  double before_ = 0;
+  bool fresh_ = true;
+  bool finite_ = true;
+  std::string message_;
+  std::exception_ptr thrown_;
+  Integration integration_;
+};
+
+}  // namespace jounce::detail

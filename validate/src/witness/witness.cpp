@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mathematics of the witness. Over an interval of length L that begins at b, with
+// s = (x - b) / L and J the size of the jerk j there, what the jerk adds to the parabola that the
+// carried state (p, v, a) describes is q:
+//
+//     (1)  q1' = q2,   q2' = q3,   q3' = j(b + L s) / J,      q(0) = 0
+//     (2)  p(x) = p + v u + a u^2 / 2 + J L^3 q1(s)           u = L s
+//          v(x) = v + a u             + J L^2 q2(s)
+//          a(x) = a                   + J L   q3(s)
+//
+// This is y = (p, v, a), y' = (v, a, j) in other variables: the solver's tolerance then holds for
+// what the interval adds, not for the size of the position, and no unit enters the solver.
+//
+// The signal rounds its values by eps, and its breaks, of size X, by eps X. What such errors may
+// have grown to since the start is carried along beside the state:
+//
+//     (3)  at a break       d_p += eps (|p| + X |v|),  d_v += eps (|v| + X |a|),
+//                           d_a += eps (|a| + X |j|)
+//     (4)  over an interval d_p += L d_v + L^2 d_a / 2,  d_v += L d_a
+//
+// For the same reason s is known to eps X / L only, and the solver is not asked for more.
+
+#include "jounce/validate/witness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+
+#include "validate/src/witness/piece.hpp"
+#include "validate/src/witness/solver.hpp"
+
+namespace jounce {
+namespace {
+
+using detail::OdeSolver;
+using detail::SignalPiece;
+
+/// Chebyshev points: stops that force the solver to look into every interval, at places that are
+/// not all zeros of any sine of whole periods.
+constexpr std::array stops{0.0954915028125263, 0.3454915028125263, 0.6545084971874737,
+                           0.9045084971874737, 1.0};
+
+constexpr double eps = 4 * std::numeric_limits<double>::epsilon();
+
+struct State {
+  double p = 0;
+  double v = 0;
+  double a = 0;
+};
+
+void require_valid(const WitnessOptions& options) {
+  require_positive("limit", options.limit);
+  if (!(options.tolerance >= 1e-15 && options.tolerance <= 1e-3))
+    throw InputError("tolerance", options.tolerance, "must be between 1e-15 and 1e-3");
+  if (options.max_steps < 1)
+    throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");
+}
+
+/// The largest jerk seen in an interval: only a scale, so that a few places are enough.
+double jerk_size(const SignalPiece& piece) {
+  double size = std::abs(piece.at(piece.begin)[3]);
+  for (const double s : stops)
+    size = std::max(size, std::abs(piece.at(piece.begin + s * piece.length())[3]));
+  return std::isfinite(size) ? size : 0;
+}
+
+/// (1) and (2), for one piece after another.
+class JerkIntegral {
+ public:
+  JerkIntegral(const SignalPiece& first, const WitnessOptions& options)
+      : piece_(first),
+        tolerance_(options.tolerance),
+        solver_(ode(), {detail::Method::adams, 1e-3, {1, 1, 1}, 0, options.max_steps}, 0,
+                std::array{0.0, 0.0, 0.0}) {}
+
+  /// `x` is the size of the piece's breaks, known to eps x.
+  void enter(const SignalPiece& piece, double jerk, double x) {
+    piece_ = piece;
+    size_ = jerk > 0 ? jerk : 1;
+    const double tolerance = std::clamp(eps * x / piece.length(), tolerance_, 1e-3);
+    solver_.tolerate(tolerance, std::array{tolerance, tolerance, tolerance});
+    std::ranges::fill(solver_.state(), 0.0);
+    solver_.restart(0);
+  }
+
+  /// Integrates to s; false if the solver gave up.
+  bool reach(double s) {
+    detail::Step step = detail::Step::inside;
+    while (step == detail::Step::inside) step = solver_.step(s);
+    return step == detail::Step::stop;
+  }
+
+  /// (2) where the integration stands, from the state at the interval's begin.
+  State carried(const State& y) {
+    const double length = piece_.length();
+    const double u = solver_.time() * length;
+    const auto q = solver_.state();
+    const double add = size_ * length;
+    return {y.p + u * (y.v + u * y.a / 2) + add * length * length * q[0],
+            y.v + u * y.a + add * length * q[1], y.a + add * q[2]};
+  }
+
+  /// The place where the integration stands.
+  [[nodiscard]] double reached() const {
+    const double s = solver_.time();
+    return s == 1 ? piece_.end : piece_.begin + s * piece_.length();
+  }
+  [[nodiscard]] const Integration& integration() const { return solver_.integration(); }
+
+ private:
+  detail::Ode ode() {
+    detail::Ode ode;
+    ode.rhs = [this](double s, const double* q, double* dq) {
+      dq[0] = q[1];
+      dq[1] = q[2];
+      dq[2] = piece_.at(piece_.begin + s * piece_.length())[3] / size_;
+    };
+    ode.jacobian = [](double, const double*, double* j) {
+      j[1 * 3 + 0] = 1;  // column by column
+      j[2 * 3 + 1] = 1;
+    };
+    return ode;
+  }
+
+  SignalPiece piece_;
+  double tolerance_;
+  double size_ = 1;
+  OdeSolver solver_;
+};
+
+/// Keeps whatever is worst for its own limit; a difference that is not finite is.
+void compare(Disagreement& worst, double integrated, double signal, double where, double limit,
+             double drift) {
+  const double difference = std::abs(integrated - signal);
+  const double relative = difference == 0 ? 0 : difference / worst.scale;
+  const double allowed = worst.scale > 0 ? std::max(limit, drift / worst.scale) : limit;
+  if (worst.limit == 0 || !(relative / allowed <= worst.relative / worst.limit))
+    worst = {relative, where, integrated, signal, worst.scale, allowed};
+}
+
+/// The witness on its way along the signal.
+class Walk {
+ public:
+  Walk(const std::vector<SignalPiece>& pieces, const WitnessOptions& options, Witness& witness)
+      : options_(options), witness_(witness), jerk_(pieces.front(), options) {
+    before_ = pieces.front().at(pieces.front().begin);
+    y_ = {before_[0], before_[1], before_[2]};
+  }
+
+  /// Over one interval and the break it begins with; false if the solver gave up.
+  bool cross(const SignalPiece& piece) {
+    const double x = std::max(std::abs(piece.begin), std::abs(piece.end));
+    const double jerk = jerk_size(piece);
+    step(piece.at(piece.begin), std::max(jerk, std::abs(before_[3])), x);
+    jerk_.enter(piece, jerk, x);
+    for (const double s : stops) {
+      if (!jerk_.reach(s)) return false;
+      compare_at(piece.at(jerk_.reached()), s * piece.length());
+    }
+    y_ = jerk_.carried(y_);
+    drift_ = drifted(piece.length());
+    before_ = piece.at(piece.end);
+    return true;
+  }
+
+  [[nodiscard]] Integration integration() const {
+    Integration integration = jerk_.integration();
+    integration.reached = jerk_.reached();
+    return integration;
+  }
+
+ private:
+  /// The declared step, and (3).
+  void step(const Jet& after, double jerk, double x) {
+    y_.a += after[2] - before_[2];
+    if (options_.velocity_steps) y_.v += after[1] - before_[1];
+    const auto size = [&](std::size_t k) {
+      return std::max(std::abs(after[k]), std::abs(before_[k]));
+    };
+    drift_.p += eps * (size(0) + x * size(1));
+    drift_.v += eps * (size(1) + x * size(2));
+    drift_.a += eps * (size(2) + x * jerk);
+  }
+
+  [[nodiscard]] State drifted(double u) const {
+    return {drift_.p + u * (drift_.v + u * drift_.a / 2), drift_.v + u * drift_.a,
+            drift_.a};  // (4)
+  }
+
+  void compare_at(const Jet& f, double u) {
+    const State here = jerk_.carried(y_);
+    const State drift = drifted(u);
+    const double x = jerk_.reached();
+    compare(witness_.position, here.p, f[0], x, options_.limit, drift.p);
+    compare(witness_.velocity, here.v, f[1], x, options_.limit, drift.v);
+    compare(witness_.acceleration, here.a, f[2], x, options_.limit, drift.a);
+  }
+
+  const WitnessOptions& options_;
+  Witness& witness_;
+  JerkIntegral jerk_;
+  Jet before_;
+  State y_;
+  State drift_;
+};
+
+Finding finding_of(const char* rule, const char* quantity, const Disagreement& worst,
+                   const char* advice) {
+  Finding finding;
+  finding.rule = rule;
+  finding.quantity = quantity;
+  finding.where = worst.where;
+  finding.value = worst.relative;
+  finding.limit = worst.limit;
+  finding.margin = (worst.limit - worst.relative) / worst.limit;
+  finding.broken = !(worst.relative <= worst.limit);
+  if (finding.broken) finding.advice = advice;
+  return finding;
+}
+
+Finding integration_of(const Integration& integration) {
+  Finding finding;
+  finding.rule = "witness/integration";
+  finding.quantity = "jerk";
+  finding.where = finding.value = integration.reached;
+  finding.broken = true;
+  finding.advice = integration.reason;
+  return finding;
+}
+
+Report report_of(const Witness& w, bool over_master) {
+  const auto& names = over_master ? OverMaster::names : OverTime::names;
+  Report report;
+  report.findings = {
+      finding_of("witness/position", names[0], w.position,
+                 "make the velocity the derivative of the position"),
+      finding_of("witness/velocity", names[1], w.velocity,
+                 "make the acceleration the derivative of the velocity, without steps"),
+      finding_of("witness/acceleration", names[2], w.acceleration,
+                 "make the jerk the derivative of the acceleration")};
+  if (!w.integration.ok()) report.findings.push_back(integration_of(w.integration));
+  sort(report);
+  return report;
+}
+
+}  // namespace
+
+Witness witness(const SignalView& signal, const WitnessOptions& options) {
+  require_valid(options);
+  const auto pieces = detail::pieces(signal);
+  const detail::Scales size = detail::scales(pieces);
+  Witness result;
+  result.position.scale = size.range;
+  result.velocity.scale = size.peak[1];
+  result.acceleration.scale = size.peak[2];
+  Walk walk(pieces, options, result);
+  bool ok = true;
+  for (auto piece = pieces.begin(); ok && piece != pieces.end(); ++piece) ok = walk.cross(*piece);
+  result.integration = walk.integration();
+  result.report = report_of(result, signal.over_master());
+  return result;
+}
+
+}  // namespace jounce

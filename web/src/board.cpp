@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/web/board.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "jounce/axis/cause.hpp"
+
+namespace jounce::web {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json cause_of(std::int32_t number) {
+  const auto cause = static_cast<Cause>(number);
+  if (cause == Cause::none) return nullptr;
+  return {{"number", number}, {"name", name(cause)}, {"meaning", meaning(cause)}};
+}
+
+ordered_json facts(const wire::Status& s) {
+  return {{"state", name(s.state)},
+          {"next", name(s.next)},
+          {"tick", s.tick},
+          {"cycle_ms", static_cast<double>(s.cycle_ns) * 1e-6},
+          {"unit", s.units.position},
+          {"master", s.master_position},
+          {"position", s.slave_position},
+          {"velocity", s.slave_velocity},
+          {"actual", s.actual_position},
+          {"error", s.following_error},
+          {"torque", s.torque},
+          {"override", s.override_},
+          {"progress", name(s.progress)},
+          {"held", s.held},
+          {"homed", s.homed},
+          {"unwritten", s.unwritten},
+          {"fault", cause_of(s.last_error)},
+          {"reason", cause_of(s.reason)},
+          {"queue", s.queue_rows},
+          {"capacity", s.queue_capacity},
+          {"outputs", s.outputs},
+          {"late", s.late_ticks},
+          {"lateness", s.lateness},
+          {"computing", s.computing},
+          {"finished", s.finished},
+          {"stopped", s.stopped}};
+}
+
+ordered_json facts(const wire::MasterStatus& m) {
+  return {{"name", m.master},       {"unit", m.unit},         {"lost", m.lost},
+          {"position", m.position}, {"velocity", m.velocity}, {"age_ms", 1e3 * m.age_s}};
+}
+
+}  // namespace
+
+Board::Board(std::vector<std::string> axes) {
+  axes_.resize(axes.size());
+  for (std::size_t i = 0; i < axes.size(); ++i) axes_[i].name = std::move(axes[i]);
+}
+
+void Board::take(const std::string& axis, const wire::Status& status, Nanos now) {
+  const auto at = std::find_if(axes_.begin(), axes_.end(),
+                               [&](const AxisView& view) { return view.name == axis; });
+  if (at == axes_.end()) return;
+  const bool known = at->heard >= Nanos{} && at->status.boot == status.boot;
+  if (known && status.tick <= at->status.tick) return;
+  at->status = status;
+  at->heard = now;
+  at->samples.push_back(
+      {++count_, static_cast<double>(status.tick) * static_cast<double>(status.cycle_ns) * 1e-9,
+       status.slave_position, status.slave_velocity, status.following_error});
+  if (at->samples.size() > most_samples) at->samples.pop_front();
+}
+
+void Board::take(const std::string& axis, const wire::MasterStatus& master) {
+  for (AxisView& view : axes_) {
+    if (view.name != axis || view.status.boot != master.boot) continue;
+    std::erase_if(view.masters, [&](const auto& m) { return m.second.boot != master.boot; });
+    view.masters[master.master] = master;
+    if (view.masters.size() > most_masters)
+      view.masters.erase(std::min_element(
+          view.masters.begin(), view.masters.end(),
+          [](const auto& a, const auto& b) { return a.second.tick < b.second.tick; }));
+  }
+}
+
+std::string Board::json_since(std::int64_t& seen, Nanos now) const {
+  ordered_json axes = ordered_json::array();
+  for (const AxisView& view : axes_) {
+    const bool heard = view.heard >= Nanos{};
+    ordered_json axis = heard ? facts(view.status) : ordered_json::object();
+    axis["name"] = view.name;
+    axis["heard"] = nullptr;
+    if (heard) axis["heard"] = std::chrono::duration<double>(now - view.heard).count();
+    ordered_json& masters = axis["masters"] = ordered_json::array();
+    for (const auto& [name, master] : view.masters) masters.push_back(facts(master));
+    ordered_json& samples = axis["samples"] = ordered_json::array();
+    for (const Sample& s : view.samples)
+      if (s.number > seen) samples.push_back({s.time, s.position, s.velocity, s.error});
+    axes.push_back(std::move(axis));
+  }
+  seen = count_;
+  // A text from the wire is UTF-8; a board that is filled otherwise must not throw either.
+  return ordered_json{{"axes", std::move(axes)}}.dump(-1, ' ', false,
+                                                      ordered_json::error_handler_t::replace);
+}
+
+bool Board::has(const std::string& axis) const {
+  return std::any_of(axes_.begin(), axes_.end(),
+                     [&](const AxisView& view) { return view.name == axis; });
+}
+
+}  // namespace jounce::web

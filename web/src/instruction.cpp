@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/web/instruction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::web {
+namespace {
+
+using nlohmann::json;
+using wire::OrderKind;
+
+struct Word {
+  std::string_view what;
+  OrderKind kind;
+  bool takes_value = false;
+  bool takes_hold = false;
+};
+
+constexpr std::array words{Word{"hold", OrderKind::hold},
+                           Word{"resume", OrderKind::resume},
+                           Word{"override", OrderKind::override_, true},
+                           Word{"enable", OrderKind::enable},
+                           Word{"disable", OrderKind::disable},
+                           Word{"reset", OrderKind::reset},
+                           Word{"move", OrderKind::move_absolute, true},
+                           Word{"jog", OrderKind::move_velocity, true, true},
+                           Word{"release", OrderKind::halt, false, true}};
+
+const Word* word_of(std::string_view what) {
+  const auto* const at =
+      std::find_if(words.begin(), words.end(), [&](const Word& word) { return word.what == what; });
+  return at == words.end() ? nullptr : at;
+}
+
+std::string text_of(const json& object, const char* key) {
+  const auto at = object.find(key);
+  if (at == object.end() || !at->is_string())
+    throw InputError(key, at == object.end() ? "" : at->dump(), "must be a string");
+  return at->get<std::string>();
+}
+
+/// A browser's numbers are whole up to 2^53.
+std::int64_t hold_of(const json& object) {
+  constexpr std::int64_t most = std::int64_t{1} << 53U;
+  const auto at = object.find("hold");
+  const bool whole = at != object.end() && at->is_number_integer() &&
+                     at->get<double>() <= static_cast<double>(most);
+  if (!whole || at->get<std::int64_t>() <= 0)
+    throw InputError("hold", at == object.end() ? "" : at->dump(),
+                     "must be the number of a jog, 1 to 2^53");
+  return at->get<std::int64_t>();
+}
+
+double value_of(const json& object) {
+  const auto at = object.find("value");
+  if (at == object.end() || !at->is_number())
+    throw InputError("value", at == object.end() ? "" : at->dump(), "must be a number");
+  return at->get<double>();
+}
+
+wire::Order order_of(const Instruction& instruction, const Word& word) {
+  wire::Order order{.kind = word.kind, .value = wire::values(word.kind, {})};
+  if (word.takes_value) order.value[0] = instruction.value;
+  return order;
+}
+
+CallOutcome outcome_of(const wire::Reply& reply, const std::string& axis) {
+  if (reply.outcome == wire::Outcome::accepted) return {};
+  if (reply.outcome == wire::Outcome::pending)
+    return {StreamError::command_timeout,
+            {},
+            0,
+            axis + " did not accept or reject the command in time"};
+  return {StreamError::refused, reply.refusal, reply.cause,
+          std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
+}
+
+}  // namespace
+
+Instruction read_instruction(std::string_view text) {
+  const json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) throw InputError("order", "", "must be a JSON object");
+  for (const auto& [key, value] : object.items())
+    if (key != "axis" && key != "what" && key != "value" && key != "hold")
+      throw InputError(key, value.dump(),
+                       "is not a key of an order: the keys are axis, what, value, hold");
+  Instruction instruction{.axis = text_of(object, "axis"), .what = text_of(object, "what")};
+  const Word* const word = word_of(instruction.what);
+  if (word == nullptr && instruction.what != "stop")
+    throw InputError(
+        "what", instruction.what,
+        "must be stop, hold, resume, override, enable, disable, reset, move, jog or release");
+  const bool takes_hold = word != nullptr && word->takes_hold;
+  if (!takes_hold && object.contains("hold"))
+    throw InputError("hold", object["hold"].dump(), instruction.what + " takes no hold");
+  if (takes_hold) instruction.hold = hold_of(object);
+  const bool takes_value = word != nullptr && word->takes_value;
+  if (!takes_value && object.contains("value"))
+    throw InputError("value", object["value"].dump(), instruction.what + " takes no value");
+  if (!takes_value) return instruction;
+  instruction.value = value_of(object);
+  if (const std::string rule = contradiction(order_of(instruction, *word)); !rule.empty())
+    throw InputError("value", object["value"].dump(), rule);
+  return instruction;
+}
+
+CallOutcome give(Transport& link, const Instruction& instruction,
+                 const std::optional<wire::Key>& key) {
+  const std::string& axis = instruction.axis;
+  const Word* const word = word_of(instruction.what);
+  if (word == nullptr)
+    return outcome_of(operator_command(link, axis, wire::Stop{.mode = wire::StopMode::stop}, key),
+                      axis);
+  const wire::Order order = order_of(instruction, *word);
+  if (wire::is_operators(order.kind))
+    return outcome_of(operator_command(link, axis, order, key), axis);
+  Client client(link, axis, {.key = key});
+  CallOutcome outcome = client.order(order);
+  static_cast<void>(client.release());
+  return outcome;
+}
+
+}  // namespace jounce::web

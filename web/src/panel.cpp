@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/web/panel.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/web/board.hpp"
+#include "jounce/web/instruction.hpp"
+#include "jounce/web/page.hpp"
+#include "jounce/web/server.hpp"
+
+namespace jounce::web {
+namespace {
+
+constexpr int waiting_statuses =
+    64;  // a link keeps the oldest: they are taken out faster than they come
+constexpr Nanos turn = std::chrono::milliseconds(50);
+constexpr Nanos again = std::chrono::seconds(1);  // until a lost link is opened again
+
+Answer answer(int status, const std::string& reason) {
+  const nlohmann::ordered_json said{{"ok", status == 200}, {"reason", reason}};
+  return {status, said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+}  // namespace
+
+struct Panel::Impl {
+  Impl(const PanelOptions& its_options, Listening listening, MakeLink its_make_link)
+      : options(its_options),
+        make_link(std::move(its_make_link)),
+        jogs(make_link, options.key),
+        board(options.axes) {
+    open_ears();
+    server.emplace(std::move(listening), options.token,
+                   Site{page(options.title, options.warning), std::string(script()), style(),
+                        [this](std::int64_t& seen) { return event(seen); },
+                        [this](const std::string& body) { return order(body); }, is_stop});
+    listener = std::thread([this] { listen(); });
+  }
+
+  ~Impl() {
+    server.reset();  // first: it calls event() and order()
+    running = false;
+    listener.join();
+  }
+
+  void open_ears() {
+    ears = make_link();
+    for (const std::string& axis : options.axes)
+      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+        ears->subscribe(wire::channel(axis, lane), waiting_statuses);
+  }
+
+  /// Until the end, whatever happens to the link: the page says of each axis for how long it was silent.
+  void listen() {
+    while (running) {
+      try {
+        if (!ears) open_ears();
+        take_next();
+      } catch (const std::exception&) {
+        ears.reset();
+        std::this_thread::sleep_for(again);
+      }
+    }
+  }
+
+  void take_next() {
+    const auto message = next_message(*ears, turn, rejects, options.key);
+    if (!message) return;
+    const std::scoped_lock lock(mutex);
+    if (const auto* const status = std::get_if<wire::Status>(&message->body))
+      board.take(message->executor, *status, steady_now());
+    else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
+      board.take(message->executor, *master);
+  }
+
+  std::string event(std::int64_t& seen) {
+    const std::scoped_lock lock(mutex);
+    return board.json_since(seen, steady_now());
+  }
+
+  static bool is_stop(const std::string& body) {
+    try {
+      const std::string what = read_instruction(body).what;
+      return what == "stop" || what == "release";
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  Answer order(const std::string& body) {
+    try {
+      const Instruction instruction = read_instruction(body);
+      if (!board.has(instruction.axis))
+        throw InputError("axis", instruction.axis, "is not an axis of this page");
+      const CallOutcome outcome = outcome_of(instruction);
+      return answer(outcome.ok()                            ? 200
+                    : outcome.error == StreamError::refused ? 409
+                                                            : 504,
+                    outcome.reason);
+    } catch (const InputError& error) {
+      return answer(400, error.what());
+    } catch (const TransportError& error) {
+      return answer(504, error.what());
+    }
+  }
+
+  CallOutcome outcome_of(const Instruction& instruction) {
+    if (instruction.what == "jog")
+      return jogs.jog(instruction.axis, instruction.value, instruction.hold);
+    if (instruction.what == "release") {
+      jogs.release(instruction.axis, instruction.hold);
+      return {};
+    }
+    const auto link = make_link();
+    return give(*link, instruction, options.key);
+  }
+
+  const PanelOptions options;
+  const MakeLink make_link;
+  Jogs jogs;
+  std::unique_ptr<Transport> ears;  // the listener's
+  Rejects rejects;                  // likewise
+  std::mutex mutex;                 // guards what of the board changes
+  Board board;
+  std::optional<Server> server;
+  std::atomic<bool> running{true};
+  std::thread listener;
+};
+
+Panel::Panel(const PanelOptions& options, Listening listening, MakeLink make_link)
+    : impl_(std::make_unique<Impl>(options, std::move(listening), std::move(make_link))) {}
+Panel::~Panel() = default;
+
+std::string Panel::address() const {
+  return "http://127.0.0.1:" + std::to_string(impl_->server->port()) + "/#" + impl_->options.token;
+}
+
+}  // namespace jounce::web

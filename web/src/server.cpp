@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/web/server.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+#include <list>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+
+#include "jounce/web/gate.hpp"
+
+// One thread waits for all connections; an order, which waits for an axis, has a thread of a pool. httplib, which
+// was here before, reads a body whole before it asks for the token, and has a time for each read but none for
+// a request: it cannot be bounded from outside.
+namespace jounce::web {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+using boost::system::error_code;
+using namespace std::chrono_literals;
+
+constexpr auto period = 50ms;  // of events
+constexpr std::size_t most_head = 8192;
+constexpr std::size_t most_body = 1024;
+constexpr std::chrono::seconds patience{Server::request_seconds};
+constexpr std::size_t most_drained = std::size_t{1} << 20U;  // of what nobody reads, before a close
+constexpr auto drain_time = 1s;
+constexpr auto freshness = 300ms;  // of an order that waited for others
+
+using Response = http::response<http::string_body>;
+
+std::string header(const http::request<http::empty_body>& request, const char* name) {
+  const auto value = request[name];
+  return {value.data(), value.size()};
+}
+
+void guard(http::fields& fields) {
+  constexpr std::array<std::pair<const char*, const char*>, 7> headers{
+      {{"Content-Security-Policy",
+        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src "
+        "data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+       {"X-Frame-Options", "DENY"},
+       {"X-Content-Type-Options", "nosniff"},
+       {"Referrer-Policy", "no-referrer"},
+       {"Cross-Origin-Resource-Policy", "same-origin"},
+       {"Cache-Control", "no-store"},
+       {"Connection", "close"}}};
+  for (const auto& [name, value] : headers) fields.set(name, value);
+}
+
+}  // namespace
+
+struct Server::Impl {
+  class Connection;
+
+  Impl(Listening listening, std::string its_token, Site its_site);
+  ~Impl();
+
+  void accept();
+  void make_room();
+  bool make_room_for_reader(bool trusted);
+
+  std::string token;
+  Site site;
+  std::uint16_t port;
+  int readers = 0;
+  int orders = 0;
+  asio::io_context io;
+  tcp::acceptor acceptor{io};
+  asio::steady_timer pause{io};
+  std::list<std::weak_ptr<Connection>> connections;  // the oldest first
+  asio::thread_pool urgent{4};
+  asio::thread_pool others{4};
+  std::thread thread;  // last: it uses the others
+};
+
+/// One request, on a connection of its own.
+class Server::Impl::Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(tcp::socket socket, Impl& server) : stream_(std::move(socket)), server_(server) {
+    parser_.header_limit(most_head);
+    // The length is looked at once the token was. (Beast 1.74 takes `none` for 0.)
+    parser_.body_limit(std::numeric_limits<std::uint64_t>::max());
+  }
+  ~Connection() {
+    if (reads_events_) --server_.readers;
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void begin() {
+    error_code ignored;
+    stream_.socket().set_option(tcp::no_delay(true), ignored);
+    stream_.expires_after(patience);  // for all of the request
+    http::async_read_header(stream_, buffer_, parser_,
+                            [self = shared_from_this()](error_code error, std::size_t /*size*/) {
+                              if (error == http::error::header_limit)
+                                return self->answer(431,
+                                                    "the head of a request must not exceed 8 KB\n");
+                              if (!error) self->route();
+                            });
+  }
+
+  void close() {
+    error_code ignored;
+    stream_.socket().close(ignored);
+    timer_.cancel();
+  }
+
+  [[nodiscard]] bool is_guest() const { return !trusted_ && !reads_events_; }
+  [[nodiscard]] bool is_strange_reader() const { return !trusted_ && reads_events_; }
+
+ private:
+  void route() {
+    const auto& request = parser_.get();
+    const Origin origin{header(request, "Host"), header(request, "Origin"),
+                        header(request, "Sec-Fetch-Site")};
+    if (const std::string no = objection(origin, server_.port); !no.empty())
+      return answer(403, no + "\n");
+    trusted_ = same(header(request, "X-Jounce-Token"), server_.token);
+    const std::string_view path(request.target().data(), request.target().size());
+    const bool get = request.method() == http::verb::get;
+    const Site& files = server_.site;
+    if (get && path == "/") return answer(200, files.page, "text/html; charset=utf-8");
+    if (get && path == "/panel.js")
+      return answer(200, files.script, "text/javascript; charset=utf-8");
+    if (get && path == "/panel.css") return answer(200, files.style, "text/css; charset=utf-8");
+    if (get && path == "/events") return events();
+    if (request.method() == http::verb::post && path == "/order") return order();
+    answer(404, "there is no such page\n");
+  }
+
+  // ---- an order ---------------------------------------------------------------------------------
+
+  void order() {
+    if (!trusted_) return answer(403, "to send orders, open the address that jounce printed\n");
+    if (!parser_.content_length()) return answer(411, "an order needs a Content-Length\n");
+    if (*parser_.content_length() > most_body)
+      return answer(413, "an order must not exceed 1 KB\n");
+    body_.emplace(std::move(parser_));
+    body_->body_limit(most_body);
+    http::async_read(stream_, buffer_, *body_,
+                     [self = shared_from_this()](error_code error, std::size_t /*size*/) {
+                       if (!error) self->hand_on();
+                     });
+  }
+
+  void hand_on() {
+    std::string body = body_->get().body();
+    const bool at_once = server_.site.urgent(body);
+    if (!at_once && server_.orders >= Server::most_orders)
+      return answer(503, "too many orders wait for an axis\n");
+    if (!at_once) ++server_.orders;
+    stream_.expires_never();  // the axis has its own time
+    asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(),
+                                                           body = std::move(body), at_once,
+                                                           came =
+                                                               std::chrono::steady_clock::now()] {
+      // The one who sent it may be gone: an old order moves nothing.
+      const bool late = !at_once && std::chrono::steady_clock::now() - came > freshness;
+      const Answer said =
+          late
+              ? Answer{503,
+                       R"({"ok":false,"reason":"the order waited too long for an axis: repeat it"})"}
+              : self->obeyed(body);
+      asio::post(self->server_.io, [self, said, at_once] {
+        if (!at_once) --self->server_.orders;
+        self->answer(said.status, said.json, "application/json");
+      });
+    });
+  }
+
+  [[nodiscard]] Answer obeyed(const std::string& body) const {
+    try {
+      return server_.site.order(body);
+    } catch (const std::exception&) {
+      return {500, R"({"ok":false,"reason":"the page has failed"})"};
+    }
+  }
+
+  // ---- answers ----------------------------------------------------------------------------------
+
+  void answer(int status, const std::string& text, const char* type = "text/plain; charset=utf-8") {
+    response_.result(static_cast<unsigned>(status));
+    response_.version(11);
+    guard(response_);
+    response_.set(http::field::content_type, type);
+    response_.body() = text;
+    response_.prepare_payload();
+    stream_.expires_after(patience);
+    http::async_write(stream_, response_,
+                      [self = shared_from_this()](error_code error, std::size_t /*size*/) {
+                        if (!error) self->leave();
+                      });
+  }
+
+  /// A socket that is closed over unread bytes takes the answer back: they are read and dropped, but not
+  /// without bounds.
+  void leave() {
+    error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    stream_.expires_after(drain_time);
+    drain();
+  }
+  void drain() {
+    stream_.async_read_some(asio::buffer(dropped_),
+                            [self = shared_from_this()](error_code error, std::size_t size) {
+                              self->drained_ += size;
+                              if (!error && self->drained_ < most_drained) self->drain();
+                            });
+  }
+
+  // ---- events -----------------------------------------------------------------------------------
+
+  void events() {
+    if (!server_.make_room_for_reader(trusted_))
+      return answer(503, "eight pages are open already\n");
+    reads_events_ = true;
+    ++server_.readers;
+    http::response<http::empty_body> head{http::status::ok, 11};
+    guard(head);
+    head.set(http::field::content_type, "text/event-stream");
+    beast::ostream(out_) << head.base();
+    write();
+    watch();
+  }
+
+  void tick() {
+    timer_.expires_after(period);
+    timer_.async_wait([self = shared_from_this()](error_code error) {
+      if (error || !self->stream_.socket().is_open()) return;
+      beast::ostream(self->out_) << "data: " << self->server_.site.event(self->seen_) << "\n\n";
+      self->write();
+    });
+  }
+
+  void write() {
+    stream_.expires_after(patience);
+    asio::async_write(stream_, out_.data(),
+                      [self = shared_from_this()](error_code error, std::size_t size) {
+                        if (error) return self->close();
+                        self->out_.consume(size);
+                        self->tick();
+                      });
+  }
+
+  /// A reader says nothing more: what comes is its end.
+  void watch() {
+    stream_.socket().async_wait(
+        tcp::socket::wait_read,
+        [self = shared_from_this()](error_code /*error*/) { self->close(); });
+  }
+
+  beast::tcp_stream stream_;
+  Impl& server_;
+  asio::steady_timer timer_{stream_.get_executor()};
+  beast::flat_buffer buffer_{most_head + most_body};
+  http::request_parser<http::empty_body> parser_;
+  std::optional<http::request_parser<http::string_body>> body_;
+  Response response_;
+  beast::flat_buffer out_;
+  std::array<char, 4096> dropped_{};
+  std::size_t drained_ = 0;
+  std::int64_t seen_ = 0;
+  bool trusted_ = false;
+  bool reads_events_ = false;
+};
+
+Server::Impl::Impl(Listening listening, std::string its_token, Site its_site)
+    : token(std::move(its_token)), site(std::move(its_site)), port(listening.port()) {
+  acceptor.assign(tcp::v4(), listening.release());
+  acceptor.non_blocking(true);
+  accept();
+  thread = std::thread([this] {
+    for (bool ended = false; !ended;) {
+      try {
+        io.run();
+        ended = true;
+      } catch (const std::exception&) {
+        // One connection has failed (no memory for it): it is gone, the others go on.
+      }
+    }
+  });
+}
+
+Server::Impl::~Impl() {
+  io.stop();
+  thread.join();
+  others.stop();
+  urgent.join();
+  others.join();
+}
+
+void Server::Impl::accept() {
+  acceptor.async_accept([this](error_code error, tcp::socket socket) {
+    if (error) {  // no descriptor is left: some will be, in a while
+      pause.expires_after(100ms);
+      return pause.async_wait([this](error_code stopped) {
+        if (!stopped) accept();
+      });
+    }
+    make_room();
+    const auto connection = std::make_shared<Connection>(std::move(socket), *this);
+    connections.push_back(connection);
+    connection->begin();
+    accept();
+  });
+}
+
+/// Closes the oldest guest where there are too many.
+void Server::Impl::make_room() {
+  connections.remove_if([](const auto& one) { return one.expired(); });
+  int guests = 0;
+  std::shared_ptr<Connection> oldest;
+  for (const auto& one : connections) {
+    auto connection = one.lock();
+    if (!connection || !connection->is_guest()) continue;
+    if (guests++ == 0) oldest = std::move(connection);
+  }
+  if (guests >= most_guests) {
+    oldest->close();
+    connections.remove_if([&](const auto& one) { return one.lock() == oldest; });
+  }
+}
+
+/// Whether one more may read events, for which one without the token is closed if need be.
+bool Server::Impl::make_room_for_reader(bool trusted) {
+  if (readers < most_readers) return true;
+  if (!trusted) return false;
+  for (auto at = connections.begin(); at != connections.end(); ++at) {
+    const auto connection = at->lock();
+    if (!connection || !connection->is_strange_reader()) continue;
+    connection->close();
+    connections.erase(at);
+    return true;
+  }
+  return false;
+}
+
+Server::Server(Listening listening, std::string token, Site site)
+    : impl_(std::make_unique<Impl>(std::move(listening), std::move(token), std::move(site))) {}
+Server::~Server() = default;
+
+std::uint16_t Server::port() const {
+  return impl_->port;
+}
+
+}  // namespace jounce::web
