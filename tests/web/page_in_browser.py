@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The live page in a browser: page_in_browser.py CHROMIUM FOLDER ADDRESS_WITH_TOKEN [PICTURE]
 
 With a picture: draws PICTURE.png, PICTURE-dark.png and PICTURE-narrow.png of an axis in motion.
@@ -28,6 +29,14 @@ def move_to(position):
     press("move")
 
 
+def override(percent):
+    slider = "document.querySelector('[data-is=slider]')"
+    browser.run(f"{slider}.value = {percent}; {slider}.dispatchEvent(new Event('input')); "
+                f"{slider}.dispatchEvent(new Event('change'))")
+    browser.wait_for("document.getElementById('said').textContent.endsWith('override accepted')")
+    shows("override", f"{percent} %")
+
+
 def inked(canvas="canvas"):
     """Whether a plot, that of the position, has pixels in the line's colour."""
     return f"(() => {{ const c = document.querySelector('{canvas}');" + """
@@ -52,10 +61,7 @@ def test():
     assert browser.run(f"/^computed: half within [0-9]+ µs, 99.9 % within .* µs$/.test({told})")
     press("disable", yes=False)
     shows("state", "standstill")
-    slider = "document.querySelector('[data-is=slider]')"
-    browser.run(f"{slider}.value = 5; {slider}.dispatchEvent(new Event('input')); "
-                f"{slider}.dispatchEvent(new Event('change'))")
-    browser.wait_for("document.getElementById('said').textContent.endsWith('override accepted')")
+    override(5)
     move_to(0)
     shows("state", "discrete motion")
     press("hold")
@@ -64,6 +70,7 @@ def test():
     shows("state", "standstill")
     shows("motions", "1 done, 1 stopped")
     shows("homed", "no")
+    override(100)
     jog, button = "document.querySelector('[data-is=jog]')", "document.querySelector('button[data-jog=\"1\"]')"
     browser.run(f"{jog}.value = 2; {button}.dispatchEvent(new PointerEvent('pointerdown', {{button: 0}}))")
     shows("velocity", "2 mm/s")
