@@ -19,8 +19,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
 endif()
 
+# GCC otherwise searches for garbage each time that its heap has grown by some 100 MB: a tenth to a fifth of its time.
+set(JOUNCE_COMPILER_OPTIONS "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(JOUNCE_COMPILER_OPTIONS --param=ggc-min-heapsize=524288 --param=ggc-min-expand=100)
+endif()
+
 function(jounce_options target)
-  target_compile_options(${target} PRIVATE ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
+  target_compile_options(${target} PRIVATE ${JOUNCE_COMPILER_OPTIONS} ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
 endfunction()
 
 # The options of all modules, so that they can share what is parsed once.
