@@ -107,6 +107,7 @@ class CommandLine {
 /// Each adds one verb: its options, its help with an example, and what it does.
 void add_new(CommandLine& line);
 void add_laws(CommandLine& line);
+void add_explain(CommandLine& line);
 void add_design(CommandLine& line);
 void add_check(CommandLine& line);
 void add_convert(CommandLine& line);

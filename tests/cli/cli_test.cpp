@@ -94,12 +94,29 @@ TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
   const Result program = run("--help");
   EXPECT_EQ(program.status, 0);
   const auto verbs = verbs_of(program.out);
-  EXPECT_GE(verbs.size(), 23U) << program.out;
+  EXPECT_GE(verbs.size(), 24U) << program.out;
   for (const std::string& verb : verbs) {
     const Result help = run(verb + " --help");
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr("Example:\n  jounce " + verb)) << verb;
   }
+}
+
+TEST_F(Cli, ExplainNamesMeaningAndRemedy) {
+  const Result name = run("explain following_error");
+  EXPECT_EQ(name.status, 0);
+  EXPECT_THAT(name.out,
+              HasSubstr("6 following_error (Faults of an axis)\n  The following error was above "));
+  EXPECT_THAT(name.out, HasSubstr("What to do: "));
+  const Result number = run("explain 6");
+  EXPECT_THAT(number.out, HasSubstr(name.out)) << "the same fault";
+  EXPECT_THAT(number.out, HasSubstr("6 out_of_memory (Refusals of the stream)"));
+  EXPECT_THAT(run("explain 0x1392").out, HasSubstr("Errors of HMPL for a cam"));
+  const Result wrong = run("explain folowing_error");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err,
+            "jounce: CODE = folowing_error: is not the number or name of a message; did you mean "
+            "following_error? `jounce explain` lists all\n");
 }
 
 TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
@@ -965,7 +982,7 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
 
 // A full disk behind `> file` was exit status 0, with half of the text or none.
 TEST_F(Cli, TextThatCannotBeWrittenIsAFault) {
-  for (const char* verb : {"check ", "check --json ", "validate ", "diff " }) {
+  for (const char* verb : {"check ", "check --json ", "validate ", "diff "}) {
     const std::string file = verb == std::string("diff ") ? cam + " " + cam : cam;
     const Result full = run(verb + file + " > /dev/full");
     EXPECT_EQ(full.status, 3) << verb;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
-#include <iterator>
 
 namespace jounce::wire {
 namespace {
@@ -28,33 +27,6 @@ const char* name(ArmMode mode) {
       break;
   }
   return "queue";
-}
-
-const char* name(Refusal refusal) {
-  constexpr const char* names[] = {"none",
-                                   "busy",
-                                   "unknown_session",
-                                   "session_ended",
-                                   "bad_header",
-                                   "too_large",
-                                   "out_of_memory",
-                                   "bad_chunk",
-                                   "hash_mismatch",
-                                   "bad_table",
-                                   "table_missing",
-                                   "wrong_axis",
-                                   "wrong_unit",
-                                   "not_armed",
-                                   "axis",
-                                   "stale_challenge",
-                                   "bad_queue",
-                                   "bad_rows",
-                                   "bad_row",
-                                   "queue_missing",
-                                   "prefill_missing",
-                                   "bad_order"};
-  static_assert(std::size(names) == refusals);
-  return names[static_cast<std::size_t>(refusal)];
 }
 
 const char* name(AxisState state) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "jounce/axis/cause.hpp"
+
+namespace jounce {
+
+/// A cause in words, for a person at the machine.
+struct CauseInfo {
+  Cause cause;
+  const char* name;     ///< "following_error": the word of logs and messages
+  const char* meaning;  ///< one sentence: what happened
+  const char* remedy;   ///< the next step of the operator
+};
+
+/// One for each Cause, in the order of their numbers.
+std::span<const CauseInfo> all_causes();
+
+}  // namespace jounce

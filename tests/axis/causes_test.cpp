@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/causes.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace jounce {
+namespace {
+
+using testing::ElementsAreArray;
+using testing::EndsWith;
+
+/// "stopped = 80", for each enumerator of the header.
+std::vector<std::string> enumerators() {
+  std::ifstream header(JOUNCE_SOURCE_DIR "/axis/include/jounce/axis/cause.hpp");
+  std::vector<std::string> found;
+  for (std::string line; std::getline(header, line);)
+    if (std::smatch m; std::regex_match(line, m, std::regex("  (\\w+ = \\d+),")))
+      found.push_back(m[1]);
+  return found;
+}
+
+TEST(Causes, EachHasItsEntry) {
+  std::vector<std::string> entries;
+  for (const CauseInfo& one : all_causes())
+    entries.push_back(std::string(one.name) + " = " + std::to_string(static_cast<int>(one.cause)));
+  EXPECT_GT(entries.size(), 60U);
+  auto wanted = enumerators();
+  std::sort(wanted.begin(), wanted.end());
+  std::sort(entries.begin(), entries.end());
+  EXPECT_THAT(entries, ElementsAreArray(wanted));
+}
+
+TEST(Causes, EachHasASentenceAndARemedy) {
+  for (const CauseInfo& one : all_causes()) {
+    EXPECT_THAT(one.meaning, EndsWith(".")) << one.name;
+    EXPECT_THAT(one.remedy, EndsWith(".")) << one.name;
+    EXPECT_STREQ(meaning(one.cause), one.meaning);
+  }
+}
+
+}  // namespace
+}  // namespace jounce
