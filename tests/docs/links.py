@@ -69,7 +69,10 @@ for name, text in pages.items():
         first = path.split("/")[0]
         here = str((root / name).parent.joinpath(path).resolve().relative_to(root)) if ".." not in path else ""
         placeholder = re.search(r"[A-Z]{3,}", path) and not path.endswith("README.md")
-        if "/" in path and first in modules and not placeholder and path not in files and here not in files:
+        known = path in files or here in files
+        if path.endswith((".hpp", ".cpp")):  # as #include names it: the end of a path
+            known = known or any(f.endswith("/" + path) for f in files)
+        if "/" in path and (first in modules or path.endswith((".hpp", ".cpp"))) and not placeholder and not known:
             errors.append(f"{name}:{prose.count(chr(10), 0, m.start()) + 1}: `{path}` does not exist")
 
 reached, todo = set(), ["README.md"]
