@@ -166,6 +166,30 @@ double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape) 
   return sum;
 }
 
+namespace {
+
+constexpr double near_point = 0.5;  ///< of the distance of two knots
+
+/// The points that a shape must pass through, in order.
+std::vector<double> points_of(const ShapeProblem& p) {
+  std::vector<double> points;
+  for (const Corridor& c : p.corridors)
+    if (c.from == c.to) points.push_back(c.from);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// The point that is nearer to x than to the next knot: otherwise the piece between them is short when the shape is
+/// written, and an error e of its rise makes a jerk of 60 e / length^3. Without such a point, x.
+double moved_to_point(double x, const std::vector<double>& points, double near) {
+  const auto above = std::lower_bound(points.begin(), points.end(), x);
+  if (above != points.end() && *above - x <= near) return *above;
+  if (above != points.begin() && x - *std::prev(above) <= near) return *std::prev(above);
+  return x;
+}
+
+}  // namespace
+
 std::vector<double> first_knots(const ShapeProblem& p) {
   const double h = (p.end - p.begin) / static_cast<double>(p.pieces);
   std::vector<double> kept{p.begin, p.end};  // these stay where they are
@@ -177,13 +201,15 @@ std::vector<double> first_knots(const ShapeProblem& p) {
     if (knots.empty() || x - knots.back() > same_knot * h) knots.push_back(x);
   knots.back() = p.end;
   const auto fixed = knots;
+  const auto points = points_of(p);
   for (std::size_t i = 1; i < p.pieces; ++i) {
-    const double x = p.begin + static_cast<double>(i) * h;
+    const double x = moved_to_point(p.begin + static_cast<double>(i) * h, points, near_point * h);
     const auto after = std::lower_bound(fixed.begin(), fixed.end(), x);
     const double apart = std::min(*after - x, x - *std::prev(after));
     if (apart > 0.25 * h) knots.push_back(x);
   }
   std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());  // two may go to one point
   return knots;
 }
 

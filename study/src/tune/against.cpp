@@ -188,17 +188,19 @@ class Search {
   /// The shapes of one convex problem, with the peaks of a linear drive where they are.
   CamShapeOutcome solved() {
     for (int k = 0;; ++k) {
-      CamShapeOutcome found = optimize_cam_shapes(prepared_.with(correction_, at_most_), watched());
+      CamShapeProblem& problem = prepared_.with(correction_, at_most_);
+      if (problem_.seconds) problem.seconds = std::max(*problem_.seconds - gone(), 1e-3);
+      CamShapeOutcome found = optimize_cam_shapes(problem, watched());
       const bool done = !exact_ || !found.usable() || found.status == Status::cancelled ||
                         k == max_exchanges || out_of_time();
       if (done || add_peaks(found) == 0) return found;
     }
   }
 
-  [[nodiscard]] bool out_of_time() const {
-    const std::chrono::duration<double> gone = Clock::now() - begin_;
-    return problem_.seconds && gone.count() >= *problem_.seconds;
+  [[nodiscard]] double gone() const {  // s
+    return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
+  [[nodiscard]] bool out_of_time() const { return problem_.seconds && gone() >= *problem_.seconds; }
 
   /// How many peaks of the drive's figures stand out of the instants that were looked at.
   std::size_t add_peaks(const CamShapeOutcome& found) {
