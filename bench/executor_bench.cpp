@@ -38,7 +38,7 @@ std::shared_ptr<const Table> turning() {
   c.p.back() = c.p.front();
   c.v.back() = c.v.front() = 0;
   c.a.back() = c.a.front();
-  return std::make_shared<const Table>(jounce::Axis::time, Interpolation::quintic_hermite,
+  return std::make_shared<const Table>(jounce::Domain::time, Interpolation::quintic_hermite,
                                        Extrapolation::wrap, std::move(c));
 }
 

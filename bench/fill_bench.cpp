@@ -13,8 +13,10 @@
 #include <gsl/gsl_interp.h>
 #endif
 #ifdef JOUNCE_BENCH_BOOST
+// clang-format off: Boost 1.74's pchip.hpp calls isnan without std::
+#include <math.h>
 #include <boost/math/interpolators/pchip.hpp>
-#include <math.h>  // Boost 1.74's pchip.hpp says isnan without std::
+// clang-format on
 #endif
 
 using namespace jounce;

@@ -84,6 +84,23 @@ TEST(Played, MeasuresRoundingByThePositionAndTheTime) {
   EXPECT_LT(played.table.limit, 1e-7);
 }
 
+// A cycle that came 5 ms late: the next one is at rest at the end.
+TEST(Played, AnEndThatALateCycleLeftOutIsShownByTheTickAfterIt) {
+  const auto log = [](double rest) {
+    std::string rows = header;
+    for (int k = 0; k <= 195; ++k)
+      rows += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
+              number(100 * k * 0.001) + ",1,none\n";
+    return rows + "201,0.201,standstill,0," + number(rest) + ",0,none\n";
+  };
+  const auto line = [](double t) { return Motion{100 * t, 100, 0, 0}; };
+  const Designed designed{.table = line, .duration = 0.2};
+  EXPECT_TRUE(compare_played(read_played(log(20), "run.csv"), designed).report.ok());
+  const Played beside = compare_played(read_played(log(19.7), "run.csv"), designed);
+  EXPECT_FALSE(beside.report.ok());
+  EXPECT_EQ(beside.report.findings.front().rule, "played/table");
+}
+
 TEST(Played, FindsAMotionThatWasCutShort) {
   Designed longer = ramp;
   longer.duration = 0.5;

@@ -109,7 +109,7 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
   add("played/gap", "ticks left out", gap_at, static_cast<double>(gap), 0.1 / cycle,
       static_cast<double>(gap) * cycle > 0.1,
       "rows are missing from the log, or the executor was suspended", "ticks");
-  // The last tick of a motion may lie one cycle, and what was left out, before its end.
+  // The last tick of a motion may lie one cycle before its end.
   const double missing = std::max(0.0, designed.duration - ticks.back().time);
   add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
       missing > cycle * (1 + 1e-9), "the motion was stopped, or the log ends early", "s");
@@ -143,8 +143,11 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
       ticks.clear();
       start = now;
     }
+    const bool has_ended = row_cells[job] == "0" && current != "0";
     current = row_cells[job];
-    if (current != "0") ticks.push_back({tick, now - start, at, now});
+    // A late cycle may leave out the end: the first tick at rest is then what shows it.
+    const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
+    if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now});
   }
   if (ticks.empty()) throw InputError("job", "", "the log contains no motion").at(name);
   return ticks;
