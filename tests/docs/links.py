@@ -7,7 +7,6 @@ links from README.md reaches, of each page with another number of first-level he
 backticks that does not exist."""
 import pathlib
 import re
-import subprocess
 import sys
 
 root = pathlib.Path(sys.argv[1]).resolve()
@@ -30,11 +29,10 @@ def anchors_of(text):
     return found | set(re.findall(r'<a (?:id|name)="([^"]+)"', text))
 
 
-tracked = subprocess.run(["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard"],
-                         capture_output=True, text=True, check=False).stdout.split("\n")
-if len(tracked) < 100:  # not a clone
-    tracked = [str(p.relative_to(root)) for p in root.rglob("*") if "build" not in p.relative_to(root).parts[:1]]
-files = {name for name in tracked if name and (root / name).exists()}
+# Without git, which a fresh machine need not have: all files but those that a build or a script makes.
+MADE = {".git", "build", "demo-out", "__pycache__"}
+paths = (p.relative_to(root) for p in root.rglob("*") if p.is_file())
+files = {str(p) for p in paths if not MADE & set(p.parts)}
 folders = {str(parent) for name in files for parent in pathlib.PurePath(name).parents}
 pages = {name: (root / name).read_text() for name in sorted(files) if name.endswith(".md")}
 anchors = {name: anchors_of(text) for name, text in pages.items()}
