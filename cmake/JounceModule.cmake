@@ -5,13 +5,15 @@
 # jounce_add_modules(): adds the folders of JOUNCE_MODULES and of all that they use.
 #
 # jounce_module(NAME SOURCES a.cpp ... [LINKS target ...] [PRIVATE_LINKS target ...] [PRECOMPILE header ...]
-#   [PKGCONFIG -llibrary ...] [LIGHT])
+#   [PKGCONFIG -llibrary ...] [APART a.cpp ...] [LIGHT])
 #
 # One library a module, target jounce::NAME. NAME/include holds its public headers, <jounce/NAME/x.hpp>; a header under
 # jounce/NAME/detail is for other modules, and is not installed. NAME/src holds sources and private headers,
 # "NAME/src/x.hpp", which no other module includes.
 #
 # PKGCONFIG names the libraries that a program needs beside a static module, for pkg-config.
+#
+# The sources of a UNITY module are compiled five at a time, but those in APART (see jounce_unity).
 #
 # A LIGHT module reads, writes and prints. It is compiled at -O1, in three quarters of the time of -O3.
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
@@ -84,7 +86,7 @@ function(jounce_add_modules)
 endfunction()
 
 function(jounce_module name)
-  cmake_parse_arguments(MODULE "LIGHT" "" "SOURCES;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
+  cmake_parse_arguments(MODULE "LIGHT;UNITY" "" "SOURCES;APART;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
   set_property(GLOBAL PROPERTY JOUNCE_PKGCONFIG_${name} "${MODULE_PKGCONFIG}")
   if(NOT MODULE_PRECOMPILE AND MODULE_LIGHT)
     set(MODULE_PRECOMPILE REUSE jounce_parsed_light)
@@ -101,6 +103,9 @@ function(jounce_module name)
     jounce_light_options(jounce_${name})
   endif()
   jounce_precompile(jounce_${name} ${MODULE_PRECOMPILE})
+  if(MODULE_UNITY)
+    jounce_unity(jounce_${name} ${MODULE_APART})
+  endif()
   target_compile_features(jounce_${name} PUBLIC cxx_std_20)
   target_include_directories(jounce_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

@@ -9,11 +9,14 @@
 
 namespace jounce::cli {
 
+/// An object that keeps the order of its keys.
+using Json = nlohmann::ordered_json;
+
 /// Results of a verb for each axis, by its name.
-using AxisDocuments = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+using AxisDocuments = std::vector<std::pair<std::string, Json>>;
 
 /// One axis: its document as it is. Several: {"ok": ..., "axes": {"x": ..., "y": ...}}, where `ok`,
 /// if they have one, is true if all are.
-nlohmann::ordered_json document_of(AxisDocuments axes);
+Json document_of(AxisDocuments axes);
 
 }  // namespace jounce::cli

@@ -30,7 +30,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct MasterArguments {
   std::string file;
   std::string axis;
   std::string name;
@@ -68,7 +68,7 @@ double magnitude_of(const char* option, const std::string& text, const std::stri
   return value;
 }
 
-EncoderErrors errors_of(const Options& options, const std::string& unit) {
+EncoderErrors errors_of(const MasterArguments& options, const std::string& unit) {
   return {.resolution = magnitude_of("--resolution", options.resolution, unit),
           .noise = magnitude_of("--noise", options.noise, unit),
           .seed = options.seed};
@@ -80,7 +80,7 @@ struct Play {
   double length = 0;
 };
 
-Play play_of(const Options& options) {
+Play play_of(const MasterArguments& options) {
   Tables tables = executor_tables(load(options.file, options.axis));
   const Table& table = tables.slave.table;
   if (tables.master || table.axis() != Domain::time)
@@ -101,7 +101,7 @@ struct Said {
 /// Says where the master is, at instants of its own clock.
 class Speaker {
  public:
-  Speaker(const Options& options, Link& link, std::string unit)
+  Speaker(const MasterArguments& options, Link& link, std::string unit)
       : options_(options), link_(link), reading_(errors_of(options, unit)) {
     said_.unit = std::move(unit);
     said_.clock = options.epoch.value_or(epoch_now());
@@ -117,7 +117,7 @@ class Speaker {
   }
 
  private:
-  const Options& options_;
+  const MasterArguments& options_;
   Link& link_;
   EncoderReading reading_;
   wire::Master said_;
@@ -132,7 +132,7 @@ void leave(Speaker& speaker, Pacer& pacer, std::int64_t period, const Jet& x) {
   }
 }
 
-Said speak(const Play& play, const Options& options, Link& link) {
+Said speak(const Play& play, const MasterArguments& options, Link& link) {
   const auto period = static_cast<std::int64_t>(std::llround(1e9 / options.rate));
   const auto table = std::make_shared<const Table>(play.file.table);
   TableMaster master(table, options.before);
@@ -160,7 +160,7 @@ Said speak(const Play& play, const Options& options, Link& link) {
   return said;
 }
 
-int report(const Said& said, const Options& options, const std::string& unit) {
+int report(const Said& said, const MasterArguments& options, const std::string& unit) {
   if (options.json) {
     const nlohmann::ordered_json document{{"name", options.name},      {"samples", said.samples},
                                           {"late", said.late},         {"seconds", said.seconds},
@@ -174,7 +174,7 @@ int report(const Said& said, const Options& options, const std::string& unit) {
 }
 
 /// Who begins to speak takes over: from the line itself, if that is on this bus.
-void require_alone(Link link, const Options& options) {
+void require_alone(Link link, const MasterArguments& options) {
   link.transport().subscribe(wire::channel(options.name, wire::Lane::master), 16);
   const Nanos end = steady_now() + std::chrono::milliseconds(300);
   Rejects rejects;
@@ -188,7 +188,7 @@ void require_alone(Link link, const Options& options) {
   }
 }
 
-int run(const Options& options) {
+int run_master(const MasterArguments& options) {
   require_name_on_bus("--as", options.name);
   const Play play = play_of(options);
   (void)errors_of(options,
@@ -201,7 +201,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_master(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MasterArguments>();
   const Verb verb = line.verb(
       "master", "Send the positions of a simulated master: for tests without the line",
       "jounce master line.toml --as line\n"
@@ -231,7 +231,7 @@ void add_master(CommandLine& line) {
   verb.option("--noise-seed", options->seed, "Seed of the noise").shown();
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Summary as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_master(*options); });
 }
 
 }  // namespace jounce::cli

@@ -23,7 +23,7 @@ namespace {
 constexpr int queue_capacity = 256;  // two statuses each of the most axes of a machine, and more
 constexpr Nanos turn = std::chrono::milliseconds(50);
 
-struct Options {
+struct MonitorArguments {
   std::vector<std::string> executors;  // sorted; empty: all that are heard
   LinkOptions link;
   double seconds = 0;
@@ -83,7 +83,7 @@ void print_json(const std::string& axis, const wire::MasterStatus& m) {
 /// Hears the executors that are asked for.
 class Ear {
  public:
-  explicit Ear(const Options& options) : options_(options), link_(options.link) {
+  explicit Ear(const MonitorArguments& options) : options_(options), link_(options.link) {
     for (const std::string& name : options.executors) {
       for (const auto lane : {wire::Lane::status, wire::Lane::masters})
         link_.transport().subscribe(wire::channel(name, lane), queue_capacity);
@@ -139,20 +139,20 @@ class Ear {
            std::binary_search(options_.executors.begin(), options_.executors.end(), name);
   }
 
-  const Options& options_;
+  const MonitorArguments& options_;
   Link link_;
   std::vector<Watched> axes_;
   Rejects rejects_;
   Nanos begun_ = steady_now();
 };
 
-int give_up(const std::string& who, const Options& options) {
+int give_up(const std::string& who, const MonitorArguments& options) {
   fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, options.silence,
              unheard_hint);
   return fault;
 }
 
-int print_all(Ear& ear, const Options& options) {
+int print_all(Ear& ear, const MonitorArguments& options) {
   while (ear.in_time()) {
     ear.listen([&](const std::string& axis, const auto& status) {
       options.json ? print_json(axis, status) : print_line(axis, status);
@@ -177,7 +177,7 @@ std::string tell(Ear& ear, const std::string& axis, Wish wish) {
       reply.cause != 0 ? name(static_cast<Cause>(reply.cause)) : name(reply.refusal));
 }
 
-int watch(Ear& ear, const Options& options) {
+int watch(Ear& ear, const MonitorArguments& options) {
   Terminal terminal;
   View view{.ascii = options.ascii || !is_utf8(), .silence = nanos(options.silence)};
   while (ear.in_time()) {
@@ -196,7 +196,7 @@ int watch(Ear& ear, const Options& options) {
   return fine;
 }
 
-int run(Options options) {
+int run_monitor(MonitorArguments options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   std::sort(options.executors.begin(), options.executors.end());
   options.executors.erase(std::unique(options.executors.begin(), options.executors.end()),
@@ -210,7 +210,7 @@ int run(Options options) {
 }  // namespace
 
 void add_monitor(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MonitorArguments>();
   const Verb verb = line.verb(
       "monitor", "Show the present state of executors",
       "jounce monitor                           all executors\n"
@@ -230,7 +230,7 @@ void add_monitor(CommandLine& line) {
   add_link_options(verb, options->link);
   verb.flag("--ascii", options->ascii, "Draw bars and plots in ASCII; default: by the locale");
   verb.flag("--json", options->json, "One line of JSON for each status");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_monitor(*options); });
 }
 
 }  // namespace jounce::cli

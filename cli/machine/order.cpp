@@ -28,7 +28,7 @@ namespace {
 
 using wire::OrderKind;
 
-struct Options {
+struct OrderArguments {
   std::string executor;
   std::string what;
   std::string value;
@@ -44,7 +44,8 @@ struct Options {
 };
 
 /// What the axis counts in, and so what the values of its orders are.
-Units units_of(Transport& link, const Options& options, const std::optional<wire::Key>& key) {
+Units units_of(Transport& link, const OrderArguments& options,
+               const std::optional<wire::Key>& key) {
   link.subscribe(wire::channel(options.executor, wire::Lane::status), 1);
   const auto message =
       next_status(link, options.executor, std::chrono::seconds(1), steady_now, key);
@@ -63,7 +64,7 @@ double number_of(const std::string& name, const std::string& text, const std::st
 }
 
 /// A quantity of position / s^order, of an option or of VALUE; NaN where an option is not given.
-double quantity_of(const Options& options, const std::string& option, const Units& units,
+double quantity_of(const OrderArguments& options, const std::string& option, const Units& units,
                    int order = 0) {
   const bool is_value = option == "VALUE";
   const auto found = options.named.find(option);
@@ -81,14 +82,14 @@ double quantity_of(const Options& options, const std::string& option, const Unit
 }
 
 /// One that has to be given, of the axis or of its master.
-double required(const Options& options, const std::string& option, const std::string& unit) {
+double required(const OrderArguments& options, const std::string& option, const std::string& unit) {
   const std::string& text = options.named.at(option);
   if (text.empty()) throw InputError("--" + option, "missing", options.what + " needs it");
   return number_of("--" + option, text, unit);
 }
 
 /// --buffered, --blend: as a number on the wire.
-double buffer_mode_of(const Options& options) {
+double buffer_mode_of(const OrderArguments& options) {
   const std::map<std::string, double> blends{{"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}};
   const std::string& blend = options.named.at("blend");
   if (!blend.empty() && options.buffered)
@@ -97,7 +98,7 @@ double buffer_mode_of(const Options& options) {
   return !blend.empty() ? blends.at(blend) : options.buffered ? 1 : 0;
 }
 
-void require_unbuffered(const Options& options, const std::string& what) {
+void require_unbuffered(const OrderArguments& options, const std::string& what) {
   if (buffer_mode_of(options) != 0)
     throw InputError(options.buffered ? "--buffered" : "--blend", what,
                      "applies to move --to, move --by and jog only");
@@ -136,7 +137,7 @@ double direction_of(const std::string& text) {
 }
 
 /// What is said beside WHAT and means nothing there would be believed to be obeyed.
-void require_meant(const Options& options) {
+void require_meant(const OrderArguments& options) {
   static const std::map<std::string, std::string> meant{
       {"move", " to by add on-top velocity acceleration deceleration jerk direction blend "},
       {"jog", " VALUE acceleration deceleration jerk blend hold-to-run "},
@@ -164,7 +165,7 @@ void require_meant(const Options& options) {
 }
 
 /// --to, --by, --add, --on-top: exactly one of them.
-wire::Order move_of(const Options& options, const Units& units) {
+wire::Order move_of(const OrderArguments& options, const Units& units) {
   constexpr std::pair<const char*, OrderKind> ways[] = {{"to", OrderKind::move_absolute},
                                                         {"by", OrderKind::move_relative},
                                                         {"add", OrderKind::move_additive},
@@ -210,7 +211,7 @@ double timeout_of(const std::string& text) {
   return timeout;
 }
 
-wire::Order home_of(const Options& options, const Units& units) {
+wire::Order home_of(const OrderArguments& options, const Units& units) {
   if (options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
                      "cannot be combined with home, which waits until the axis is homed");
@@ -225,7 +226,7 @@ wire::Order home_of(const Options& options, const Units& units) {
                     timeout_of(options.named.at("timeout")), distance}};
 }
 
-wire::Order order_of(const Options& options, const Units& units) {
+wire::Order order_of(const OrderArguments& options, const Units& units) {
   const std::string& what = options.what;
   const double a = quantity_of(options, "acceleration", units, 2);
   const double d = quantity_of(options, "deceleration", units, 2);
@@ -270,7 +271,7 @@ wire::Order order_of(const Options& options, const Units& units) {
 }
 
 /// Keeps the session of a hold-to-run jog, so long as it is held.
-CallOutcome hold(const Options& options, Client& client) {
+CallOutcome hold(const OrderArguments& options, Client& client) {
   constexpr auto between = std::chrono::milliseconds(50);
   fmt::print("{}: jogs until Ctrl-C{}\n", options.executor,
              options.seconds > 0 ? fmt::format(", or for {} s", options.seconds) : "");
@@ -288,7 +289,7 @@ CallOutcome hold(const Options& options, Client& client) {
 }
 
 /// An operator's own orders need no session: they are obeyed whoever owns the axis.
-CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
+CallOutcome give(const OrderArguments& options, const wire::Order& order, Link& link) {
   if (!wire::is_operators(order.kind)) {
     Client client(link.transport(), options.executor, {.key = link.key()});
     CallOutcome outcome = client.order(order);
@@ -309,7 +310,7 @@ CallOutcome give(const Options& options, const wire::Order& order, Link& link) {
           std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
 }
 
-int report(const Options& options, const CallOutcome& outcome) {
+int report(const OrderArguments& options, const CallOutcome& outcome) {
   if (options.json) {
     const nlohmann::ordered_json document{{"ok", outcome.ok()},
                                           {"error", name(outcome.error)},
@@ -326,7 +327,7 @@ int report(const Options& options, const CallOutcome& outcome) {
   return outcome.error == StreamError::refused ? finding : fault;
 }
 
-int run(const Options& options) {
+int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_meant(options);
   Link link(options.link);
@@ -340,7 +341,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_order(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<OrderArguments>();
   const Verb verb = line.verb("order", "Send one command to an axis",
                               "jounce order feeder move --to 120mm --velocity 200mm/s\n"
                               "jounce order feeder move --by 80mm --blend next\n"
@@ -406,7 +407,7 @@ void add_order(CommandLine& line) {
   verb.flag("--relative", options->relative, "set-position: the value is an offset");
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Outcome as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_order(*options); });
 }
 
 }  // namespace jounce::cli

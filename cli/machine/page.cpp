@@ -32,7 +32,7 @@ namespace {
 
 constexpr auto turn = std::chrono::milliseconds(100);
 
-struct Options {
+struct PageArguments {
   std::vector<std::string> axes;
   LinkOptions link;
   int port = 8080;
@@ -40,7 +40,7 @@ struct Options {
   bool of_run = false;
 };
 
-web::PanelOptions panel_of(const Options& options, const Link& link, std::string token) {
+web::PanelOptions panel_of(const PageArguments& options, const Link& link, std::string token) {
   return {.axes = options.axes,
           .key = link.key(),
           .title = "Jounce",
@@ -70,7 +70,7 @@ void wait_for_end_of_input() {
   }
 }
 
-int serve_for_run(const Options& options) {
+int serve_for_run(const PageArguments& options) {
   give_way();
   const std::string token = line_in();
   if (token.empty()) return bad_input;
@@ -81,7 +81,7 @@ int serve_for_run(const Options& options) {
   return fine;
 }
 
-int run(const Options& options) {
+int run_page(const PageArguments& options) {
   for (const std::string& axis : options.axes) require_name_on_bus("NAME", axis);
   if (options.of_run) return serve_for_run(options);
   const Interrupt interrupt;
@@ -102,7 +102,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_page(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PageArguments>();
   const Verb verb =
       line.verb("page", "Serve a live page of axes; its address permits a browser to send orders",
                 "jounce page feeder knife --port 8080\n"
@@ -117,7 +117,7 @@ void add_page(CommandLine& line) {
       .check(seconds());
   add_link_options(verb, options->link);
   verb.flag("--of-run", options->of_run, "Started by jounce run").hidden();
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_page(*options); });
 }
 
 }  // namespace jounce::cli

@@ -23,7 +23,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ReplayArguments {
   std::string file;
   std::string axis;
   std::string plot;
@@ -32,7 +32,7 @@ struct Options {
   bool json = false;
 };
 
-constexpr std::size_t drawn = 5000;  // cycles, where nobody says how many
+constexpr std::size_t default_cycles = 5000;  // drawn and listed without --last
 
 /// The ticks of one axis, the last ones.
 class Ticks {
@@ -137,13 +137,13 @@ nlohmann::ordered_json json_of(const Replay& r) {
   return document;
 }
 
-void require_others(const Options& options) {
+void require_others(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
     if (!path.empty()) require_other_file(options.file, path);
   if (!options.plot.empty()) require_picture("--plot", options.plot);
 }
 
-int run(const Options& options) {
+int run_replay(const ReplayArguments& options) {
   require_others(options);
   std::ifstream in(options.file, std::ios::binary);
   if (!in) throw InputError("FILE", options.file, "cannot be read: does the file exist?");
@@ -151,7 +151,7 @@ int run(const Options& options) {
   const bool listed = !options.csv.empty();
   RecordedAxis axis;
   if (shown || listed) axis = axis_of(options.file, options.axis);
-  Ticks ticks(axis.axis, options.last.value_or(drawn));
+  Ticks ticks(axis.axis, options.last.value_or(default_cycles));
   // A list of all of them is written as they come: a record may be longer than memory.
   std::optional<TickLog> csv;
   if (listed) csv.emplace(options.csv, axis.units);
@@ -174,7 +174,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_replay(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayArguments>();
   const Verb verb =
       line.verb("replay", "Execute a recorded run again and compare every cycle bit for bit",
                 "jounce replay run.lcmlog --plot run.svg --last 2000");
@@ -188,7 +188,7 @@ void add_replay(CommandLine& line) {
               "Number of last cycles to write (default: --plot 5000, --csv all)")
       .check(whole(1, 10'000'000));
   verb.flag("--json", options->json, "Result as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_replay(*options); });
 }
 
 }  // namespace jounce::cli

@@ -25,7 +25,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct RunArguments {
   MachineOptions machine;
   LinkOptions link;
   RunOptions run;
@@ -87,7 +87,7 @@ int report(const ExecutorSummary& summary, bool json) {
   return faulty ? finding : fine;
 }
 
-bool logs_are_whole(const Options& options, const ExecutorSummary& summary) {
+bool logs_are_whole(const RunArguments& options, const ExecutorSummary& summary) {
   bool whole = true;
   if (summary.cycle.lost > 0) {
     fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
@@ -117,7 +117,7 @@ bool record_is_whole(const ExecutorSummary& summary) {
 }
 
 /// The live page, where it is asked for: a process of its own.
-std::unique_ptr<PageProcess> page_of(const Options& options,
+std::unique_ptr<PageProcess> page_of(const RunArguments& options,
                                      const std::vector<ExecutorOptions>& axes) {
   if (!options.web) return nullptr;
   std::vector<std::string> names;
@@ -137,7 +137,7 @@ void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
 }
 
 /// A spec is not lost to a log of the same name.
-void require_other_files(const Options& options) {
+void require_other_files(const RunArguments& options) {
   const RecorderOptions& record = options.run.record;
   for (const std::string& spec : options.machine.files) {
     require_other_file(spec, options.machine.log, "--log");
@@ -147,7 +147,7 @@ void require_other_files(const Options& options) {
 }
 
 /// Neither is any other file that these name.
-void require_no_inputs(const Options& options, const std::vector<ExecutorOptions>& axes) {
+void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOptions>& axes) {
   const RecorderOptions& record = options.run.record;
   if (!options.machine.log.empty())
     for (const auto& axis : axes)
@@ -165,7 +165,7 @@ bool has_its_names(const ExecutorSummary& summary) {
   return false;
 }
 
-int run(const Options& options) {
+int run_executor(const RunArguments& options) {
   require_other_files(options);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
   auto [axes, masters, watchdog] = parts_of(options.machine);
@@ -190,7 +190,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunArguments>();
   const Verb verb = line.verb("run", "Run an executor: receive tables and play them, tick by tick",
                               "jounce run axis.toml --enable --log run.csv --once\n"
                               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
@@ -237,7 +237,7 @@ void add_run(CommandLine& line) {
             "Play a table to its end when the heartbeat of its streamer is missing; default: stop");
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Summary as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_executor(*options); });
 }
 
 }  // namespace jounce::cli

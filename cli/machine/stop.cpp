@@ -14,7 +14,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct StopArguments {
   std::string executor;
   LinkOptions link;
   bool abort = false;
@@ -38,7 +38,7 @@ std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string&
   return std::nullopt;
 }
 
-int run(const Options& options) {
+int run_stop(const StopArguments& options) {
   require_name_on_bus("NAME", options.executor);
   Link link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
@@ -62,7 +62,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_stop(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StopArguments>();
   const Verb verb = line.verb("stop", "Stop an axis, also one that another session moves",
                               "jounce stop feeder\n"
                               "jounce stop feeder --abort");
@@ -73,7 +73,7 @@ void add_stop(CommandLine& line) {
       .check(seconds())
       .shown();
   add_link_options(verb, options->link);
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_stop(*options); });
 }
 
 }  // namespace jounce::cli

@@ -7,14 +7,13 @@
 #include "jounce/spec/edit.hpp"
 #include "jounce/study/against.hpp"
 
+#include "cli/common/json.hpp"
 #include "cli/optimize/optimizing.hpp"
 #include "cli/optimize/shape_text.hpp"
 #include "cli/optimize/watched.hpp"
 
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The drive of --against in the units of the cam.
 Against against_of(const OptimizeOptions& options, const Spec& spec) {

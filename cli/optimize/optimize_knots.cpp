@@ -11,6 +11,7 @@
 #include "jounce/spec/edit.hpp"
 
 #include "cli/common/interrupt.hpp"
+#include "cli/common/json.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/optimize/optimizing.hpp"
 
@@ -60,7 +61,6 @@ void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
 }
 
 nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
-  using Json = nlohmann::ordered_json;
   Json objectives = Json::array();
   for (const auto& r : outcome.objectives)
     objectives.push_back({{"objective", name(r.objective)},

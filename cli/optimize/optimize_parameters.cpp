@@ -10,13 +10,12 @@
 #include "jounce/study/tune.hpp"
 
 #include "cli/common/interrupt.hpp"
+#include "cli/common/json.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/optimize/optimizing.hpp"
 
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string unit_of(const std::string& unit) {
   return unit == "1" ? "" : unit;

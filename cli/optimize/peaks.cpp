@@ -11,6 +11,8 @@
 #include "jounce/design/input.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "cli/common/json.hpp"
+
 namespace jounce::cli {
 namespace {
 
@@ -77,7 +79,6 @@ void print_peaks(std::FILE* out, const Spec& given, const Spec& optimised) {
 }
 
 nlohmann::ordered_json peaks_json(const Spec& given, const Spec& optimised) {
-  using Json = nlohmann::ordered_json;
   Json all = Json::array();
   for (const Peak& peak : peaks(given, optimised))
     all.push_back({{"quantity", peak.name},

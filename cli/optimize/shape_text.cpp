@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/common/json.hpp"
+
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// "geo_jerk is kept at 0 at 0 deg (segment 1 push): free.ends = { jerk = "free" } lets it step there".
 std::string kept_sentence(std::span<const Finding> findings, const CamRunOutcome& run,

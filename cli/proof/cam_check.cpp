@@ -14,10 +14,10 @@
 #include "jounce/design/master_check.hpp"
 #include "jounce/design/sync_check.hpp"
 
+#include "cli/common/json.hpp"
+
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rises = 8;
 

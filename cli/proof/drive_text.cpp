@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "cli/common/input.hpp"
+#include "cli/common/json.hpp"
 #include "cli/proof/loop_text.hpp"
 
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string at(const Peak& peak, const std::string& unit) {
   return fmt::format("{} {} at {} s", rounded(peak.value), unit, rounded(peak.where));

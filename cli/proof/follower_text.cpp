@@ -8,6 +8,8 @@
 
 #include "jounce/report/report_text.hpp"
 
+#include "cli/common/json.hpp"
+
 namespace jounce::cli {
 
 std::string follower_text(const FollowerResult& run, const std::string& unit) {
@@ -35,7 +37,6 @@ std::string follower_text(const FollowerResult& run, const std::string& unit) {
 }
 
 nlohmann::ordered_json follower_json(const FollowerResult& run) {
-  using Json = nlohmann::ordered_json;
   Json flights = Json::array();
   for (const Flight& f : run.flights)
     flights.push_back(

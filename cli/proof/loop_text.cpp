@@ -7,10 +7,10 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "cli/common/json.hpp"
+
 namespace jounce::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const std::optional<LoopMargin>& margin) {
   if (!margin) return nullptr;

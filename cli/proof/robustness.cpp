@@ -13,6 +13,7 @@
 
 #include "jounce/report/report_text.hpp"
 
+#include "cli/common/json.hpp"
 #include "cli/common/progress.hpp"
 
 namespace jounce::cli {
@@ -80,7 +81,6 @@ std::string robustness_text(const ToleranceResult& result, const std::string& un
 }
 
 nlohmann::ordered_json robustness_json(const ToleranceResult& result) {
-  using Json = nlohmann::ordered_json;
   Json figures = Json::array();
   for (const ToleranceSpread& f : result.figures) {
     Json worst = Json::object();

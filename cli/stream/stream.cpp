@@ -17,14 +17,14 @@
 namespace jounce::cli {
 namespace {
 
-using Options = StreamVerb;
+using StreamArguments = StreamVerb;
 
 /// Whether the start may come later than it is accepted.
-bool waits(const Options& options) {
+bool waits(const StreamArguments& options) {
   return !options.start_at.empty() || options.at_next_cut || !options.swaps.empty();
 }
 
-int report(const StreamOutcome& outcome, const Options& options) {
+int report(const StreamOutcome& outcome, const StreamArguments& options) {
   if (options.json) {
     const nlohmann::ordered_json document{{"ok", outcome.ok()},
                                           {"error", name(outcome.error)},
@@ -55,12 +55,12 @@ int report(const StreamOutcome& outcome, const Options& options) {
 }
 
 /// Whether something is asked for that only whole tables know.
-bool is_of_tables(const Options& options) {
+bool is_of_tables(const StreamArguments& options) {
   return !options.swaps.empty() || !options.master.empty() || options.live ||
          options.until != "start";
 }
 
-int run_rolling(const Options& options) {
+int run_rolling(const StreamArguments& options) {
   if (is_of_tables(options)) {
     throw InputError("--rolling", "",
                      "streams one table over time: omit --swap, --master, --live and --until");
@@ -75,7 +75,7 @@ int run_rolling(const Options& options) {
                          .json = options.json});
 }
 
-int run_banks(const Options& options) {
+int run_banks(const StreamArguments& options) {
   if (options.rolling || is_of_tables(options)) {
     throw InputError("--bank", options.bank,
                      "fills two banks of rows: omit --rolling, --swap, --master, --live, --until");
@@ -91,7 +91,7 @@ int run_banks(const Options& options) {
 }
 
 /// What needs a live master, where there is none.
-void require_live(const Options& options) {
+void require_live(const StreamArguments& options) {
   if (options.live) return;
   if (!options.start_at.empty())
     throw InputError("--start-at", options.start_at, "is a position of a live master: add --live");
@@ -102,7 +102,7 @@ void require_live(const Options& options) {
 }
 
 /// Its tables, passes and event are played by the executor's two banks.
-int run_follow(const Input& input, const Options& options) {
+int run_follow(const Input& input, const StreamArguments& options) {
   const bool other = !options.start_at.empty() || options.at_next_cut || options.keep_velocity ||
                      !options.swaps.empty() || options.until != "start" || !options.master.empty();
   if (other)
@@ -116,7 +116,7 @@ int run_follow(const Input& input, const Options& options) {
                                .json = options.json});
 }
 
-int run(const Options& options) {
+int run_stream(const StreamArguments& options) {
   require_live(options);
   if (!options.at.empty() && (!options.start_at.empty() || options.at_next_cut || options.rolling ||
                               !options.bank.empty()))
@@ -148,7 +148,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_stream(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StreamArguments>();
   const Verb verb = line.verb(
       "stream", "Send a table to an executor; the motion starts when the whole table has arrived",
       "jounce stream cam.toml --to feeder\n"
@@ -205,7 +205,7 @@ void add_stream(CommandLine& line) {
       .shown();
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Outcome as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_stream(*options); });
 }
 
 }  // namespace jounce::cli

@@ -14,7 +14,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string file;
   std::string axis;
   std::vector<std::string> limits;
@@ -49,7 +49,7 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
 }
 
-void set_limits(Input& input, const Options& options) {
+void set_limits(Input& input, const CheckArguments& options) {
   for (const auto& text : options.limits) set_limit(input.limits, text, input.labels);
   try {
     require_valid(input.limits);
@@ -59,7 +59,7 @@ void set_limits(Input& input, const Options& options) {
 }
 
 /// The state in which the coupling of the spec begins, as the options give it.
-EngageState engage_state(const Input& input, const Options& options) {
+EngageState engage_state(const Input& input, const CheckArguments& options) {
   const Units& units = input.labels.units;
   EngageState at;
   const auto read = [&](const char* key, const std::string& text, const std::string& unit,
@@ -121,7 +121,7 @@ void print_text(const Report& report, const Input& input) {
   if (input.spec) print_switches(*input.spec);
 }
 
-int run(const Options& options) {
+int run_check(const CheckArguments& options) {
   std::vector<Input> inputs = load_axes(options.file, options.axis);
   for (Input& input : inputs) set_limits(input, options);
   bool ok = true;
@@ -143,7 +143,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_check(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   const Verb verb = line.verb("check", "Check exact limits and continuity of a spec or a table",
                               "jounce check cam.toml --limit geo_acceleration=0.02");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
@@ -164,7 +164,7 @@ void add_check(CommandLine& line) {
   verb.option("--master-velocity", options->master_velocity,
               "Velocity of the master at that time, per second; default: that of [master]");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_check(*options); });
 }
 
 }  // namespace jounce::cli

@@ -15,12 +15,12 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ContourArguments {
   std::string spec;
   std::string output;
 };
 
-std::string drawn(const Options& options, const Spec& spec, const Disc& disc) {
+std::string drawn(const ContourArguments& options, const Spec& spec, const Disc& disc) {
   if (options.output.ends_with(".dxf")) return contour_dxf(drawing_of(spec, disc));
   if (options.output.ends_with(".svg")) return contour_svg(drawing_of(spec, disc));
   if (options.output.ends_with(".csv")) return contour_csv(spec, disc);
@@ -53,7 +53,7 @@ bool cannot_be_cut(const Report& report) {
   });
 }
 
-int run(const Options& options) {
+int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
   if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
     throw InputError("SPEC", input.name, "must be a spec of kind \"cam\" with [disc]");
@@ -78,14 +78,14 @@ int run(const Options& options) {
 }  // namespace
 
 void add_contour(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ContourArguments>();
   const Verb verb = line.verb("contour", "Draw the contour of a cam plate with [disc]",
                               "jounce contour valve.toml -o valve.dxf");
   verb.option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input").required();
   verb.option("-o,--output", options->output,
               "Drawing to write, in mm: .dxf (R12), .svg (prints 1:1) or .csv (points)")
       .required();
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_contour(*options); });
 }
 
 }  // namespace jounce::cli

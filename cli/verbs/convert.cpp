@@ -20,7 +20,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input;
   std::string output = "-";
   std::string axis;
@@ -42,12 +42,12 @@ struct Converted {
   std::optional<SampleError> error;  ///< none: bit for bit the table that was given
 };
 
-std::optional<Format> format_of(const Options& options) {
+std::optional<Format> format_of(const ConvertArguments& options) {
   if (!options.to.empty()) return format_named(options.to);
   return format_of_path(options.output);
 }
 
-Interpolation rule_for(const Options& options, const Table& table) {
+Interpolation rule_for(const ConvertArguments& options, const Table& table) {
   if (const auto format = format_of(options)) return rule_of(*format);
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
@@ -56,7 +56,7 @@ Interpolation rule_for(const Options& options, const Table& table) {
 }
 
 /// What the file does not say, or what is wanted instead of what it says.
-TableFile in_units(TableFile file, const Options& options) {
+TableFile in_units(TableFile file, const ConvertArguments& options) {
   const auto change = [](const char* option, std::string& unit, const std::string& wanted) {
     if (!wanted.empty() && !is_unit(wanted))
       throw InputError(option, wanted, "is not a known unit");
@@ -84,7 +84,7 @@ TableFile in_units(TableFile file, const Options& options) {
   return file;
 }
 
-Sampled sampled(const Input& input, Interpolation rule, const Options& options) {
+Sampled sampled(const Input& input, Interpolation rule, const ConvertArguments& options) {
   return std::visit(
       [&](const auto& curve) {
         if (options.target.any())
@@ -109,7 +109,7 @@ SampleError spline_error(const Input& input, const Table& made) {
       *input.curve);
 }
 
-Converted convert(const Input& input, const Options& options) {
+Converted convert(const Input& input, const ConvertArguments& options) {
   const Interpolation rule = rule_for(options, input.table.table);
   Converted result{input.table, input.error};
   if (rule != input.table.table.rule() || options.target.any() || options.intervals > 0) {
@@ -123,7 +123,7 @@ Converted convert(const Input& input, const Options& options) {
 }
 
 /// The values at every step of a controller's cycle, for other programs to read.
-std::string samples_of(const TableFile& file, const Options& options) {
+std::string samples_of(const TableFile& file, const ConvertArguments& options) {
   if (format_of(options) || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
     throw InputError("--every", options.every, "writes samples, as CSV only");
@@ -134,7 +134,7 @@ std::string samples_of(const TableFile& file, const Options& options) {
   }
 }
 
-std::string text_of(const TableFile& file, const Options& options) {
+std::string text_of(const TableFile& file, const ConvertArguments& options) {
   const auto format = format_of(options);
   if (format && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
@@ -171,7 +171,8 @@ void add_losses(std::vector<std::string>& all, Format format, const Table& table
 }
 
 /// Reports the parts of the input that the output does not contain.
-std::vector<std::string> losses(const Options& options, const Input& input, const Table& made) {
+std::vector<std::string> losses(const ConvertArguments& options, const Input& input,
+                                const Table& made) {
   std::vector<std::string> all = input.unread;
   if (!options.every.empty()) all.emplace_back("samples: the file contains no values between them");
   if (options.to == "points")
@@ -181,14 +182,15 @@ std::vector<std::string> losses(const Options& options, const Input& input, cons
   return all;
 }
 
-std::string word_for(const Options& options) {
+std::string word_for(const ConvertArguments& options) {
   if (const auto format = format_of(options)) return name(*format);
   if (options.to == "points") return options.to;
   return options.to == "json" || (options.to.empty() && options.output.ends_with(".json")) ? "json"
                                                                                            : "csv";
 }
 
-nlohmann::ordered_json json_of(const Converted& made, const Options& options, const Input& input) {
+nlohmann::ordered_json json_of(const Converted& made, const ConvertArguments& options,
+                               const Input& input) {
   nlohmann::ordered_json document{{"table", options.output},
                                   {"format", word_for(options)},
                                   {"knots", made.file.table.size()},
@@ -203,7 +205,8 @@ nlohmann::ordered_json json_of(const Converted& made, const Options& options, co
   return document;
 }
 
-void print_text(std::FILE* out, const Converted& made, const Options& options, const Input& input) {
+void print_text(std::FILE* out, const Converted& made, const ConvertArguments& options,
+                const Input& input) {
   fmt::print(out, "{} -> {}: {} knots, {}\n", input.name, word_for(options), made.file.table.size(),
              name(made.file.table.rule()));
   const Labels& labels = input.labels;
@@ -220,7 +223,7 @@ void print_text(std::FILE* out, const Converted& made, const Options& options, c
 }
 
 /// What the file is to be must be said: by its ending, or by --to.
-void require_known_ending(const Options& options) {
+void require_known_ending(const ConvertArguments& options) {
   const std::string& path = options.output;
   if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
       path.ends_with(".json"))
@@ -228,7 +231,7 @@ void require_known_ending(const Options& options) {
   throw InputError("OUT", path, "has no extension of a known format: name the format with --to");
 }
 
-int run(const Options& options) {
+int run_convert(const ConvertArguments& options) {
   require_known_ending(options);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
@@ -245,7 +248,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_convert(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   const Verb verb = line.verb(
       "convert", "Convert between formats of tables and controllers, and report the error",
       "jounce convert cam.csv cam.st\njounce convert old.xyva cam.csv --master-unit deg "
@@ -282,7 +285,7 @@ void add_convert(CommandLine& line) {
             "without this information");
   verb.flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
   verb.flag("--json", options->json, "Summary as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_convert(*options); });
 }
 
 }  // namespace jounce::cli

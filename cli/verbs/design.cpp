@@ -14,7 +14,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct DesignArguments {
   std::string spec;
   std::string axis;
   std::string output = "-";
@@ -101,7 +101,7 @@ void print_text(std::FILE* out, const Input& input, const Report& report) {
 }
 
 /// What is written for one axis.
-void add_files(const Input& input, const Options& options, std::size_t axes,
+void add_files(const Input& input, const DesignArguments& options, std::size_t axes,
                std::vector<Output>& files) {
   const std::string table = file_of(options.output, input.axis, axes);
   files.push_back({table, table_text(table, input.table)});
@@ -112,7 +112,7 @@ void add_files(const Input& input, const Options& options, std::size_t axes,
                   *input.curve)});
 }
 
-int run(const Options& options) {
+int run_design(const DesignArguments& options) {
   const std::vector<Input> inputs = load_axes(options.spec, options.axis);
   std::vector<Output> files;
   std::vector<Report> reports;
@@ -140,7 +140,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_design(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DesignArguments>();
   const Verb verb = line.verb("design", "Make the table of a spec",
                               "jounce design cam.toml -o cam.csv --curve cam.curve.json");
   verb.option("SPEC", options->spec, "Spec to make; - is standard input").required();
@@ -150,7 +150,7 @@ void add_design(CommandLine& line) {
   verb.axis(options->axis);
   verb.option("--curve", options->curve, "Also write the exact curve, segment by segment (JSON)");
   verb.flag("--json", options->json, "Summary as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_design(*options); });
 }
 
 }  // namespace jounce::cli

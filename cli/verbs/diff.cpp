@@ -18,7 +18,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct DiffArguments {
   std::string before;
   std::string after;
   std::string axis;
@@ -70,7 +70,7 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
 }
 
 /// The axes of both files that belong together: the only ones, or those of one name.
-std::vector<std::pair<Input, Input>> pairs(const Options& options) {
+std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
   std::vector<Input> before = load_axes(options.before, options.axis);
   std::vector<Input> after = load_axes(options.after, options.axis);
   std::vector<std::pair<Input, Input>> all;
@@ -99,7 +99,7 @@ void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& a
   write_picture(path, figure_of(all.front().second, all.front().first));
 }
 
-int run(const Options& options) {
+int run_diff(const DiffArguments& options) {
   const auto all = pairs(options);
   bool equal = true;
   AxisDocuments documents;
@@ -128,7 +128,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_diff(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiffArguments>();
   const Verb verb = line.verb(
       "diff", "Show the exact differences of two specs or tables; exit status 1 if there are any",
       "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
@@ -142,7 +142,7 @@ void add_diff(CommandLine& line) {
   verb.option("-o,--output", options->output,
               "Picture of B over a paler A to write, .svg or .png; - is SVG on standard output");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_diff(*options); });
 }
 
 }  // namespace jounce::cli

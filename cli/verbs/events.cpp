@@ -92,7 +92,7 @@ Events events_of(const std::string& file) {
       InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
 }
 
-struct Options {
+struct EventsArguments {
   std::string file;
   std::string output = "-";
   bool json = false;
@@ -119,7 +119,7 @@ std::string csv_of(const Events& events) {
   return text;
 }
 
-int run(const Options& options) {
+int run_events(const EventsArguments& options) {
   require_other_file(options.file, options.output);
   const Events events = events_of(options.file);
   write_file(options.output, options.json ? json_of(events) : csv_of(events));
@@ -134,7 +134,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_events(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EventsArguments>();
   const Verb verb = line.verb("events", "List the exact times at which outputs switch",
                               "jounce events scan.toml -o events.csv");
   verb.option("FILE", options->file,
@@ -143,7 +143,7 @@ void add_events(CommandLine& line) {
       .required();
   verb.option("-o,--output", options->output, "CSV to write; - is standard output");
   verb.flag("--json", options->json, "For machines");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_events(*options); });
 }
 
 }  // namespace jounce::cli

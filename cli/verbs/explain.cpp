@@ -18,7 +18,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ExplainArguments {
   std::string code;
   bool markdown = false;
   bool json = false;
@@ -137,7 +137,7 @@ std::vector<Message> matching(const std::vector<Message>& all, const std::string
                        "`jounce explain` lists all");
 }
 
-int run(const Options& options) {
+int run_explain(const ExplainArguments& options) {
   const std::vector<Message> all = all_messages();
   const auto chosen = options.code.empty() ? all : matching(all, options.code);
   if (options.json)
@@ -154,13 +154,13 @@ int run(const Options& options) {
 }  // namespace
 
 void add_explain(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainArguments>();
   const Verb verb = line.verb("explain", "Explain a fault, a refusal, or an error of a controller",
                               "jounce explain following_error");
   verb.option("CODE", options->code, "Number or name, as in a message, a log or a status");
   verb.flag("--markdown", options->markdown, "All as a page (docs/reference/messages.md)");
   verb.flag("--json", options->json, "As JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_explain(*options); });
 }
 
 }  // namespace jounce::cli

@@ -17,6 +17,7 @@
 
 #include "cli/common/folders.hpp"
 #include "cli/common/interrupt.hpp"
+#include "cli/common/json.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
@@ -24,7 +25,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct IdentifyArguments {
   std::string drive;
   std::string log;
   std::vector<std::string> fit;
@@ -76,7 +77,6 @@ void print_text(std::FILE* out, const Identification& found, const Recording& ru
 }
 
 void print_json(std::FILE* out, const Identification& found) {
-  using Json = nlohmann::ordered_json;
   Json numbers = Json::array(), entangled = Json::array(), explained = Json::array();
   for (const FittedNumber& n : found.numbers)
     numbers.push_back({{"key", n.key},
@@ -100,7 +100,7 @@ void print_json(std::FILE* out, const Identification& found) {
 }
 
 /// Recorded and model above each other, what is left below.
-Figure picture(const Identification& found, const Recording& run, const Options& options,
+Figure picture(const Identification& found, const Recording& run, const IdentifyArguments& options,
                const std::string& u) {
   Figure figure{.title = "identification from " + options.log, .x_label = "time [s]"};
   for (const Explained& e : found.explained) {
@@ -121,7 +121,7 @@ Figure picture(const Identification& found, const Recording& run, const Options&
 }
 
 std::string fitted_file(const Identification& found, DriveSpec drive, const Units& units,
-                        const Options& options) {
+                        const IdentifyArguments& options) {
   drive.drive = found.drive;
   std::map<std::string, std::string> beside;
   for (const FittedNumber& n : found.numbers)
@@ -132,7 +132,7 @@ std::string fitted_file(const Identification& found, DriveSpec drive, const Unit
       beside);
 }
 
-Identification fitted(const Recording& run, const Drive& drive, const Options& options) {
+Identification fitted(const Recording& run, const Drive& drive, const IdentifyArguments& options) {
   Progress progress("identifying");
   const Interrupt interrupt;
   const Trajectory command = commanded_motion(run);
@@ -144,7 +144,7 @@ Identification fitted(const Recording& run, const Drive& drive, const Options& o
                   });
 }
 
-int run(const Options& options) {
+int run_identify(const IdentifyArguments& options) {
   for (const std::string& output : {options.output, options.plot}) {
     require_other_file(options.drive, output);
     require_other_file(options.log, output);
@@ -169,7 +169,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_identify(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<IdentifyArguments>();
   const Verb verb =
       line.verb("identify", "Fit numbers of a drive to a recorded run, with confidence intervals",
                 "jounce identify drive.toml --log run.csv --fit "
@@ -189,7 +189,7 @@ void add_identify(CommandLine& line) {
       .shown()
       .check(whole(1, 10'000));
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_identify(*options); });
 }
 
 }  // namespace jounce::cli

@@ -17,7 +17,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct LawsArguments {
   std::string law;
   std::string output;
   bool markdown = false;
@@ -54,7 +54,7 @@ Law law_of(const std::string& word) {
   return *law;
 }
 
-void draw(const Options& options) {
+void draw(const LawsArguments& options) {
   if (options.law.empty()) throw InputError("--output", options.output, "draws one law: name it");
   const Law law = law_of(options.law);
   const auto rising = rising_laws();
@@ -66,7 +66,7 @@ void draw(const Options& options) {
   write_picture(options.output, curve_figure(Cam(normalised(law, shown_form(law))), look));
 }
 
-int run(const Options& options) {
+int run_laws(const LawsArguments& options) {
   if (options.markdown) {
     fmt::print("{}", laws_markdown());
   } else if (!options.output.empty()) {
@@ -85,14 +85,14 @@ int run(const Options& options) {
 }  // namespace
 
 void add_laws(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LawsArguments>();
   const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
                               "jounce laws modified_sine -o modified_sine.svg");
   verb.option("LAW", options->law, "Name of a law, as in a spec");
   verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png");
   verb.flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_laws(*options); });
 }
 
 }  // namespace jounce::cli

@@ -16,7 +16,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct MapArguments {
   std::string file;
   std::string from;
   std::string to;
@@ -52,7 +52,7 @@ std::string speed_unit(const Spec& spec) {
   return rate_unit(spec.units.x, spec.time_unit, 1);
 }
 
-CutLimits limits_of(const Spec& spec, const Options& options) {
+CutLimits limits_of(const Spec& spec, const MapArguments& options) {
   const double own = spec.master ? spec.master->velocity : std::numeric_limits<double>::infinity();
   const Limits& slave = spec.slave;
   const bool none = !slave.velocity && !slave.acceleration && !slave.jerk;
@@ -69,7 +69,7 @@ std::vector<double> grid(double from, double to, std::size_t steps) {
   return lengths;
 }
 
-Map map_of(const Options& options) {
+Map map_of(const MapArguments& options) {
   Spec spec = parse_spec(read_file(options.file), options.file);
   CutLengths cuts = cut_lengths(spec);
   const double from = option("--from", options.from, spec.units.x, cuts.from);
@@ -189,7 +189,7 @@ std::vector<Shade> strip_of(const Map& map) {
   return strip;
 }
 
-Figure figure_of(const Map& map) {
+Figure figure_of_map(const Map& map) {
   const std::vector<CutSpeed> points = points_of(map);
   Figure figure;
   figure.title = map.spec.name.empty() ? map.spec.document.name : map.spec.name;
@@ -210,12 +210,12 @@ Figure figure_of(const Map& map) {
   return figure;
 }
 
-int run(const Options& options) {
+int run_map(const MapArguments& options) {
   require_other_file(options.file, options.output);
   const Map map = map_of(options);
   const bool picture = options.output.ends_with(".svg") || options.output.ends_with(".png");
   if (picture)
-    write_picture(options.output, figure_of(map));
+    write_picture(options.output, figure_of_map(map));
   else
     write_file(options.output, csv_of(map));
   return fine;
@@ -224,7 +224,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_map(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MapArguments>();
   const Verb verb =
       line.verb("map", "Show the fastest line for each cut length, and the limit that binds",
                 "jounce map knife.toml --from 100 --to 1000 -o map.png");
@@ -236,7 +236,7 @@ void add_map(CommandLine& line) {
   verb.option("--line-speed", options->line_speed,
               "Speed of the line; default: the velocity of [master], or line_speed of a shear");
   verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_map(*options); });
 }
 
 }  // namespace jounce::cli

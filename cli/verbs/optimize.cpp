@@ -19,7 +19,7 @@ void give_budget(Spec& spec, double seconds) {
     spec.optimize.seconds = seconds;
 }
 
-int run(const OptimizeOptions& options) {
+int run_optimize(const OptimizeOptions& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
   require_folders(
@@ -62,7 +62,7 @@ void add_optimize(CommandLine& line) {
   verb.option("--seconds", options->seconds,
               "Stop after this number of seconds with the best result so far");
   verb.flag("--json", options->json, "Outcome as JSON");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_optimize(*options); });
 }
 
 }  // namespace jounce::cli

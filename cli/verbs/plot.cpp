@@ -14,7 +14,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct PlotArguments {
   std::string file;
   std::string axis;
   std::string over = "master";
@@ -25,7 +25,7 @@ struct Options {
 };
 
 /// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
-Drive drive_of(const Options& options) {
+Drive drive_of(const PlotArguments& options) {
   const std::string text = read_file(options.file);
   const std::string name = options.file == "-" ? "standard input" : options.file;
   const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
@@ -39,18 +39,18 @@ Drive drive_of(const Options& options) {
   throw spec.document.located(missing);
 }
 
-Figure loop_figure(const Options& options) {
+Figure loop_figure(const PlotArguments& options) {
   const Drive drive = drive_of(options);
   Figure figure = options.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
   figure.title = options.file + ": " + figure.title;
   return figure;
 }
 
-bool of_loop(const Options& options) {
+bool of_loop(const PlotArguments& options) {
   return options.drive == "bode" || options.drive == "nyquist";
 }
 
-Figure figure(const Options& options) {
+Figure figure(const PlotArguments& options) {
   if (of_loop(options)) return loop_figure(options);
   std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (!options.drive.empty()) {
@@ -75,7 +75,7 @@ Figure figure(const Options& options) {
   return figure_of(inputs.front(), over ? over_time(before) : before);
 }
 
-int run(const Options& options) {
+int run_plot(const PlotArguments& options) {
   require_other_file(options.file, options.output);
   SvgOptions look;
   if (options.drive == "torque-speed" || options.drive == "spectrum") look.panel_height = 320;
@@ -88,7 +88,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_plot(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlotArguments>();
   const Verb verb = line.verb("plot", "Draw position, velocity, acceleration and jerk",
                               "jounce plot better.toml --before cam.toml -o cam.png");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
@@ -112,7 +112,7 @@ void add_plot(CommandLine& line) {
       .excludes({over, before, drive});
   verb.option("-o,--output", options->output,
               "Picture to write, .svg or .png; - is SVG on standard output");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_plot(*options); });
 }
 
 }  // namespace jounce::cli

@@ -23,7 +23,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ReportArguments {
   std::string file;
   std::string axis;
   std::string before;
@@ -114,7 +114,7 @@ void require_page(const char* option, const std::string& path) {
     throw InputError(option, path, "must end in .html: a report is a page of HTML");
 }
 
-int run(const Options& options) {
+int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
   require_folders({{"--output", options.output}});
   require_page("--output", options.output);
@@ -155,7 +155,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_report(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportArguments>();
   const Verb verb =
       line.verb("report", "Write one self-contained HTML page with curve, limits and proof",
                 "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
@@ -164,7 +164,7 @@ void add_report(CommandLine& line) {
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
   verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
   verb.option("-o,--output", options->output, "Page to write; - is standard output");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_report(*options); });
 }
 
 }  // namespace jounce::cli

@@ -23,7 +23,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct SweepArguments {
   std::string file;
   std::string output;
   std::string npy;
@@ -33,7 +33,7 @@ struct Options {
 };
 
 /// Beside the first file that is written; "" where nothing is.
-std::string journal_of(const Options& options) {
+std::string journal_of(const SweepArguments& options) {
   for (const std::string& path : {options.output, options.npy})
     if (!path.empty() && path != "-") return path + ".journal";
   return "";
@@ -57,7 +57,7 @@ class Remaining {
   std::size_t first_ = 0;
 };
 
-SweepResult worked_through(const SweepSpec& spec, const Options& options, const Farm& farm) {
+SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options, const Farm& farm) {
   const Interrupt interrupt;
   Progress progress("sweep");
   Remaining remaining;
@@ -70,7 +70,7 @@ SweepResult worked_through(const SweepSpec& spec, const Options& options, const 
                           }});
 }
 
-int stopped(const SweepSpec& spec, const SweepResult& result, const Options& options) {
+int stopped(const SweepSpec& spec, const SweepResult& result, const SweepArguments& options) {
   const std::string journal = journal_of(options);
   fmt::print(stderr, "jounce: stopped after {} of {} cases; {}\n", result.rows.size(), spec.cases(),
              journal.empty() ? "with -o, the same command would continue from there"
@@ -85,7 +85,7 @@ SvgOptions look(const SweepSpec& spec) {
   return options;
 }
 
-int report(const SweepSpec& spec, const SweepResult& result, const Options& options) {
+int report(const SweepSpec& spec, const SweepResult& result, const SweepArguments& options) {
   if (!result.complete) return stopped(spec, result, options);
   const SweepSummary summary = summary_of(spec, result);
   std::vector<Output> files;
@@ -103,13 +103,13 @@ int report(const SweepSpec& spec, const SweepResult& result, const Options& opti
   return summary.within > 0 ? fine : finding;
 }
 
-int run_here(const Options& options) {
+int run_here(const SweepArguments& options) {
   const SweepSpec spec = read_sweep(options.file);
   return report(spec, worked_through(spec, options, on_threads(options.jobs)), options);
 }
 
 /// Every process reads the files for itself; the first speaks for all.
-int run_under_mpi(const Options& options) {
+int run_under_mpi(const SweepArguments& options) {
   if (options.jobs != 0)
     throw InputError("--jobs", std::to_string(options.jobs),
                      "is for a single process: with mpirun, give the number of processes with -n");
@@ -136,7 +136,7 @@ int run_under_mpi(const Options& options) {
   }
 }
 
-int run(const Options& options) {
+int run_sweep(const SweepArguments& options) {
   for (const std::string& output : {options.output, options.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
   require_folders({{"--output", options.output}, {"--npy", options.npy}, {"--plot", options.plot}});
@@ -147,7 +147,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_sweep(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepArguments>();
   const Verb verb = line.verb(
       "sweep", "Make variants of a spec and compare them: grids, tolerances, Pareto fronts",
       "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
@@ -163,7 +163,7 @@ void add_sweep(CommandLine& line) {
   verb.option("--jobs", options->jobs, "Number of threads; default: one for each core")
       .check(whole(1, 4096));
   verb.flag("--json", options->json, "Summary as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_sweep(*options); });
 }
 
 }  // namespace jounce::cli

@@ -18,7 +18,7 @@
 namespace jounce::cli {
 namespace {
 
-struct Options {
+struct ValidateArguments {
   std::string file;
   std::string axis;
   std::string log;
@@ -28,7 +28,6 @@ struct Options {
 };
 
 nlohmann::ordered_json played_json(const Played& played) {
-  using Json = nlohmann::ordered_json;
   const auto part = [](const Deviation& from) {
     return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
   };
@@ -38,7 +37,6 @@ nlohmann::ordered_json played_json(const Played& played) {
 }
 
 nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
-  using Json = nlohmann::ordered_json;
   Json document = Json::parse(to_json(proof.report, input.labels));
   const auto witness_json = [](const Witness& w) {
     return Json{{"position", w.position.relative},
@@ -65,7 +63,7 @@ void print_text(std::FILE* out, const Proof& proof, const Input& input) {
 }
 
 /// Throws InputError where the run of one drive cannot be written as asked.
-void require_signals_of(const Options& options, const std::vector<Input>& inputs) {
+void require_signals_of(const ValidateArguments& options, const std::vector<Input>& inputs) {
   if (options.signals.empty()) return;
   require_signals(options.signals);
   require_other_file(options.file, options.signals);
@@ -76,7 +74,7 @@ void require_signals_of(const Options& options, const std::vector<Input>& inputs
     throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
 }
 
-int run(const Options& options) {
+int run_validate(const ValidateArguments& options) {
   const std::vector<Input> inputs = load_axes(options.file, options.axis);
   if (inputs.size() > 1 && !options.log.empty())
     throw InputError("--log", options.log, "is for one axis: name it with --axis");
@@ -101,7 +99,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_validate(CommandLine& line) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateArguments>();
   const Verb verb = line.verb(
       "validate",
       "Prove a motion by integration, in a servo model, and against the log of an executor",
@@ -120,7 +118,7 @@ void add_validate(CommandLine& line) {
       .shown()
       .check(whole(2, 10'000'000));
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
-  verb.work([options] { return run(*options); });
+  verb.work([options] { return run_validate(*options); });
 }
 
 }  // namespace jounce::cli

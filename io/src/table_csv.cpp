@@ -17,8 +17,8 @@ namespace {
 using detail::TableParts;
 
 constexpr std::string_view first_line = "# jounce table ";
-constexpr std::array keys{"axis",   "rule", "outside",     "knots",
-                          "sha256", "spec", "spec sha256", "made by"};
+constexpr std::array header_keys{"axis",   "rule", "outside",     "knots",
+                                 "sha256", "spec", "spec sha256", "made by"};
 
 void append(std::string& text, double value) {
   char digits[32];
@@ -82,7 +82,7 @@ Head read_head(Lines& lines) {
       lines.fail("", std::string(line), "must be `# key: value`");
     const std::string key(line.substr(2, colon - 2));
     const std::string text(line.substr(colon + 2));
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+    if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end())
       lines.fail(key, text, "is not a key of the table's head");
     if (!head.emplace(key, HeadEntry{text, lines.line()}).second)
       lines.fail(key, text, "stands twice");

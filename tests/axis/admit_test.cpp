@@ -6,7 +6,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::admit_test {
 namespace {
 
 using namespace test;
@@ -282,4 +282,4 @@ TEST(AxisConfigTest, NamesWhatIsMissingOrOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::admit_test

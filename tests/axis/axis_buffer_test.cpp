@@ -10,7 +10,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::axis_buffer_test {
 namespace {
 
 using namespace test;
@@ -260,7 +260,7 @@ TEST(AxisBuffer, AnOverrideAndAHoldKeepBothTargets) {
 
 /// Any two moves the same way, with and without a jerk limit, told at any time on the way.
 TEST(AxisBuffer, WhateverTheMovesBothTargetsAreMetWithinTheLimits) {
-  testing::Random random(49);
+  test::Random random(49);
   for (int run = 0; run < 300; ++run) {
     AxisConfig config{.limits = limits(200, 1000)};
     if (run % 2 == 0) config.limits.jerk = 2e4;
@@ -296,4 +296,4 @@ TEST(AxisBuffer, WhateverTheMovesBothTargetsAreMetWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_buffer_test

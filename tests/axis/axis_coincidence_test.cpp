@@ -9,7 +9,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_coincidence_test {
 namespace {
 
 using namespace test;
@@ -147,4 +147,4 @@ TEST(AxisCoincidence, ACompareMissesNoPointOfALateStart) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_coincidence_test

@@ -9,7 +9,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_compare_test {
 namespace {
 
 using namespace test;
@@ -99,4 +99,4 @@ TEST(AxisCompare, IsNotOfAMaster) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_compare_test

@@ -8,7 +8,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_faults_test {
 namespace {
 
 using namespace test;
@@ -254,4 +254,4 @@ TEST(AxisFaults, InPositionNeedsTheBandAndItsTime) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_faults_test

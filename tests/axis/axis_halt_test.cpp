@@ -6,7 +6,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_halt_test {
 namespace {
 
 using namespace test;
@@ -74,4 +74,4 @@ TEST(AxisHalt, IsEndedByAnyOtherMotion) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_halt_test

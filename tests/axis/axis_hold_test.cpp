@@ -10,7 +10,7 @@
 
 // A hold brings everything to rest in the time of a halt, whatever the motion under way asked for.
 
-namespace jounce {
+namespace jounce::axis_hold_test {
 namespace {
 
 using namespace test;
@@ -163,4 +163,4 @@ TEST(AxisHold, AfterAReleaseTheNextMotionBeginsAtOnceAndAfterAStopNone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_hold_test

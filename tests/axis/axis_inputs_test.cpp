@@ -19,7 +19,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::axis_inputs_test {
 namespace {
 
 using namespace test;
@@ -176,7 +176,7 @@ TEST(AxisInputs, WithExtremeNumbersAnywhereTheSetpointStaysWithinTheLimits) {
   const std::vector<double> values = extremes();
   const AxisConfig config{.limits = limits(500, 2e4)};
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    testing::Random random(seed);
+    test::Random random(seed);
     MotionAxis axis(config);
     std::vector<std::unique_ptr<Movement>> made;
     Tick before;
@@ -246,4 +246,4 @@ TEST(AxisInputs, WithExtremeNumbersAnywhereTheSetpointStaysWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_inputs_test

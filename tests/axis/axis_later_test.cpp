@@ -7,7 +7,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_later_test {
 namespace {
 
 using namespace test;
@@ -297,4 +297,4 @@ TEST(AxisLater, WhatDoesNotEndAtRestIsNotComplete) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_later_test

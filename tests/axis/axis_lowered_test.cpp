@@ -12,11 +12,11 @@
 // An override, or the velocity of another command, that is lower than the axis goes: it neither passes
 // its target nor moves back, because the move under way did not either.
 
-namespace jounce {
+namespace jounce::axis_lowered_test {
 namespace {
 
 using namespace test;
-using testing::Random;
+using test::Random;
 
 struct Seen {
   double passes = 0;    ///< u, beyond the target
@@ -92,4 +92,4 @@ TEST(AxisLowered, NoOverrideAndNoCommandMakesAMovePassItsTarget) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_lowered_test

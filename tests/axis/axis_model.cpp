@@ -31,7 +31,7 @@ AxisModel::AxisModel(const AxisConfig& config, bool has_drive)
     : config_(resolved(config)), has_drive_(has_drive), axis_(config) {}
 
 std::string AxisModel::step(Seed seed) {
-  testing::Random random(seed);
+  test::Random random(seed);
   const auto chance = [&](double p) { return random.uniform(0, 1) < p; };
   tick_ += 1 + (chance(0.02) ? 1 + random.below(5) : 0) + (chance(2e-4) ? 150 : 0);
   inputs_ = random_inputs(random);
@@ -52,7 +52,7 @@ std::string AxisModel::step(Seed seed) {
   return wrong;
 }
 
-Movement* AxisModel::random_movement(testing::Random& random) {
+Movement* AxisModel::random_movement(test::Random& random) {
   double from = last_.position;
   if (random.below(10) == 0) from += random.uniform(-1, 1);
   const std::uint64_t id = ++ids_;
@@ -101,7 +101,7 @@ Movement* AxisModel::random_movement(testing::Random& random) {
   return (kept_[id] = std::move(kept)).movement.get();
 }
 
-Command AxisModel::random_command(testing::Random& random) {
+Command AxisModel::random_command(test::Random& random) {
   struct Weight {
     Kind kind;
     double share;
@@ -170,7 +170,7 @@ Command AxisModel::random_command(testing::Random& random) {
   return command;
 }
 
-Inputs AxisModel::random_inputs(testing::Random& random) {
+Inputs AxisModel::random_inputs(test::Random& random) {
   const auto chance = [&](double p) { return random.uniform(0, 1) < p; };
   Inputs inputs;
   const double dt = static_cast<double>(tick_ - last_.tick) * 1e-3;

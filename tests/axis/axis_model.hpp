@@ -36,9 +36,9 @@ class AxisModel {
   std::set<Cause> faults;
 
  private:
-  Command random_command(testing::Random& random);
-  Movement* random_movement(testing::Random& random);
-  Inputs random_inputs(testing::Random& random);
+  Command random_command(test::Random& random);
+  Movement* random_movement(test::Random& random);
+  Inputs random_inputs(test::Random& random);
 
   std::string check_numbers(const Tick& now) const;
   std::string check_motion(const Command& command, const Tick& now) const;

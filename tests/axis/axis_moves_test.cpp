@@ -10,7 +10,7 @@
 
 // The moves of PLCopen by the examples of the PMC600 manual, volume 4 (1.2 and 5.2.2, 5.2.4).
 
-namespace jounce {
+namespace jounce::axis_moves_test {
 namespace {
 
 using namespace test;
@@ -337,4 +337,4 @@ TEST(AxisMoves, TargetsBeyondTheRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_moves_test

@@ -10,7 +10,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::axis_override_test {
 namespace {
 
 using namespace test;
@@ -51,7 +51,7 @@ TEST(AxisOverride, RaisedWhileLittleIsKnownItStaysOnThePath) {
 
 /// What is the path's at any rate: the place and the velocity are those of one path time, which rises.
 TEST(AxisOverride, WhateverIsAskedAndSuppliedTheSetpointIsOnThePath) {
-  testing::Random random(7);
+  test::Random random(7);
   for (int run = 0; run < 100; ++run) {
     Rolling rolling(random.uniform(0.05, 0.5), random.uniform(0, 3e-3));
     Tick before = rolling.step();
@@ -107,4 +107,4 @@ TEST(AxisOverride, OfAStreamThatKeepsUpWithFullSpeedAloneItIsTakenBackAndNoFault
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_override_test

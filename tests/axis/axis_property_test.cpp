@@ -3,7 +3,7 @@
 
 #include "axis/axis_model.hpp"
 
-namespace jounce {
+namespace jounce::axis_property_test {
 namespace {
 
 using namespace test;
@@ -83,7 +83,7 @@ TEST(MotionAxisProperty, AMillionRandomInputs) {
   std::uint64_t stopped = 0;
   for (const Variant& variant : variants())
     for (std::uint64_t run = 0; run < runs; ++run) {
-      testing::Random random(0x6a6f756e6365 + run);
+      test::Random random(0x6a6f756e6365 + run);
       AxisModel model(variant.config, variant.has_drive);
       std::vector<Seed> seeds;
       for (int i = 0; i < inputs; ++i) {
@@ -119,4 +119,4 @@ TEST(MotionAxisProperty, AMillionRandomInputs) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_property_test

@@ -9,7 +9,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_states_test {
 namespace {
 
 using namespace test;
@@ -165,4 +165,4 @@ TEST(AxisStates, CamOutAndGearOutKeepTheVelocity) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_states_test

@@ -8,7 +8,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_swap_test {
 namespace {
 
 using namespace test;
@@ -272,4 +272,4 @@ TEST(AxisSwap, AnOverrideOnAPathIsTheSamePathAtAnotherTime) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_swap_test

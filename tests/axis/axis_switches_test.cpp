@@ -10,7 +10,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_switches_test {
 namespace {
 
 using test::Bench;
@@ -100,4 +100,4 @@ TEST(AxisSwitches, ABadTableIsRefusedWithTheAxis) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_switches_test

@@ -10,7 +10,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::axis_test {
 namespace {
 
 using namespace test;
@@ -496,4 +496,4 @@ TEST(MotionAxis, SetPositionNeedsAStandstillAndANumber) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_test

@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-namespace jounce {
+namespace jounce::causes_test {
 namespace {
 
 using testing::ElementsAreArray;
@@ -45,4 +45,4 @@ TEST(Causes, EachHasASentenceAndARemedy) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::causes_test

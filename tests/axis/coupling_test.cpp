@@ -6,7 +6,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::coupling_test {
 namespace {
 
 using namespace test;
@@ -165,4 +165,4 @@ TEST(CoupledJob, ARampBreaksALimitOnlyTogetherWithItsCam) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupling_test

@@ -16,7 +16,7 @@
 #include "gear/follow_tables.hpp"
 #include "support/googol_7_4.hpp"
 
-namespace jounce {
+namespace jounce::fifo_movement_test {
 namespace {
 
 using namespace test;
@@ -383,7 +383,7 @@ TEST(FifoFollow, ThatEndsAtARatioBrakesWithinTheLimits) {
 TEST(FifoFollow, PlaysExample77) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0},
                     {.event = {FollowEvent::pass, 50000}});
-  const FollowTable table = testing::example_7_7();
+  const FollowTable table = test::example_7_7();
   for (const PtPoint& p : table.segments) push(follow.fifos(), 0, p);
   const auto master = speeding_up(50e3, 1e6);
   Follower slave{follow, master};
@@ -406,7 +406,7 @@ TEST(FifoFollow, PlaysExample77) {
 TEST(FifoFollow, PlaysExample76) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
   push(follow.fifos(), 0, {5000, 2500});
-  const FollowTable cycle = testing::shear_cycle();
+  const FollowTable cycle = test::shear_cycle();
   for (const PtPoint& p : cycle.segments) push(follow.fifos(), 1, p);
   Follower slave{follow, steady(10000)};
   ASSERT_EQ(slave.begin({100, 0, 0}), Cause::none);
@@ -425,7 +425,7 @@ TEST(FifoFollow, PlaysExample76) {
 // Example 7-8: 802 segments in dynamic memory.
 TEST(FifoFollow, PlaysExample78) {
   FifoFollow follow(1, {.each = 1000, .stream = false, .total = 1000});
-  const FollowTable table = testing::example_7_8();
+  const FollowTable table = test::example_7_8();
   for (const PtPoint& p : table.segments) ASSERT_EQ(push(follow.fifos(), 0, p), RowRule::none);
   EXPECT_EQ(follow.fifos().space(1), 198U) << "of 1000 in both";
   const Cam exact = ::jounce::follow({{table}}).cam;
@@ -445,11 +445,11 @@ TEST(FifoFollow, PlaysExample78) {
 // Example 7-9: the old table for ever; bridge; the new table, from 0.6 to 0.6.
 TEST(FifoFollow, PlaysExample79) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
-  for (const PtPoint& p : testing::old_7_9().segments) push(follow.fifos(), 0, p);
+  for (const PtPoint& p : test::old_7_9().segments) push(follow.fifos(), 0, p);
   Follower slave{follow, steady(50e3)};  // 50 pulse/ms: 1200 ms a pass
   ASSERT_EQ(slave.begin({}), Cause::none);
   slave.run(1400);
-  for (const PtPoint& p : testing::bridge_7_9().segments) push(follow.fifos(), 1, p);
+  for (const PtPoint& p : test::bridge_7_9().segments) push(follow.fifos(), 1, p);
   EXPECT_FALSE(follow.fifos().clear(0));
   ASSERT_TRUE(follow.fifos().queue_switch());
   EXPECT_EQ(push(follow.fifos(), 0, {1e6, 0}), RowRule::in_use) << "it is about to be emptied";
@@ -457,7 +457,7 @@ TEST(FifoFollow, PlaysExample79) {
   EXPECT_NEAR(slave.run(1000).slave[0], 80000, 1e-9) << "two passes, to the end";
   slave.run(1);
   EXPECT_EQ(follow.fifos().space(0), 16U) << "how users see the switch";
-  for (const PtPoint& p : testing::new_7_9().segments) push(follow.fifos(), 0, p);
+  for (const PtPoint& p : test::new_7_9().segments) push(follow.fifos(), 0, p);
   ASSERT_TRUE(follow.fifos().queue_switch());
   slave.run(1198);
   double least = 1e9;
@@ -546,4 +546,4 @@ TEST(FifoPath, RowsOfAGreaterNumberAreNotThereYet) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fifo_movement_test

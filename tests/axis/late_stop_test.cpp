@@ -12,7 +12,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::late_stop_test {
 namespace {
 
 using namespace test;
@@ -108,4 +108,4 @@ TEST(LateStop, GoesOnFromThereWhenMoreHasCome) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::late_stop_test

@@ -12,7 +12,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::live_cam_test {
 namespace {
 
 using namespace test;
@@ -317,4 +317,4 @@ TEST(LiveCam, ALostMasterBreaksItWhereItIs) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::live_cam_test

@@ -10,7 +10,7 @@
 #include "axis/live.hpp"
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::live_gear_test {
 namespace {
 
 using namespace test;
@@ -177,4 +177,4 @@ TEST(LiveGearInPos, RefusesAnAxisThatDoesNotStandAtItsStart) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::live_gear_test

@@ -10,7 +10,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::lowered_rate_test {
 namespace {
 
 using namespace test;
@@ -103,4 +103,4 @@ TEST(LoweredRate, NorOnAPath) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::lowered_rate_test

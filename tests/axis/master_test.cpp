@@ -13,11 +13,11 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::master_test {
 namespace {
 
 using namespace test;
-using testing::Random;
+using test::Random;
 
 double normal(Random& random) {
   const double u = 1 - random.uniform(0, 1);
@@ -398,4 +398,4 @@ TEST(TrackerSpec, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::master_test

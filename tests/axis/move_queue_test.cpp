@@ -13,7 +13,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::move_queue_test {
 namespace {
 
 using namespace test;
@@ -123,7 +123,7 @@ TEST(Blending, IsMirroredTheOtherWay) {
 // Eight moves behind one, each blended: every target is met, in order, within the limits, and the sum of
 // relative ones is exact.
 TEST(MoveQueue, EveryTargetIsMetInOrder) {
-  testing::Random random(56);
+  test::Random random(56);
   for (int run = 0; run < 120; ++run) {
     const double jerk = run % 2 == 0 ? 2e4 : 0;
     Bench axis(config_with(jerk));
@@ -232,4 +232,4 @@ TEST(MoveQueue, TakesMoreAsItIsWorkedOff) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::move_queue_test

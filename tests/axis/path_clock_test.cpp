@@ -8,7 +8,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::path_clock_test {
 namespace {
 
 using test::limits;
@@ -50,7 +50,7 @@ TEST(PathClock, GoesOnWhereItWasHeld) {
 }
 
 TEST(PathClock, NeverRunsBackwardsWhateverIsAskedOfItWhen) {
-  testing::Random random(7);
+  test::Random random(7);
   PathClock clock(1'000'000);
   clock.start(0, 0, 1);
   PathTime last;
@@ -129,4 +129,4 @@ TEST(PathClock, APathThatStandsIsStoppedWithinATick) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::path_clock_test

@@ -19,13 +19,13 @@
 // Random orders of every kind, and a checker that knows the log and the limits alone. JOUNCE_ORDERS: how many
 // times as many steps (1: 2e5).
 
-namespace jounce {
+namespace jounce::random_orders_test {
 namespace {
 
 using namespace test;
 
 AxisConfig configured(std::uint64_t seed) {
-  testing::Random random(seed);
+  test::Random random(seed);
   const double v = random.uniform(50, 1000);
   const double a = v * random.log_uniform(5, 50);
   AxisConfig config{.limits = limits(v, a)};
@@ -155,7 +155,7 @@ class Operator {
     return command;
   }
 
-  testing::Random random_;
+  test::Random random_;
   int pause_;  // ticks between orders, in the mean
   AxisConfig config_;
   MotionAxis axis_;
@@ -208,4 +208,4 @@ TEST(RandomOrders, TheLogKeepsTheLimits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::random_orders_test

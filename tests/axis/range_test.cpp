@@ -15,7 +15,7 @@
 
 // The rule of the position range: docs/executor/axis.md, "The position range".
 
-namespace jounce {
+namespace jounce::range_test {
 namespace {
 
 using namespace test;
@@ -207,7 +207,7 @@ double stepped_turn(double v, double a, double s, double j) {
 
 // The ladder of stops against small steps of an integration: what each says is so.
 TEST(Range, TheGentlestStopIsWhatSmallStepsSay) {
-  testing::Random random(17);
+  test::Random random(17);
   AxisConfig config = between(-1e6, 0, curves);
   config.limit_acceleration = 6000;
   const AxisConfig axis = resolved(config);
@@ -268,4 +268,4 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::range_test

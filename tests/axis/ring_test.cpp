@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::ring_test {
 namespace {
 
 TEST(Ring, HoldsItsCapacityInOrder) {
@@ -55,4 +55,4 @@ TEST(Ring, TwoThreadsLoseDoubleAndTearNothing) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::ring_test

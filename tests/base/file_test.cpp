@@ -17,13 +17,13 @@
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace jounce {
+namespace jounce::file_test {
 namespace {
 
+using test::why;
 using ::testing::HasSubstr;
-using testing::why;
 
-class Files : public testing::WithFolder {};
+class Files : public test::WithFolder {};
 
 /// Writes in a process of its own whose files may have 1000 bytes; 0: it failed, as it should.
 int write_too_much(const std::string& path) {
@@ -121,7 +121,8 @@ TEST_F(Files, ALinkToItselfAndANameTooLongAreNamed) {
   EXPECT_THAT(fault_of(in("a")), HasSubstr("cannot write "));
   EXPECT_THAT(fault_of(in("a")), HasSubstr("Too many levels of symbolic links"));
   const std::string name(300, 'a');
-  EXPECT_THAT(why([&] { (void)read_file(in(name.c_str())); }), HasSubstr("cannot be read: File name too long"));
+  EXPECT_THAT(why([&] { (void)read_file(in(name.c_str())); }),
+              HasSubstr("cannot be read: File name too long"));
   EXPECT_THAT(fault_of(in(name.c_str())), HasSubstr("cannot write "));
   EXPECT_EQ(files(), 2U);
 }
@@ -185,4 +186,4 @@ TEST(InputErrors, ShortenWhatIsTooLongToRead) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::file_test

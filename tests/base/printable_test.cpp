@@ -9,10 +9,10 @@
 #include "support/random.hpp"
 #include "support/utf8.hpp"
 
-namespace jounce {
+namespace jounce::printable_test {
 namespace {
 
-using testing::is_utf8;
+using test::is_utf8;
 
 /// RFC 3629, section 3, without a look at the code under test.
 std::string encoded(std::uint32_t code) {
@@ -45,7 +45,7 @@ TEST(Printable, EveryCodePointIsOneOrIsNot) {
 
 TEST(Printable, WhatIsShownIsPrintableAndItselfIfItWas) {
   const std::uint64_t seed = 20260101;
-  testing::Random random(seed);
+  test::Random random(seed);
   // Bytes that begin, continue and break sequences are drawn more often than others.
   constexpr unsigned char often[] = {0x80, 0xBF, 0xC0, 0xC2, 0xE0, 0xED,
                                      0xEF, 0xF0, 0xF4, 0xF5, 0x1B, 'a'};
@@ -74,4 +74,4 @@ TEST(Printable, ABrokenByteCostsOneMark) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::printable_test

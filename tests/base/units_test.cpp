@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::units_test {
 namespace {
 
 TEST(Units, ConvertWhatMeasuresTheSame) {
@@ -67,4 +67,4 @@ TEST(RateUnit, ReadsAsPeopleWriteIt) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::units_test

@@ -13,9 +13,10 @@
 #include "jounce/profiles/limits/limits.hpp"
 
 #include "random_cams.hpp"
+#include "support/errors.hpp"
 #include "support/fig_6_14.hpp"
 
-namespace jounce {
+namespace jounce::algebra_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -31,12 +32,7 @@ Cam rise_and_return(Law law, double period, double stroke,
 
 template <class Make>
 std::string complaint(Make make) {
-  try {
-    (void)make();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)make(); });
 }
 
 /// g(x) is f(at(x)) within rounding of the places, away from the breaks of g.
@@ -66,7 +62,7 @@ void expect_sum(const Cam& h, const Cam& f, const Cam& g, double tolerance) {
 // ---- part, phase, splice ----------------------------------------------------------------------
 
 TEST(Part, IsTheCamBetweenTwoMasterPositions) {
-  const Cam cam = design(testing::fig_6_14()).cam;
+  const Cam cam = design(test::fig_6_14()).cam;
   const Cam window = part(cam, 30, 300);
   EXPECT_EQ(window.start(), 30);
   EXPECT_EQ(window.end(), 300);
@@ -104,8 +100,8 @@ TEST(Part, GoesOnAsTheCamDoesOutsideItsInterval) {
 TEST(Part, AndTheRestAreTheWhole) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false);
+    test::Random random(seed);
+    const Cam cam = test::random_cam(random, false);
     const double at = random.uniform(cam.start(), cam.end());
     const Cam whole = concatenated(part(cam, cam.start(), at), part(cam, at, cam.end()));
     EXPECT_NEAR(whole.end(), cam.end(), 4e-16 * std::max(std::abs(cam.end()), cam.length()));
@@ -134,8 +130,8 @@ TEST(Phased, IsLaterByThePhase) {
 TEST(Phased, KeepsThePeriodToTheLastDigit) {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false, Extrapolation::wrap);
+    test::Random random(seed);
+    const Cam cam = test::random_cam(random, false, Extrapolation::wrap);
     const double phase = random.uniform(-3, 3) * cam.length();
     const Cam later = phased(cam, phase);
     EXPECT_EQ(later.start(), cam.start());
@@ -165,7 +161,7 @@ TEST(Advancing, ASlaveGoesOnTurnByTurn) {
 }
 
 TEST(Spliced, ReplacesAStretch) {
-  const Cam cam = design(testing::fig_6_14()).cam;
+  const Cam cam = design(test::fig_6_14()).cam;
   const Cam slower = replaced(cam, Cam({line(50, 125, 175)}, 100));
   EXPECT_EQ(slower.breaks().size(), 7U);
   EXPECT_EQ(slower.end(), 360);
@@ -252,8 +248,7 @@ TEST(Superimposed, ACamThatRefusesGivesTheInterval) {
 
 TEST(Superimposed, NamesWhatHasNoPeriod) {
   const Cam f = rise_and_return(Law::poly345, 360, 50);
-  EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 360.5, 1)); }),
-            "no error")
+  EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 360.5, 1)); }), "")
       << "721 turns of one are 720 of the other";
   EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 100 * pi, 1)); }),
             "period = 360 and 314.1592653589793: have no common period within 1000 turns: choose a "
@@ -293,9 +288,9 @@ TEST(Superimposed, FitsWithinAToleranceWhatIsNoSegment) {
 TEST(Superimposed, AddsRandomCamsOfEveryLawAndScale) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam f = testing::random_cam(random, false, Extrapolation::wrap);
-    const Cam any = testing::random_cam(random, false, Extrapolation::wrap);
+    test::Random random(seed);
+    const Cam f = test::random_cam(random, false, Extrapolation::wrap);
+    const Cam any = test::random_cam(random, false, Extrapolation::wrap);
     const double ratio = (1 + random.below(4)) / (1.0 + random.below(4));
     const Cam g = shifted(scaled(shifted(any, -any.start()), 1, ratio * f.length() / any.length()),
                           f.start() + random.uniform(-2, 2) * f.length());
@@ -317,12 +312,12 @@ TEST(Superimposed, AddsRandomCamsOfEveryLawAndScale) {
 
 TEST(Composed, ACamBehindACam) {
   // The camshaft turns 1:2 and holds; the cam on it is a quintic: exact.
-  const Cam cam = design(testing::fig_6_14()).cam;
+  const Cam cam = design(test::fig_6_14()).cam;
   const Cam shaft({line(720, 0, 360)}, 0, Extrapolation::refuse);
   const Cam slave = composed(cam, shaft);
   EXPECT_EQ(slave.end(), 720);
   expect_values(slave, cam, [](double x) { return x / 2; });
-  testing::Random random(1);
+  test::Random random(1);
   for (int i = 0; i < 50; ++i) {
     const double x = random.uniform(0, 720);
     EXPECT_NEAR(slave.at(x).geo_jerk, cam.at(x / 2).geo_jerk / 8, 1e-12);
@@ -353,4 +348,4 @@ TEST(Composed, WithinAToleranceACamBehindAnyCam) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::algebra_test

@@ -11,15 +11,16 @@
 #include "jounce/profiles/limits/limits.hpp"
 
 #include "spline_oracle.hpp"
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::b_spline_test {
 namespace {
 
-using testing::points_of;
-using testing::spline_oracle;
-using testing::within;
+using test::points_of;
+using test::spline_oracle;
+using test::within;
 
 void expect_samples(const std::vector<Segment>& segments, double start,
                     const nlohmann::json& samples, double precision) {
@@ -51,7 +52,7 @@ TEST(BSpline, ThroughPointsAgreesWithAnIndependentSolution) {
 TEST(BSpline, ThroughPointsReproducesPolynomialsOfItsDegree) {
   for (int degree = 1; degree <= 7; ++degree)
     for (int round = 0; round < 50; ++round) {
-      testing::Random random(static_cast<std::uint64_t>(100 * degree + round));
+      test::Random random(static_cast<std::uint64_t>(100 * degree + round));
       SCOPED_TRACE(::testing::Message() << degree << ", " << round);
       std::vector<double> c;
       for (int k = 0; k <= degree; ++k) c.push_back(random.uniform(-1, 1));
@@ -65,7 +66,7 @@ TEST(BSpline, ThroughPointsReproducesPolynomialsOfItsDegree) {
       for (int i = 0; i < n; ++i) points.push_back({(i + random.uniform(-0.2, 0.2)) / n, 0});
       for (SplinePoint& p : points) p.slave = f(p.master);
       const Cam cam(b_spline(interpolating_b_spline(points, degree)), points.front().master);
-      testing::expect_invariants(cam, std::min(degree - 1, 3));
+      test::expect_invariants(cam, std::min(degree - 1, 3));
       for (int k = 0; k <= 100; ++k) {
         const double x = cam.start() + cam.length() * k / 100;
         EXPECT_NEAR(cam.at(within(cam, x)).position, f(x), 1e-11);
@@ -85,7 +86,7 @@ TEST(BSpline, LosesADerivativeForEachRepetitionOfAKnot) {
 
 TEST(BSpline, StaysWithinItsControlValues) {
   for (int round = 0; round < 200; ++round) {
-    testing::Random random(static_cast<std::uint64_t>(round));
+    test::Random random(static_cast<std::uint64_t>(round));
     SCOPED_TRACE(round);
     BSplineSpec spec{1 + random.below(11), {}, {}};
     const int n = spec.degree + 1 + random.below(8);
@@ -134,12 +135,7 @@ TEST(Bezier, ChainIsContinuousAndAsSmoothAsItsControlValues) {
 
 template <class Make>
 std::string complaint(Make make) {
-  try {
-    (void)make();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)make(); });
 }
 
 TEST(BSpline, NamesWhatItRefuses) {
@@ -177,4 +173,4 @@ TEST(BSpline, NamesWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::b_spline_test

@@ -13,10 +13,10 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::boundaries_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 double square_jerk(const CamSpec& spec) {
   const CamDesign made = design(spec);
@@ -121,11 +121,11 @@ TEST(Boundaries, FreeKnotsAreJoinedUpToTheFourthDerivative) {
   for (const auto& [master, slave] :
        {std::pair{60.0, 12.0}, {150.0, 40.0}, {240.0, 25.0}, {360.0, 0.0}})
     spec.segments.push_back({Law::quintic, {master, slave, {}, {}}, ""});
-  testing::expect_invariants(design(filled(spec, Fill::minimum_jerk)).cam, 3);
+  test::expect_invariants(design(filled(spec, Fill::minimum_jerk)).cam, 3);
 }
 
 TEST(Boundaries, RestIsWhatDesignDoes) {
-  CamSpec spec = testing::fig_6_14();
+  CamSpec spec = test::fig_6_14();
   spec.segments[0].end.geo_velocity.reset();
   CamSpec rest = filled(spec, Fill::rest);
   const auto resolved = resolved_knots(spec);
@@ -217,4 +217,4 @@ TEST(Boundaries, RefusesWhatDesignRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::boundaries_test

@@ -14,14 +14,14 @@
 #include "support/random.hpp"
 #include "switch_oracle.hpp"
 
-namespace jounce {
+namespace jounce::cam_switch_property_test {
 namespace {
 
-using testing::ClosedForm;
-using testing::Grid;
-using testing::Random;
-using testing::Real;
-using testing::SwitchOracle;
+using test::ClosedForm;
+using test::Grid;
+using test::Random;
+using test::Real;
+using test::SwitchOracle;
 
 using Edges = std::map<int, std::vector<SwitchEdge>>;
 
@@ -202,4 +202,4 @@ TEST(CamSwitchProperty, TheTickedFaceAgreesWithBruteForceToAMicrosecond) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cam_switch_property_test

@@ -14,7 +14,7 @@
 
 #include "support/fig_6_14.hpp"
 
-namespace jounce {
+namespace jounce::cam_switch_test {
 namespace {
 
 Trajectory path(std::vector<Segment> segments) {
@@ -233,7 +233,7 @@ TEST(CamSwitch, RotaryRangesRepeatBothWaysFromAnywhere) {
 
 TEST(CamSwitch, StandsOnASlaveThatFollowsACam) {
   // PMC600 manual 6.2: from master 75 to 200 the slave of figure 6.14 runs at slope 1, from 100.
-  const Cam cam = design(testing::fig_6_14()).cam;
+  const Cam cam = design(test::fig_6_14()).cam;
   const Trajectory slave = composed(cam, path({line(1.8, 0, 360)}));
   const auto times = switch_times({.switches = {range(120, 150)}}, slave);
   ASSERT_GE(times.edges.size(), 2U);
@@ -289,4 +289,4 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cam_switch_test

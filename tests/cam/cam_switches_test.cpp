@@ -12,10 +12,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::cam_switches_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 constexpr double cycle = 1e-3;
 
@@ -276,4 +276,4 @@ TEST(CamSwitches, BeforeTheFirstStepThereIsTheInitialValue) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cam_switches_test

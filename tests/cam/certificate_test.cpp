@@ -16,11 +16,11 @@
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::certificate_test {
 namespace {
 
-using testing::laws;
-using testing::oracle;
+using test::laws;
+using test::oracle;
 
 const Finding* find(const Report& report, const std::string& rule) {
   for (const Finding& f : report.findings)
@@ -90,7 +90,7 @@ TEST(Certificates, FindPiecesThatDoNotJoin) {
 
 /// A random cam of one to three segments: any law with a shape of its own, any scale. Derivatives are
 /// left to the laws beside a knot, or given between two laws that take them.
-CamSpec random_spec(testing::Random& random) {
+CamSpec random_spec(test::Random& random) {
   std::vector<LawInfo> laws;
   for (const LawInfo& law : all_laws())
     if (has_own_shape(law.law)) laws.push_back(law);
@@ -152,7 +152,7 @@ std::optional<Cam> made(const CamSpec& spec) {
 }
 
 TEST(Certificates, HoldForAHundredThousandRandomCams) {
-  testing::Random random(20);
+  test::Random random(20);
   std::map<std::string, std::size_t> held;
   std::map<Law, std::size_t> used;
   for (int cams = 0; cams < 100'000 && !HasFailure();) {
@@ -180,4 +180,4 @@ TEST(Certificates, HoldForAHundredThousandRandomCams) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::certificate_test

@@ -13,11 +13,11 @@
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::characteristics_test {
 namespace {
 
-using testing::laws;
-using testing::oracle;
+using test::laws;
+using test::oracle;
 
 TEST(Characteristics, MeetTheOracleOfEveryLaw) {
   for (const auto& [name, law] : laws()) {
@@ -52,14 +52,14 @@ TEST(Characteristics, HaveTheClosedFormsOfTheAsymmetricLaws) {
 
   // R-U of the 8th degree, to the coefficients' printed digits.
   const Characteristics eight = characteristics(
-      Cam({testing::polynomial({0, 0, 0, 6.09755, 0, -20.78040, 26.73155, -13.60965, 2.56095})}));
+      Cam({test::polynomial({0, 0, 0, 6.09755, 0, -20.78040, 26.73155, -13.60965, 2.56095})}));
   EXPECT_NEAR(eight.cv.value, 1.776661, 2e-5);
   EXPECT_NEAR(eight.ca.value, 5.26830, 2e-4);
   EXPECT_NEAR(eight.ca_star.value, 5.26830, 2e-4);
 }
 
 TEST(Characteristics, DoNotDependOnStrokeLengthPlaceOrSign) {
-  testing::Random random(11);
+  test::Random random(11);
   for (const auto& [name, law] : laws()) {
     SCOPED_TRACE(name);
     const double stroke = random.log_uniform(1e-6, 1e6) * (random.below(2) == 0 ? 1 : -1);
@@ -80,7 +80,7 @@ TEST(Characteristics, DoNotDependOnStrokeLengthPlaceOrSign) {
 }
 
 TEST(Characteristics, NoSampleOfThePowerIsAboveCm) {
-  testing::Random random(12);
+  test::Random random(12);
   for (int n = 0; n < 2000; ++n) {
     const std::array<double, 6> q{random.uniform(-1, 1),   random.uniform(-5, 5),
                                   random.uniform(-40, 40), random.uniform(-1, 1) + 3,
@@ -156,8 +156,8 @@ TEST(Rises, AreTheStretchesBetweenRestsAlsoThroughTheWrap) {
 }
 
 TEST(Rises, AreNoneInACamThatComesBackBetweenItsRests) {
-  EXPECT_TRUE(rises(design(testing::fig_6_14()).cam).empty()) << "it rests at 0 only";
+  EXPECT_TRUE(rises(design(test::fig_6_14()).cam).empty()) << "it rests at 0 only";
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::characteristics_test

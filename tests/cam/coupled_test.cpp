@@ -8,7 +8,7 @@
 
 #include "support/fig_6_14.hpp"
 
-namespace jounce {
+namespace jounce::coupled_test {
 namespace {
 
 Trajectory travel(double to) {
@@ -29,7 +29,7 @@ void expect_same(const Coupling& coupling, const MotionState& slave, const Traje
 }
 
 TEST(Coupled, IsThePointsOfItsCoupling) {
-  const Cam closed = design(testing::fig_6_14()).cam;
+  const Cam closed = design(test::fig_6_14()).cam;
   CamSpec rise;
   rise.segments = {{Law::quintic, {360, 90, 0, 0}, ""}};
   const Cam indexing = with(design(rise).cam, Extrapolation::wrap);
@@ -52,7 +52,7 @@ TEST(Coupled, IsThePointsOfItsCoupling) {
 }
 
 TEST(Coupled, LastsUntilTheCorrectionIsOver) {
-  const Coupling coupling(design(testing::fig_6_14()).cam,
+  const Coupling coupling(design(test::fig_6_14()).cam,
                           {.start = StartMode::ramp_in, .velocity_diff = 1, .acceleration = 10});
   const Trajectory master = travel(100);
   const Engagement in = engage(coupling, {.position = 5}, master.jet(0), 0);
@@ -67,7 +67,7 @@ TEST(Coupled, LastsUntilTheCorrectionIsOver) {
 }
 
 TEST(Coupled, AMasterThatComesBackBringsNoCorrectionBack) {
-  const Coupling coupling(design(testing::fig_6_14()).cam,
+  const Coupling coupling(design(test::fig_6_14()).cam,
                           {.start = StartMode::ramp_in_distance, .distance = 50});
   const Trajectory master = concatenated(travel(100), reversed(travel(100)));
   const Engagement in = engage(coupling, {.position = 5}, master.jet(0), 0);
@@ -78,4 +78,4 @@ TEST(Coupled, AMasterThatComesBackBringsNoCorrectionBack) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupled_test

@@ -14,10 +14,10 @@
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::coupling_cycle_test {
 namespace {
 
-using testing::fig_6_14;
+using test::fig_6_14;
 
 Cam line_cam(Extrapolation outside) {
   return Cam({line(10, 0, 20)}, 0, outside);
@@ -184,7 +184,7 @@ TEST(CouplingCycle, AMasterThatReversesRunsTheSameCamBackwards) {
 TEST(CouplingCycle, NoiseOfTheMasterCountsByTheSlope) {
   const Coupling coupling(design(fig_6_14()).cam);
   const double slope = std::abs(extrema(coupling.cam(), 1).peak().value);
-  testing::Random random(7);
+  test::Random random(7);
   Engaged state = engage(coupling, {}, {0, 200, 0, 0}, 0).engaged;
   for (int n = 1; n <= 2000; ++n) {
     Sample now = steady(n * 1e-3, 200);
@@ -391,4 +391,4 @@ TEST(Exchange, BeginsWhereTheSlaveHasComeToInEitherDirection) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupling_cycle_test

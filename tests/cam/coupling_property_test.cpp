@@ -16,10 +16,10 @@
 // whatever its master does: but for the modes that are documented to jump, and then by as much as
 // the check said.
 
-namespace jounce {
+namespace jounce::coupling_property_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 /// x = x0 + w t + A sin(q t): it accelerates, and where A q > w it reverses.
 struct Master {
@@ -33,7 +33,7 @@ struct Master {
 };
 
 Cam closed() {
-  return design(testing::fig_6_14()).cam;
+  return design(test::fig_6_14()).cam;
 }
 
 Cam indexing() {
@@ -239,4 +239,4 @@ TEST(CouplingProperty, ARampOverMasterIsSmoothToTheSecondDerivative) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupling_property_test

@@ -15,7 +15,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::coupling_test {
 namespace {
 
 /// 90 u in 360 m from rest to rest, again and again.
@@ -399,7 +399,7 @@ TEST(CouplingCheck, TellsTheLargestValuesOfTheCorrection) {
   // A master that has barely begun: a difference of velocity swings far out.
   const double L = 40, dv = 50;
   const Coupling coupling(indexing(), {.start = StartMode::ramp_in_distance, .distance = L});
-  testing::Random random(3);
+  test::Random random(3);
   for (int n = 0; n < 200; ++n) {
     const double w = std::pow(10, random.uniform(-3, 3)) * (n % 2 == 0 ? 1 : -1);
     const double b = random.uniform(-10, 10), d = random.uniform(-9, 9), da = random.uniform(-9, 9);
@@ -446,4 +446,4 @@ TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupling_test

@@ -9,15 +9,16 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/fig_6_14.hpp"
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"
 
-namespace jounce {
+namespace jounce::design_test {
 namespace {
 
-using testing::fig_6_14;
-using testing::oracle;
+using test::fig_6_14;
+using test::oracle;
 
 /// Whether a value has all the digits that the manual prints. Its column cuts digits off rather
 /// than rounding them, so the value lies between the printed number and the next one.
@@ -56,7 +57,7 @@ TEST(Design, Pmc600Fig614HasAllPrintedDigits) {
 
 TEST(Design, Fig614IsSmoothAlsoWhereItWraps) {
   const Cam cam = design(fig_6_14()).cam;
-  testing::expect_invariants(cam, 2);
+  test::expect_invariants(cam, 2);
   EXPECT_NEAR(cam.at(360 * 1000 + 100).position, 125, 1e-9);
 }
 
@@ -73,7 +74,7 @@ TEST(Design, PlacesRestToRestLawsAndKeepsTheirOrigin) {
   EXPECT_NEAR(made.cam.at(500).position, -45, 1e-13) << "not periodic: holds";
   EXPECT_NEAR(extrema(made.cam, 1).min.value, -2 * 100.0 / 160, 1e-13)
       << "Cv of the modified trapezoid";
-  testing::expect_invariants(made.cam, 2);
+  test::expect_invariants(made.cam, 2);
 }
 
 TEST(Design, TakesTheSlopeOfALineWhereNoneIsGiven) {
@@ -225,12 +226,7 @@ TEST(Design, RefusesNumbersThatNothingCanBeComputedWith) {
 }
 
 std::string complaint(const CamSpec& spec) {
-  try {
-    (void)design(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)design(spec); });
 }
 
 TEST(Design, NamesWhatContradictsItself) {
@@ -284,4 +280,4 @@ TEST(Design, NamesWhatContradictsItself) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::design_test

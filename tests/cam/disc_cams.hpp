@@ -11,7 +11,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// Rise to 120, dwell to 180, return to 300, dwell to 360 deg.
 inline Cam rise_dwell_return(Law law, double stroke) {
@@ -87,4 +87,4 @@ inline RandomDisc random_disc(Random& random) {
   }
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

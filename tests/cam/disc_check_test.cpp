@@ -10,13 +10,13 @@
 
 #include "cam/disc_cams.hpp"
 
-namespace jounce {
+namespace jounce::disc_check_test {
 namespace {
 
-using testing::harmonic;
+using test::harmonic;
+using test::random_disc;
+using test::rise_dwell_return;
 using ::testing::HasSubstr;
-using testing::random_disc;
-using testing::rise_dwell_return;
 
 constexpr double deg = std::numbers::pi / 180;
 
@@ -38,7 +38,7 @@ TEST(DiscCheck, LeastBaseRadiusForARadiusOfTheProfile) {
 }
 
 TEST(DiscCheck, LeastBaseRadiusKeepsTheLimitsAndOneBelowDoesNot) {
-  testing::Random random(7);
+  test::Random random(7);
   int found = 0;
   for (int n = 0; n < 12; ++n) {
     const auto made = random_disc(random);
@@ -158,7 +158,7 @@ TEST(DiscCheck, RollerThatCutsThroughANeckIsFound) {
 }
 
 TEST(DiscCheck, InterferenceAgreesWithAGridOfPairs) {
-  testing::Random random(99);
+  test::Random random(99);
   int clear = 0;
   for (int n = 0; n < 60; ++n) {
     const auto made = random_disc(random);
@@ -189,4 +189,4 @@ TEST(DiscCheck, LimitsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::disc_check_test

@@ -10,12 +10,12 @@
 
 #include "cam/disc_cams.hpp"
 
-namespace jounce {
+namespace jounce::disc_contour_test {
 namespace {
 
-using testing::harmonic;
-using testing::random_disc;
-using testing::rise_dwell_return;
+using test::harmonic;
+using test::random_disc;
+using test::rise_dwell_return;
 
 Place parallel(const Disc& disc, double master, double distance) {
   const DiscPoint p = disc.at(master);
@@ -77,7 +77,7 @@ TEST(Contour, ArcsAreFewerThanLines) {
 }
 
 TEST(Contour, OfRandomCamsStaysWithinTheTolerance) {
-  testing::Random random(4711);
+  test::Random random(4711);
   for (int n = 0; n < 40; ++n) {
     const auto made = random_disc(random);
     SCOPED_TRACE(made.text);
@@ -119,4 +119,4 @@ TEST(Contour, RefusesCornersAndTolerances) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::disc_contour_test

@@ -14,12 +14,12 @@
 #include "cam/disc_cams.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::disc_test {
 namespace {
 
-using testing::harmonic;
-using testing::random_disc;
-using testing::rise_dwell_return;
+using test::harmonic;
+using test::random_disc;
+using test::rise_dwell_return;
 
 constexpr double deg = std::numbers::pi / 180;
 
@@ -186,7 +186,7 @@ TEST(Disc, BaseCircleBelongsToTheLeastSlavePosition) {
 }
 
 TEST(Disc, RandomCamsKeepWithinTheirExtremesAndReachThem) {
-  testing::Random random(20240611);
+  test::Random random(20240611);
   for (int n = 0; n < 150; ++n) {
     const auto made = random_disc(random);
     SCOPED_TRACE(made.text);
@@ -278,4 +278,4 @@ TEST(Disc, RefusesWhatIsNoDisc) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::disc_test

@@ -11,11 +11,11 @@
 #include "support/fig_6_14.hpp"
 #include "support/oracle.hpp"
 
-namespace jounce {
+namespace jounce::followed_test {
 namespace {
 
-using testing::fig_6_14;
-using testing::oracle;
+using test::fig_6_14;
+using test::oracle;
 
 Followed three_laps() {
   return {design(fig_6_14()).cam,
@@ -81,4 +81,4 @@ TEST(Followed, RefusesAMasterThatLeavesTheCam) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::followed_test

@@ -9,7 +9,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::hermite_test {
 namespace {
 
 /// x^7 - 3 x^5 + x^2 and its derivatives.
@@ -66,12 +68,7 @@ TEST(Hermite, LawBringsTheDerivativesThatItsKnotsLeaveOut) {
 }
 
 std::string complaint(const CamSpec& spec) {
-  try {
-    (void)design(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)design(spec); });
 }
 
 TEST(Hermite, LawNamesWhatIsMissingOrContradicts) {
@@ -103,4 +100,4 @@ TEST(Hermite, LawNamesWhatIsMissingOrContradicts) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::hermite_test

@@ -15,7 +15,7 @@
 #include "random_cams.hpp"
 #include "support/fig_6_14.hpp"
 
-namespace jounce {
+namespace jounce::inverse_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -193,7 +193,7 @@ TEST(Inverse, OfAStrictlyMonotoneCamIsTheInverse) {
 }
 
 TEST(Inverse, Fig614RisesASecondTimeAroundItsSlopeAt280) {
-  const Inversion all = inverted(design(testing::fig_6_14()).cam);
+  const Inversion all = inverted(design(test::fig_6_14()).cam);
   ASSERT_EQ(all.runs.size(), 4U);
   EXPECT_EQ(all.runs[2].kind, CamRun::Kind::rise) << "the printed slope there is + 0.017";
   EXPECT_LT(all.runs[2].from, 280);
@@ -206,7 +206,7 @@ TEST(Inverse, Fig614RisesASecondTimeAroundItsSlopeAt280) {
 
 /// f(g(y)) = y with all its derivatives: value within 1e-12 of the stroke; g' f' = 1 and so on where
 /// the slave is not about to rest.
-void expect_inverse(const Cam& cam, const Inverse& g, testing::Random& random) {
+void expect_inverse(const Cam& cam, const Inverse& g, test::Random& random) {
   const Range range = extrema(cam, 0);
   const double stroke = range.max.value - range.min.value;
   // Beyond 100 strokes from zero the digits of the position are fewer than those of the stroke.
@@ -240,9 +240,9 @@ void expect_inverse(const Cam& cam, const Inverse& g, testing::Random& random) {
 TEST(Inverse, UndoesRandomCamsOfEveryLawAndScale) {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
+    test::Random random(seed);
     const bool one_way = random.below(2) == 0;
-    const Cam cam = testing::random_cam(random, one_way);
+    const Cam cam = test::random_cam(random, one_way);
     const Inversion all = inverted(cam);
     EXPECT_TRUE(!one_way || all.branches.size() == 1);
     for (const Inverse& g : all.branches) expect_inverse(cam, g, random);
@@ -253,8 +253,8 @@ TEST(Inverse, UndoesRandomCamsOfEveryLawAndScale) {
 TEST(Inverse, DerivativesUndoTheCamsDerivatives) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false);
+    test::Random random(seed);
+    const Cam cam = test::random_cam(random, false);
     for (const Inverse& g : inverted(cam).branches) {
       const double y = random.uniform(g.start() + 0.05 * (g.end() - g.start()),
                                       g.end() - 0.05 * (g.end() - g.start()));
@@ -291,8 +291,8 @@ TEST(Inverse, IsTheSameInEveryUnit) {
 TEST(InverseWithin, IsACurveWithACertifiedError) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false);
+    test::Random random(seed);
+    const Cam cam = test::random_cam(random, false);
     for (const Inverse& g : inverted(cam).branches) {
       const std::size_t k =
           static_cast<std::size_t>(random.below(static_cast<int>(g.breaks().size()) - 1));
@@ -375,8 +375,8 @@ TEST(Positions, AreAllThereAre) {
 TEST(Positions, HoldTheInverseOfEveryBranch) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
-    const Cam cam = testing::random_cam(random, false);
+    test::Random random(seed);
+    const Cam cam = test::random_cam(random, false);
     for (const Inverse& g : inverted(cam).branches) {
       const double y = random.uniform(g.start(), g.end());
       const double x = g.at(y).position;
@@ -390,4 +390,4 @@ TEST(Positions, HoldTheInverseOfEveryBranch) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::inverse_test

@@ -12,10 +12,10 @@
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"
 
-namespace jounce {
+namespace jounce::law_test {
 namespace {
 
-using testing::oracle;
+using test::oracle;
 
 struct Case {
   Law law;
@@ -60,7 +60,7 @@ TEST_P(Laws, MeetTheOracleInCoefficientsAndPoints) {
 }
 
 TEST_P(Laws, KeepTheInvariants) {
-  testing::expect_invariants(Cam(normalised(GetParam().law, GetParam().form)), GetParam().order);
+  test::expect_invariants(Cam(normalised(GetParam().law, GetParam().form)), GetParam().order);
 }
 
 TEST_P(Laws, ReachTheBoundOfSevenSegmentsAndNoMore) {
@@ -116,7 +116,7 @@ TEST(RestToReversal, HarmonicCombinationHasItsClosedFormForEveryInflection) {
     const double cv = 1 / (lambda * (4 + pi) / (4 * pi) + 2 * (1 - lambda) / pi);
     expect_peaks(f, cv, pi * cv / (2 * lambda), pi * cv / (2 * (1 - lambda)), 2e-13);
     EXPECT_NEAR(extrema(f, 1).max.where, lambda, 1e-7);
-    testing::expect_invariants(f, 2);
+    test::expect_invariants(f, 2);
   }
   expect_peaks(Cam(normalised(Law::harmonic_combination)), 1.659848, 5.214566, 5.214566, 6e-7);
 }
@@ -188,7 +188,7 @@ TEST(EndVelocities, JoinAnyTwoWithoutAcceleration) {
         EXPECT_NEAR(from[k], start[k], rounding);
         EXPECT_NEAR(to[k], end[k], rounding);
       }
-      testing::expect_invariants(f, 2);
+      test::expect_invariants(f, 2);
     }
   }
 }
@@ -262,4 +262,4 @@ TEST(LawNames, ReadBack) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::law_test

@@ -9,7 +9,7 @@
 #include "jounce/cam/laws/law.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 inline Segment polynomial(std::vector<double> coefficients) {
   Segment f;
@@ -41,4 +41,4 @@ inline std::map<std::string, Cam> laws() {
   return all;
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

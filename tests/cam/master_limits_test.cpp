@@ -15,11 +15,11 @@
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::master_limits_test {
 namespace {
 
 Cam placed(const char* name, double stroke, double length) {
-  return scaled(testing::laws().at(name), stroke, length);
+  return scaled(test::laws().at(name), stroke, length);
 }
 
 TEST(GreatestMasterVelocity, IsTheLeastOfThreeRoots) {
@@ -100,7 +100,7 @@ std::array<double, 3> sampled(const Cam& cam, double w, double a, double j) {
 }
 
 TEST(MasterLimits, AreReachedAndNotPassedOnRandomCams) {
-  testing::Random random(30);
+  test::Random random(30);
   const std::vector<const char*> names{"poly_345",      "modified_sine", "poly_4567",
                                        "inclined_sine", "gutman_13",     "modified_trapezoid"};
   for (int n = 0; n < 1000; ++n) {
@@ -109,8 +109,8 @@ TEST(MasterLimits, AreReachedAndNotPassedOnRandomCams) {
     const double length = random.log_uniform(1e-3, 1e3);
     const Cam rise = placed(names[static_cast<std::size_t>(random.below(6))], stroke, length);
     const Cam fall =
-        shifted(scaled(testing::laws().at(names[static_cast<std::size_t>(random.below(6))]),
-                       -stroke, length * random.uniform(0.5, 2)),
+        shifted(scaled(test::laws().at(names[static_cast<std::size_t>(random.below(6))]), -stroke,
+                       length * random.uniform(0.5, 2)),
                 0, stroke);
     const Cam cam = with(concatenated(rise, fall), Extrapolation::wrap);
     const Ranges r = extrema(cam);
@@ -165,4 +165,4 @@ TEST(MasterLimits, RefuseWhatIsNoLimit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::master_limits_test

@@ -16,7 +16,7 @@
 #include "support/random.hpp"
 #include "support/spring.hpp"
 
-namespace jounce {
+namespace jounce::polydyne_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -43,7 +43,7 @@ TEST(Polydyne, HasTheBenchmarksPeaksAndLeavesNothing) {
   EXPECT_LT(residual(made.cam, mode), 1e-12);
   EXPECT_GT(residual(rise(Law::poly56789), mode), 1e-2) << "what the plain law leaves";
   EXPECT_TRUE(made.warnings.findings.empty());
-  testing::expect_invariants(made.cam, 2);
+  test::expect_invariants(made.cam, 2);
 }
 
 /// An integration that shares nothing with the closed form: the load is at the output's place, not
@@ -55,14 +55,14 @@ TEST(Polydyne, MovesTheLoadAlongTheOutput) {
   for (const double until : {0.2, 0.5, 0.77, 1.0}) {
     const Segment& whole = cam.segments().front();
     const Segment head = until < 1 ? part(whole, 0, until) : whole;
-    const testing::Load load = testing::after(Trajectory({head}), mode);
+    const test::Load load = test::after(Trajectory({head}), mode);
     EXPECT_NEAR(load.x, output.at(until).position, 1e-10) << until;
     EXPECT_NEAR(load.v, output.at(until).geo_velocity, 1e-9) << until;
   }
 }
 
 TEST(Polydyne, IsExactOnSinesAndEveryLengthStrokeAndPlace) {
-  testing::Random random(7);
+  test::Random random(7);
   for (int n = 0; n < 50; ++n) {
     const double length = random.log_uniform(1e-3, 1e3);
     const double stroke = random.uniform(-5, 5) * random.log_uniform(1e-3, 1e3);
@@ -123,4 +123,4 @@ TEST(Polydyne, RefusesAModeOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::polydyne_test

@@ -11,7 +11,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::polynomial_test {
 namespace {
 
 TEST(Polynomial, IsTheHermiteQuinticWhereTheSameIsGiven) {
@@ -24,7 +24,7 @@ TEST(Polynomial, IsTheHermiteQuinticWhereTheSameIsGiven) {
 }
 
 TEST(Polynomial, RecoversAnyOneFromItsOwnValues) {
-  testing::Random random(5);
+  test::Random random(5);
   for (int n = 0; n < 2000; ++n) {
     Segment wanted;
     wanted.length = std::exp(random.uniform(-12, 12));
@@ -67,4 +67,4 @@ TEST(Polynomial, RefusesWhatHasNoAnswer) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::polynomial_test

@@ -9,7 +9,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// One segment of a random law, or a quintic between random end states.
 inline std::vector<Segment> random_rise(Random& random, bool quintics, double length, double from,
@@ -57,4 +57,4 @@ inline Cam random_cam(Random& random, bool one_way, Extrapolation outside = Extr
   return Cam(std::move(all), random.uniform(-5, 5) * master, outside);
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

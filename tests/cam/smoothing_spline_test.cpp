@@ -12,13 +12,14 @@
 
 #include "cam/src/design/least_energy.hpp"
 #include "spline_oracle.hpp"
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::smoothing_spline_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 /// Its value at every point of the table.
 std::vector<double> at_points(const SmoothingSpline& s, const SplineSpec& spec) {
@@ -59,10 +60,10 @@ SplineSpec noisy(Random& random, int n) {
 }
 
 TEST(SmoothingSpline, FindsWhatTryingEveryChoiceOfBoundsFinds) {
-  const auto& all = testing::spline_oracle("tolerance");
+  const auto& all = test::spline_oracle("tolerance");
   for (const char* ends : {"natural", "clamped"}) {
     SCOPED_TRACE(ends);
-    SplineSpec spec{.points = testing::points_of(all["points"])};
+    SplineSpec spec{.points = test::points_of(all["points"])};
     if (ends == std::string("clamped")) spec.start = spec.end = {0.0, 0.0};
     const SmoothingSpline s = smoothing_spline(spec);
     const auto& wanted = all[ends];
@@ -115,14 +116,14 @@ TEST(SmoothingSpline, IsAQuinticSplineThroughThePointsItTouches) {
     if (s.touched.size() < 4) continue;
     const Cam cam(s.segments, spec.points.front().master,
                   spec.ends == SplineEnds::periodic ? Extrapolation::wrap : Extrapolation::refuse);
-    if (spec.ends == SplineEnds::natural) testing::expect_invariants(cam, 3);
+    if (spec.ends == SplineEnds::natural) test::expect_invariants(cam, 3);
     EXPECT_LE(s.segments.size(), s.touched.size() + 1);
     EXPECT_NEAR(energy_through(spec, at_points(s, spec)), s.square_jerk, 1e-9 * s.square_jerk);
   }
 }
 
 TEST(SmoothingSpline, WithoutTolerancesItInterpolates) {
-  SplineSpec spec{.points = testing::points_of(testing::spline_oracle("points"))};
+  SplineSpec spec{.points = test::points_of(test::spline_oracle("points"))};
   const SmoothingSpline s = smoothing_spline(spec);
   const auto through = quintic_spline(spec);
   ASSERT_EQ(s.segments.size(), through.size());
@@ -183,12 +184,7 @@ TEST(SmoothingSpline, ChangesWithItsUnitsAndWithNothingElse) {
 }
 
 std::string complaint(const SplineSpec& spec) {
-  try {
-    (void)smoothing_spline(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)smoothing_spline(spec); });
 }
 
 TEST(SmoothingSpline, NamesWhatItRefuses) {
@@ -203,4 +199,4 @@ TEST(SmoothingSpline, NamesWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::smoothing_spline_test

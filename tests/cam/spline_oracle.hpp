@@ -10,7 +10,7 @@
 #include "jounce/cam/laws/spline.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// tests/oracle/splines.json, made by splines.py there without any of our code.
 inline const nlohmann::json& spline_oracle(const char* name) {
@@ -32,4 +32,4 @@ inline double within(const Cam& cam, double x) {
   return std::clamp(x, cam.start(), cam.end());
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -14,16 +14,17 @@
 
 #include "cam/src/design/least_energy.hpp"
 #include "spline_oracle.hpp"
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::spline_test {
 namespace {
 
-using testing::points_of;
-using testing::Random;
-using testing::spline_oracle;
-using testing::within;
+using test::points_of;
+using test::Random;
+using test::spline_oracle;
+using test::within;
 using Maker = std::function<std::vector<Segment>(const SplineSpec&)>;
 
 Cam cam_of(const std::vector<Segment>& segments, const SplineSpec& spec) {
@@ -181,9 +182,9 @@ TEST(Spline, JoinsAsSmoothlyAsItSays) {
         table(random, 4 + random.below(20), [&](double) { return random.uniform(-1, 1); });
     spec.ends = static_cast<SplineEnds>(round % 3);
     if (spec.ends == SplineEnds::periodic) spec.points.back().slave = spec.points.front().slave;
-    testing::expect_invariants(cam_of(cubic_spline(spec), spec), 2);
+    test::expect_invariants(cam_of(cubic_spline(spec), spec), 2);
     const Cam cam = cam_of(quintic_spline(spec), spec);
-    testing::expect_invariants(cam, 3);
+    test::expect_invariants(cam, 3);
     double scale = 0;
     double jump = 0;
     for (std::size_t i = 0; i + 1 < cam.segments().size(); ++i) {
@@ -314,12 +315,7 @@ TEST(Spline, TenThousandPointsArePassedExactly) {
 }
 
 std::string complaint(const Maker& make, const SplineSpec& spec) {
-  try {
-    (void)make(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)make(spec); });
 }
 
 TEST(Spline, NamesWhatItRefuses) {
@@ -339,4 +335,4 @@ TEST(Spline, NamesWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::spline_test

@@ -15,7 +15,7 @@
 /// The edges of cam switches by brute force: time goes in small steps, in long double, along a
 /// motion in closed form; what was passed within a step is bisected. Written from the text of
 /// cam_switch.hpp alone, for tests; it misses two passages within one of its steps.
-namespace jounce::testing {
+namespace jounce::test {
 
 using Real = long double;
 
@@ -245,4 +245,4 @@ class SwitchOracle {
   const Grid& grid_;
 };
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

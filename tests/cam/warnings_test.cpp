@@ -10,7 +10,7 @@
 
 #include "laws.hpp"
 
-namespace jounce {
+namespace jounce::warnings_test {
 namespace {
 
 std::size_t count(const Report& report, const std::string& rule) {
@@ -93,7 +93,7 @@ TEST(Warnings, GroupThePiecesOfALaw) {
 }
 
 TEST(Warnings, NameEachStepOnceByItsLowestOrder) {
-  const auto law = [](const char* name) { return testing::laws().at(name); };
+  const auto law = [](const char* name) { return test::laws().at(name); };
   const Report sine = warnings(law("simple_sine"));  // holds: from rest and to rest
   EXPECT_EQ(count(sine, "joint/geo_acceleration"), 2U);
   EXPECT_NEAR(get(sine, "joint/geo_acceleration").value, 4.934802200544679, 1e-12);
@@ -113,4 +113,4 @@ TEST(Warnings, RippleIsAnAccelerationThatTurnsBetweenEqualEnds) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::warnings_test

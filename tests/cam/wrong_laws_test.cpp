@@ -16,7 +16,7 @@
 
 #include "laws.hpp"
 
-namespace jounce {
+namespace jounce::wrong_laws_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -126,7 +126,7 @@ TEST(WrongLaws, TheDoubleHarmonicThatStartsWithAKick) {
 TEST(WrongLaws, TheRightOnesPassAsTables) {
   for (const char* name : {"modified_sine", "modified_trapezoid", "inclined_sine", "poly_345",
                            "poly_4567", "gutman_13"}) {
-    const Cam law = testing::laws().at(name);
+    const Cam law = test::laws().at(name);
     const Cam table = as_table([&](double z) {
       const Jet jet = law.jet(z, z < 1 ? Side::right : Side::left);
       return Row{jet[0], jet[1], std::abs(jet[2]) < 1e-12 ? 0 : jet[2]};
@@ -139,4 +139,4 @@ TEST(WrongLaws, TheRightOnesPassAsTables) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::wrong_laws_test

@@ -80,7 +80,7 @@ TEST(AgitoRepetitive, MovesBetweenStartAndTargetWithWaits) {
   EXPECT_EQ(f.at(stroke + 0.1).velocity, 0);
   EXPECT_DOUBLE_EQ(f.at(2 * stroke + 0.3).position, 1000);
   EXPECT_DOUBLE_EQ(f.at(f.end(), Side::left).position, 5000);
-  testing::expect_invariants(f, 1);
+  test::expect_invariants(f, 1);
   EXPECT_THROW(repetitive(0, {.abs_trgt = 1}, manual_4_1, 0), InputError);
   EXPECT_THROW(repetitive(0, {.abs_trgt = 1}, manual_4_1, 2, -1), InputError);
 }
@@ -117,7 +117,7 @@ TEST(AgitoSpeedChange, SlowsTheApproachDownAtItsPosition) {
   EXPECT_NEAR(g.at(0.5).velocity, 500, 1e-9);
   axis.jerk = 4;
   const Trajectory smooth = begin(0, {.abs_trgt = 3800}, axis).curve();
-  testing::expect_invariants(
+  test::expect_invariants(
       with_speed_change(smooth, 3800, axis, {.position = 3400, .new_speed = 500}), 2);
 }
 

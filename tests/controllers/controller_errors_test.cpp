@@ -17,7 +17,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-namespace jounce {
+namespace jounce::controller_errors_test {
 namespace {
 
 Cam cam(Extrapolation outside) {
@@ -150,4 +150,4 @@ TEST(CouplingStatus, HasAWordAndASentenceForEach) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::controller_errors_test

@@ -11,15 +11,16 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::exchange_test {
 namespace {
 
 /// A table whose numbers do not print in few digits.
 TableFile ragged(Interpolation rule, Extrapolation outside = Extrapolation::wrap,
                  std::size_t knots = 40) {
-  testing::Random random(7);
+  test::Random random(7);
   Columns c;
   double x = -3.3;
   for (std::size_t i = 0; i < knots; ++i) {
@@ -72,12 +73,7 @@ TEST(Exchange, KeepsUnitsPolicyAndHashWhereThereAreComments) {
 }
 
 std::string complaint(const std::string& text, bool decimal_comma = false) {
-  try {
-    (void)parse_exchange(text, "t", decimal_comma);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)parse_exchange(text, "t", decimal_comma); });
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -306,4 +302,4 @@ TEST(Exchange, RefusesMorePointsThanSewHolds) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::exchange_test

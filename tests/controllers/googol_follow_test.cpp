@@ -38,13 +38,13 @@ struct Axis {
 
 TEST(GoogolFollow, Example79SwitchesAtTheEndsOfPasses) {
   Axis axis;
-  axis.fill(testing::old_7_9(), 0);
+  axis.fill(test::old_7_9(), 0);
   axis.fifos.set_follow_loop(0);
   ASSERT_EQ(axis.fifos.follow_start(0, 0, 0), Refusal::none);
   EXPECT_EQ(axis.to(70000)[0], 42500);  // 10000 into the second pass
   EXPECT_EQ(axis.fifos.follow_loop(), 1);
   EXPECT_EQ(axis.fifos.follow_switch(1), Refusal::empty);
-  axis.fill(testing::bridge_7_9(), 1);
+  axis.fill(test::bridge_7_9(), 1);
   EXPECT_EQ(axis.fifos.follow_clear(0), Refusal::in_use);
   ASSERT_EQ(axis.fifos.follow_switch(1), Refusal::none);
   EXPECT_EQ(axis.fifos.follow_clear(1), Refusal::in_use) << "it is what comes next";
@@ -53,7 +53,7 @@ TEST(GoogolFollow, Example79SwitchesAtTheEndsOfPasses) {
   EXPECT_NEAR(axis.to(120000 + 55000)[1], 1 - 0.4 * 0.75, 1e-14) << "the bridge falls to 0.6";
   EXPECT_EQ(axis.fifos.follow_space(0), 16U) << "so users see that it has switched";
   EXPECT_EQ(axis.fifos.follow_loop(), 0) << "counted anew";
-  axis.fill(testing::new_7_9(), 0);
+  axis.fill(test::new_7_9(), 0);
   ASSERT_EQ(axis.fifos.follow_switch(0), Refusal::none);
   EXPECT_NEAR(axis.to(180000)[1], 0.6, 1e-14) << "CONTINUE takes the bridge's end ratio";
   EXPECT_EQ(axis.to(180000)[0], 80000 + 46000);
@@ -64,7 +64,7 @@ TEST(GoogolFollow, Example79SwitchesAtTheEndsOfPasses) {
 
 TEST(GoogolFollow, Example78NeedsDynamicMemory) {
   Axis axis;
-  const FollowTable table = testing::example_7_8();
+  const FollowTable table = test::example_7_8();
   EXPECT_EQ(axis.fifos.follow_space(0), 16U);
   EXPECT_EQ(axis.fifos.set_follow_memory(2), Refusal::bad_argument) << "how many, first";
   ASSERT_EQ(axis.fifos.set_follow_max_segment(1000), Refusal::none);
@@ -83,7 +83,7 @@ TEST(GoogolFollow, Example78NeedsDynamicMemory) {
 
 TEST(GoogolFollow, WaitsForItsMasterToPass) {
   Axis axis;
-  axis.fill(testing::example_7_7(), 0);
+  axis.fill(test::example_7_7(), 0);
   axis.fifos.set_follow_loop(0);
   ASSERT_EQ(axis.fifos.set_follow_event({FollowEvent::pass, 50000, 1}), Refusal::none);
   ASSERT_EQ(axis.fifos.follow_start(0, 0, 500), Refusal::none);
@@ -100,7 +100,7 @@ TEST(GoogolFollow, WaitsForItsMasterToPass) {
 
 TEST(GoogolFollow, OneDirectionAloneWaitsUntilTheMasterIsBack) {
   Axis axis(1);
-  axis.fill(testing::example_7_7(), 0);
+  axis.fill(test::example_7_7(), 0);
   ASSERT_EQ(axis.fifos.follow_start(0, 0, 0), Refusal::none);
   const Jet there = axis.to(30000);
   EXPECT_EQ(there[0], 20000);
@@ -108,13 +108,13 @@ TEST(GoogolFollow, OneDirectionAloneWaitsUntilTheMasterIsBack) {
   EXPECT_EQ(axis.to(31000)[0], 21000) << "and is still in step with it";
 
   Axis back(-1);
-  back.fill(testing::example_7_7(), 0);
+  back.fill(test::example_7_7(), 0);
   ASSERT_EQ(back.fifos.follow_start(0, 0, 0), Refusal::none);
   EXPECT_EQ(back.to(-30000)[0], 20000);
   EXPECT_EQ(back.to(-31000)[1], -1) << "per master unit, of which there are fewer";
 
   Axis both(0);
-  both.fill(testing::example_7_7(), 0);
+  both.fill(test::example_7_7(), 0);
   ASSERT_EQ(both.fifos.follow_start(0, 0, 0), Refusal::none);
   both.to(30000);
   EXPECT_EQ(both.to(10000)[0], 2500) << "back on its path";
@@ -252,7 +252,7 @@ struct Naive {
 TEST(GoogolFollow, RandomOperationsAreWhatANaiveModelSays) {
   for (std::uint64_t seed = 1; seed <= 300 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    testing::Random random(seed);
+    test::Random random(seed);
     Axis axis;
     Naive model;
     double master = 0;

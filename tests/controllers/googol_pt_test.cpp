@@ -174,7 +174,7 @@ struct NaiveStream {
 TEST(GoogolPt, RandomStreamsAreWhatANaiveModelSays) {
   for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    testing::Random random(seed);
+    test::Random random(seed);
     PtFifos axis;
     axis.prf_pt(PtMode::dynamic);
     NaiveStream model{32, {}};

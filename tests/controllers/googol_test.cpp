@@ -15,7 +15,7 @@
 namespace jounce::googol {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 TEST(GoogolTrap, Example71TakesThirteenHundredMillisecondsAndSmoothedTwentyFiveMore) {
   Trap move{.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125};
@@ -50,7 +50,7 @@ TEST(GoogolTrap, AStartSpeedShortensTheFirstRamp) {
   const Profile smooth = trap(move);
   EXPECT_DOUBLE_EQ(smooth.duration(), 185 + (50000 - 5550 - 10625) / 50.0 + 425);
   EXPECT_EQ(smooth.at(0).acceleration, 0);
-  testing::expect_arrives(smooth);
+  test::expect_arrives(smooth);
 }
 
 TEST(GoogolTrap, RefusesWhatTheManualRefuses) {
@@ -86,7 +86,7 @@ TEST(GoogolPercent, IsTheShareOfRampsInAPhase) {
   // T = dv / (acc (1 - percent/200))
   EXPECT_DOUBLE_EQ(p.phase(0).duration + p.phase(1).duration + p.phase(2).duration, 50 / 0.75);
   EXPECT_DOUBLE_EQ(p.at(p.phase(0).duration).acceleration, 1);
-  testing::expect_within(p.curve(), 50, 10);
+  test::expect_within(p.curve(), 50, 10);
 }
 
 TEST(GoogolPercent, NoneIsATrapezoidAndAllLeavesNoConstantPart) {
@@ -115,7 +115,7 @@ TEST(GoogolMoveAbsolute, HoldsItsPeaksAndArrivesWhateverTheShape) {
                  << " acc " << number(m.acc) << " dec " << number(m.dec) << " percent " << m.percent
                  << ", " << m.acc_start_percent << ", " << m.dec_end_percent);
     const Profile p = move_absolute_ex(m);
-    testing::expect_arrives(p);
+    test::expect_arrives(p);
     EXPECT_EQ(p.at(p.duration()).position, static_cast<double>(m.pos));
     const Trajectory f = p.curve();
     const double sign = f.at(f.end()).position > m.from ? 1 : -1;
@@ -123,7 +123,7 @@ TEST(GoogolMoveAbsolute, HoldsItsPeaksAndArrivesWhateverTheShape) {
     EXPECT_LE(std::abs(r[1].peak().value), m.vel * (1 + 1e-12));
     EXPECT_LE((sign > 0 ? r[2].max : r[2].min).value * sign, m.acc * (1 + 1e-12));
     EXPECT_LE(-(sign > 0 ? r[2].min : r[2].max).value * sign, m.dec * (1 + 1e-12));
-    testing::expect_invariants(with(f, Extrapolation::refuse), p.order() == 3 ? 2 : 1);
+    test::expect_invariants(with(f, Extrapolation::refuse), p.order() == 3 ? 2 : 1);
   }
 }
 
@@ -168,12 +168,12 @@ TEST(GoogolTrap, TakesANewTargetAndVelocityWhileMoving) {
   const Trajectory longer = trap(f, 500, m);
   EXPECT_DOUBLE_EQ(longer.at(longer.end()).position, 80000);
   EXPECT_DOUBLE_EQ(extrema(longer, 1).max.value, 60);
-  testing::expect_invariants(longer, 2);
+  test::expect_invariants(longer, 2);
   m.pos = 10000;  // passed: at 500 ms the axis is at 19375
   const Trajectory back = trap(f, 500, m);
   EXPECT_NEAR(back.at(back.end()).position, 10000, 1e-10);
   EXPECT_GT(extrema(back, 0).max.value, 19375);
-  testing::expect_invariants(back, 2);
+  test::expect_invariants(back, 2);
 }
 
 TEST(GoogolTrap, GivenAgainIsTheSameMove) {
@@ -191,13 +191,13 @@ TEST(GoogolMoveAbsolute, GoesOnFromWhateverMoves) {
   for (const double t : {20.0, 150.0, 700.0, f.end() - 100, f.end() + 50}) {
     const Trajectory g = move_absolute(f, t, next);
     EXPECT_NEAR(g.at(g.end()).position, -3000, 1e-10) << t;
-    testing::expect_invariants(g, 2);
-    testing::expect_within(g, 50, 0.25);
+    test::expect_invariants(g, 2);
+    test::expect_within(g, 50, 0.25);
   }
   const Trajectory jogged =
       move_velocity(f, 700, {.vel = 20, .acc = 1, .jerk_begin = 0.1, .jerk_end = 0.2});
   EXPECT_DOUBLE_EQ(state_at(jogged, 2000).velocity, 20);
-  testing::expect_invariants(with(jogged, Extrapolation::refuse), 2);
+  test::expect_invariants(with(jogged, Extrapolation::refuse), 2);
 }
 
 TEST(GoogolMoveAbsoluteEx, BeginsAndEndsAsAsked) {
@@ -219,7 +219,7 @@ TEST(GoogolMoveAbsoluteEx, BeginsAndEndsAsAsked) {
   EXPECT_EQ(p.at(0).velocity, 10);
   EXPECT_EQ(p.at(0).acceleration, 0.5);
   EXPECT_EQ(p.end(), (MotionState{100000, 20, -0.5}));
-  testing::expect_arrives(p);
+  test::expect_arrives(p);
 }
 
 TEST(GoogolMoveAbsoluteEx, RefusesADistanceTooShortForItsEndSpeed) {
@@ -293,7 +293,7 @@ TEST(GoogolJog, SmoothIsAShareOfEveryRamp) {
   EXPECT_DOUBLE_EQ(back.duration(), 100 / (0.125 * 0.75) + 50 / (0.0625 * 0.75));
   EXPECT_DOUBLE_EQ(2 * back.phase(3).duration, 0.5 * 50 / (0.0625 * 0.75));
   EXPECT_EQ(back.end().velocity, -50);
-  testing::expect_arrives(back);
+  test::expect_arrives(back);
   EXPECT_THROW(jog({}, 100, {.acc = 1, .smooth = 1}), InputError);
   EXPECT_THROW(jog({}, 100, {.acc = 1, .smooth = -0.1}), InputError);
 }
@@ -315,7 +315,7 @@ TEST(GoogolJog, ChangedInMidRampKeepsTheAccelerationContinuous) {
   const Trajectory f = jog(1000, velocities, {.acc = 0.25, .dec = 0.125, .smooth = 0.4});
   EXPECT_EQ(f.start(), 5);
   EXPECT_NEAR(state_at(f, f.end()).velocity, 0, 1e-12);
-  testing::expect_invariants(f, 2);
+  test::expect_invariants(f, 2);
 }
 
 TEST(GoogolMoveVelocity, BuildsUpAndFallsWithItsOwnJerks) {
@@ -327,7 +327,7 @@ TEST(GoogolMoveVelocity, BuildsUpAndFallsWithItsOwnJerks) {
   EXPECT_DOUBLE_EQ(p.phase(1).duration, 35);
   EXPECT_DOUBLE_EQ(p.at(10).acceleration, 1);
   EXPECT_EQ(p.end().velocity, 50);
-  testing::expect_arrives(p);
+  test::expect_arrives(p);
 }
 
 TEST(GoogolMoveVelocity, ShortRampsPeakWhereBothJerksMeet) {

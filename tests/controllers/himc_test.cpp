@@ -76,7 +76,7 @@ TEST(HimcProfile, RefusesWhatTheManualRefuses) {
 }
 
 TEST(HimcProfile, EveryRampTakesItsTrapezoidsTimePlusTheSmoothing) {
-  testing::Random random(41);
+  test::Random random(41);
   for (int i = 0; i < 500; ++i) {
     AxisProfile axis{.velocity = random.log_uniform(1, 1000)};
     axis.acceleration_time = random.uniform(50, 500);
@@ -109,8 +109,8 @@ TEST(HimcMoveAbs, TakesANewTargetAndVelocityWhileMoving) {
   const Trajectory g = move_abs(f, 3, 800, axis);
   EXPECT_NEAR(g.at(g.end()).position, 800, 1e-12);
   EXPECT_NEAR(g.at(8).velocity, 60, 1e-12);
-  testing::expect_invariants(g, 2);
-  testing::expect_within(g, 100, 500, 10000);
+  test::expect_invariants(g, 2);
+  test::expect_within(g, 100, 500, 10000);
 }
 
 TEST(HimcMoveAbs, GivenAgainIsTheSameMove) {
@@ -125,8 +125,8 @@ TEST(HimcMoveAbs, GivenAgainIsTheSameMove) {
 TEST(HimcStop, BringsTheAxisToRestSmoothly) {
   const Trajectory f = stop(move_abs(0, 1000, example).curve(), 0.1, example);
   EXPECT_NEAR(state_at(f, f.end()).velocity, 0, 1e-12);
-  testing::expect_invariants(f, 2);
-  testing::expect_within(f, 100, 500, 10000);
+  test::expect_invariants(f, 2);
+  test::expect_within(f, 100, 500, 10000);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ inline std::ostream& operator<<(std::ostream& out, const Dynamics& d) {
              << number(d.deceleration_jerk) << "}";
 }
 
-namespace testing {
+namespace test {
 
 /// Where a profile's phases lead from its start, added up one by one: shares
 /// nothing with Profile::at and curve(), which know the end.
@@ -85,5 +85,5 @@ inline void expect_speeding_and_slowing(const Trajectory& f, double acceleration
     }
 }
 
-}  // namespace testing
+}  // namespace test
 }  // namespace jounce

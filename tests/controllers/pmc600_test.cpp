@@ -11,7 +11,7 @@
 namespace jounce::pmc600 {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 constexpr double pi = 3.14159265358979323846;
 const Ramps example_6_7{.velocity = 2000, .acceleration = 4000};
@@ -29,7 +29,7 @@ TEST(Pmc600Modes, TheSigmoidTakesTheTrapezoidsTimeAtMoreAcceleration) {
   EXPECT_NEAR(extrema(sigmoid, 2).max.value, 4000 * pi / 2, 1e-9);
   EXPECT_NEAR(sigmoid.at(0.125).velocity, 2000 * std::pow(std::sin(pi / 8), 2), 1e-9);
   EXPECT_DOUBLE_EQ(sigmoid.at(1).position, trapezoid.at(1).position);  // the same area
-  testing::expect_invariants(sigmoid, 2);
+  test::expect_invariants(sigmoid, 2);
 }
 
 TEST(Pmc600Modes, TheLimitedSigmoidKeepsItsAcceleration) {
@@ -61,10 +61,10 @@ TEST(Pmc600Modes, ShortAndLongMovesKeepTheirLimitsInEveryMode) {
     EXPECT_EQ(f.at(0).position, from);
     EXPECT_NEAR(f.at(f.end(), Side::left).position, to, 1e-14 * (std::abs(to) + std::abs(from)));
     const double peak = std::max(r.acceleration, r.deceleration);
-    testing::expect_within(
+    test::expect_within(
         f, r.velocity, mode == VelocityMode::sigmoid ? pi / 2 * peak : peak,
         mode == VelocityMode::quadratic ? r.jerk : std::numeric_limits<double>::infinity());
-    testing::expect_invariants(f, mode == VelocityMode::trapezoid ? 1 : 2);
+    test::expect_invariants(f, mode == VelocityMode::trapezoid ? 1 : 2);
     EXPECT_DOUBLE_EQ(f.end(), move_absolute(-from, -to, r).end());
   }
 }
@@ -111,7 +111,7 @@ TEST(LsMove, ExampleBeginsAtItsStartVelocity) {
   EXPECT_EQ(p.at(0).velocity, 1000);
   EXPECT_EQ(p.end(), (MotionState{50000, 1000, 0}));
   EXPECT_DOUBLE_EQ(p.duration(), 0.18 + (50000 - 990) / 10000.0);
-  testing::expect_arrives(p);
+  test::expect_arrives(p);
 }
 
 TEST(LsMove, AStepTooShortForBothSpeedsLowersTheHigherOne) {
@@ -123,7 +123,7 @@ TEST(LsMove, AStepTooShortForBothSpeedsLowersTheHigherOne) {
   const Profile p = ls_move(m);  // v^2 = 1 + 2 * 100 * 0.02
   EXPECT_NEAR(p.start().velocity, std::sqrt(5.0), 1e-14);
   EXPECT_EQ(p.end().velocity, 1);
-  testing::expect_arrives(p);
+  test::expect_arrives(p);
   LsMove back = m;
   std::swap(back.start_velocity, back.end_second_velocity);
   EXPECT_NEAR(ls_move(back).end().velocity, std::sqrt(5.0), 1e-14);
@@ -150,11 +150,11 @@ TEST(LsMove, RandomMovesArriveAndKeepTheirLimits) {
                  << number(m.end_second_velocity));
     const Profile p = ls_move(m);
     ASSERT_GT(p.phases(), 0U);
-    testing::expect_arrives(p);
-    testing::expect_within(p.curve(), m.velocity, std::max(m.acceleration, m.deceleration));
+    test::expect_arrives(p);
+    test::expect_within(p.curve(), m.velocity, std::max(m.acceleration, m.deceleration));
     EXPECT_LE(std::abs(p.start().velocity), m.start_velocity);
     EXPECT_LE(std::abs(p.end().velocity), m.end_second_velocity);
-    testing::expect_invariants(with(p.curve(), Extrapolation::refuse), 1);
+    test::expect_invariants(with(p.curve(), Extrapolation::refuse), 1);
   }
 }
 
@@ -199,7 +199,7 @@ TEST(VelocityCommands, FollowOneAnotherAsTheManualShows) {
   for (const double t : {0.3, 2.0}) {  // before and after 3000 is reached
     const Trajectory slower = with_velocity(fast, t, 2000, d);
     EXPECT_DOUBLE_EQ(state_at(slower, 9).velocity, 2000);
-    testing::expect_invariants(with(slower, Extrapolation::refuse), 2);
+    test::expect_invariants(with(slower, Extrapolation::refuse), 2);
     const Trajectory stopped = with_velocity(slower, 10, 0, d);
     EXPECT_NEAR(state_at(stopped, stopped.end()).velocity, 0, 1e-10);
     const Trajectory again = with_velocity(stopped, 10.2, 2000, d);  // before it stands
@@ -225,7 +225,7 @@ TEST(PositionToVelocity, ExamplePassesTheJointAtFiveThousand) {
   EXPECT_DOUBLE_EQ(f.end(), 5.03125);
   EXPECT_DOUBLE_EQ(f.at(2.25).position, 10000);
   EXPECT_DOUBLE_EQ(f.at(2.25).velocity, 5000);
-  testing::expect_invariants(f, 1);
+  test::expect_invariants(f, 1);
 }
 
 TEST(PositionToVelocity, TheJointIsAsFastAsBothSidesAllow) {
@@ -268,8 +268,8 @@ TEST(PositionToVelocity, RandomPairsKeepLimitsAndAreContinuousInEveryMode) {
     }
     SCOPED_TRACE(i);
     const Trajectory f = position_to_velocity(m);
-    testing::expect_within(f, std::max(m.velocity[0], m.velocity[1]), 160);
-    testing::expect_invariants(f, m.mode == VelocityMode::trapezoid ? 1 : 2);
+    test::expect_within(f, std::max(m.velocity[0], m.velocity[1]), 160);
+    test::expect_invariants(f, m.mode == VelocityMode::trapezoid ? 1 : 2);
     EXPECT_NEAR(f.at(f.end()).position, m.from + m.end_pos[0] + m.end_pos[1], 1e-12);
   }
 }
@@ -282,7 +282,7 @@ TEST(MoveAdditive, AddsToThePreviousTarget) {
   for (const double t : {1.9, first.end(), first.end() + 1}) {
     const Trajectory f = move_additive(first, t, 4000, d);
     EXPECT_NEAR(f.at(f.end()).position, 10000, 1e-11);
-    testing::expect_invariants(f, 2);
+    test::expect_invariants(f, 2);
   }
   const Trajectory twice = move_additive(move_additive(first, 1, 4000, d), 1.5, -500, d);
   EXPECT_NEAR(twice.at(twice.end()).position, 9500, 1e-11);
@@ -305,7 +305,7 @@ TEST(Superimposed, AddsBothMotionsAndBothDistances) {
   EXPECT_DOUBLE_EQ(whole.at(whole.end()).position, 8000);
   EXPECT_DOUBLE_EQ(whole.at(2).velocity, 2500);
   EXPECT_DOUBLE_EQ(whole.end(), 1 + 4.5);
-  testing::expect_invariants(whole, 1);
+  test::expect_invariants(whole, 1);
   const Trajectory aborted = move_superimposed(base, 1, 2000, top, 3);
   const double end = aborted.at(aborted.end()).position;  // 125 + 750 + 125 of the second motion
   EXPECT_NEAR(end, 7000, 1e-9);
@@ -329,7 +329,7 @@ TEST(Superimposed, SinesAreAddedExactly) {
     const double above = t < top.end() ? top.at(t).position : 500;
     EXPECT_NEAR(both.at(t).position, base.at(t).position + above, 1e-9);
   }
-  testing::expect_invariants(both, 2);
+  test::expect_invariants(both, 2);
 }
 
 TEST(Inch, IsOneStepUnlessReleased) {
@@ -358,7 +358,7 @@ TEST(Jog, BothInputsTogetherMeanNoMotion) {
   EXPECT_DOUBLE_EQ(f.at(2.5).velocity, 0);
   EXPECT_DOUBLE_EQ(f.at(4).velocity, -8);
   EXPECT_DOUBLE_EQ(f.end(), 5.2);
-  testing::expect_invariants(f, 1);
+  test::expect_invariants(f, 1);
   const std::array both{JogInput{0, true, true}};
   EXPECT_THROW(jog(0, both, d), InputError);
 }

@@ -8,17 +8,14 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::time_table_limits_test {
 namespace {
 
 template <class Call>
 std::string message(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { call(); });
 }
 
 std::vector<double> times(std::size_t n) {
@@ -80,4 +77,4 @@ TEST(Googol, TimesAreALong) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::time_table_limits_test

@@ -14,7 +14,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"
 
-namespace jounce {
+namespace jounce::disc_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -222,4 +222,4 @@ TEST(ContourCsv, IsClosed) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::disc_test

@@ -15,11 +15,12 @@
 #include "jounce/spec/spec.hpp"
 
 #include "../support/random.hpp"
+#include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::input_check_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 double one_of(Random& random, const std::vector<double>& values) {
   return values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))];
@@ -164,12 +165,8 @@ TEST(CamEnds, OfAFollowTableAreOneFinding) {
 }
 
 std::string refusal(const std::string& key, const std::string& value) {
-  try {
-    (void)only(cam("0", "0") + "[table]\n" + key + " = " + value + "\n");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of(
+      [&] { (void)only(cam("0", "0") + "[table]\n" + key + " = " + value + "\n"); });
 }
 
 TEST(TableTolerance, BelowTheRoundingIsRefused) {
@@ -180,4 +177,4 @@ TEST(TableTolerance, BelowTheRoundingIsRefused) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::input_check_test

@@ -8,10 +8,10 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::key_figures_test {
 namespace {
 
-using testing::error_of;
+using test::error_of;
 using ::testing::HasSubstr;
 
 double figure(const Assessment& all, const std::string& name) {
@@ -164,4 +164,4 @@ TEST(KeyFigures, RefuseANameTheyDoNotHave) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::key_figures_test

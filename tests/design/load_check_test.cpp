@@ -11,7 +11,7 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::load_check_test {
 namespace {
 
 /// A rise of 30 mm over 90 deg by the inclined sine, a dwell until 360 deg, at 720 deg/s.
@@ -59,7 +59,7 @@ TEST(LoadCheck, DryFrictionAddsToTheTorqueThatDrives) {
 TEST(LoadCheck, SaysNothingWithoutLimitsAndWantsASpeed) {
   EXPECT_TRUE(checked("").findings.empty());
   const auto read = [](const std::string& load, bool master) {
-    return testing::error_of([&] { (void)parse_spec(spec(load, master), "a.toml"); });
+    return test::error_of([&] { (void)parse_spec(spec(load, master), "a.toml"); });
   };
   EXPECT_NE(read("[load.limits]\ntorque = 1\n", false).find("add [master]"), std::string::npos);
   EXPECT_NE(read("[load.limits]\ntorque = 0\n", true).find("must be greater than 0"),
@@ -67,4 +67,4 @@ TEST(LoadCheck, SaysNothingWithoutLimitsAndWantsASpeed) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::load_check_test

@@ -14,7 +14,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::cia402_test {
 namespace {
 
 using enum Cia402State;
@@ -156,7 +156,7 @@ __extension__ typedef __int128 Wide;  // NOLINT: of both compilers, but not of I
 
 TEST(Increments, AreRoundedOnceFromTheExactQuotient) {
   // Whole numbers of both make the quotient exact in 128 bits.
-  testing::Random random(20260402);
+  test::Random random(20260402);
   for (int i = 0; i < 100'000; ++i) {
     const auto p = static_cast<std::int64_t>(random.next() >> 20U) - (std::int64_t{1} << 43U);
     const std::int64_t d = 1 + static_cast<std::int64_t>(random.next() >> 44U);
@@ -311,4 +311,4 @@ TEST(Cia402Axis, FollowsAnEndlessRotationThroughTheWrap) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cia402_test

@@ -8,7 +8,7 @@
 #include "jounce/drive/recording_drive.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::drive_test {
 namespace {
 
 TEST(NullDrive, IsInTheNextCycleWhereItWasToldToBe) {
@@ -60,4 +60,4 @@ TEST(RecordingDrive, KeepsTheLastAndPassesOn) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_test

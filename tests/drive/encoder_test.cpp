@@ -9,7 +9,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::encoder_test {
 namespace {
 
 TEST(Encoder, CountsDown) {
@@ -78,4 +78,4 @@ TEST(ObservedDrive, IsAskedOnceACycleAndSaysNothingInAFault) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::encoder_test

@@ -17,7 +17,7 @@
 // Every homing method of CiA 402 on a machine whose switches and index are known: where its home must lie is
 // read off the standard's figures by hand.
 
-namespace jounce {
+namespace jounce::homing_test {
 namespace {
 
 using namespace test;
@@ -561,4 +561,4 @@ TEST(Homing, WhatRequiresAHomeIsRefusedBefore) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::homing_test

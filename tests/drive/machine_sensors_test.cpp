@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::machine_sensors_test {
 namespace {
 
 TEST(MachineSensors, ASwitchIsOnFromItsPositionForItsWidth) {
@@ -91,4 +91,4 @@ TEST(MachineSensors, RefuseWhatNoSwitchCanBe) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::machine_sensors_test

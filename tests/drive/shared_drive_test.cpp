@@ -15,7 +15,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::shared_drive_test {
 namespace {
 
 const Cia402Config thousand{.increments_per_rev = 1000, .position_per_rev = 10};
@@ -173,4 +173,4 @@ TEST(SharedDrive, DrivesAnotherProcess) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shared_drive_test

@@ -12,7 +12,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::simulated_drive_test {
 namespace {
 
 using test::Bench;
@@ -108,4 +108,4 @@ TEST(SimulatedDrive, RefusesWhatItCannotBe) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::simulated_drive_test

@@ -37,7 +37,7 @@ namespace jounce::test {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::Random;
+using test::Random;
 using wire::OrderKind;
 
 constexpr int orders_each = 1000;   // of one executor

@@ -10,7 +10,7 @@
 #include "axis/tables.hpp"
 #include "executor/rig.hpp"
 
-namespace jounce {
+namespace jounce::cycle_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(Cycle, RunsOnTheMachinesClock) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cycle_test

@@ -17,7 +17,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::dispatcher_test {
 namespace {
 
 using namespace test;
@@ -397,4 +397,4 @@ TEST(Dispatcher, ALossyLinkChangesNothingButTheTimeItTakes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::dispatcher_test

@@ -17,7 +17,7 @@
 #include "executor/site.hpp"
 #include "gear/follow_tables.hpp"
 
-namespace jounce {
+namespace jounce::example_play_test {
 namespace {
 
 using namespace test;
@@ -252,10 +252,10 @@ TEST(ExamplePlay, Googol76) {
   Hand hand(site);
   hand.open(fifos(0));
   hand.fill(0, {{5000, 2500}});
-  hand.fill(1, testing::shear_cycle().segments);
+  hand.fill(1, test::shear_cycle().segments);
   hand.arm_and_start();
   hand.queue_switch();
-  const FollowSpec both{{{{{5000, 2500}}}, testing::shear_cycle()}};
+  const FollowSpec both{{{{{5000, 2500}}}, test::shear_cycle()}};
   expect_follows(site, follow(both).cam, 0, {10000, 8000}, 1e-6);
   site.feed(constant_master(1e6, 10000));
   hand.wait(8s);
@@ -272,12 +272,11 @@ TEST(ExamplePlay, Googol77) {
   queue.event_position = 50000;
   queue.event_direction = 1;
   hand.open(queue);
-  hand.fill(0, testing::example_7_7().segments);
+  hand.fill(0, test::example_7_7().segments);
   hand.arm_and_start();
   EXPECT_EQ(hand.ack().progress, wire::Progress::waiting);
   double peak = 0;
-  expect_follows(site, follow(FollowSpec{{testing::example_7_7()}}).cam, 50000, {60000, 40000},
-                 1e-6);
+  expect_follows(site, follow(FollowSpec{{test::example_7_7()}}).cam, 50000, {60000, 40000}, 1e-6);
   site.each_tick = [&, check = site.each_tick](const Tick& feeder, const Tick& knife) {
     check(feeder, knife);
     peak = std::max(peak, knife.velocity);
@@ -293,9 +292,9 @@ TEST(ExamplePlay, Googol78) {
   Follower site;
   Hand hand(site);
   hand.open(fifos(1, 1000));
-  hand.fill(0, testing::example_7_8().segments);
+  hand.fill(0, test::example_7_8().segments);
   hand.arm_and_start();
-  const Cam exact = follow({{testing::example_7_8()}}).cam;
+  const Cam exact = follow({{test::example_7_8()}}).cam;
   site.each_tick = [&](const Tick& feeder, const Tick& knife) {
     ASSERT_NEAR(knife.position, exact.jet(std::min(feeder.position, exact.end()))[0], 1e-8);
   };
@@ -312,21 +311,21 @@ TEST(ExamplePlay, Googol79) {
   Follower site;
   Hand hand(site);
   hand.open(fifos(0));
-  hand.fill(0, testing::old_7_9().segments);
+  hand.fill(0, test::old_7_9().segments);
   hand.arm_and_start();
-  FollowTable old = testing::old_7_9();
+  FollowTable old = test::old_7_9();
   old.loops = 2;
-  FollowTable endless = testing::new_7_9();
+  FollowTable endless = test::new_7_9();
   endless.loops = 0;
-  expect_follows(site, follow(FollowSpec{{old, testing::bridge_7_9(), endless}}).cam, 0,
+  expect_follows(site, follow(FollowSpec{{old, test::bridge_7_9(), endless}}).cam, 0,
                  {60000, 52000}, 1e-6);
   site.feed(constant_master(1e6, 50e3));
   hand.wait(1400ms);  // of a pass of 1200
-  hand.fill(1, testing::bridge_7_9().segments);
+  hand.fill(1, test::bridge_7_9().segments);
   hand.queue_switch();
   hand.wait(1200ms);  // the bridge plays
   hand.clear(0);
-  hand.fill(0, testing::new_7_9().segments);
+  hand.fill(0, test::new_7_9().segments);
   hand.queue_switch();
   hand.wait(1300ms);
   double least = 1e9;
@@ -530,7 +529,7 @@ TEST(Queue, StoppedInMidPlayIsClearedAndFilledAgain) {
   Follower site;
   Hand hand(site);
   hand.open(fifos(0));
-  hand.fill(0, testing::shear_cycle().segments);
+  hand.fill(0, test::shear_cycle().segments);
   hand.arm_and_start();
   hand.wait(50ms);
   hand.tell(wire::Stop{});
@@ -560,4 +559,4 @@ TEST(Queue, DeclaredCompleteItEndsWithoutAnUnderrun) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::example_play_test

@@ -24,7 +24,7 @@
 #include "executor/site.hpp"
 #include "gear/follow_tables.hpp"
 
-namespace jounce {
+namespace jounce::external_master_test {
 namespace {
 
 using namespace test;
@@ -285,7 +285,7 @@ TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedO
   Line site(bad, 50e3);
   site.line.position = [](double t) { return std::max(0.0, 50e3 * (t - 1.5)); };
   site.advance(300ms);
-  const FollowTable table = testing::example_7_8();
+  const FollowTable table = test::example_7_8();
   std::vector<wire::Row> rows;
   for (const PtPoint& point : table.segments) {
     const SegmentRow row = row_of(point, rows.empty());
@@ -378,4 +378,4 @@ TEST(ExternalMasterRun, AGearIsInStepWithTheRecordedMaster) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::external_master_test

@@ -12,7 +12,7 @@
 #include "executor/site.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::fault_play_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -148,7 +148,7 @@ TEST(FaultyLink, PlaysACamOverItsMasterToTheLastBit) {
 TEST(FaultyLink, NeverPlaysAnythingElse) {
   const Play play{lift(Domain::time, Interpolation::cubic_hermite, 3000, 0.5), {}};
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    jounce::testing::Random random(seed);
+    jounce::test::Random random(seed);
     LossSpec spec{.seed = seed,
                   .lost = random.uniform(0, 0.9),
                   .doubled = random.uniform(0, 1),
@@ -169,4 +169,4 @@ TEST(FaultyLink, NeverPlaysAnythingElse) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fault_play_test

@@ -23,7 +23,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::group_start_test {
 namespace {
 
 using namespace test;
@@ -180,4 +180,4 @@ TEST(GroupStart, AnotherSessionStartsBothAfterwards) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::group_start_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::histogram_test {
 namespace {
 
 TEST(Histogram, CountsInPowersOfTwoOfAMicrosecond) {
@@ -39,4 +39,4 @@ TEST(Histogram, BoundsAShareFromAbove) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::histogram_test

@@ -13,7 +13,7 @@
 
 // A hold-to-run jog runs only while its session is heard.
 
-namespace jounce {
+namespace jounce::hold_to_run_test {
 namespace {
 
 using namespace test;
@@ -110,4 +110,4 @@ TEST(HoldToRun, AJogWithoutItGoesOn) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::hold_to_run_test

@@ -21,7 +21,7 @@
 
 // A homing that is ordered over the stream: what its log shows, and what becomes of other orders meanwhile.
 
-namespace jounce {
+namespace jounce::homing_test {
 namespace {
 
 using namespace test;
@@ -222,4 +222,4 @@ TEST(OrderedHoming, ARefusedTableNeitherNamesThePositionNorClearsAFault) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::homing_test

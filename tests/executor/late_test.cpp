@@ -8,7 +8,7 @@
 #include "axis/tables.hpp"
 #include "executor/rig.hpp"
 
-namespace jounce {
+namespace jounce::late_test {
 namespace {
 
 using namespace test;
@@ -104,4 +104,4 @@ TEST(Late, AgainAndAgain) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::late_test

@@ -12,7 +12,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace jounce {
+namespace jounce::log_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ TEST_F(TickLogTest, OnAFullDiskKeepsTheWholeLinesAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::log_test

@@ -10,7 +10,7 @@
 #include "jounce/executor/masters.hpp"
 #include "jounce/stream/transport/memory_transport.hpp"
 
-namespace jounce {
+namespace jounce::master_epoch_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -76,4 +76,4 @@ TEST(MasterEpoch, IsNotBlamedForWhatIsRepeatedOrInAnotherUnit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::master_epoch_test

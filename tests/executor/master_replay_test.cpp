@@ -21,7 +21,7 @@
 #include "executor/virtual_pacer.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::master_replay_test {
 namespace {
 
 using namespace test;
@@ -114,7 +114,7 @@ class RecordedRun {
   std::vector<MachineMaster> masters_;
   std::vector<ExecutorOptions> axes_{1};
   std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
-  testing::Random random_{57};
+  test::Random random_{57};
   std::int32_t epoch_ = 1;
   double silent_until_ = 0;
   double reading_ = 0;
@@ -172,4 +172,4 @@ TEST(RecordedTicks, DifferWhereSomethingElseWasDropped) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::master_replay_test

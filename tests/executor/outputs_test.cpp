@@ -10,7 +10,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::outputs_test {
 namespace {
 
 using namespace test;
@@ -164,4 +164,4 @@ TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::outputs_test

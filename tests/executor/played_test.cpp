@@ -7,7 +7,9 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::played_test {
 namespace {
 
 const std::string header = "tick,time [s],state,master [],position [mm],job,fault\n";
@@ -126,12 +128,7 @@ TEST(Played, FindsAHoleInTheLog) {
 }
 
 std::string complaint(const std::string& csv) {
-  try {
-    (void)read_played(csv, "run.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)read_played(csv, "run.csv"); });
 }
 
 TEST(Played, RefusesWhatIsNoLog) {
@@ -147,4 +144,4 @@ TEST(Played, RefusesWhatIsNoLog) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::played_test

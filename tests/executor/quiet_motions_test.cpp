@@ -22,7 +22,7 @@
 #include "executor/hooks.hpp"
 #include "executor/virtual_pacer.hpp"
 
-namespace jounce {
+namespace jounce::quiet_motions_test {
 namespace {
 
 using namespace test;
@@ -293,4 +293,4 @@ TEST(Quiet, ADriveBehindSharedMemoryThatAlsoFallsSilent) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::quiet_motions_test

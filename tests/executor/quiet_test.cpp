@@ -17,7 +17,7 @@
 #include "executor/hooks.hpp"
 #include "executor/virtual_pacer.hpp"
 
-namespace jounce {
+namespace jounce::quiet_test {
 namespace {
 
 using namespace test;
@@ -170,4 +170,4 @@ TEST(Quiet, TheHooksHear) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::quiet_test

@@ -21,7 +21,7 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::record_test {
 namespace {
 
 using test::Kind;
@@ -258,7 +258,7 @@ TEST_F(Recorded, WhatIsDamagedIsAnErrorOrADifferenceAndNeverACrash) {
   run(20);
   recorder_->close();
   const std::string whole = bytes_of(path("run.lcmlog"));
-  testing::Random random(714);
+  test::Random random(714);
   int same = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = whole;
@@ -571,4 +571,4 @@ TEST(RecordedEvents, AnAxisKeepsItsConfiguration) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::record_test

@@ -20,12 +20,12 @@
 #include "executor/site.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::replay_test {
 namespace {
 
 using namespace test;
 using namespace std::chrono_literals;
-using testing::Random;
+using test::Random;
 
 const Units over_time{.x = "s", .position = "mm"};
 const Units over_master{.x = "mm", .position = "mm"};
@@ -310,4 +310,4 @@ TEST_F(RandomRun, DamagedIsAnErrorOrADifferenceAndNeverACrash) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::replay_test

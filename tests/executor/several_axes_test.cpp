@@ -13,7 +13,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::several_axes_test {
 namespace {
 
 using namespace test;
@@ -148,4 +148,4 @@ TEST(SeveralAxes, FromTheArmOnTheWireToTheFirstTickAreTwoCycles) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::several_axes_test

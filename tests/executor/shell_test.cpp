@@ -15,7 +15,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce {
+namespace jounce::shell_test {
 namespace {
 
 using namespace test;
@@ -113,4 +113,4 @@ TEST(Shell, BadOptionsAreBadInput) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shell_test

@@ -13,7 +13,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::start_outcome_test {
 namespace {
 
 using namespace test;
@@ -242,4 +242,4 @@ TEST(Group, RefusesWhatIsNoGroup) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::start_outcome_test

@@ -7,7 +7,7 @@
 #include "axis/bench.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::status_test {
 namespace {
 
 using namespace test;
@@ -61,4 +61,4 @@ TEST_F(Shown, AHeldMotionThatIsStoppedIsHeldNoMore) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::status_test

@@ -12,7 +12,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-namespace jounce {
+namespace jounce::virtual_master_test {
 namespace {
 
 using namespace test;
@@ -96,4 +96,4 @@ TEST(VirtualMaster, AnAxisWithoutATableOfItsOwnSaysSo) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::virtual_master_test

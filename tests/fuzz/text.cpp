@@ -6,7 +6,7 @@
 
 namespace jounce::fuzz {
 void text(Input input) {
-  using testing::is_utf8;
+  using test::is_utf8;
   const std::string given = text_of(input);
   const std::string shown = printable(given);
   require(is_printable(shown) && is_utf8(shown), "what is shown is printable");

@@ -13,7 +13,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::clutch_test {
 namespace {
 
 TEST(Clutch, OfGoogol75CoversAQuarterOfItsDistance) {
@@ -40,7 +40,7 @@ TEST(Clutch, OfGoogol75CoversAQuarterOfItsDistance) {
 }
 
 TEST(Clutch, IsExactWhateverTheIncrements) {
-  testing::Random random(11);
+  test::Random random(11);
   for (int n = 0; n < 200; ++n) {
     const Gear from = Gear::ratio(random.below(2001) - 1000, 1 + random.below(300));
     const Gear to = Gear::ratio(random.below(2001) - 1000, 1 + random.below(300));
@@ -125,7 +125,7 @@ TEST(Clutch, TakesOverFromAnotherOneAnywhere) {
 }
 
 TEST(Clutch, TakesOverTenThousandTimes) {
-  testing::Random random(5);
+  test::Random random(5);
   const auto r = [](const Gear& g) {
     return static_cast<long double>(g.numerator()) / static_cast<long double>(g.denominator());
   };
@@ -249,4 +249,4 @@ TEST(DirectionMask, OfBothLetsEverythingThrough) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::clutch_test

@@ -13,7 +13,7 @@
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::cut_length_map_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -147,4 +147,4 @@ TEST(CutLengthMap, RefusesALengthOrASpeedThatIsNone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cut_length_map_test

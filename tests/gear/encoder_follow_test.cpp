@@ -9,7 +9,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::encoder_follow_test {
 namespace {
 
 TEST(EncoderFollow, LosesNoCountWhateverTheFilter) {
@@ -17,7 +17,7 @@ TEST(EncoderFollow, LosesNoCountWhateverTheFilter) {
     const EncoderFollow follow({.numerator = 125, .denominator = 96, .filter = filter});
     const Gear gear = Gear::ratio(125, 96);
     EncoderFollow::State state;
-    testing::Random random(static_cast<std::uint64_t>(filter));
+    test::Random random(static_cast<std::uint64_t>(filter));
     std::int64_t encoder = 0;
     std::int64_t slave = 0;
     for (int round = 0; round < 50; ++round) {
@@ -95,4 +95,4 @@ TEST(EncoderFollow, RefusesInTheControllersNumbers) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::encoder_follow_test

@@ -14,10 +14,11 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::flying_shear_test {
 namespace {
 
 using nlohmann::json;
@@ -228,7 +229,7 @@ TEST(FlyingShear, TakesEveryLawFromRestToRest) {
     SCOPED_TRACE(each.name);
     const SyncCam made = flying_shear(shear);
     expect_closes(made, shear);
-    testing::expect_invariants(made.cam, 1);
+    test::expect_invariants(made.cam, 1);
     EXPECT_NEAR(made.cam.jet(0.4)[0], 0.25, 1e-13);
     EXPECT_NEAR(extrema(made.cam, 0).max.value, 0.5, 1e-13);
     ++laws;
@@ -272,12 +273,7 @@ TEST(FlyingShear, LeftToTheStrokeTheSyncIsTheLongest) {
 }
 
 std::string refusal(const FlyingShear& shear) {
-  try {
-    flying_shear(shear);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)flying_shear(shear); });
 }
 
 TEST(FlyingShear, NamesWhatBinds) {
@@ -342,7 +338,7 @@ TEST(FlyingShear, BoundsSayWhereNothingHelpsAndWhereNothingLimits) {
 }
 
 TEST(FlyingShear, TheFastestLineIsMetAndNotPassed) {
-  testing::Random random(17);
+  test::Random random(17);
   int found = 0;
   for (int i = 0; i < 100; ++i) {
     FlyingShear shear{.cut_length = random.uniform(0.5, 3), .line_speed = random.uniform(0.3, 2)};
@@ -433,7 +429,7 @@ TEST(FlyingShear, AnAcceleratingLineIsFollowedAndItsSharesAdd) {
 }
 
 TEST(FlyingShear, RandomSpecsCloseToTheBitAndKeepTheirLimits) {
-  testing::Random random(5);
+  test::Random random(5);
   int made_of_them = 0;
   for (int i = 0; i < 300; ++i) {
     const double unit = random.log_uniform(1e-6, 1e6);
@@ -456,7 +452,7 @@ TEST(FlyingShear, RandomSpecsCloseToTheBitAndKeepTheirLimits) {
     }
     const SyncCam made = flying_shear(shear);
     expect_closes(made, shear);
-    testing::expect_invariants(made.cam, 2);
+    test::expect_invariants(made.cam, 2);
     const MasterLimit fastest = greatest_master_velocity(made.cam, shear.limits);
     EXPECT_GE(fastest.value, shear.line_speed * (1 - 1e-9));
     ++made_of_them;
@@ -465,4 +461,4 @@ TEST(FlyingShear, RandomSpecsCloseToTheBitAndKeepTheirLimits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::flying_shear_test

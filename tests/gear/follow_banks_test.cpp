@@ -10,7 +10,7 @@
 
 #include "gear/follow_tables.hpp"
 
-namespace jounce {
+namespace jounce::follow_banks_test {
 namespace {
 
 /// What the banks give, played as an axis plays them, against the cam of the spec.
@@ -37,10 +37,10 @@ void expect_plays(const FollowSpec& spec, double to) {
 
 TEST(FollowBanks, PlayWhatTheSpecSays) {
   const FollowTable catch_up{{{5000, 2500}}};
-  expect_plays({{catch_up, testing::shear_cycle()}}, 15000);  // 7-6
-  expect_plays({{testing::example_7_7()}}, 200000);           // 7-7
-  expect_plays({{testing::example_7_8(100)}}, 50000);         // 7-8
-  FollowTable thrice = testing::shear_cycle();
+  expect_plays({{catch_up, test::shear_cycle()}}, 15000);  // 7-6
+  expect_plays({{test::example_7_7()}}, 200000);           // 7-7
+  expect_plays({{test::example_7_8(100)}}, 50000);         // 7-8
+  FollowTable thrice = test::shear_cycle();
   thrice.loops = 3;
   expect_plays({{catch_up, thrice, {{{1000, 500, PtType::stop}}}}}, 36000);
   expect_plays({{thrice}, 1}, 30000);  // comes in at ratio 1
@@ -50,11 +50,11 @@ TEST(FollowBanks, PlayWhatTheSpecSays) {
 }
 
 TEST(FollowBanks, AnEndlessTableGoesOn) {
-  const FollowBanks banks = follow_banks({{{{{5000, 2500}}}, testing::shear_cycle()}}, 10);
+  const FollowBanks banks = follow_banks({{{{{5000, 2500}}}, test::shear_cycle()}}, 10);
   EXPECT_EQ(banks.first.size(), 1U);
   EXPECT_EQ(banks.second.size(), 5U);
   EXPECT_EQ(banks.loops, 0);
-  const FollowBanks alone = follow_banks({{testing::shear_cycle()}, 1}, 10);
+  const FollowBanks alone = follow_banks({{test::shear_cycle()}, 1}, 10);
   EXPECT_EQ(alone.first.size(), 5U) << "the pass that takes over the start ratio";
   EXPECT_EQ(alone.first.front().v_start, 1);
   EXPECT_EQ(alone.second.size(), 5U);
@@ -63,11 +63,11 @@ TEST(FollowBanks, AnEndlessTableGoesOn) {
 }
 
 TEST(FollowBanks, RefuseMoreThanABankHolds) {
-  FollowTable many = testing::shear_cycle();
+  FollowTable many = test::shear_cycle();
   many.loops = 3;
   EXPECT_NO_THROW(follow_banks({{many, {{{1000, 500, PtType::stop}}}}, 1}, 15));
   EXPECT_THROW(follow_banks({{many, {{{1000, 500, PtType::stop}}}}, 1}, 14), InputError);
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follow_banks_test

@@ -15,7 +15,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::follow_plan_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,14 +51,14 @@ TEST(FollowPlan, TheShearOfExample76IsTwoZonesAndAPoint) {
   const SyncCam slave = follow(shear());
   EXPECT_EQ(slave.cam.outside(), Extrapolation::advance);
   EXPECT_EQ(slave.zones.size(), 2U);
-  testing::expect_invariants(slave.cam, 1);
+  test::expect_invariants(slave.cam, 1);
 }
 
 TEST(FollowPlan, WithTheManualsSlowZoneItIsTheManualsTable) {
   FollowPlan plan = shear();
   plan.zones.insert(plan.zones.begin() + 1, {4000, 6000, 0.6});
   const FollowTable table = follow_table(plan);
-  const FollowTable manual = testing::shear_cycle();
+  const FollowTable manual = test::shear_cycle();
   ASSERT_EQ(table.segments.size(), manual.segments.size());
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(table.segments[i].x, manual.segments[i].x);
@@ -132,7 +132,7 @@ TEST(FollowPlan, PointsWithoutARatioArePassedBetweenTheirMeanRatios) {
   EXPECT_EQ(spec.segments[2].law, Law::dwell);
   EXPECT_EQ(spec.segments[3].end.geo_velocity, 0) << "the end";
   EXPECT_TRUE(check(plan).ok());
-  testing::expect_invariants(follow(plan).cam, 2);
+  test::expect_invariants(follow(plan).cam, 2);
 }
 
 TEST(FollowPlan, AZoneFarOutHasTheRatioOfItsOwnLine) {
@@ -154,7 +154,7 @@ TEST(FollowPlan, SmoothIsExactInItsZonesAndContinuousInAcceleration) {
   for (const Law law : {Law::quintic, Law::septic, Law::modified_sine}) {
     plan.law = law;
     const SyncCam slave = follow(plan);
-    testing::expect_invariants(slave.cam, 2);
+    test::expect_invariants(slave.cam, 2);
     EXPECT_EQ(slave.cam.outside(), Extrapolation::advance);
     EXPECT_NEAR(slave.cam.advance(), 8000, 1e-9);
     for (const double m : {0.0, 500.0, 999.0, 9000.0, 9500.0}) {
@@ -177,7 +177,7 @@ Slopes two_pieces(double L, double S, double r0, double r1, double a) {
 }
 
 TEST(FollowPlan, NoTwoPiecesAreGentler) {
-  testing::Random random(413);
+  test::Random random(413);
   int compared = 0;
   for (int n = 0; n < 300; ++n) {
     const double r0 = random.uniform(0, 2);
@@ -200,7 +200,7 @@ TEST(FollowPlan, NoTwoPiecesAreGentler) {
   EXPECT_GT(compared, 200);
 }
 
-FollowPlan random_plan(testing::Random& random) {
+FollowPlan random_plan(test::Random& random) {
   FollowPlan plan{.form = FollowForm::table, .whole_master = random.below(2) == 0};
   double master = 0;
   double slave = 0;
@@ -223,7 +223,7 @@ FollowPlan random_plan(testing::Random& random) {
 }
 
 TEST(FollowPlan, RandomTablesMeetEveryPointAndRatioAndNeverTurnBack) {
-  testing::Random random(414);
+  test::Random random(414);
   int not_whole = 0;  // a slave that has to stop within one pulse
   for (int n = 0; n < 1000 && !::testing::Test::HasFailure(); ++n) {
     const FollowPlan plan = random_plan(random);
@@ -284,4 +284,4 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follow_plan_test

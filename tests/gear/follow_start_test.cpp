@@ -13,7 +13,7 @@
 #include "gear/follow_tables.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::follow_start_test {
 namespace {
 
 constexpr FollowStart pass(double position, int direction = 1) {
@@ -31,7 +31,7 @@ TEST(FollowStart, Example77BeginsAtAThousandAndTwentyFive) {
   const auto t = begin_of(pass(50000), master, 0);
   ASSERT_TRUE(t);
   EXPECT_NEAR(*t, 1025, 1e-9);
-  const Followed slave = followed_from(follow({{testing::example_7_7()}}).cam, master, *t, 0);
+  const Followed slave = followed_from(follow({{test::example_7_7()}}).cam, master, *t, 0);
   EXPECT_NEAR(slave.jet(*t)[0], 0, 1e-9);
   EXPECT_NEAR(slave.jet(*t + 400)[1], 50, 1e-9) << "the peak";
   EXPECT_NEAR(slave.jet(*t + 1200)[0], 40000, 1e-6) << "after a cycle";
@@ -42,7 +42,7 @@ TEST(FollowStart, Example77BeginsAtAThousandAndTwentyFive) {
 TEST(FollowStart, AtOnceIsWhenItIsArmed) {
   EXPECT_EQ(begin_of({}, jog_master(5000), 300), 300);
   const Followed slave =
-      followed_from(follow({{testing::example_7_7()}}).cam, jog_master(5000), 300, 77);
+      followed_from(follow({{test::example_7_7()}}).cam, jog_master(5000), 300, 77);
   EXPECT_EQ(slave.start(), 300);
   EXPECT_NEAR(slave.jet(300)[0], 77, 1e-9) << "from where the slave stands";
 }
@@ -77,7 +77,7 @@ TEST(FollowStart, AMasterThatStandsOnThePlacePassesItWhereItLeaves) {
 }
 
 TEST(FollowStart, StepsFindTheSameInstantAsTheWholeMotion) {
-  testing::Random random(99);
+  test::Random random(99);
   for (int n = 0; n < 300; ++n) {
     const Trajectory master = s_curve({.from = random.uniform(-50, 50),
                                        .to = random.uniform(60, 200),
@@ -113,9 +113,9 @@ TEST(FollowStart, StepsNeedTheRightDirectionAndStartWhereTheMasterStood) {
 TEST(FollowStart, RefusesDirectionsThatAreNone) {
   EXPECT_THROW(require_valid(pass(0, 0)), InputError);
   EXPECT_THROW(require_valid(pass(NAN)), InputError);
-  EXPECT_THROW((void)followed_from(follow({{testing::example_7_7()}}).cam, jog_master(100), 100, 0),
+  EXPECT_THROW((void)followed_from(follow({{test::example_7_7()}}).cam, jog_master(100), 100, 0),
                InputError);
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follow_start_test

@@ -4,7 +4,7 @@
 #include "jounce/gear/follow.hpp"
 
 /// The tables of the Googol manual's follow examples, as its code accumulates them.
-namespace jounce::testing {
+namespace jounce::test {
 
 /// Increments of master and slave, all normal but the first.
 inline std::vector<PtPoint> accumulated(std::initializer_list<PtPoint> increments) {
@@ -49,4 +49,4 @@ inline FollowTable new_7_9() {
   return {accumulated({{20000, 16000, PtType::continued}, {20000, 20000}, {20000, 16000}})};
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

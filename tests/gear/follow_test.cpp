@@ -15,17 +15,17 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::follow_test {
 namespace {
 
-using testing::bridge_7_9;
+using test::bridge_7_9;
+using test::example_7_7;
+using test::example_7_8;
+using test::new_7_9;
+using test::old_7_9;
+using test::shear_cycle;
 using ::testing::ElementsAre;
-using testing::example_7_7;
-using testing::example_7_8;
 using ::testing::HasSubstr;
-using testing::new_7_9;
-using testing::old_7_9;
-using testing::shear_cycle;
 
 std::vector<double> end_ratios(const FollowSpec& spec) {
   std::vector<double> ends;
@@ -72,7 +72,7 @@ TEST(Follow, Example76CatchesUpAndThenRunsPeriodically) {
   const Cam cam = follow(cycle).cam;
   EXPECT_EQ(cam.outside(), Extrapolation::advance);
   EXPECT_EQ(cam.jet(10000 * 7e6 + 4000)[0], 8000 * 7e6 + 3400);
-  testing::expect_invariants(cam, 1);
+  test::expect_invariants(cam, 1);
 
   const FollowSpec both{{{{{5000, 2500}}}, shear_cycle()}};
   EXPECT_THAT(end_ratios(both), ratios({1, 1, 0.6, 0.6, 1, 1}));
@@ -258,7 +258,7 @@ TEST(Follow, RefusesWhatCannotBePlayed) {
 
 /// Each pass added up by the rules of the manual, without any of our code.
 TEST(Follow, RandomTablesKeepTheManualsRules) {
-  testing::Random random(7601);
+  test::Random random(7601);
   for (int n = 0; n < 400 && !::testing::Test::HasFailure(); ++n) {
     FollowSpec spec{{}, random.below(2) == 0 ? 0 : random.uniform(-2, 2)};
     const int tables = 1 + random.below(3);
@@ -305,4 +305,4 @@ TEST(Follow, RandomTablesKeepTheManualsRules) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follow_test

@@ -12,7 +12,7 @@
 
 #include "support/invariants.hpp"
 
-namespace jounce {
+namespace jounce::gear_course_test {
 namespace {
 
 GearCourse example_75() {
@@ -33,7 +33,7 @@ TEST(GearCourse, OfGoogol75BehindItsMaster) {
   EXPECT_NEAR(slave.at(1050).velocity, 50, 1e-12);
   EXPECT_NEAR(slave.at(1049, Side::left).velocity, 49.95, 1e-9);
   EXPECT_NEAR(slave.at(1600).position, 25000 + 55000 / 2.0, 1e-9);
-  testing::expect_invariants(made.cam, 1);
+  test::expect_invariants(made.cam, 1);
 }
 
 TEST(GearCourse, ChangesTheRatioOnTheFly) {
@@ -48,7 +48,7 @@ TEST(GearCourse, ChangesTheRatioOnTheFly) {
   EXPECT_NEAR(made.cam.jet(3000)[0], 7 + 375 + 1500, 1e-10);
   EXPECT_NEAR(made.cam.jet(3500)[0], 7 + 1875 + 312.5, 1e-10);
   EXPECT_NEAR(made.cam.jet(5999)[1], 0.5, 1e-15);
-  testing::expect_invariants(made.cam, 1);
+  test::expect_invariants(made.cam, 1);
 }
 
 TEST(GearCourse, CoversTheSameWayWithEverySymmetricLaw) {
@@ -60,7 +60,7 @@ TEST(GearCourse, CoversTheSameWayWithEverySymmetricLaw) {
       const SyncCam made =
           gear_course({.master_end = 40, .ratio = -1, .changes = {{10, 3, 20, law.law}}});
       EXPECT_NEAR(made.cam.jet(30)[0], -10 + 20 * (-1 + 3) / 2.0, 1e-12) << law.name;
-      testing::expect_invariants(made.cam, law.law == Law::line ? 1 : 2);
+      test::expect_invariants(made.cam, law.law == Law::line ? 1 : 2);
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.rule()).find("degree"), std::string::npos)
           << law.name << " " << error.what();
@@ -79,7 +79,7 @@ TEST(GearCourse, LaysShiftsOverTheGear) {
   const double z = 0.75;  // at 125000; the second one is half done
   const double poly345 = z * z * z * (10 + z * (-15 + 6 * z));
   EXPECT_NEAR(made.cam.jet(125000)[0], plain.cam.jet(125000)[0] - 300 * poly345 + 50, 1e-9);
-  testing::expect_invariants(made.cam, 1);
+  test::expect_invariants(made.cam, 1);
   ASSERT_EQ(made.zones.size(), 1U);
   EXPECT_EQ(made.zones[0].from, 150000) << "in step only where nothing shifts";
 }
@@ -153,4 +153,4 @@ TEST(Feasibility, OfAGearAtOnceSaysThatNoSpeedIsSlowEnough) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_course_test

@@ -12,7 +12,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::gear_in_pos_test {
 namespace {
 
 /// PMC600 manual 6.1, example 6.2.
@@ -38,7 +38,7 @@ TEST(GearInPos, OfTheManualsExampleIsInSyncAt5000And2000) {
   EXPECT_NEAR(cam.jet(5000, Side::left)[2], 0, 1e-17);
   EXPECT_NEAR(cam.jet(10000, Side::left)[0], 4500, 1e-12);
   EXPECT_NEAR(extrema(cam, 1).max.value, 0.756, 1e-12);
-  testing::expect_invariants(cam, 2);
+  test::expect_invariants(cam, 2);
 }
 
 TEST(GearInPos, StaysInSyncThroughReversalsOfItsMaster) {
@@ -137,7 +137,7 @@ TEST(GearInPos, EngagesBackwards) {
   EXPECT_NEAR(made.cam.jet(9000)[0], 4000, 1e-12);
   EXPECT_NEAR(made.cam.jet(5000)[0], 2000, 1e-12);
   EXPECT_NEAR(made.cam.jet(0)[0], -500, 1e-12);
-  testing::expect_invariants(made.cam, 2);
+  test::expect_invariants(made.cam, 2);
   GearInPosState state;
   bool in_sync = false;
   for (double x = 9500; x >= 4000; x -= 7) {
@@ -152,7 +152,7 @@ TEST(GearInPos, EngagesBackwards) {
 // ---- the window, and AvoidReversal -------------------------------------------------------------
 
 TEST(EngageWindow, IsWhereTheExtremaSayItIs) {
-  testing::Random random(3);
+  test::Random random(3);
   for (int n = 0; n < 500; ++n) {
     GearInPosSpec spec;
     spec.numerator = (n % 2 == 0 ? 1 : -1) * (1 + random.below(1000));
@@ -254,4 +254,4 @@ TEST(GearInPos, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_in_pos_test

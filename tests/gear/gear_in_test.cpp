@@ -13,7 +13,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::gear_in_test {
 namespace {
 
 TEST(GearIn, OfExample61FollowsInStep) {
@@ -54,7 +54,7 @@ TEST(GearIn, NeverMakesUpWhatItLostWhileRamping) {
 }
 
 TEST(GearIn, HoldsItsLimitsBehindASteadyMaster) {
-  testing::Random random(17);
+  test::Random random(17);
   for (int n = 0; n < 300; ++n) {
     const GearInSpec spec{.numerator = random.below(21) - 10,
                           .denominator = 1 + random.below(10),
@@ -158,4 +158,4 @@ TEST(GearIn, RefusesInTheControllersNumbers) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_in_test

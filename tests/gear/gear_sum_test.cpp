@@ -10,7 +10,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::gear_sum_test {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -31,7 +31,7 @@ TEST(GearSum, DoesNotDriftOverABillionCountsThousandfoldOfEachForwardAndBack) {
   const std::array gears{Gear::ratio(4000, 3072), Gear::ratio(-7, 3), Gear::ratio(1, 65536)};
   const GearSum sum = GearSum::of(gears);
   const Wide d = Wide{96} * 65536;  // of 96, 3, 65536: a common denominator
-  testing::Random random(5);
+  test::Random random(5);
   std::array<std::int64_t, 3> masters{};
   Gear::State state;
   std::int64_t slave = 0;
@@ -59,7 +59,7 @@ TEST(GearSum, LosesNothingWhereModuloMastersWrap) {
   const std::array gears{Gear::ratio(125, 96), Gear::ratio(-1, 7)};
   const GearSum sum = GearSum::of(gears);
   const std::array<std::int64_t, 2> period{360'000, 4'294'967'296};
-  testing::Random random(7);
+  test::Random random(7);
   std::array<std::int64_t, 2> masters{}, reading{};
   Gear::State state;
   std::int64_t slave = 0;
@@ -99,4 +99,4 @@ TEST(GearSum, RefusesWhatHasNoCommonDenominator) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_sum_test

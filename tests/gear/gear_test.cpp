@@ -11,10 +11,10 @@
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::gear_test {
 namespace {
 
-using testing::oracle;
+using test::oracle;
 
 TEST(Gear, IsExactAtEveryCountOfTheOracle) {
   const auto& n = oracle("gear")["n"];
@@ -43,7 +43,7 @@ TEST(Gear, IsExactAtEveryCountOfTheOracle) {
 TEST(Gear, CarriesTheRemainderWithoutDriftForwardAndBack) {
   const Gear gear = Gear::ratio(4000, 3072);
   Gear::State state;
-  testing::Random random(1);
+  test::Random random(1);
   std::int64_t master = 0;
   std::int64_t slave = 0;
   const auto move = [&](std::int64_t increment) {
@@ -81,4 +81,4 @@ TEST(Gear, IsReducedAndRefusesWhatIsNoRatio) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_test

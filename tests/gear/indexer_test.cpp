@@ -7,9 +7,10 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 
-namespace jounce {
+namespace jounce::indexer_test {
 namespace {
 
 TEST(Indexer, IsThePrintedExampleOfCodesys) {
@@ -48,7 +49,7 @@ TEST(Indexer, CountsItsPartsAndClosesToTheBit) {
       EXPECT_EQ(made.cam.jet(360 * turn + 60 * i + 55)[0], 360 * turn + 60 * i + 60);
     }
   EXPECT_EQ(made.cam.jet(360e9 + 5)[0], 360e9);
-  testing::expect_invariants(made.cam, 2);
+  test::expect_invariants(made.cam, 2);
 }
 
 TEST(Indexer, MayMoveWithoutADwell) {
@@ -70,19 +71,14 @@ TEST(Indexer, TakesEveryLawFromRestToRest) {
       continue;
     }
     const SyncCam made = indexer(spec);
-    testing::expect_invariants(made.cam, 1);
+    test::expect_invariants(made.cam, 1);
     EXPECT_EQ(made.cam.end(), 3);
     EXPECT_EQ(made.cam.advance(), 7);
   }
 }
 
 std::string refusal(const Indexer& spec) {
-  try {
-    indexer(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)indexer(spec); });
 }
 
 TEST(Indexer, SaysWhatDoesNotFit) {
@@ -96,4 +92,4 @@ TEST(Indexer, SaysWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::indexer_test

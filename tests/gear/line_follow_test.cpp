@@ -7,7 +7,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
-namespace jounce {
+namespace jounce::line_follow_test {
 namespace {
 
 TEST(LineFollow, OfExample67TakesTwoAndAHalfSeconds) {
@@ -68,4 +68,4 @@ TEST(LineFollow, RefusesZeroes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::line_follow_test

@@ -16,7 +16,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::registration_test {
 namespace {
 
 /// A sealing roll: in step over 0...100 of each product of 300, then on to the next jaw at 360.
@@ -44,7 +44,7 @@ TEST(Registration, CarriesWhatOneProductDoesNotAllow) {
 }
 
 TEST(Registration, NothingCreeps) {
-  testing::Random random(3);
+  test::Random random(3);
   RegistrationState state;
   double sum = 0;
   for (int i = 0; i < 1000000; ++i) {
@@ -70,11 +70,11 @@ TEST(Registration, ZeroLeavesTheCamUntouchedToTheBit) {
 }
 
 TEST(Registration, NeverDisturbsASyncZone) {
-  testing::Random random(11);
+  test::Random random(11);
   std::vector<double> errors;
   for (int i = 0; i < 60; ++i) errors.push_back(random.uniform(-5, 5));
   const Cam all = registered(roll(), mark, errors);
-  testing::expect_invariants(all, 2);
+  test::expect_invariants(all, 2);
   RegistrationState state;
   for (std::size_t n = 0; n < errors.size(); ++n) {
     const double from = 300.0 * static_cast<double>(n);
@@ -90,7 +90,7 @@ TEST(Registration, NeverDisturbsASyncZone) {
 
 TEST(Registration, FollowsADriftAndForgetsNoise) {
   // The marks move by 0.7 a product, begin 20 off, and are measured with noise.
-  testing::Random random(7);
+  test::Random random(7);
   for (const double noise : {0.0, 0.1}) {
     RegistrationState state;
     double off = 0;
@@ -247,4 +247,4 @@ TEST(Registration, SaysWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::registration_test

@@ -14,10 +14,11 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::rotary_knife_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -46,12 +47,7 @@ RotaryKnifeSpec horizontal(const nlohmann::json& of) {
 }
 
 std::string refusal(const RotaryKnifeSpec& spec) {
-  try {
-    rotary_knife(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)rotary_knife(spec); });
 }
 
 void expect_near(double value, double expected, double relative) {
@@ -80,7 +76,7 @@ TEST(RotaryKnife, HasTheFiguresOfCaseY) {
 
 TEST(RotaryKnife, RunsAsFastAndAcceleratesAsMuchAsCaseYSays) {
   const Cam cam = rotary_knife(case_y()).cam;
-  testing::expect_invariants(cam, 2);
+  test::expect_invariants(cam, 2);
   const auto& y = oracle("case_y");
   const double line = 20;
   const Ranges ranges = extrema(cam);
@@ -315,7 +311,7 @@ TEST(RotaryKnife, CountsInAnyUnitOfTheSlave) {
 }
 
 TEST(RotaryKnife, ClosesToTheLastDigitWhateverItsNumbers) {
-  testing::Random random(51);
+  test::Random random(51);
   for (int i = 0; i < 400; ++i) {
     RotaryKnifeSpec spec;
     spec.diameter = random.log_uniform(1e-3, 1e4);
@@ -394,4 +390,4 @@ TEST(RotaryKnife, FollowsTheWebThroughManyCuts) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::rotary_knife_test

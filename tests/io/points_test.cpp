@@ -10,20 +10,16 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::points_test {
 namespace {
 
 using ::testing::ElementsAre;
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)parse_points(text, "p.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { (void)parse_points(text, "p.csv"); });
 }
 
 TEST(Points, AreColumnsWithUnits) {
@@ -54,7 +50,8 @@ TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
             "p.csv:1: time = time [s: needs a closing bracket after its unit");
   EXPECT_EQ(complaint("time [s],position [mm]\r0,1\r1,2\r"),
-            "p.csv:1: header = time [s],position [mm]: ends with a carriage return alone: save the file with "
+            "p.csv:1: header = time [s],position [mm]: ends with a carriage return alone: save the "
+            "file with "
             "line ends LF or CRLF");
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
   EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: occurs twice");
@@ -127,7 +124,7 @@ TEST(Points, AreKnownByTheirFirstLine) {
 
 /// Every number comes back to the bit, with either decimal sign.
 TEST(Points, AreReadToTheBit) {
-  testing::Random random(7);
+  test::Random random(7);
   for (const char sign : {'.', ','}) {
     std::string text = "time; position\n";
     std::vector<double> values;
@@ -143,4 +140,4 @@ TEST(Points, AreReadToTheBit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::points_test

@@ -12,11 +12,11 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::recording_test {
 namespace {
 
+using test::error_of;
 using ::testing::ElementsAre;
-using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -79,4 +79,4 @@ TEST(Recording, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::recording_test

@@ -12,14 +12,15 @@
 #include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::table_file_test {
 namespace {
 
 /// A table whose numbers do not print in few digits.
 TableFile ragged(Interpolation rule = Interpolation::quintic_hermite, std::size_t knots = 40) {
-  testing::Random random(5);
+  test::Random random(5);
   Columns c;
   double x = -3.3;
   for (std::size_t i = 0; i < knots; ++i) {
@@ -90,12 +91,7 @@ TEST(TableFile, TheHashIsSha256) {
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)parse_table(text, "t");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)parse_table(text, "t"); });
 }
 
 TEST(TableFile, RefusesEveryTruncation) {
@@ -182,4 +178,4 @@ TEST(WriteFile, LeavesNothingBehindWhenItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::table_file_test

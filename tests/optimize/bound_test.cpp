@@ -9,11 +9,11 @@
 
 #include "optimize/rest_to_rest.hpp"
 
-namespace jounce {
+namespace jounce::bound_test {
 namespace {
 
-using testing_optimize::fig614;
-using testing_optimize::rest_to_rest;
+using test_optimize::fig614;
+using test_optimize::rest_to_rest;
 
 /// A raw mt19937 word as a double in [lo, hi): portable, unlike the standard distributions.
 double draw(std::mt19937& random, double lo, double hi) {
@@ -193,4 +193,4 @@ TEST(LowerBound, IsZeroWhereTheOuterEndIsFree) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::bound_test

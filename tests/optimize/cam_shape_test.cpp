@@ -9,7 +9,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::cam_shape_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -328,4 +328,4 @@ TEST(CamShapes, RefuseWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cam_shape_test

@@ -12,7 +12,7 @@
 
 // The yardstick: Clp's simplex method (EPL; in tests and benches only) on a grid, with nothing of ours.
 // Unknowns are the coefficients of f^(order) as a B-spline; what is fixed at the ends are its moments.
-namespace jounce::testing_optimize {
+namespace jounce::test_optimize {
 
 /// The B-splines of `degree` over `pieces` equal pieces of [0, 1] (knots repeated at the ends) that do
 /// not vanish at x, from the first one's index on (Cox and de Boor).
@@ -97,4 +97,4 @@ inline double clp_least_peak(std::size_t pieces, int order, std::size_t density)
   return clp.isProvenOptimal() ? clp.objectiveValue() : std::nan("");
 }
 
-}  // namespace jounce::testing_optimize
+}  // namespace jounce::test_optimize

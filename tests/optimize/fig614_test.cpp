@@ -8,10 +8,10 @@
 
 #include "optimize/rest_to_rest.hpp"
 
-namespace jounce {
+namespace jounce::fig614_test {
 namespace {
 
-using namespace testing_optimize;
+using namespace test_optimize;
 
 constexpr double segment_one = 0.077924463939;  ///< peak acceleration of the fixed run up
 
@@ -94,4 +94,4 @@ TEST(Fig614, WithAKnotInTheRunUp) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fig614_test

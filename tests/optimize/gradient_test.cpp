@@ -12,8 +12,8 @@
 namespace jounce::optimizer {
 namespace {
 
-using testing_optimize::fig614;
-using testing_optimize::rest_to_rest;
+using test_optimize::fig614;
+using test_optimize::rest_to_rest;
 
 /// A cam with every law that can move, and a line and a dwell that cannot.
 CamSpec every_law() {

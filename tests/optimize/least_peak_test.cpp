@@ -13,10 +13,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::least_peak_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 CamKnot& knot_of(CamSpec& spec, std::size_t i) {
   return i == 0 ? spec.start : spec.segments[i - 1].end;
@@ -152,4 +152,4 @@ TEST(LeastPeak, ChangesWithItsUnitsAndWithNothingElse) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::least_peak_test

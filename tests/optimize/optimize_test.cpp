@@ -9,10 +9,10 @@
 
 #include "optimize/rest_to_rest.hpp"
 
-namespace jounce {
+namespace jounce::optimize_test {
 namespace {
 
-using testing_optimize::rest_to_rest;
+using test_optimize::rest_to_rest;
 
 constexpr auto optimal = Outcome::Status::optimal;
 constexpr auto converged = Outcome::Status::converged;
@@ -170,4 +170,4 @@ TEST(Optimize, MovesTheJointOfTwoRestToRestLaws) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::optimize_test

@@ -14,12 +14,12 @@
 
 #include "optimize/rest_to_rest.hpp"
 
-namespace jounce {
+namespace jounce::outcome_test {
 namespace {
 
+using test_optimize::fig614;
+using test_optimize::rest_to_rest;
 using testing::HasSubstr;
-using testing_optimize::fig614;
-using testing_optimize::rest_to_rest;
 using Status = Outcome::Status;
 
 bool same_knots(const CamSpec& a, const CamSpec& b) {
@@ -33,7 +33,7 @@ bool same_knots(const CamSpec& a, const CamSpec& b) {
 }
 
 CamProblem all_of_knot_three() {
-  using namespace testing_optimize;
+  using namespace test_optimize;
   CamProblem problem = fig614();
   problem.free = {{3, fig614_master, fig614_slave, fig614_velocity, fig614_acceleration}};
   return problem;
@@ -226,4 +226,4 @@ TEST(Outcome, RefusesBadInputOnly) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::outcome_test

@@ -6,7 +6,7 @@
 
 #include "jounce/optimize/cam_shape.hpp"
 
-namespace jounce {
+namespace jounce::pairs_test {
 namespace {
 
 using Status = Outcome::Status;
@@ -60,4 +60,4 @@ TEST(LexicographicPairs, EndAtTheOptimum) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::pairs_test

@@ -15,7 +15,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::physics_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -127,7 +127,7 @@ TEST(LoadTorque, IsWhatItsEquationSays) {
 }
 
 TEST(LoadTorque, HasExactGradients) {
-  testing::Random random(3);
+  test::Random random(3);
   const std::vector<ShapeFigure> figures{PowerOf{derivative_of_shape(2), derivative_of_shape(1)},
                                          TorqueOf{lever()}, RmsTorqueOf{lever()},
                                          EnergyOf{lever(), 0.4}};
@@ -282,4 +282,4 @@ TEST(Residual, OfOneModeGoesToNothing) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::physics_test

@@ -11,10 +11,10 @@
 
 #include "optimize/rest_to_rest.hpp"
 
-namespace jounce {
+namespace jounce::problem_test {
 namespace {
 
-using testing_optimize::fig614;
+using test_optimize::fig614;
 
 /// The key of the InputError that the problem causes; empty if it is accepted.
 std::string refused(const CamProblem& problem) {
@@ -156,4 +156,4 @@ TEST(CamProblem, RefusesWhatALawBesideTheKnotFixes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::problem_test

@@ -9,7 +9,7 @@
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
-namespace jounce {
+namespace jounce::residual_ceiling_test {
 namespace {
 
 using Status = Outcome::Status;
@@ -74,4 +74,4 @@ TEST(ResidualCeiling, IsNoWorseWithTwiceThePieces) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::residual_ceiling_test

@@ -10,10 +10,10 @@
 
 #include "shape_problems.hpp"
 
-namespace jounce {
+namespace jounce::response_test {
 namespace {
 
-using testing_optimize::rest_to_rest_shape;
+using test_optimize::rest_to_rest_shape;
 using Status = Outcome::Status;
 
 constexpr Mode mode{1.5, 0.02};
@@ -84,7 +84,7 @@ TEST(Response, ThatCanBeNothingIsNothingWithTheLeastRmsJerk) {
 
 TEST(Response, BesideWallsThatDoNotLetItBeNothingIsAtItsLeast) {
   ShapeProblem p = least_rms(2);
-  p.corridors = {testing_optimize::within(derivative_of_shape(2), 5, p)};
+  p.corridors = {test_optimize::within(derivative_of_shape(2), 5, p)};
   p.minimize = {{response()}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
@@ -97,4 +97,4 @@ TEST(Response, BesideWallsThatDoNotLetItBeNothingIsAtItsLeast) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::response_test

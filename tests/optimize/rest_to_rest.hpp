@@ -3,7 +3,7 @@
 
 #include "jounce/optimize/optimize.hpp"
 
-namespace jounce::testing_optimize {
+namespace jounce::test_optimize {
 
 /// Rest to rest over [0, length] by `height`, cut at the given shares; the inner knots lie on the
 /// 3-4-5 law, so that the given cam is that law, and all their quantities are free.
@@ -49,4 +49,4 @@ inline const Bound fig614_slave{-20, 240};
 inline const Bound fig614_velocity{-3, 3};
 inline const Bound fig614_acceleration{-0.15, 0.15};
 
-}  // namespace jounce::testing_optimize
+}  // namespace jounce::test_optimize

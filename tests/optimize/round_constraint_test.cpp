@@ -17,7 +17,7 @@ struct Ball {
 
 /// c . x over |x - 0.3| <= 0.7: least 0.3 sum c - 0.7 |c|; with x_0 held at 0.3 without c_0 in |c|.
 Ball ball(std::size_t n, bool held, std::uint64_t seed) {
-  testing::Random random(seed);
+  test::Random random(seed);
   Ball all;
   RoundConstraint round{0.7, {}};
   double squares = 0;

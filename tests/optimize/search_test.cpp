@@ -10,7 +10,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::search_test {
 namespace {
 
 using std::numbers::pi;
@@ -407,4 +407,4 @@ TEST(Search, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::search_test

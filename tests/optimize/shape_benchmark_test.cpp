@@ -13,11 +13,11 @@
 // What is known in closed form (perfect splines: G. Glaeser 1973; least squares: Hermite's polynomials)
 // and what Clp finds on a dense grid.
 
-namespace jounce {
+namespace jounce::shape_benchmark_test {
 namespace {
 
-using testing_optimize::rest_to_rest_shape;
-using testing_optimize::within;
+using test_optimize::rest_to_rest_shape;
+using test_optimize::within;
 
 TEST(ShapeBenchmark, ReachesThePerfectSplines) {
   constexpr std::array least{4.0, 32.0, 384.0, 6144.0};
@@ -84,11 +84,11 @@ TEST(ShapeBenchmark, AgreesWithClpOnADenseGrid) {
     p.minimize = {{PeakOf{derivative_of_shape(order)}}};
     const ShapeOutcome best = optimize_shape(p);
     EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
-    const double clp = testing_optimize::clp_least_peak(p.pieces, order, 4);
+    const double clp = test_optimize::clp_least_peak(p.pieces, order, 4);
     EXPECT_LE(best.figures[0].reached, clp * 1.001);
     EXPECT_GE(best.figures[0].reached, clp * (1 - 1e-6)) << "a grid leaves room between its places";
   }
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shape_benchmark_test

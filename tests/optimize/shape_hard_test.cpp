@@ -13,10 +13,10 @@
 
 // What a hostile user asks: nothing here may be called a success that is none.
 
-namespace jounce {
+namespace jounce::shape_hard_test {
 namespace {
 
-using testing_optimize::rest_to_rest_shape;
+using test_optimize::rest_to_rest_shape;
 using Status = Outcome::Status;
 
 const LinearQuantity position = derivative_of_shape(0);
@@ -274,7 +274,7 @@ TEST(HardSearch, ACeilingOfNothingIsNotANaN) {
 TEST(HardSearch, HoldsOverRandomLoads) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    testing::Random random(seed);
+    test::Random random(seed);
     LoadTorque load = inertia();
     load.linear.by[1] = random.uniform(0, 1);
     load.coulomb = random.below(2) == 0 ? 0 : random.log_uniform(0.01, 3);
@@ -286,7 +286,7 @@ TEST(HardSearch, HoldsOverRandomLoads) {
     ShapeProblem p = least_acceleration(8);
     const ShapeFigure figures[] = {TorqueOf{load}, RmsTorqueOf{load}, EnergyOf{load, 0.5}};
     p.minimize = {{figures[seed % 3]}};
-    p.corridors = {testing_optimize::within(acceleration, 8, p)};
+    p.corridors = {test_optimize::within(acceleration, 8, p)};
     p.max_evaluations = 1500;
     const ShapeOutcome best = optimize_shape(p);
     ASSERT_TRUE(best.usable()) << best.reason;
@@ -300,4 +300,4 @@ TEST(HardSearch, HoldsOverRandomLoads) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shape_hard_test

@@ -4,7 +4,7 @@
 #include "jounce/optimize/shape.hpp"
 
 /// Shape problems that several tests ask.
-namespace jounce::testing_optimize {
+namespace jounce::test_optimize {
 
 /// From rest at 0 to rest at 1 over [0, 1], derivatives up to `order` - 1 zero at both ends.
 inline ShapeProblem rest_to_rest_shape(int order) {
@@ -24,4 +24,4 @@ inline Corridor within(const LinearQuantity& q, double most, const ShapeProblem&
   return {q, p.begin, p.end, Edge{-most, -most}, Edge{most, most}};
 }
 
-}  // namespace jounce::testing_optimize
+}  // namespace jounce::test_optimize

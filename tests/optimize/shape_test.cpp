@@ -12,12 +12,12 @@
 #include "optimize/shape_problems.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::shape_test {
 namespace {
 
-using testing::Random;
-using testing_optimize::rest_to_rest_shape;
-using testing_optimize::within;
+using test::Random;
+using test_optimize::rest_to_rest_shape;
+using test_optimize::within;
 using Status = Outcome::Status;
 
 /// The k-th derivative on a dense grid, both sides of every break, with nothing of the optimiser's.
@@ -411,4 +411,4 @@ TEST(Shape, RefusesWhatItCannotMean) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shape_test

@@ -11,7 +11,7 @@
 namespace jounce::optimizer {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 /// Uneven knots, far from 0.
 SplineSpace some_space(Random& random, int degree, int order) {

@@ -11,7 +11,9 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::spline_times_test {
 namespace {
 
 using nlohmann::json;
@@ -159,12 +161,7 @@ TEST(SplineTimes, TheSameSeedGivesTheSameTimes) {
 }
 
 std::string complaint(const SplineTimesSpec& spec) {
-  try {
-    (void)spline_times(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)spline_times(spec); });
 }
 
 TEST(SplineTimes, NamesWhatItRefuses) {
@@ -195,4 +192,4 @@ TEST(SplineTimes, NamesWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::spline_times_test

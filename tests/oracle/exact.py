@@ -128,22 +128,25 @@ def first_best(candidates, key):
 
 
 def bisect(function, low, high):
-    """Root of `function` in a bracket, to the last digits; exact zeros at the ends are returned."""
+    """Root of `function` in a bracket, to the last digits, by Ridders' method: each step at least halves the bracket."""
     f_low, f_high = function(low), function(high)
     if f_low == 0 or f_high == 0:
         return low if f_low == 0 else high
     assert (f_low < 0) != (f_high < 0), "no sign change"
+    last = None
     for _ in range(1200):
         middle = (low + high) / 2
-        if middle in (low, high) or abs(high - low) <= mpf(10) ** -(mp.dps - 4) * abs(middle):
-            break
+        small = mpf(10) ** -(mp.dps - 4) * abs(middle)
         f_middle = function(middle)
         if f_middle == 0:
             return middle
-        if (f_middle < 0) == (f_low < 0):
-            low = middle
-        else:
-            high = middle
+        x = middle + (middle - low) * (1 if f_low > f_high else -1) * f_middle / mp.sqrt(f_middle**2 - f_low * f_high)
+        f_x = function(x)
+        if f_x == 0 or last is not None and abs(x - last) <= small or abs(high - low) <= small:
+            return x
+        last = x
+        inner = sorted([(low, f_low), (middle, f_middle), (x, f_x), (high, f_high)])
+        (low, f_low), (high, f_high) = next(pair for pair in zip(inner, inner[1:]) if (pair[0][1] < 0) != (pair[1][1] < 0))
     return (low + high) / 2
 
 

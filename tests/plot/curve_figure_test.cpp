@@ -16,7 +16,7 @@
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
 
-namespace jounce {
+namespace jounce::curve_figure_test {
 namespace {
 
 using testing::Contains;
@@ -245,4 +245,4 @@ TEST(CurveFigure, IsLeanWithManySegments) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::curve_figure_test

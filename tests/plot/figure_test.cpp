@@ -12,7 +12,7 @@
 #include "plot/src/figure/panel.hpp"
 #include "plot/src/figure/text.hpp"
 
-namespace jounce {
+namespace jounce::figure_test {
 namespace {
 
 using testing::Contains;
@@ -277,4 +277,4 @@ TEST(Svg, SurvivesAWidthTooSmall) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::figure_test

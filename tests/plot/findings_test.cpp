@@ -6,7 +6,7 @@
 
 #include "plot/samples.hpp"
 
-namespace jounce {
+namespace jounce::findings_test {
 namespace {
 
 using testing::Contains;
@@ -56,4 +56,4 @@ TEST(FindingsVerdict, Counts) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::findings_test

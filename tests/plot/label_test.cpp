@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::label_test {
 namespace {
 
 TEST(Superscripts, RaisePowersOfUnits) {
@@ -37,4 +37,4 @@ TEST(ShortNumber, SaysWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::label_test

@@ -11,7 +11,7 @@
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
 
-namespace jounce {
+namespace jounce::page_test {
 namespace {
 
 using testing::Each;
@@ -146,4 +146,4 @@ TEST(Html, HoldsAnEmptyPage) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::page_test

@@ -8,7 +8,7 @@
 
 #include "plot/markup.hpp"
 
-namespace jounce {
+namespace jounce::path_test {
 namespace {
 
 double distance(Pixel p, const std::vector<Pixel>& line) {
@@ -86,4 +86,4 @@ TEST(Thinned, KeepsAClosedLine) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::path_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::placing_test {
 namespace {
 
 constexpr Box box{10, 10, 20, 20};
@@ -46,4 +46,4 @@ TEST(Place, SaysWhenThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::placing_test

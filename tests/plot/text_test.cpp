@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::text_test {
 namespace {
 
 TEST(Escaped, MakesMarkupPlain) {
@@ -47,4 +47,4 @@ TEST(Fitted, CutsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::text_test

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::ticks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -116,4 +116,4 @@ TEST(PlotRange, IgnoresWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::ticks_test

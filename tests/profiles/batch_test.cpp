@@ -13,7 +13,7 @@
 #include "profiles/src/moves/batch_kernel.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::batch_test {
 namespace {
 
 struct Moves {
@@ -38,7 +38,7 @@ struct Moves {
 };
 
 Moves random_moves(std::size_t n, std::uint64_t seed, double decades) {
-  testing::Random random(seed);
+  test::Random random(seed);
   const double lo = std::pow(10, -decades);
   const double hi = std::pow(10, decades);
   const auto either = [&] { return (random.below(2) == 0 ? 1 : -1) * random.log_uniform(lo, hi); };
@@ -180,7 +180,7 @@ TEST(Batch, StayingAtRestTakesNoTime) {
 
 TEST(Batch, DirectRampIsNotMissedByRounding) {
   // Both ways run backwards, where a hair's breadth more or less takes a turn.
-  testing::Random random(45);
+  test::Random random(45);
   for (int i = 0; i < 1000 && !HasFailure(); ++i) {
     const Ramp ramp{random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e2)};
     const double v0 = (random.below(2) == 0 ? 1 : -1) * random.log_uniform(1e-2, 1e2);
@@ -196,4 +196,4 @@ TEST(Batch, DirectRampIsNotMissedByRounding) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::batch_test

@@ -8,7 +8,7 @@
 
 #include "support/invariants.hpp"
 
-namespace jounce {
+namespace jounce::between_test {
 namespace {
 
 Trajectory move() {
@@ -70,4 +70,4 @@ TEST(Between, RefusesMoreTurnsThanItCanHold) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::between_test

@@ -11,7 +11,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::break_index_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -88,7 +88,7 @@ TEST(BreakIndex, CountsWhereTheCellsOverOrUnderflow) {
 }
 
 TEST(BreakIndex, CountsRandomBreaksAtRandomPositions) {
-  testing::Random random(20);
+  test::Random random(20);
   for (int round = 0; round < 200; ++round) {
     std::vector<double> breaks{random.uniform(-1, 1) * random.log_uniform(1e-9, 1e9)};
     const int n = 1 + random.below(60);
@@ -102,7 +102,7 @@ TEST(BreakIndex, CountsRandomBreaksAtRandomPositions) {
 }
 
 TEST(BreakIndex, NamesNoIntervalTooLateBeforehand) {
-  testing::Random random(21);
+  test::Random random(21);
   std::vector<double> breaks{-5};
   for (int i = 0; i < 1000; ++i) breaks.push_back(breaks.back() + random.log_uniform(0.01, 10));
   const BreakIndex index(breaks);
@@ -125,4 +125,4 @@ TEST(BreakIndex, AnswersAnIntervalForWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::break_index_test

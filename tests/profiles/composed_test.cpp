@@ -11,7 +11,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::composed_test {
 namespace {
 
 /// The chain rule at a point, written out: what the composed curve must give.
@@ -65,7 +65,7 @@ TEST(Composed, KeepsTheChainRuleAlongAJerkLimitedClock) {
   const Trajectory clock =
       s_curve({.to = 5.7, .velocity = 1.1, .acceleration = 0.7, .jerk = 0.9}).curve();
   expect_chain_rule(move(), clock);
-  testing::expect_invariants(composed(move(), clock), 2);
+  test::expect_invariants(composed(move(), clock), 2);
 }
 
 TEST(Composed, StandsWhereTheClockStandsAndRunsBackWithIt) {
@@ -82,7 +82,7 @@ TEST(Composed, PlaysACamBehindAMaster) {
       trapezoid({.from = 30, .to = 700, .velocity = 200, .acceleration = 400}).curve();
   expect_chain_rule(poly5, master);
   EXPECT_GT(composed(poly5, master).segments().size(), 12U) << "four turns and a master's ramps";
-  testing::expect_invariants(composed(poly5, master), 1);
+  test::expect_invariants(composed(poly5, master), 1);
 }
 
 TEST(Composed, TakesSinesBehindALinearMasterAndAheadOfALinearCam) {
@@ -101,7 +101,7 @@ TEST(Composed, AShortSegmentFarFromTheOriginEndsAtItsOwnEnd) {
 }
 
 TEST(Composed, RandomPolynomialsMeetTheChainRule) {
-  testing::Random random(7);
+  test::Random random(7);
   for (int n = 0; n < 300 && !::testing::Test::HasFailure(); ++n) {
     SCOPED_TRACE(n);
     const auto polynomial = [&](int degree, double length) {
@@ -141,7 +141,7 @@ TEST(Composed, RefusesWhatDoesNotFit) {
 TEST(Composed, EndsWhereTheInnerEnds) {
   const Trajectory move =
       s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
-  testing::Random random(5);
+  test::Random random(5);
   for (int i = 0; i < 2000; ++i) {
     const double length = i == 0 ? 1 : random.log_uniform(1e-3, 1e3);
     const double start = i < 1000 ? 0 : random.uniform(0, 1) * length;
@@ -158,4 +158,4 @@ TEST(Composed, RefusesMoreTurnsThanItCanHold) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::composed_test

@@ -14,7 +14,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::curve_test {
 namespace {
 
 /// Two lines, 0 -> 1 over [10, 12] and 5 -> 4 over [12, 13]: it jumps at 12.
@@ -73,7 +73,7 @@ TEST(Curve, AlgebraKeepsItsPromises) {
   const Trajectory there_and_back = concatenated(f, reversed(f));
   EXPECT_NEAR(there_and_back.at(end).position, 50, 1e-13);
   EXPECT_NEAR(there_and_back.at(2 * end).position, 0, 1e-13);
-  testing::expect_invariants(there_and_back, 2);
+  test::expect_invariants(there_and_back, 2);
 
   const Trajectory thrice = repeated(there_and_back, 3);
   EXPECT_NEAR(thrice.end(), 6 * end, 1e-13);
@@ -122,7 +122,7 @@ TEST(Curve, WrapsIntoItsTurnToTheLastDigit) {
 }
 
 TEST(Curve, WrapsAsTheLibraryDividesToTheBit) {
-  testing::Random random(53);
+  test::Random random(53);
   for (int i = 0; i < 200'000; ++i) {
     const double length = random.log_uniform(1e-12, 1e12);
     const double u = random.below(2) == 0 ? length * random.below(1'000'000)
@@ -140,4 +140,4 @@ TEST(Curve, RefusesAnOriginThatSwallowsItsLength) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::curve_test

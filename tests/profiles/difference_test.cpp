@@ -12,7 +12,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::difference_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -87,7 +87,7 @@ TEST(Difference, IsExactWhereSixSinesDoNotFitASegment) {
 }
 
 /// A curve of random pieces over [start, start + about length].
-Cam random_cam(testing::Random& random, double start, double length, double size) {
+Cam random_cam(test::Random& random, double start, double length, double size) {
   std::vector<Segment> segments;
   const int n = 1 + random.below(6);
   for (int i = 0; i < n; ++i) {
@@ -105,7 +105,7 @@ Cam random_cam(testing::Random& random, double start, double length, double size
 }
 
 TEST(Difference, IsThatOfTheJetsAndBoundsEverySample) {
-  testing::Random random(11);
+  test::Random random(11);
   for (int n = 0; n < 300; ++n) {
     SCOPED_TRACE(n);
     const double length = random.log_uniform(1e-6, 1e6);
@@ -137,7 +137,7 @@ TEST(Difference, IsThatOfTheJetsAndBoundsEverySample) {
 }
 
 TEST(Difference, IsBlindToRoundingAndToNothingElse) {
-  testing::Random random(12);
+  test::Random random(12);
   for (int n = 0; n < 300; ++n) {
     SCOPED_TRACE(n);
     const double length = random.log_uniform(1e-6, 1e6);
@@ -231,4 +231,4 @@ TEST(KnotChange, PairsTheNearest) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::difference_test

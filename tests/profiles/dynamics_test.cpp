@@ -9,10 +9,10 @@
 #include "controllers/motion.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::dynamics_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 Dynamics random_dynamics(Random& random, bool symmetric, bool jerk) {
   Dynamics d{.velocity = random.log_uniform(0.1, 100),
@@ -40,11 +40,11 @@ TEST(VelocityRamp, ArrivesFromAnyStateWithinItsLimits) {
     const Profile p = velocity_ramp(from, v, d);
     EXPECT_EQ(p.start(), from);
     EXPECT_EQ(p.end().velocity, v);
-    testing::expect_arrives(p, 1e-11);
+    test::expect_arrives(p, 1e-11);
     const double peak = std::max({d.acceleration, d.deceleration, std::abs(from.acceleration)});
     const Range a = extrema(p.curve(), 2);
     EXPECT_LE(std::abs(a.peak().value), peak * (1 + 1e-11));
-    testing::expect_invariants(with(p.curve(), Extrapolation::refuse), d.jerk > 0 ? 2 : 1);
+    test::expect_invariants(with(p.curve(), Extrapolation::refuse), d.jerk > 0 ? 2 : 1);
   }
 }
 
@@ -81,8 +81,8 @@ TEST(VelocityRamp, RandomRampsUseEachAccelerationInItsSense) {
     const MotionState from{0, random.uniform(-1, 1) * d.velocity, 0};
     const double v = random.uniform(-1, 1) * d.velocity;
     SCOPED_TRACE(::testing::Message() << i << ": " << from << " to " << v << " under " << d);
-    testing::expect_speeding_and_slowing(velocity_ramp(from, v, d).curve(), d.acceleration,
-                                         d.deceleration);
+    test::expect_speeding_and_slowing(velocity_ramp(from, v, d).curve(), d.acceleration,
+                                      d.deceleration);
   }
 }
 
@@ -137,7 +137,7 @@ TEST(VelocityRamp, RandomStatesWithinTheLimitsStayThere) {
     SCOPED_TRACE(::testing::Message()
                  << i << ": " << from << " to " << number(v) << " under " << d);
     const Profile p = velocity_ramp(from, v, d);
-    testing::expect_arrives(p, 1e-11);
+    test::expect_arrives(p, 1e-11);
     expect_each_sense(p, d);
   }
 }
@@ -193,7 +193,7 @@ TEST(InFlight, ANewTargetAndVelocityEndWhereTheManualsExampleDoes) {
   const Trajectory g = with_target(f, 2, 100000, {.velocity = 20000, .acceleration = 200000});
   EXPECT_NEAR(g.end(), 6.0875, 1e-12);
   EXPECT_EQ(g.at(g.end()).position, 100000);
-  testing::expect_invariants(g, 1);
+  test::expect_invariants(g, 1);
 }
 
 TEST(InFlight, AVelocityMoveReverses) {
@@ -225,7 +225,7 @@ TEST(InFlight, AHaltedMoveCanBeResumedBeforeItStops) {
   const Trajectory resumed = with_target(halted, 1.2, 9000, d);
   EXPECT_EQ(resumed.at(resumed.end()).position, 9000);
   EXPECT_GT(resumed.end(), f.end());
-  testing::expect_invariants(resumed, 2);
+  test::expect_invariants(resumed, 2);
   EXPECT_GT(extrema(resumed, 1).min.value, -1e-9);
 }
 
@@ -266,7 +266,7 @@ TEST(InFlight, AnyChangeArrivesContinuouslyWithinTheLimits) {
     const double carried = changed.jerk > 0 ? a * a / (2 * changed.jerk) : 0;
     double jerk = std::max(d.jerk, changed.jerk);
     if (d.jerk == 0) jerk = Bounds::none;
-    testing::expect_within(
+    test::expect_within(
         g, std::max({d.velocity, changed.velocity, std::abs(now.velocity) + carried}),
         std::max({d.acceleration, d.deceleration, changed.acceleration, changed.deceleration}),
         jerk);
@@ -286,8 +286,8 @@ TEST(InFlight, TwoJerksDoNotLeadPastTheVelocity) {
                  << i << ": to " << number(to) << " under " << d << " at " << number(t));
     const Trajectory g = with_target(f, t, 2 * to, d);
     EXPECT_NEAR(g.at(g.end()).position, 2 * to, 1e-15 * std::abs(2 * to));
-    testing::expect_within(g, d.velocity, std::max(d.acceleration, d.deceleration),
-                           std::max(d.jerk, d.deceleration_jerk));
+    test::expect_within(g, d.velocity, std::max(d.acceleration, d.deceleration),
+                        std::max(d.jerk, d.deceleration_jerk));
   }
 }
 
@@ -351,7 +351,7 @@ TEST(InFlight, UnequalRampsStopBeforeTheyTurnRound) {
   const Trajectory f = point_to_point(0, 100, d).curve();
   const Trajectory g = with_target(f, 2, 0, d);  // at 15; stops in 2.5, returns over 17.5
   EXPECT_DOUBLE_EQ(g.end(), 2 + 0.5 + (17.5 / 10 + 0.5 + 0.25));
-  testing::expect_speeding_and_slowing(g, 10, 20);
+  test::expect_speeding_and_slowing(g, 10, 20);
 }
 
 TEST(InFlight, ATargetJustWithinReachIsMetWithoutTurningRound) {
@@ -370,12 +370,12 @@ TEST(InFlight, AJerkLimitedCommandTakesOverNoAccelerationThatSteps) {
   // 6 u/s after 0.3 s; s-curves to rest and back up to speed, each of its own.
   const Trajectory halted = with_velocity(f, 0.3, 0, soft);
   EXPECT_DOUBLE_EQ(halted.end(), 0.3 + 2 * std::sqrt(6.0 / 10));
-  testing::expect_within(halted, 6, 20);
+  test::expect_within(halted, 6, 20);
   const Trajectory late = with_velocity(f, 5.2, 0, soft);  // slowing down, at 6 u/s again
   EXPECT_NEAR(late.end(), 5.2 + 2 * std::sqrt(6.0 / 10), 1e-12);
   EXPECT_GT(extrema(late, 1).min.value, -1e-12);
-  testing::expect_within(with_target(f, 0.3, 50, soft), 10, 20);
-  testing::expect_invariants(halted, 1);
+  test::expect_within(with_target(f, 0.3, 50, soft), 10, 20);
+  test::expect_invariants(halted, 1);
 }
 
 TEST(InFlight, RefusesWhatIsNoNumber) {
@@ -387,4 +387,4 @@ TEST(InFlight, RefusesWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::dynamics_test

@@ -10,7 +10,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::extrema_test {
 namespace {
 
 TEST(Extrema, OfARestToRestQuinticAreItsClosedForms) {
@@ -27,7 +27,7 @@ TEST(Extrema, OfARestToRestQuinticAreItsClosedForms) {
 
 TEST(Extrema, OfARiseFromRestToRestLieAtItsKnots) {
   // Near its end a rise is flat to rounding, and its polynomial may round above its end value there.
-  testing::Random random(345);
+  test::Random random(345);
   for (int i = 0; i < 2000; ++i) {
     const double from = random.uniform(-1, 1);
     const double to = random.uniform(-1, 1);
@@ -102,7 +102,7 @@ TEST(Extrema, KeepARootThatRoundingPutsOnABisectionPoint) {
   EXPECT_NEAR(extrema(there_and_back, 1).max.value, 1.875 * -r / t, 1e-11);
   EXPECT_NEAR(extrema(there_and_back, 1).min.value, 1.875 * r / t, 1e-11);
 
-  testing::Random random(4);
+  test::Random random(4);
   for (int i = 0; i < 20'000; ++i) {
     const double length = random.log_uniform(1e-3, 1e3);
     const double from = random.uniform(-10, 10);
@@ -120,4 +120,4 @@ TEST(Extrema, OfAConstantAreTheConstant) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::extrema_test

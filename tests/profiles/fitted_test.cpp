@@ -14,12 +14,12 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::fitted_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Segment random_segment(testing::Random& random, int degree, int sines, double length) {
+Segment random_segment(test::Random& random, int degree, int sines, double length) {
   Segment f;
   f.length = length;
   f.degree = degree;
@@ -34,7 +34,7 @@ Segment random_segment(testing::Random& random, int degree, int sines, double le
 TEST(Hermite, OfDegreeElevenReproducesIt) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
+    test::Random random(seed);
     const Segment f = random_segment(random, 11, 0, random.log_uniform(1e-9, 1e9));
     const Segment g = detail::hermite(f.length, detail::taylor(f, 0), detail::taylor(f, 1));
     for (std::size_t k = 0; k < f.c.size(); ++k) EXPECT_NEAR(g.c[k], f.c[k], 1e-9) << k;
@@ -60,7 +60,7 @@ TEST(Hermite, ErrorIsReachedByThePowerTwelve) {
 TEST(Fitted, PolynomialsStayWithinTheCertifiedError) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
+    test::Random random(seed);
     const double unit = random.log_uniform(1e-9, 1e9);
     const Trajectory f({random_segment(random, random.below(12), 1 + random.below(3),
                                        random.log_uniform(1e-9, 1e9))});
@@ -114,7 +114,7 @@ TEST(ComposedWithin, IsTheCompositionWhereThatFits) {
 TEST(ComposedWithin, HoldsTheChainRuleWithinTheCertifiedError) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
-    testing::Random random(seed);
+    test::Random random(seed);
     const Trajectory outer({random_segment(random, random.below(12), random.below(4), 1),
                             random_segment(random, random.below(6), random.below(3), 2)},
                            -1, Extrapolation::hold);
@@ -152,4 +152,4 @@ TEST(ComposedWithin, IsAsSmoothAsTheFunction) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fitted_test

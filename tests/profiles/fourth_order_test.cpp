@@ -15,7 +15,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::fourth_order_test {
 namespace {
 
 /// Ends, limits and joints, walked in long double along the jounces: what the segments say of
@@ -82,7 +82,7 @@ TEST(FourthOrder, IsAsFastAsLinearProgrammingFinds) {
 }
 
 TEST(FourthOrder, KeepsItsLimitsOverSixDecades) {
-  testing::Random random(31);
+  test::Random random(31);
   for (int i = 0; i < 100000 && !::testing::Test::HasFailure(); ++i) {
     FourthOrderSpec s;
     s.from = random.uniform(-1, 1);
@@ -95,7 +95,7 @@ TEST(FourthOrder, KeepsItsLimitsOverSixDecades) {
                                       << ' ' << s.acceleration << ' ' << s.jerk << ' ' << s.jounce);
     const Trajectory f = fourth_order(s);
     expect_move(f, s);
-    if (i % 100 == 0) testing::expect_invariants(f, 3);
+    if (i % 100 == 0) test::expect_invariants(f, 3);
   }
 }
 
@@ -108,7 +108,7 @@ TEST(FourthOrder, AShortCruiseFarFromZeroKeepsItsVelocity) {
                           .jerk = 0.10916184093555698,
                           .jounce = 14.932011939987934};
   expect_move(fourth_order(s), s);
-  testing::Random random(33);
+  test::Random random(33);
   for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
     FourthOrderSpec far;
     far.from = random.uniform(-1, 1) * random.log_uniform(1, 1e4);
@@ -146,7 +146,7 @@ TEST(FourthOrder, GrowsContinuouslyThroughItsRegimes) {
 }
 
 TEST(FourthOrder, TendsToTheSCurve) {
-  testing::Random random(32);
+  test::Random random(32);
   for (int i = 0; i < 1000; ++i) {
     SCurveSpec s{.to = random.log_uniform(1e-2, 1e2)};
     s.velocity = random.log_uniform(1e-2, 1e2);
@@ -185,4 +185,4 @@ TEST(FourthOrder, RefusesWhatIsNoMove) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fourth_order_test

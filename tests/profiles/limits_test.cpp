@@ -8,7 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
-namespace jounce {
+namespace jounce::limits_test {
 namespace {
 
 Trajectory move() {
@@ -80,4 +80,4 @@ TEST(CheckContinuity, IncludesTheWrap) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::limits_test

@@ -16,10 +16,10 @@
 
 // Limits that are lowered while the axis moves: the start of a move lies outside its bounds.
 
-namespace jounce {
+namespace jounce::lowered_limits_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 MotionState state_at(const Profile& f, double t) {
   const Motion m = f.at(t);
@@ -202,4 +202,4 @@ TEST(LoweredLimits, NoStraightMotionBreaksTheBoundsOfAnAxisInside) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::lowered_limits_test

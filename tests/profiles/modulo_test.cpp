@@ -10,7 +10,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::modulo_test {
 namespace {
 
 const Bounds axis = within(720, 7200, 72000);
@@ -51,7 +51,7 @@ TEST(Modulo, TurningBackToWhereItIsIsExact) {
 }
 
 TEST(Modulo, AnyPositionComesBack) {
-  testing::Random random(3);
+  test::Random random(3);
   for (int i = 0; i < 20000; ++i) {
     const double period = random.log_uniform(1e-3, 1e5);
     const double x = random.uniform(-1, 1) * random.log_uniform(1e-6, 1e12);
@@ -109,7 +109,7 @@ TEST(Modulo, FastestAsksTheSolver) {
 }
 
 TEST(Modulo, FastestIsNeverSlowerThanAnyTurn) {
-  testing::Random random(12);
+  test::Random random(12);
   for (int i = 0; i < 2000; ++i) {
     const MotionState from{random.uniform(-1000, 1000), random.uniform(-720, 720),
                            random.uniform(-2000, 2000)};
@@ -147,4 +147,4 @@ TEST(Modulo, AgitoSection53) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::modulo_test

@@ -14,7 +14,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::move_test {
 namespace {
 
 // The random workloads, the independent checker and the independent search are in proof/.
@@ -33,11 +33,11 @@ void expect_sound(const MoveResult& move, const MotionState& to, const Bounds& b
   EXPECT_GE(r[2].min.value, b.acceleration_min * (1 + 1e-12));
   EXPECT_LE(r[2].max.value, b.acceleration_max * (1 + 1e-12));
   // Held, it would step to rest at a moving end.
-  testing::expect_invariants(with(f, Extrapolation::refuse), move.profile.order() - 1);
+  test::expect_invariants(with(f, Extrapolation::refuse), move.profile.order() - 1);
 }
 
 TEST(Move, FromRestToRestIsTheSCurve) {
-  testing::Random random(31);
+  test::Random random(31);
   for (int i = 0; i < 2000; ++i) {
     const double distance = random.log_uniform(1e-3, 1e3);
     const double v = random.log_uniform(1e-2, 1e2);
@@ -140,7 +140,7 @@ TEST(Move, FromBeyondTheVelocityLimitComesInsideAndArrives) {
     const MoveResult move = move_to(from, to, b);
     ASSERT_TRUE(move);
     const Trajectory f = move.profile.curve();
-    testing::expect_invariants(with(f, Extrapolation::refuse), 2);
+    test::expect_invariants(with(f, Extrapolation::refuse), 2);
     // Inside as fast as the bounds allow, and never out again.
     bool inside = false;
     for (int i = 0; i <= 10000; ++i) {
@@ -264,7 +264,7 @@ TEST(MoveVelocity, TakesTheTimeOfItsRamp) {
 }
 
 TEST(MoveVelocity, StopsFromAnyState) {
-  testing::Random random(32);
+  test::Random random(32);
   const Bounds b = within(3, 4, 30);
   for (int i = 0; i < 2000; ++i) {
     const MotionState from{random.uniform(-5, 5), random.uniform(-6, 6), random.uniform(-8, 8)};
@@ -273,7 +273,7 @@ TEST(MoveVelocity, StopsFromAnyState) {
     const Motion end = move.profile.at(move.profile.duration());
     EXPECT_EQ(end.velocity, 0);
     EXPECT_EQ(end.acceleration, 0);
-    testing::expect_invariants(with(move.profile.curve(), Extrapolation::refuse), 2);
+    test::expect_invariants(with(move.profile.curve(), Extrapolation::refuse), 2);
     if (HasFailure()) {
       ADD_FAILURE() << from.velocity << ' ' << from.acceleration;
       break;
@@ -306,7 +306,7 @@ TEST(Move, SaysWhatIsWrong) {
 }
 
 TEST(Move, CruisesWithoutAccelerationWhateverTheRatioOfTheJerks) {
-  testing::Random random(8);
+  test::Random random(8);
   for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("seed 8, case " + std::to_string(i));
     const double jerk = random.log_uniform(0.1, 10);
@@ -335,4 +335,4 @@ TEST(Profile, TakesNoMoreRoomThanPromised) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::move_test

@@ -12,7 +12,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::moving_average_test {
 namespace {
 
 void expect_equal(const Trajectory& f, const Trajectory& g, double rounding) {
@@ -88,7 +88,7 @@ TEST(MovingAverage, MeetsAQuadratureOfTheDefinition) {
       const double t = g.start() + g.length() * i / 100;
       EXPECT_NEAR(g.at(t).position, mean_by_quadrature(held, t - window, t), 1e-13) << t;
     }
-    testing::expect_invariants(g, 3);
+    test::expect_invariants(g, 3);
   }
 }
 
@@ -119,7 +119,7 @@ TEST(MovingAverage, SinesStaySinesOfTheirFrequency) {
     EXPECT_NEAR(g.at(t).position, line_mean + sine_mean, 1e-14 * 10);
   }
   EXPECT_EQ(g.segments()[1].sines, 1) << "the difference of two sines of one frequency";
-  testing::expect_invariants(g, 2);
+  test::expect_invariants(g, 2);
 }
 
 TEST(MovingAverage, GoesThroughTheSeamOfACurveThatWraps) {
@@ -142,7 +142,7 @@ TEST(MovingAverage, AFarOriginCostsNoDigits) {
 }
 
 TEST(MovingAverage, KeepsItsPromisesOverFiveDecadesOfWindows) {
-  testing::Random random(77);
+  test::Random random(77);
   for (int n = 0; n < 300 && !HasFailure(); ++n) {
     const double v = random.log_uniform(0.01, 1000);
     const double a = v / random.log_uniform(0.01, 10);
@@ -206,4 +206,4 @@ TEST(MovingAverage, RefusesWhatItCannotHold) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::moving_average_test

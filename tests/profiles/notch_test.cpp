@@ -12,7 +12,7 @@
 #include "support/invariants.hpp"
 #include "support/spring.hpp"
 
-namespace jounce {
+namespace jounce::notch_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -29,7 +29,7 @@ double worst_against_integration(const Trajectory& f, const NotchSpec& spec,
                                  const Trajectory& got) {
   const double w = 2 * pi * spec.frequency;
   const double origin = f.at(f.start()).position;
-  testing::Load z;
+  test::Load z;
   double worst = 0;
   const auto run = [&](const Segment& piece, double t0) {
     const auto n = static_cast<int>(200 + 600 * w * piece.length);
@@ -37,7 +37,7 @@ double worst_against_integration(const Trajectory& f, const NotchSpec& spec,
       return w * w * (value(piece, (t - t0) / piece.length) - origin - x) -
              2 * spec.damping * w * v;
     };
-    z = testing::integrated(z, t0, t0 + piece.length, n, bend);
+    z = test::integrated(z, t0, t0 + piece.length, n, bend);
     const double t = t0 + piece.length;
     const double y = z.x + 2 * spec.mode_damping * z.v / w + bend(z.x, z.v, t) / (w * w);
     worst = std::max(worst, std::abs(origin + y - got.at(t, Side::left).position));
@@ -56,7 +56,7 @@ TEST(Notch, MeetsAnIntegrationWithinItsStatedError) {
     const Notched quiet = notched(move(), spec);
     EXPECT_LT(quiet.error, 20 * spec.settled * 50) << "the stated error is about the tail cut off";
     EXPECT_LT(worst_against_integration(move(), spec, quiet.motion), quiet.error + 1e-9);
-    testing::expect_invariants(quiet.motion, 2);
+    test::expect_invariants(quiet.motion, 2);
     EXPECT_EQ(quiet.motion.at(quiet.motion.start()).position, 5);
     EXPECT_NEAR(quiet.motion.at(quiet.motion.end()).position, 55, 1e-13);
   }
@@ -97,4 +97,4 @@ TEST(Notch, RefusesWhatItCannotFilter) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::notch_test

@@ -16,7 +16,7 @@
 // cycle after the one-shot optimum: the motion that synchronise() finds once, at the beginning, for the
 // place (or the motion) that the target has in the end.
 
-namespace jounce {
+namespace jounce::online_late_test {
 namespace {
 
 constexpr double cycles = 300;  // of each move
@@ -27,11 +27,11 @@ int cases(int usual) {
   return text ? std::atoi(text) : usual;
 }
 
-MotionState random_state(testing::Random& random) {
+MotionState random_state(test::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
 }
 
-AxisMove random_move(testing::Random& random, MoveGoal goal) {
+AxisMove random_move(test::Random& random, MoveGoal goal) {
   AxisMove m{random_state(random), random_state(random),
              within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20)), goal};
   if (goal == MoveGoal::moving) m.to.acceleration = 0;
@@ -89,7 +89,7 @@ struct Late {
 
 /// How many moves are late, the target as it is plus noise of this size.
 Late late_moves(MoveGoal goal, double noise, double tolerance, std::uint64_t seed, int n) {
-  testing::Random random(seed);
+  test::Random random(seed);
   Late count;
   for (int i = 0; i < n; ++i) {
     const AxisMove m = random_move(random, goal);
@@ -134,7 +134,7 @@ TEST(OnlineLate, NoMeetingOfATargetThatMoves) {
 /// A target at rest that creeps on and stays where it is before the axis begins to brake: the optimum
 /// is that of where it stays.
 TEST(OnlineLate, NoMoveWhoseTargetComesToRestBeforeTheAxisBrakes) {
-  testing::Random random(77);
+  test::Random random(77);
   int n = 0;
   for (int i = 0; i < cases(1000); ++i) {
     AxisMove m{{}, {random.uniform(1, 3), 0, 0}, within(2, random.uniform(2, 6), 30)};
@@ -156,7 +156,7 @@ TEST(OnlineLate, NoMoveWhoseTargetComesToRestBeforeTheAxisBrakes) {
 
 /// Several axes at once, all orders in every cycle.
 TEST(OnlineLate, NoCommonMoveOfSeveralAxes) {
-  testing::Random random(78);
+  test::Random random(78);
   int n = 0;
   for (int i = 0; i < cases(500); ++i) {
     std::array<AxisMove, 3> moves;
@@ -182,4 +182,4 @@ TEST(OnlineLate, NoCommonMoveOfSeveralAxes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::online_late_test

@@ -13,7 +13,7 @@
 // Random orders to three axes in every manner, also wrong ones: whatever comes, the setpoints are those of
 // one continuous motion under the widest limits that were ever set. JOUNCE_CASES sets how many runs.
 
-namespace jounce {
+namespace jounce::online_orders_test {
 namespace {
 
 constexpr std::size_t n = 3;
@@ -27,11 +27,11 @@ int cases(int usual) {
 }
 
 /// A magnitude up to `most`, sometimes 0.
-double magnitude(testing::Random& r, double most, bool may_be_zero) {
+double magnitude(test::Random& r, double most, bool may_be_zero) {
   return may_be_zero && r.below(8) == 0 ? 0 : r.log_uniform(0.05, 1) * most;
 }
 
-Bounds random_bounds(testing::Random& r, bool zeros) {
+Bounds random_bounds(test::Random& r, bool zeros) {
   Bounds b =
       within(magnitude(r, 2, zeros), magnitude(r, most_a, zeros), magnitude(r, most_j, zeros));
   if (r.below(4) == 0) b.velocity_max = magnitude(r, 2, zeros);
@@ -40,7 +40,7 @@ Bounds random_bounds(testing::Random& r, bool zeros) {
   return b;
 }
 
-void order(testing::Random& r, OnlineGenerator<n>& g) {
+void order(test::Random& r, OnlineGenerator<n>& g) {
   const auto i = static_cast<std::size_t>(r.below(n));
   switch (r.below(10)) {
     case 0:
@@ -86,7 +86,7 @@ bool continues(const Motion& a, const Motion& b) {
 TEST(OnlineOrders, AnyOrdersMakeOneContinuousMotion) {
   int broken = 0;
   for (int run = 0; run < cases(300); ++run) {
-    testing::Random r(static_cast<std::uint64_t>(8000 + run));
+    test::Random r(static_cast<std::uint64_t>(8000 + run));
     OnlineGenerator<n> g(static_cast<Sync>(r.below(5)));
     for (std::size_t i = 0; i < n; ++i) g.set_bounds(i, random_bounds(r, false));
     for (int k = 0; k < 1000 && broken < 5; ++k) {
@@ -108,7 +108,7 @@ TEST(OnlineOrders, AnyOrdersMakeOneContinuousMotion) {
 TEST(OnlineOrders, AfterAnyOrdersTheAxesGoWhereTheyAreSent) {
   int lost = 0;
   for (int run = 0; run < cases(300); ++run) {
-    testing::Random r(static_cast<std::uint64_t>(9000 + run));
+    test::Random r(static_cast<std::uint64_t>(9000 + run));
     OnlineGenerator<n> g(Sync::time);
     for (std::size_t i = 0; i < n; ++i) g.set_bounds(i, random_bounds(r, false));
     for (int k = 0; k < 400; ++k) {
@@ -132,4 +132,4 @@ TEST(OnlineOrders, AfterAnyOrdersTheAxesGoWhereTheyAreSent) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::online_orders_test

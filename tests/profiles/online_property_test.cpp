@@ -15,7 +15,7 @@
 // and orders repeated in every cycle make no axis late. The judges see setpoints alone. JOUNCE_CASES
 // sets how many cases there are.
 
-namespace jounce {
+namespace jounce::online_property_test {
 namespace {
 
 int cases(int usual) {
@@ -130,7 +130,7 @@ struct Tally {
 constexpr double rounding = 1e-11;
 
 /// One axis from rest to rest whose limits are lowered on the way, each in `which` or not.
-void lower_in_flight(testing::Random& r, const std::array<bool, 3>& which, Tally& tally) {
+void lower_in_flight(test::Random& r, const std::array<bool, 3>& which, Tally& tally) {
   const Triple before{r.log_uniform(0.1, 10), r.log_uniform(0.1, 30), r.log_uniform(0.5, 200)};
   const auto share = [&](bool lowers) { return lowers ? r.log_uniform(0.05, 1) : 1; };
   const Triple after{before.v * share(which[0]), before.a * share(which[1]),
@@ -175,7 +175,7 @@ void lower_in_flight(testing::Random& r, const std::array<bool, 3>& which, Tally
 }
 
 void expect_nothing(const std::array<bool, 3>& which, std::uint64_t seed) {
-  testing::Random random(seed);
+  test::Random random(seed);
   Tally tally;
   const int n = cases(1000);
   for (int i = 0; i < n; ++i) lower_in_flight(random, which, tally);
@@ -202,7 +202,7 @@ TEST(OnlineLowered, AllLimits) {
 }
 
 /// Three axes, the limits of one lowered on the way.
-void lower_one_of_three(testing::Random& r, Sync sync, Tally& tally) {
+void lower_one_of_three(test::Random& r, Sync sync, Tally& tally) {
   constexpr std::size_t n = 3;
   std::array<double, n> target{}, overshoot{}, farthest{}, reversal{};
   std::array<Triple, n> limits{};
@@ -251,7 +251,7 @@ void lower_one_of_three(testing::Random& r, Sync sync, Tally& tally) {
 
 TEST(OnlineLowered, OneOfSeveralAxes) {
   for (const Sync sync : {Sync::time, Sync::time_if_moving, Sync::phase, Sync::phase_or_time}) {
-    testing::Random random(66);
+    test::Random random(66);
     Tally tally;
     const int n = cases(4000);
     for (int i = 0; i < n; ++i) lower_one_of_three(random, sync, tally);
@@ -264,4 +264,4 @@ TEST(OnlineLowered, OneOfSeveralAxes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::online_property_test

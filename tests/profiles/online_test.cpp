@@ -10,7 +10,7 @@
 #include "executor/hooks.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::online_test {
 namespace {
 
 constexpr double cycle = 1e-3;
@@ -114,7 +114,7 @@ TEST(Online, MeetsATargetThatMovesAndStaysWithIt) {
 TEST(Online, KeepsItsMotionWhileTheTargetIsWithinTheTolerance) {
   auto g = axes_with<1>(within(2, 10, 100));
   g.set_tolerance(0, 1e-3);
-  testing::Random random(1);
+  test::Random random(1);
   int planned = 0;
   for (int k = 0; k < 1500; ++k) {
     g.set_target(0, {.position = 1 + random.uniform(-0.5e-3, 0.5e-3)});
@@ -351,7 +351,7 @@ TEST(Online, IsAValue) {
 }
 
 TEST(Online, TakesNothingFromTheHeap) {
-  testing::Random random(9);
+  test::Random random(9);
   auto g = axes_with<4>(within(2, 10, 100), Sync::time);
   const test::Noise before = test::noise();
   for (int k = 0; k < 4000; ++k) {
@@ -368,4 +368,4 @@ TEST(Online, TakesNothingFromTheHeap) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::online_test

@@ -13,7 +13,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::override_test {
 namespace {
 
 const Limits limits{.velocity = 10, .acceleration = 20, .jerk = 100};
@@ -189,7 +189,7 @@ TEST(Override, AllAxesKeepThePath) {
 }
 
 TEST(Override, WhateverIsAskedTheLimitsHold) {
-  testing::Random random(9);
+  test::Random random(9);
   for (int n = 0; n < 25 && !::testing::Test::HasFailure(); ++n) {
     OverrideSpec spec{.factor = random.below(3) == 0 ? random.uniform(0.2, 1) : 1};
     double t = 0;
@@ -252,4 +252,4 @@ TEST(Override, RefusesWhatItCannotPlay) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::override_test

@@ -11,7 +11,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::query_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -74,12 +74,12 @@ Answer reference_way(double distance, const SpanEnds& ends, const Ramp& ramp) {
   return {both(e, &Reference::duration) + cruise, h + e};
 }
 
-Ramp any_ramp(testing::Random& random) {
+Ramp any_ramp(test::Random& random) {
   return {random.log_uniform(1e-3, 1e3),
           random.below(8) == 0 ? infinite : random.log_uniform(1e-3, 1e3)};
 }
 
-double any_velocity(testing::Random& random) {
+double any_velocity(test::Random& random) {
   return random.below(4) == 0 ? 0 : random.log_uniform(1e-3, 1e3);
 }
 
@@ -98,7 +98,7 @@ TEST(RampBetween, HmplSmoothingExample) {
 }
 
 TEST(EntryVelocity, UndoesTheRampOverSixDecades) {
-  testing::Random random(1);
+  test::Random random(1);
   for (int i = 0; i < 100000 && !::testing::Test::HasFailure(); ++i) {
     const Ramp ramp = any_ramp(random);
     const double exit = any_velocity(random);
@@ -116,7 +116,7 @@ TEST(EntryVelocity, UndoesTheRampOverSixDecades) {
 }
 
 TEST(PeakVelocity, AndDurationAgreeWithBisectionOverSixDecades) {
-  testing::Random random(2);
+  test::Random random(2);
   for (int i = 0; i < 100000 && !::testing::Test::HasFailure(); ++i) {
     const Ramp ramp = any_ramp(random);
     SpanEnds ends{any_velocity(random), any_velocity(random), 0};
@@ -138,7 +138,7 @@ TEST(PeakVelocity, AndDurationAgreeWithBisectionOverSixDecades) {
 }
 
 TEST(MinimumDuration, IsTheRestToRestMoves) {
-  testing::Random random(3);
+  test::Random random(3);
   for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
     const double h = random.log_uniform(1e-3, 1e3);
     const double v = random.log_uniform(1e-3, 1e3);
@@ -157,7 +157,7 @@ TEST(MinimumDuration, IsTheRestToRestMoves) {
 }
 
 TEST(PeakVelocity, OfTheShortestWayIsTheFasterEnd) {
-  testing::Random random(4);
+  test::Random random(4);
   for (int i = 0; i < 20000 && !::testing::Test::HasFailure(); ++i) {
     const Ramp ramp = any_ramp(random);
     const double exit = any_velocity(random);
@@ -196,7 +196,7 @@ Reference reference_stop(Moving now, const Ramp& ramp, Long sign) {
 }
 
 TEST(Stopping, AgreesWithBisectionOverSixDecades) {
-  testing::Random random(5);
+  test::Random random(5);
   for (int i = 0; i < 100000 && !::testing::Test::HasFailure(); ++i) {
     const Ramp ramp{random.log_uniform(1e-3, 1e3), random.log_uniform(1e-3, 1e3)};
     const double size = random.log_uniform(1e-3, 1e3);
@@ -230,7 +230,7 @@ TEST(Stopping, SecondOrderIsTheTextbooks) {
 }
 
 TEST(Queries, AreTheSolversAnswers) {
-  testing::Random random(6);
+  test::Random random(6);
   for (int i = 0; i < 50000 && !::testing::Test::HasFailure(); ++i) {
     const Ramp ramp = any_ramp(random);
     const double v = any_velocity(random);
@@ -279,7 +279,7 @@ TEST(Queries, DoNotDependOnTheUnit) {
 
 TEST(Queries, AnswerWithNumbersUpToTheEdgesOfTheMagnitudes) {
   // 1e-30 to 1e30, each value on its own: whatever is answered is a number, and meets the others.
-  testing::Random random(46);
+  test::Random random(46);
   const auto any = [&] {
     const int which = random.below(8);
     return which == 0 ? 1e-30 : which == 1 ? 1e30 : random.log_uniform(1e-30, 1e30);
@@ -342,4 +342,4 @@ TEST(Queries, AnswerTheImpossibleWithNothing) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::query_test

@@ -12,10 +12,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::queue_property_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 // ---- what a failing test prints --------------------------------------------------------------------
 
@@ -356,4 +356,4 @@ TEST(QueueProperty, IsTheSameInEveryUnitAndInTheMirror) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::queue_property_test

@@ -15,7 +15,7 @@
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::queue_test {
 namespace {
 
 constexpr BufferMode blending[] = {BufferMode::blending_low, BufferMode::blending_previous,
@@ -410,4 +410,4 @@ TEST(Queue, RefusesWhatIsNoQueue) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::queue_test

@@ -10,7 +10,7 @@
 
 #include "support/invariants.hpp"
 
-namespace jounce {
+namespace jounce::retime_test {
 namespace {
 
 TEST(Retime, TheRiseOfAQuinticTakesWhatItsCharacteristicValuesSay) {
@@ -34,7 +34,7 @@ TEST(Retime, TheResultMeetsALimitExactlyAndKeepsItsStart) {
   EXPECT_NEAR(report.findings.front().margin, 0, 1e-14) << "no slower than it must be";
   EXPECT_NEAR(slow.start(), 7, 1e-14);
   EXPECT_NEAR(slow.at(slow.end()).position, 50, 1e-13);
-  testing::expect_invariants(slow, 2);
+  test::expect_invariants(slow, 2);
 }
 
 TEST(Retime, AxesThatGoTogetherTakeTheSlowest) {
@@ -60,4 +60,4 @@ TEST(Retime, RefusesWhatNothingBounds) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::retime_test

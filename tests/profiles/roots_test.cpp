@@ -10,7 +10,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::roots_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -40,7 +40,7 @@ MATCHER_P(NearTo, tolerance, "") {
 }
 
 TEST(Roots, FindsEveryRootOfAPolynomialThatWasMadeFromThem) {
-  testing::Random random(3);
+  test::Random random(3);
   for (int n = 1; n <= 6; ++n)
     for (int round = 0; round < 50; ++round) {
       std::vector<double> wanted;
@@ -146,4 +146,4 @@ TEST(Crossings, RefusesALevelThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::roots_test

@@ -13,10 +13,10 @@
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::s_curve_test {
 namespace {
 
-using testing::oracle;
+using test::oracle;
 
 /// What every rest-to-rest move promises, for the move and its mirror image.
 void expect_move(const Profile& move, double velocity, double acceleration, double deceleration,
@@ -36,7 +36,7 @@ void expect_move(const Profile& move, double velocity, double acceleration, doub
   if (std::isfinite(jerk)) {
     EXPECT_LE(std::abs(r[3].peak().value), jerk * (1 + 1e-12));
   }
-  testing::expect_invariants(f, order);
+  test::expect_invariants(f, order);
 }
 
 TEST(Trapezoid, Googol71TakesThirteenHundredMilliseconds) {
@@ -107,7 +107,7 @@ TEST(SCurve, MeetsTheOracle) {
 }
 
 TEST(SCurve, HoldsItsLimitsOverSixDecadesForwardAndBack) {
-  testing::Random random(20);
+  test::Random random(20);
   for (int i = 0; i < 2000; ++i) {
     SCurveSpec s;
     s.from = random.uniform(-1, 1);
@@ -153,4 +153,4 @@ TEST(Moves, RefuseWhatIsNoMove) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::s_curve_test

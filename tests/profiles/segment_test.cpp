@@ -8,10 +8,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::segment_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 /// A segment with everything in it: degree 11 and three sines.
 Segment rich(std::uint64_t seed) {
@@ -116,4 +116,4 @@ TEST(Segment, HermitePiecesMeetTheirEnds) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::segment_test

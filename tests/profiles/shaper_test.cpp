@@ -12,7 +12,7 @@
 #include "support/invariants.hpp"
 #include "support/spring.hpp"
 
-namespace jounce {
+namespace jounce::shaper_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -88,7 +88,7 @@ TEST(Shaper, AShapedMoveLeavesNothing) {
       const Trajectory quiet = shaped(move(), shaper({kind, mode}));
       EXPECT_GT(residual_vibration(move(), mode), 0.2) << "the move excites the mode";
       EXPECT_LT(residual_vibration(quiet, mode), 1e-12 * 50);
-      const testing::Load load = testing::after(quiet, mode);
+      const test::Load load = test::after(quiet, mode);
       EXPECT_NEAR(load.x, 50, 1e-9) << "the integrated spring says the same";
       EXPECT_NEAR(load.v, 0, 1e-7);
     }
@@ -116,7 +116,7 @@ TEST(Shaper, ShapedIsTheSumOfDelayedCopies) {
     EXPECT_NEAR(g.at(t).position, expected, 1e-13 * 50);
   }
   EXPECT_TRUE(check(g, {.velocity = 100, .acceleration = 1000, .jerk = 20000}).ok());
-  testing::expect_invariants(g, 2);
+  test::expect_invariants(g, 2);
 }
 
 TEST(Shaper, TakesSinesAndWrappingCurves) {
@@ -126,7 +126,7 @@ TEST(Shaper, TakesSinesAndWrappingCurves) {
   const auto zvd = shaper({ShaperKind::zvd, {3.3, 0}});
   const Trajectory cycloid({f});
   EXPECT_LT(residual_vibration(shaped(cycloid, zvd), {3.3, 0}), 1e-12 * 10);
-  testing::expect_invariants(shaped(cycloid, zvd), 2);
+  test::expect_invariants(shaped(cycloid, zvd), 2);
   const Trajectory turn = with(concatenated(cycloid, reversed(cycloid)), Extrapolation::wrap);
   const Trajectory g = shaped(turn, zvd);
   EXPECT_EQ(g.outside(), Extrapolation::wrap);
@@ -167,4 +167,4 @@ TEST(Shaper, RefusesWhatIsNoShaper) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shaper_test

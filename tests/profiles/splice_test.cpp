@@ -10,7 +10,7 @@
 
 #include "support/invariants.hpp"
 
-namespace jounce {
+namespace jounce::splice_test {
 namespace {
 
 Trajectory running() {
@@ -98,7 +98,7 @@ TEST(Spliced, GoesOnWithTheNextMotionWhateverItsTime) {
   const Trajectory both = spliced(f, 8, back);
   EXPECT_DOUBLE_EQ(both.end(), 8 + back.duration());
   EXPECT_NEAR(both.at(both.end()).position, 0, 1e-14);
-  testing::expect_invariants(both, 2);
+  test::expect_invariants(both, 2);
   EXPECT_EQ(spliced(f, 8, shifted(back.curve(), 77)).breaks().size(), both.breaks().size());
 }
 
@@ -122,8 +122,8 @@ TEST(Superimposed, StandsBeforeAndAfter) {
   EXPECT_DOUBLE_EQ(sum.at(5).position, f.at(5).position + g.at(5).position);
   EXPECT_DOUBLE_EQ(sum.at(9.5).position, 50 + g.at(9.5).position);
   EXPECT_DOUBLE_EQ(superimposed(g, f).at(5).position, sum.at(5).position);
-  testing::expect_invariants(sum, 2);
+  test::expect_invariants(sum, 2);
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::splice_test

@@ -9,15 +9,15 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::synchronise_goals_test {
 namespace {
 
-MotionState random_state(testing::Random& random) {
+MotionState random_state(test::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
 }
 
 /// Bounds that every random state keeps, together with what its acceleration leads to.
-Bounds random_bounds(testing::Random& random) {
+Bounds random_bounds(test::Random& random) {
   return within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20));
 }
 
@@ -44,7 +44,7 @@ void expect_end(const Profile& profile, const MotionState& end, double rounding)
 }
 
 TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
-  testing::Random random(51);
+  test::Random random(51);
   for (int i = 0; i < 5000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
     axis.goal = MoveGoal::velocity;
@@ -59,7 +59,7 @@ TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
 }
 
 TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
-  testing::Random random(52);
+  test::Random random(52);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 4> axes;
     double longest = 0;
@@ -84,7 +84,7 @@ TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
 }
 
 TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
-  testing::Random random(53);
+  test::Random random(53);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 3> axes;
     for (auto& axis : axes) {
@@ -127,7 +127,7 @@ bool can_meet(const AxisMove& axis, double t) {
 }
 
 TEST(SynchroniseGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
-  testing::Random random(54);
+  test::Random random(54);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
     axis.to.acceleration = 0;
@@ -172,7 +172,7 @@ TEST(SynchroniseGoals, AMeetingBeyondThePositionLimitIsNone) {
 }
 
 TEST(SynchroniseGoals, DurationsLieOnTheGrid) {
-  testing::Random random(55);
+  test::Random random(55);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 3> axes;
     for (auto& axis : axes)
@@ -213,7 +213,7 @@ TEST(SynchroniseGoals, ARoundingLeftOfTheGridIsNoTimeToSpend) {
 }
 
 TEST(SynchroniseGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
-  testing::Random random(56);
+  test::Random random(56);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 4> axes;
     for (auto& axis : axes)
@@ -276,7 +276,7 @@ TEST(SynchroniseGoals, AnAxisThatIsNotEnabledTakesNoPart) {
 // A target that moves is met on a knife's edge: rounding may make the state a hair late for it, and the
 // next possibility is far away. The motion under way still gets there.
 TEST(SynchroniseGoals, AMotionUnderWayIsNotLost) {
-  testing::Random random(57);
+  test::Random random(57);
   int lost = 0;
   for (int i = 0; i < 2000; ++i) {
     const MotionState to = random_state(random);
@@ -295,7 +295,7 @@ TEST(SynchroniseGoals, AMotionUnderWayIsNotLost) {
 }
 
 TEST(ProfileAfter, IsTheRestOfTheMotion) {
-  testing::Random random(58);
+  test::Random random(58);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     const Profile plan =
         move_to(random_state(random), random_state(random), random_bounds(random)).profile;
@@ -314,4 +314,4 @@ TEST(ProfileAfter, IsTheRestOfTheMotion) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::synchronise_goals_test

@@ -9,15 +9,15 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::synchronise_test {
 namespace {
 
-MotionState random_state(testing::Random& random) {
+MotionState random_state(test::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
 }
 
 TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
-  testing::Random random(41);
+  test::Random random(41);
   for (int i = 0; i < 5000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(6)));
     for (auto& axis : axes)
@@ -45,7 +45,7 @@ TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
 }
 
 /// A state, a rest, a second order, a velocity, or an axis that takes no part.
-AxisMove random_axis(testing::Random& random) {
+AxisMove random_axis(test::Random& random) {
   AxisMove axis{random_state(random), random_state(random),
                 within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20))};
   const auto kind = random.below(8);
@@ -58,7 +58,7 @@ AxisMove random_axis(testing::Random& random) {
 }
 
 TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
-  testing::Random random(43);
+  test::Random random(43);
   for (int i = 0; i < 2000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(24)));
     for (auto& axis : axes) axis = random_axis(random);
@@ -80,7 +80,7 @@ TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
 }
 
 TEST(Synchronise, InPhaseStaysOnTheLine) {
-  testing::Random random(42);
+  test::Random random(42);
   for (int i = 0; i < 5000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(2 + random.below(5)));
     const double v0 = random.uniform(-0.2, 0.2);
@@ -115,7 +115,7 @@ TEST(Synchronise, InPhaseStaysOnTheLine) {
 }
 
 TEST(Synchronise, InPhaseIsReplannedOnItsOwnLine) {
-  testing::Random random(43);
+  test::Random random(43);
   for (int i = 0; i < 5000; ++i) {
     const double offset = i % 2 == 0 ? 0 : 1e4;
     std::vector<AxisMove> axes(2);
@@ -169,4 +169,4 @@ TEST(Synchronise, NamesTheAxisThatCannot) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::synchronise_test

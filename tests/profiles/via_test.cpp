@@ -16,10 +16,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::via_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 std::string text(const ViaSpec& spec) {
   std::ostringstream out;
@@ -374,4 +374,4 @@ TEST(Via, RefusesRatesAndLimitsThatGiveNoMotion) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::via_test

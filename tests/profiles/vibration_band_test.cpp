@@ -12,7 +12,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::vibration_band_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -56,7 +56,7 @@ TEST(WorstResidual, OfABandIsThatOfTheClosedForm) {
 /// The answer is attained, and no mode of a dense grid over frequency and damping is worse, the
 /// inside of the band included, where the search never looks.
 TEST(WorstResidual, IsNotExceededAnywhereInTheBand) {
-  testing::Random random(11);
+  test::Random random(11);
   for (int n = 0; n < 30; ++n) {
     const Trajectory motion = s_curve({.to = random.uniform(0.5, 3),
                                        .velocity = random.uniform(0.5, 3),
@@ -102,4 +102,4 @@ TEST(WorstResidual, RefusesABandOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::vibration_band_test

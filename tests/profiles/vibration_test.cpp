@@ -12,14 +12,14 @@
 #include "support/random.hpp"
 #include "support/spring.hpp"
 
-namespace jounce {
+namespace jounce::vibration_test {
 namespace {
 
-using testing::after;
+using test::after;
 const double pi = std::acos(-1.0);
 
 /// The envelope of a free vibration about rest at `place`: conserved by the motion but for its decay.
-double envelope(const testing::Load& load, double place, const Mode& mode) {
+double envelope(const test::Load& load, double place, const Mode& mode) {
   const double w = 2 * pi * mode.frequency;
   const double root = std::sqrt(1 - mode.damping * mode.damping);
   const double x = load.x - place;
@@ -41,7 +41,7 @@ TEST(Vibration, OfARampIsTheClosedForm) {
 }
 
 TEST(Vibration, MeetsAnIntegrationOfTheSpring) {
-  testing::Random random(5);
+  test::Random random(5);
   for (int i = 0; i < 12; ++i) {
     const Mode mode{random.log_uniform(0.2, 20), i % 3 == 0 ? 0 : random.uniform(0, 0.6)};
     SCOPED_TRACE(::testing::Message() << mode.frequency << " Hz, " << mode.damping);
@@ -100,4 +100,4 @@ TEST(Vibration, RefusesImpulsesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::vibration_test

@@ -14,10 +14,10 @@
 #include "pvt/src/table/sample_kernel.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::block_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
                            Interpolation::quintic_hermite};
@@ -248,4 +248,4 @@ TEST(Block, IsWithinFourUlpOfLongDouble) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::block_test

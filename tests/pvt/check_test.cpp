@@ -16,10 +16,10 @@
 #include "pvt/src/table/hull_kernel.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::check_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
                            Interpolation::quintic_hermite};
@@ -289,4 +289,4 @@ TEST(Hulls, WithAvx512AreTheSameToTheBit) {
 #endif
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::check_test

@@ -14,7 +14,7 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-namespace jounce {
+namespace jounce::compensation_test {
 namespace {
 
 /// HMPL manual 14.1.1, examples 1 to 3.
@@ -261,4 +261,4 @@ TEST(Compensated, RefusesReferencesOfAnotherLength) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::compensation_test

@@ -8,10 +8,10 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::cursor_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 Table table_of(Interpolation rule, Extrapolation outside) {
   Random random(6);
@@ -59,4 +59,4 @@ TEST(Cursor, BeginsAnywhere) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::cursor_test

@@ -13,13 +13,14 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::fill_test {
 namespace {
 
 using nlohmann::json;
-using testing::Random;
+using test::Random;
 
 const json& oracle() {
   static const json all = json::parse(std::ifstream(JOUNCE_SOURCE_DIR "/tests/oracle/fill.json"));
@@ -498,12 +499,7 @@ TEST(Fill, PeriodicIsCutOpenWhereAVelocityIsGiven) {
 }
 
 std::string complaint(const FillSpec& spec) {
-  try {
-    (void)filled(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)filled(spec); });
 }
 
 TEST(Fill, NamesWhatItRefuses) {
@@ -546,4 +542,4 @@ TEST(Fill, NamesWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fill_test

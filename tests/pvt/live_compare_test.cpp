@@ -13,7 +13,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::live_compare_test {
 namespace {
 
 constexpr double dt = 1e-3;
@@ -74,7 +74,7 @@ TEST(LiveCompare, FiresAtTheInstantsOfTheKnownMotion) {
 }
 
 TEST(LiveCompare, BetweenAnyTwoTicksOfASmoothMotion) {
-  testing::Random random(3);
+  test::Random random(3);
   for (int run = 0; run < 200; ++run) {
     const Trajectory motion = stroke(random.uniform(-5, 5), random.uniform(35, 60));
     PositionCompare compare{.pulse = random.log_uniform(1e-5, 2e-2)};
@@ -151,4 +151,4 @@ TEST(LiveCompare, RefusesWhatTheKnownMotionDoes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::live_compare_test

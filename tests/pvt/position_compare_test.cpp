@@ -11,7 +11,7 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-namespace jounce {
+namespace jounce::position_compare_test {
 namespace {
 
 Trajectory trapezoid_to(double from, double to) {
@@ -205,4 +205,4 @@ TEST(PlaneCompare, FiresOnEnteringTheZoneOrAtTheAxis) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::position_compare_test

@@ -12,14 +12,15 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/warnings.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
 namespace jounce::pmc600 {
 namespace {
 
-using jounce::testing::expect_invariants;
-using jounce::testing::Random;
+using jounce::test::expect_invariants;
+using jounce::test::Random;
 using ::testing::HasSubstr;
 
 /// PMC600 manual, figure 5.13.
@@ -29,12 +30,7 @@ ProfileTable fig_5_13() {
 
 template <class Make>
 std::string message(const Make& make) {
-  try {
-    make();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(); });
 }
 
 TEST(PositionProfile, Figure513PassesItsKnotsByBothRules) {

@@ -12,15 +12,16 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::pt_test {
 namespace {
 
-using testing::expect_invariants;
+using test::expect_invariants;
+using test::Random;
 using ::testing::HasSubstr;
-using testing::Random;
 
 using Points = std::vector<PtPoint>;
 
@@ -59,12 +60,7 @@ std::size_t count(const Report& report, const std::string& rule) {
 }
 
 std::string message(const Points& points, double start_rate = 0) {
-  try {
-    (void)pt<OverTime>(points, start_rate);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)pt<OverTime>(points, start_rate); });
 }
 
 TEST(Pt, Example73IsATrapezoid) {
@@ -279,4 +275,4 @@ TEST(Pt, PositionsRoundedToPulsesOscillateAndThoseOfTheManualDoNot) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::pt_test

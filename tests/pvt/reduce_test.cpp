@@ -18,12 +18,13 @@
 #include "cam/random_cams.hpp"
 #include "pvt/src/sample/interval.hpp"
 #include "pvt/src/sample/longest.hpp"
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::reduce_test {
 namespace {
 
-using testing::Random;
+using test::Random;
 
 constexpr Interpolation all_rules[] = {Interpolation::linear, Interpolation::cubic_hermite,
                                        Interpolation::quintic_hermite};
@@ -143,7 +144,7 @@ TEST(Reduced, SharesOneErrorAmongItsIntervals) {
 TEST(Reduced, HasNoKnotThatCanBeLeftOut) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
-    const Cam cam = testing::random_cam(random, false);
+    const Cam cam = test::random_cam(random, false);
     if (stroke_of(cam) == 0) continue;  // a dwell alone
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
     for (const Interpolation rule : all_rules) {
@@ -164,7 +165,7 @@ TEST(Reduced, HasNoKnotThatCanBeLeftOut) {
 TEST(Reduced, KeepsItsToleranceOnRandomCams) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
-    const Cam cam = testing::random_cam(random, random.below(2) == 0);
+    const Cam cam = test::random_cam(random, random.below(2) == 0);
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-7, 1e-2);
     for (const Interpolation rule : all_rules) {
       const std::string which = std::string(name(rule)) + " seed " + std::to_string(seed);
@@ -182,7 +183,7 @@ TEST(Reduced, KeepsItsToleranceOnRandomCams) {
 TEST(Reduced, KeepsTheVelocityToo) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Random random(seed);
-    const Cam cam = testing::random_cam(random, true);
+    const Cam cam = test::random_cam(random, true);
     const double v = extrema(cam, 1).peak().value;
     const double jump = std::abs(largest_jump(cam, 1).step);
     const double allowed = jump + std::abs(v) * random.log_uniform(1e-3, 1e-1);
@@ -398,8 +399,8 @@ TEST(Reduced, PutsKnotsOnWholeStepsAndClosesThePeriod) {
     const double middle = random.uniform(-3000, 3000);
     std::vector<Segment> segments;
     const double first = std::floor(period * random.uniform(0.2, 0.8)) + 0.25;  // off the steps
-    for (Segment f : testing::random_rise(random, false, first, 0.3, middle)) segments.push_back(f);
-    for (Segment f : testing::random_rise(random, false, period - first, middle, 0.3 + travel))
+    for (Segment f : test::random_rise(random, false, first, 0.3, middle)) segments.push_back(f);
+    for (Segment f : test::random_rise(random, false, period - first, middle, 0.3 + travel))
       segments.push_back(f);
     const Cam cam(segments, 0, outside);
     for (const Interpolation rule : all_rules) {
@@ -461,12 +462,7 @@ TEST(Reduced, TakesTheErrorOfAFitOffItsTolerance) {
 /// What the error says.
 template <class Over>
 std::string refusal(const Curve<Over>& f, const Target& target) {
-  try {
-    (void)reduced(f, target);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)reduced(f, target); });
 }
 
 TEST(Reduced, KeepsADwell) {
@@ -500,7 +496,7 @@ TEST(Reduced, KeepsTheDwellsOfRandomCamsThatEnterThemWithSteps) {
   int dwells = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random random(seed);
-    const Cam cam = testing::random_cam(random, true);
+    const Cam cam = test::random_cam(random, true);
     const double tolerance = stroke_of(cam) * random.log_uniform(1e-6, 1e-2);
     for (const Interpolation rule : all_rules) {
       const Sampled made = reduced(cam, {.rule = rule, .tolerance = tolerance});
@@ -679,4 +675,4 @@ TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::reduce_test

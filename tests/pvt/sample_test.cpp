@@ -13,10 +13,10 @@
 
 #include "support/oracle.hpp"
 
-namespace jounce {
+namespace jounce::sample_test {
 namespace {
 
-using testing::oracle;
+using test::oracle;
 
 const std::map<std::string, Interpolation> rules{{"linear", Interpolation::linear},
                                                  {"cubic", Interpolation::cubic_hermite},
@@ -106,4 +106,4 @@ TEST(Sample, RefusesKnotsThatDoNotSpanTheCurve) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sample_test

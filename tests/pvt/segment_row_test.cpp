@@ -11,7 +11,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::segment_row_test {
 namespace {
 
 /// Every place asked for, by rows one after another.
@@ -28,7 +28,7 @@ Jet played(const std::vector<SegmentRow>& rows, RowStart from, double x) {
 TEST(SegmentRow, OfATableIsTheTableToTheBit) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    testing::Random random(seed);
+    test::Random random(seed);
     for (const Interpolation rule :
          {Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
       Columns c;
@@ -66,7 +66,7 @@ TEST(SegmentRow, OfALinearTableAgreesToOneRounding) {
 TEST(SegmentRow, OfPtPointsIsPtToTheBit) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    testing::Random random(seed);
+    test::Random random(seed);
     std::vector<PtPoint> points;
     double x = 0;
     for (int i = 0; i < 12; ++i)
@@ -227,4 +227,4 @@ TEST(SegmentFifos, TwoThreadsLoseNothing) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::segment_row_test

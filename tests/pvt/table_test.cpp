@@ -11,12 +11,13 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
+#include "support/errors.hpp"
 #include "support/oracle.hpp"
 
-namespace jounce {
+namespace jounce::table_test {
 namespace {
 
-using testing::oracle;
+using test::oracle;
 
 static_assert(Signal<Table>);
 
@@ -103,12 +104,8 @@ TEST(Table, ALinearTableIsWhatPmc600Example44Implies) {
 }
 
 std::string complaint(Interpolation rule, Columns columns) {
-  try {
-    const Table table(Domain::time, rule, Extrapolation::hold, std::move(columns));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of(
+      [&] { const Table table(Domain::time, rule, Extrapolation::hold, std::move(columns)); });
 }
 
 TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
@@ -128,7 +125,7 @@ TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
   constexpr double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(complaint(Interpolation::linear,
                       {{-most, -least, 0, least, most}, {0, 1, most, -most, 0}, {}, {}}),
-            "no error");
+            "");
   EXPECT_EQ(complaint(Interpolation::linear, {{0, std::nan("")}, {0, 1}, {}, {}}),
             "knot[2].time = nan: must be a finite number");
   EXPECT_EQ(complaint(Interpolation::cubic_hermite,
@@ -142,4 +139,4 @@ TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::table_test

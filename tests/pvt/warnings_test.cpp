@@ -12,11 +12,11 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::warnings_test {
 namespace {
 
+using test::Random;
 using ::testing::HasSubstr;
-using testing::Random;
 
 Trajectory cubics(Columns columns, Extrapolation outside = Extrapolation::hold) {
   return Table(Domain::time, Interpolation::cubic_hermite, outside, std::move(columns))
@@ -113,4 +113,4 @@ TEST(VelocitySteps, AtTheWrapAreToldOnce) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::warnings_test

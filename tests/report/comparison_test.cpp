@@ -6,7 +6,7 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::comparison_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(Comparison, OfDifferentAxesIsRefused) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::comparison_test

@@ -5,7 +5,7 @@
 
 #include "jounce/design/make.hpp"
 
-namespace jounce {
+namespace jounce::report_text_test {
 namespace {
 
 struct Checked {
@@ -178,4 +178,4 @@ TEST(ReportText, TakesTogetherWhatNobodyWouldRead) {
   EXPECT_EQ(groups(61, {}, 60).back().label, "60 to 61");
 }
 
-}  // namespace jounce
+}  // namespace jounce::report_text_test

@@ -12,7 +12,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::axis_drive_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -31,12 +33,7 @@ std::optional<AxisDriveSpec> read(const std::string& drive, const std::string& n
 }
 
 std::string complaint(const std::string& drive, const std::string& name = "a.toml") {
-  try {
-    (void)read(drive, name);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)read(drive, name); });
 }
 
 TEST(AxisDriveSpec, SaysWhatStandsBehindTheSetpoints) {
@@ -146,4 +143,4 @@ TEST(AxisDriveSpec, RefusesSensorsThatNoMachineHas) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_drive_test

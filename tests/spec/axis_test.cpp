@@ -4,7 +4,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
-namespace jounce {
+namespace jounce::axis_test {
 namespace {
 
 std::string axis_spec(const std::string& keys) {
@@ -101,4 +101,4 @@ TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::axis_test

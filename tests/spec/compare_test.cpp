@@ -10,7 +10,7 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::compare_test {
 namespace {
 
 const std::string move =
@@ -130,4 +130,4 @@ TEST(SpecCompensation, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::compare_test

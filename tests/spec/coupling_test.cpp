@@ -5,7 +5,9 @@
 
 #include "jounce/spec/spec.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::coupling_test {
 namespace {
 
 std::string cam(const std::string& coupling) {
@@ -20,12 +22,7 @@ end = { master = 360, slave = 50 }
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)parse_spec(text, "a.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)parse_spec(text, "a.toml"); });
 }
 
 TEST(SpecCoupling, ReadsEveryKeyInSeconds) {
@@ -89,4 +86,4 @@ TEST(SpecCoupling, RefusesWithPlaceKeyValueAndRule) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::coupling_test

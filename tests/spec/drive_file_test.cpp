@@ -9,7 +9,7 @@
 
 #include "jounce/spec/spec.hpp"
 
-namespace jounce {
+namespace jounce::drive_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST(DriveFile, SaysWhatIsKnownBesideItsNumbers) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_file_test

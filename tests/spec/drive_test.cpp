@@ -8,7 +8,9 @@
 
 #include "jounce/spec/spec.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::drive_test {
 namespace {
 
 using testing::HasSubstr;
@@ -25,12 +27,7 @@ DriveSpec drive_of(const std::string& drive) {
 }
 
 std::string refused(const std::string& drive, const std::string& unit = "mm") {
-  try {
-    (void)parse_spec(spec_with(drive, unit), "a.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing";
+  return test::error_of([&] { (void)parse_spec(spec_with(drive, unit), "a.toml"); });
 }
 
 /// Enough for a drive that is valid.
@@ -151,4 +148,4 @@ TEST(DriveSpec, ReadsTolerancesAsSharesOrInTheirUnits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_test

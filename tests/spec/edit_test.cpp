@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::edit_test {
 namespace {
 
 constexpr const char* text = R"(jounce = 1   # the format
@@ -78,4 +78,4 @@ TEST(WithKnots, OfAnUnchangedCamIsTheSameText) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::edit_test

@@ -6,7 +6,9 @@
 #include "jounce/design/sync_follow.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::follow_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -18,12 +20,7 @@ std::string spec(const std::string& body) {
 }
 
 std::string error_of(const std::string& body) {
-  try {
-    (void)make(parse_spec(spec(body), "f.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(spec(body), "f.toml")); });
 }
 
 TEST(FollowSpecFile, IncrementsAndRepeatsAreAddedUp) {
@@ -140,4 +137,4 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follow_test

@@ -9,10 +9,10 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::follower_test {
 namespace {
 
-using testing::error_of;
+using test::error_of;
 using ::testing::HasSubstr;
 
 const std::string head = R"(jounce = 1
@@ -71,4 +71,4 @@ TEST(FollowerSpec, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follower_test

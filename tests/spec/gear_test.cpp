@@ -8,8 +8,9 @@
 #include "jounce/profiles/error.hpp"
 
 #include "report/src/sync_text.hpp"
+#include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::gear_test {
 namespace {
 
 std::string spec(const std::string& gear) {
@@ -107,12 +108,7 @@ TEST(GearSpec, AClutchOfNoDistanceIsFoundWhereTheCamBegins) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    make(parse_spec(spec(text), "g.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(spec(text), "g.toml")); });
 }
 
 TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
@@ -163,4 +159,4 @@ TEST(GearSpec, RefusesADenominatorOfNought) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_test

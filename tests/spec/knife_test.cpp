@@ -13,8 +13,9 @@
 #include "jounce/profiles/error.hpp"
 
 #include "report/src/sync_text.hpp"
+#include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::knife_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -28,12 +29,7 @@ Spec spec(const std::string& position, const std::string& knife, const std::stri
 }
 
 std::string refusal(const std::string& position, const std::string& knife) {
-  try {
-    (void)spec(position, knife);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)spec(position, knife); });
 }
 
 double advance(const Spec& of) {
@@ -137,4 +133,4 @@ TEST(CutLengths, AreOfKindsThatCut) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::knife_test

@@ -6,7 +6,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/fill.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::knots_test {
 namespace {
 
 std::string spec(const std::string& rest) {
@@ -18,12 +20,7 @@ constexpr const char* three_knots =
     "position = 4 }]\n";
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)parse_spec(text, "t.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)parse_spec(text, "t.toml"); });
 }
 
 TEST(KnotsSpec, FillsInWhatKnotsLeaveOutAndKeepsWhatTheyGive) {
@@ -101,4 +98,4 @@ TEST(KnotsSpec, AxesThroughPointsShareTheBestTimes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::knots_test

@@ -5,7 +5,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/machine_spec.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::machine_master_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -17,12 +19,7 @@ MachineSpec machine(const std::string& masters) {
 }
 
 std::string complaint(const std::string& masters) {
-  try {
-    (void)machine(masters);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { (void)machine(masters); });
 }
 
 const std::string line =
@@ -86,7 +83,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
                 HasSubstr("master.line." + std::string(key) + " = 1e+300: must be at most 60 s"));
   }
   EXPECT_THAT(complaint(line + "latency = \"-1 ms\"\n"), HasSubstr("must not be negative"));
-  EXPECT_EQ(complaint(line + "longest_age = \"1 min\"\n"), "none");
+  EXPECT_EQ(complaint(line + "longest_age = \"1 min\"\n"), "");
   EXPECT_THAT(complaint("[master.line]\nkind = \"extern\"\n"), HasSubstr("external"));
   EXPECT_THAT(complaint("[master.line]\nkind = \"external\"\nunit = \"mmm\"\n"),
               HasSubstr("master.line.unit"));
@@ -101,4 +98,4 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::machine_master_test

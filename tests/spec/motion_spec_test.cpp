@@ -17,16 +17,13 @@
 #include "jounce/profiles/sequences/via.hpp"
 #include "jounce/profiles/vibration/moving_average.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::motion_spec_test {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)make_axes(parse_spec(text, "a.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make_axes(parse_spec(text, "a.toml")); });
 }
 
 /// A spec of kind "move" with these lines under [move], and more tables after them.
@@ -759,8 +756,10 @@ TEST(Table, PiecesAsShortAsTheRoundingOfTheirPlaceAreTakenAlong) {
       "to = 100\nvelocity = 500\nacceleration = 5000\njerk = 9e15\n");  // ramps of 0.56 ps
   EXPECT_LE(sudden.sampled.error.position, 1e-7);
   const Made near = made(
-      "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\nknot = [{ time = 0, position = 0, velocity = 0 }, "
-      "{ time = 1, position = 1, velocity = 0 }, { time = 1.0000000000001, position = 1, velocity = 0 }, "
+      "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\nknot = [{ time = 0, position = "
+      "0, velocity = 0 }, "
+      "{ time = 1, position = 1, velocity = 0 }, { time = 1.0000000000001, position = 1, velocity "
+      "= 0 }, "
       "{ time = 2, position = 3, velocity = 0 }]\n");
   EXPECT_EQ(near.sampled.table.size(), 4U);
 }
@@ -817,4 +816,4 @@ TEST(AxesSpec, PointsMayHaveRatesAtTheEndsLimitsOfAStretchAndANorm) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::motion_spec_test

@@ -9,9 +9,11 @@
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 
+#include "support/errors.hpp"
+
 // How long an axis, its owner and its machine may be silent or late; and files that are named and missing.
 
-namespace jounce {
+namespace jounce::patience_test {
 namespace {
 
 using ::testing::AllOf;
@@ -19,12 +21,7 @@ using ::testing::HasSubstr;
 
 template <class Read>
 std::string complaint(const Read& read) {
-  try {
-    (void)read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { (void)read(); });
 }
 
 Spec axis(const std::string& keys) {
@@ -113,4 +110,4 @@ TEST(CompareOf, IsThePositionOrWhatTheDriveSays) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::patience_test

@@ -10,7 +10,7 @@
 #include "jounce/design/sync_cam.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::point_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -146,4 +146,4 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::point_file_test

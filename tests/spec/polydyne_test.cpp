@@ -8,7 +8,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::polydyne_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -84,4 +84,4 @@ TEST(PolydyneSpec, WarnsOfTheKnockAndRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::polydyne_test

@@ -10,7 +10,9 @@
 #include "jounce/spec/edit.hpp"
 #include "jounce/spec/shape_spec.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::shape_test {
 namespace {
 
 constexpr const char* cam = R"(jounce = 1
@@ -71,12 +73,7 @@ Spec spec_of(const std::string& from = "", const std::string& to = "") {
 
 /// What the reader or the problem has against it.
 std::string complaint(const std::string& from, const std::string& to) {
-  try {
-    (void)make_shape_problem(spec_of(from, to));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { (void)make_shape_problem(spec_of(from, to)); });
 }
 
 TEST(FreeShapes, AreReadFromTheirSegments) {
@@ -467,4 +464,4 @@ optimize = { minimize = ["peak geo_jerk"] }
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shape_test

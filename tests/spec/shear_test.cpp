@@ -12,8 +12,9 @@
 #include "jounce/profiles/error.hpp"
 
 #include "report/src/sync_text.hpp"
+#include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::shear_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -25,12 +26,7 @@ std::string spec(const std::string& shear, const std::string& master = "mm") {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    make(parse_spec(text, "s.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(text, "s.toml")); });
 }
 
 TEST(ShearSpec, OfTenLinesMakesTheCamAndItsMaster) {
@@ -189,4 +185,4 @@ TEST(ShearSpec, AMapNeedsItsSyncSaid) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::shear_test

@@ -9,7 +9,9 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/make.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::spec_test {
 namespace {
 
 const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
@@ -22,12 +24,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 /// The error that reading and making this text gives, or "".
 std::string complaint(const std::string& text) {
-  try {
-    (void)make(parse_spec(text, "a.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(text, "a.toml")); });
 }
 
 TEST(Spec, ReadsTheCamOfThePmc600Manual) {
@@ -330,4 +327,4 @@ TEST(Spec, ReadsWholeNumbersThatNoDoubleHolds) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::spec_test

@@ -10,7 +10,9 @@
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::target_test {
 namespace {
 
 using testing::HasSubstr;
@@ -31,12 +33,7 @@ std::string move_with(const std::string& table) {
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    (void)make(parse_spec(text, "a.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(text, "a.toml")); });
 }
 
 TEST(TargetSpec, AsksForTheFewestKnots) {
@@ -108,4 +105,4 @@ TEST(ControllerTables, CountInTheirOwnUnits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::target_test

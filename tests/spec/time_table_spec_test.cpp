@@ -7,7 +7,9 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+#include "support/errors.hpp"
+
+namespace jounce::time_table_spec_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -26,12 +28,7 @@ Trajectory motion(const std::string& text) {
 }
 
 std::string message(const std::string& text) {
-  try {
-    (void)make(parse_spec(text, "t.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { (void)make(parse_spec(text, "t.toml")); });
 }
 
 std::vector<std::string> rules(const std::string& text) {
@@ -182,4 +179,4 @@ TEST(PvtSpec, KeepsHimcsLimits) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::time_table_spec_test

@@ -6,7 +6,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 
-namespace jounce {
+namespace jounce::address_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -59,4 +59,4 @@ TEST(Address, OfMemoryReachesItselfAlone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::address_test

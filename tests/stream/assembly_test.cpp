@@ -5,7 +5,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::assembly_test {
 namespace {
 
 const wire::Header& header_of(const std::vector<wire::Message>& messages) {
@@ -143,4 +143,4 @@ TEST(Misfit, JudgesAxesAndUnitsByTheMode) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::assembly_test

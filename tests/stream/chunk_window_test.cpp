@@ -6,7 +6,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::chunk_window_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -118,4 +118,4 @@ TEST(ChunkWindow, IgnoresAcksThatMakeNoSenseOrComeLate) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::chunk_window_test

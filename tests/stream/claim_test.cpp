@@ -9,7 +9,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::claim_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -23,7 +23,7 @@ struct World {
     bool was_up = false;
   };
 
-  World(testing::Random& its_random, double its_loss, Nanos its_delay)
+  World(test::Random& its_random, double its_loss, Nanos its_delay)
       : random(its_random), loss(its_loss), delay(its_delay) {}
 
   void add(const std::vector<std::string>& names, std::int64_t boot, Nanos starts, int net = 0) {
@@ -65,7 +65,7 @@ struct World {
     return count;
   }
 
-  testing::Random& random;
+  test::Random& random;
   double loss;
   Nanos delay;
   Nanos joined{};
@@ -118,7 +118,7 @@ TEST(Claim, AnswersWhoAsksAndNobodyElse) {
 
 // Of executors that start together, on whatever network, exactly one goes on.
 TEST(Claim, OneGoesOnWhereSeveralStartTogether) {
-  testing::Random random(seed);
+  test::Random random(seed);
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
     World world(random, random.uniform(0, 0.5), Nanos(random.below(40) * 1'000'000));
@@ -131,7 +131,7 @@ TEST(Claim, OneGoesOnWhereSeveralStartTogether) {
 }
 
 TEST(Claim, OneThatIsUpStaysWhoeverComes) {
-  testing::Random random(seed);
+  test::Random random(seed);
   for (int round = 0; round < 100; ++round) {
     World world(random, random.uniform(0, 0.1), 5ms);
     world.add({"feeder", "knife"}, 1'000'000, 0s);
@@ -144,7 +144,7 @@ TEST(Claim, OneThatIsUpStaysWhoeverComes) {
 
 // Two machines were apart, each with an executor that is up, and are joined.
 TEST(Claim, OneGoesOnWhereTwoNetworksAreJoined) {
-  testing::Random random(seed);
+  test::Random random(seed);
   for (int round = 0; round < 100; ++round) {
     World world(random, random.uniform(0, 0.3), 5ms);
     world.joined = 2s;
@@ -159,4 +159,4 @@ TEST(Claim, OneGoesOnWhereTwoNetworksAreJoined) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::claim_test

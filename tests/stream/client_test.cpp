@@ -8,7 +8,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::client_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -250,4 +250,4 @@ TEST(Key, AMessageIsNotItsOwnAnswer) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::client_test

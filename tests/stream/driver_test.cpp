@@ -6,7 +6,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::driver_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -143,4 +143,4 @@ TEST(MemoryTransport, KeepsTheOldestOfAFullQueue) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::driver_test

@@ -7,7 +7,7 @@
 #include "stream/harness.hpp"
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::fault_matrix_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -120,7 +120,7 @@ struct Schedule {
 };
 
 Schedule random_schedule(std::uint64_t seed) {
-  jounce::testing::Random random(seed);
+  jounce::test::Random random(seed);
   Schedule schedule;
   LossSpec& spec = schedule.spec;
   spec.seed = seed;
@@ -183,4 +183,4 @@ TEST(FaultSchedules, EndWholeOrWithANamedError) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::fault_matrix_test

@@ -22,7 +22,7 @@ using namespace jounce;
 
 volatile std::sig_atomic_t over = 0;
 
-wire::Bytes malformed(jounce::testing::Random& random, const wire::Bytes& whole) {
+wire::Bytes malformed(jounce::test::Random& random, const wire::Bytes& whole) {
   wire::Bytes bytes = whole;
   const auto somewhere = [&] {
     return static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())));
@@ -54,7 +54,7 @@ int main(int count, char** arguments) {
   std::signal(SIGINT, [](int) { over = 1; });
 
   const auto link = open_transport(arguments[1]);
-  jounce::testing::Random random(1);
+  jounce::test::Random random(1);
   const wire::Bytes start = wire::encode({executor, 1, wire::Start{.command = 1}});
   const wire::Bytes foreign(64, std::byte{0x55});
   const Nanos begin = steady_now();

@@ -216,21 +216,4 @@ class World {
   ReceiverOptions options_;
 };
 
-/// Uniform numbers that are the same on every machine (SplitMix64).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-  }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits() % n); }
-
- private:
-  std::uint64_t state_;
-};
-
 }  // namespace jounce::test

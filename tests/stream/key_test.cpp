@@ -10,7 +10,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce {
+namespace jounce::key_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST_F(KeyFile, IsItsOwnersAlone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::key_test

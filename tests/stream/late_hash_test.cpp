@@ -5,7 +5,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::late_hash_test {
 namespace {
 
 using testing::ElementsAre;
@@ -282,4 +282,4 @@ TEST_F(LateHashSender, OfATableThatFitsAWindowIsToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::late_hash_test

@@ -11,7 +11,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport/memory_transport.hpp"
 
-namespace jounce {
+namespace jounce::lossy_transport_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -129,4 +129,4 @@ TEST(LossyTransport, RefusesSharesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::lossy_transport_test

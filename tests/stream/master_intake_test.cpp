@@ -9,7 +9,7 @@
 #include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/memory_transport.hpp"
 
-namespace jounce {
+namespace jounce::master_intake_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -117,4 +117,4 @@ TEST(MasterIntake, RisesWhateverTheLinkDoes) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::master_intake_test

@@ -7,8 +7,9 @@
 #include "jounce/stream/receiver/receiver.hpp"
 
 #include "stream/harness.hpp"
+#include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::receiver_property_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -150,4 +151,4 @@ TEST(ReceiverProperty, NothingStartsThatIsNotWholeArmedAndAgreedTo) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::receiver_property_test

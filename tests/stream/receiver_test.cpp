@@ -8,7 +8,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::receiver_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -479,4 +479,4 @@ TEST_F(ReceiverTest, RefusesOptionsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::receiver_test

@@ -9,7 +9,7 @@
 #include "stream/faults.hpp"
 #include "stream/rows.hpp"
 
-namespace jounce {
+namespace jounce::row_fault_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -99,4 +99,4 @@ TEST_P(BadLink, AnOrderIsGivenOnceOrNot) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::row_fault_test

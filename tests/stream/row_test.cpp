@@ -10,7 +10,7 @@
 #include "stream/harness.hpp"
 #include "stream/rows.hpp"
 
-namespace jounce {
+namespace jounce::row_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -421,4 +421,4 @@ TEST(Swap, IsCheckedBeforeAnythingIsSent) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::row_test

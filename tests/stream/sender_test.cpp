@@ -8,7 +8,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::sender_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -292,4 +292,4 @@ TEST_F(SenderTest, NamesEachErrorAndStage) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sender_test

@@ -8,7 +8,7 @@
 
 #include "stream/rows.hpp"
 
-namespace jounce {
+namespace jounce::static_queue_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -120,4 +120,4 @@ TEST(StaticQueue, IsRefusedByNameAndNeverWaitsForEver) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::static_queue_test

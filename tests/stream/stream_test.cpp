@@ -7,7 +7,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::stream_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -380,4 +380,4 @@ TEST(Stream, ACancelledDownloadJustLeaves) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::stream_test

@@ -5,7 +5,7 @@
 
 #include "stream/harness.hpp"
 
-namespace jounce {
+namespace jounce::table_store_test {
 namespace {
 
 /// A linear table of n knots: 16 n bytes.
@@ -61,4 +61,4 @@ TEST(TableStore, RefusesWhatCannotFitWithoutLosingAnything) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::table_store_test

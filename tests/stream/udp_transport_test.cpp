@@ -10,7 +10,7 @@
 #include "stream/harness.hpp"
 #include "stream/samples.hpp"
 
-namespace jounce {
+namespace jounce::udp_transport_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -137,4 +137,4 @@ TEST(UdpTransport, NamesAnInterfaceThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::udp_transport_test

@@ -25,14 +25,14 @@
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace jounce {
+namespace jounce::unix_transport_test {
 namespace {
 
 using namespace std::chrono_literals;
+using test::why;
 using ::testing::HasSubstr;
-using testing::why;
 
-class UnixTransportTest : public testing::WithFolder {};
+class UnixTransportTest : public test::WithFolder {};
 
 void send_byte(Transport& link, const std::string& channel, int value = 1) {
   const auto byte = static_cast<std::byte>(value);
@@ -259,4 +259,4 @@ TEST(OpenTransport, RefusesWhatNamesNoLink) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::unix_transport_test

@@ -12,7 +12,7 @@
 #include "stream/samples.hpp"
 #include "stream/src/message/lcm_body.hpp"
 
-namespace jounce {
+namespace jounce::vectors_test {
 namespace {
 
 using wire::Bytes;
@@ -190,4 +190,4 @@ TEST(Vectors, CountOnlyWithTheirKey) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::vectors_test

@@ -37,8 +37,9 @@
 #include "jounce_lcm/stop_t.hpp"
 #include "stream/harness.hpp"
 #include "stream/samples.hpp"
+#include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::wire_test {
 namespace {
 
 using wire::Bytes;
@@ -487,4 +488,4 @@ TEST(Wire, WhatIsSentIsReceivedWhateverTextItWasMadeFrom) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::wire_test

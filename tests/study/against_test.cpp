@@ -8,7 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
-namespace jounce {
+namespace jounce::against_test {
 namespace {
 
 /// An index of 120 deg in 0.15 s between two dwells.
@@ -231,4 +231,4 @@ TEST(Against, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::against_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace jounce {
+namespace jounce::counter_random_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -47,4 +47,4 @@ TEST(CounterRandom, DependsOnItsAddressAlone) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::counter_random_test

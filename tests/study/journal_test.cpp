@@ -13,11 +13,11 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::journal_test {
 namespace {
 
+using test::error_of;
 using ::testing::ElementsAre;
-using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -93,4 +93,4 @@ TEST_F(JournalFile, IsWrittenByOneAtATime) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::journal_test

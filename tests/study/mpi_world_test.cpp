@@ -14,7 +14,7 @@
 #include "study/src/sweep/mpi_calls.hpp"
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::mpi_world_test {
 namespace {
 
 /// Ranks as threads of this process, in place of MPI: who calls is known by the thread.
@@ -124,7 +124,7 @@ TEST(MpiFarm, EndsWhereACaseThrowsOnTheFirstRank) {
         [](std::size_t, const std::string&) { return false; });
   });
   me = 0;
-  EXPECT_THAT(testing::error_of([] {
+  EXPECT_THAT(test::error_of([] {
                 farm_over(calls, 0, 2, "id")(
                     first(50),
                     [](std::size_t) -> std::string { throw InputError("case", "", "is bad"); },
@@ -137,7 +137,7 @@ TEST(MpiFarm, RefusesAWorkerWithOtherFiles) {
   post.boxes.clear();
   post.boxes[0].emplace_back(1, "other");
   me = 0;
-  EXPECT_THAT(testing::error_of([] {
+  EXPECT_THAT(test::error_of([] {
                 farm_over(calls, 0, 2, "id")(
                     first(3), [](std::size_t) { return ""; },
                     [](std::size_t, const std::string&) { return true; });
@@ -146,4 +146,4 @@ TEST(MpiFarm, RefusesAWorkerWithOtherFiles) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::mpi_world_test

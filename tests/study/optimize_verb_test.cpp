@@ -27,7 +27,7 @@
 
 // The program itself: what `jounce optimize` writes is what `jounce check` finds right.
 
-namespace jounce {
+namespace jounce::optimize_verb_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -334,7 +334,7 @@ class AnySpec {
     return all;
   }
 
-  testing::Random random_;
+  test::Random random_;
 };
 
 /// The figures of an outcome: of knots "objectives", of shapes those of each run.
@@ -442,4 +442,4 @@ INSTANTIATE_TEST_SUITE_P(Of, AnyOptimum, ::testing::Values(false, true),
                          [](const auto& param) { return param.param ? "Knots" : "Shapes"; });
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::optimize_verb_test

@@ -9,7 +9,7 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::pareto_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -56,7 +56,7 @@ std::vector<std::size_t> by_definition(const Points& points) {
 }
 
 TEST(ParetoFront, IsTheDefinitionsOnRandomPointsWithTies) {
-  testing::Random random(7);
+  test::Random random(7);
   for (int round = 0; round < 300; ++round) {
     const auto dimension = static_cast<std::size_t>(1 + random.below(4));
     Points points(static_cast<std::size_t>(1 + random.below(60)));
@@ -67,4 +67,4 @@ TEST(ParetoFront, IsTheDefinitionsOnRandomPointsWithTies) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::pareto_test

@@ -17,7 +17,7 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::sample_design_test {
 namespace {
 
 std::vector<std::string> names(std::size_t n) {
@@ -80,7 +80,7 @@ TEST(SampleDesign, DependsOnItsSeedAndGivesEachParameterItsOwn) {
 }
 
 TEST(SampleDesign, RefusesMoreParametersThanSobolHasDimensions) {
-  EXPECT_THAT(testing::error_of([] {
+  EXPECT_THAT(test::error_of([] {
                 const SampleDesign design(Design::sobol, 1, names(sobol_dimensions + 1), 8);
               }),
               ::testing::HasSubstr("takes at most 21 random parameters; there are 22"));
@@ -94,4 +94,4 @@ TEST(NormalQuantile, HasTheValuesOfTheTables) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sample_design_test

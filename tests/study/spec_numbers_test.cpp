@@ -7,10 +7,10 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::spec_numbers_test {
 namespace {
 
-using testing::error_of;
+using test::error_of;
 
 constexpr const char* text = R"(jounce = 1   # the format
 kind = "cam"
@@ -107,4 +107,4 @@ TEST(SpecNumbers, RefuseWhatIsNoToml) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::spec_numbers_test

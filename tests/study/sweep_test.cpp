@@ -20,10 +20,10 @@
 
 #include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::sweep_test {
 namespace {
 
-using testing::error_of;
+using test::error_of;
 using ::testing::HasSubstr;
 
 /// A folder of its own with a spec and a sweep.
@@ -444,4 +444,4 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sweep_test

@@ -18,7 +18,7 @@
 
 // The program itself: threads, kills and mpirun give the same bytes.
 
-namespace jounce {
+namespace jounce::sweep_verb_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -234,4 +234,4 @@ TEST_F(SweepVerb, SaysOnceUnderMpiWhatIsWrong) {
 #endif
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sweep_verb_test

@@ -8,15 +8,15 @@
 
 #include "jounce/design/make.hpp"
 
-#include "../support/errors.hpp"
+#include "support/errors.hpp"
 
-namespace jounce {
+namespace jounce::tune_test {
 namespace {
 
 using std::numbers::pi;
+using test::error_of;
 using ::testing::Contains;
 using ::testing::ElementsAre;
-using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Status = Outcome::Status;
@@ -297,4 +297,4 @@ TEST(ParametersSpec, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::tune_test

@@ -6,9 +6,9 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
-/// What the InputError says that this throws; "nothing is thrown" if none.
+/// The text of the InputError that `act` throws; "" if it throws none.
 template <class Do>
 std::string error_of(Do&& act) {
   try {
@@ -16,10 +16,10 @@ std::string error_of(Do&& act) {
   } catch (const InputError& error) {
     return error.what();
   }
-  return "nothing is thrown";
+  return "";
 }
 
-/// What any exception of `act` says; "" if it throws none.
+/// The text of any exception that `act` throws; "" if it throws none.
 template <class Do>
 std::string why(Do&& act) {
   try {
@@ -30,4 +30,4 @@ std::string why(Do&& act) {
   return "";
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -3,7 +3,7 @@
 
 #include "jounce/cam/design/design.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// The cam of the PMC600 manual 6.2, Fig. 6.14. The slope at 280 is printed cut off (0.01739...);
 /// this value gives all printed digits of both neighbours.
@@ -18,4 +18,4 @@ inline CamSpec fig_6_14() {
   return spec;
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -10,7 +10,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// What must hold of whatever a generator makes, whatever its numbers: called from every
 /// generator's test.
@@ -44,4 +44,4 @@ void expect_invariants(const Curve<Over>& f, int order) {
     }
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// The numbers of tests/oracle/oracles.json, made by tests/oracle/make_oracles.py without any of
 /// our code.
@@ -15,4 +15,4 @@ inline const nlohmann::json& oracle(const char* name) {
   return all.at(name);
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

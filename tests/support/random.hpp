@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// splitmix64 with our own mapping to reals: the same cases on every machine and library.
 class Random {
@@ -21,10 +22,14 @@ class Random {
     return lo + (hi - lo) * static_cast<double>(next() >> 11U) * 0x1p-53;
   }
   double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
-  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
+  /// One of 0...n-1.
+  template <std::integral N>
+  N below(N n) {
+    return static_cast<N>(next() % static_cast<std::uint64_t>(n));
+  }
 
  private:
   std::uint64_t state_;
 };
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -6,7 +6,7 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/vibration/vibration.hpp"
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// Position and velocity of a second-order system.
 struct Load {
@@ -48,4 +48,4 @@ inline Load after(const Trajectory& motion, const Mode& mode) {
   return load;
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

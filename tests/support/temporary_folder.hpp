@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// A test with an empty folder of its own, which is removed with the test.
 class WithFolder : public ::testing::Test {
@@ -35,4 +35,4 @@ class WithFolder : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace jounce::testing {
+namespace jounce::test {
 
 /// Whether the strict writer of JSON takes the text: a reader of UTF-8 that shares no code with ours.
 inline bool is_utf8(const std::string& text) {
@@ -17,4 +17,4 @@ inline bool is_utf8(const std::string& text) {
   }
 }
 
-}  // namespace jounce::testing
+}  // namespace jounce::test

@@ -12,7 +12,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::drive_oracle_test {
 namespace {
 
 void expect_oracle(const std::string& name, const Drive& drive) {
@@ -51,4 +51,4 @@ TEST(DriveOracle, BacklashAndFriction) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_oracle_test

@@ -16,7 +16,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::drive_parts_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -456,4 +456,4 @@ TEST(Drive, MayRunInManyThreads) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_parts_test

@@ -12,7 +12,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::drive_stepper_test {
 namespace {
 
 /// How far the stepped drive is from other samples at the same instants, as shares of the stroke and of
@@ -249,4 +249,4 @@ TEST(DriveStepper, RefusesByName) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_stepper_test

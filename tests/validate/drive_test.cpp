@@ -23,7 +23,7 @@
 #include "validate/exact_drive.hpp"
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::drive_test {
 namespace {
 
 using test::ExactDrive;
@@ -503,4 +503,4 @@ TEST(Drive, RefusesATableOverMasterPosition) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::drive_test

@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::exact_through_test {
 namespace {
 
 Trajectory s_curve_move() {
@@ -279,7 +279,7 @@ TEST(ExactThrough, RefusesWhatTheRunRefuses) {
 // ---- random -------------------------------------------------------------------------------------
 
 TEST(ExactThrough, HoldsForRandomDrives) {
-  testing::Random random(3);
+  test::Random random(3);
   const Trajectory move = test::law_345(360, 0.08);
   int stable = 0;
   for (int i = 0; i < 60; ++i) {
@@ -308,4 +308,4 @@ TEST(ExactThrough, HoldsForRandomDrives) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::exact_through_test

@@ -15,7 +15,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::follower_test {
 namespace {
 
 constexpr double h = 0.01;  // m, lift
@@ -262,4 +262,4 @@ TEST(Follower, RefusesParametersOutOfRangeByName) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::follower_test

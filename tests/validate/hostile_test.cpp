@@ -20,7 +20,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::hostile_test {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
@@ -517,4 +517,4 @@ TEST(HostileRecording, InAnotherUnitIsNotExplained) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::hostile_test

@@ -21,11 +21,11 @@
 #include "validate/src/identify/least_squares.hpp"
 #include "validate/src/identify/residual_tests.hpp"
 
-namespace jounce {
+namespace jounce::identify_test {
 namespace {
 
+using test::Random;
 using ::testing::HasSubstr;
-using testing::Random;
 using Status = Identification::Status;
 
 /// Standard normal, from two uniforms (Box and Muller).
@@ -475,4 +475,4 @@ TEST(LeastSquares, StudentsFactorsAreThoseOfTheTables) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::identify_test

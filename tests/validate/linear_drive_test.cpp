@@ -20,7 +20,7 @@
 #include "support/random.hpp"
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::linear_drive_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -272,7 +272,7 @@ TEST(LinearDrive, AFollowedCamBehindASteadyMasterHasSegments) {
 // ---- what does not need a solution --------------------------------------------------------------
 
 TEST(LinearDrive, DoesNotDependOnTheTimesAskedFor) {
-  testing::Random random(7);
+  test::Random random(7);
   for (const Drive& drive : {two_mass(), four_mass(), with_pendulum(), rigid()})
     for (const double cycle : {0.0, 0.00021}) {
       Drive d = drive;
@@ -460,4 +460,4 @@ TEST(LinearDrive, RefusesWhatIsNotLinearByName) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::linear_drive_test

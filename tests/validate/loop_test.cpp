@@ -19,7 +19,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::loop_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -248,4 +248,4 @@ TEST(Loop, RefusesADelayOfTooManyCycles) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::loop_test

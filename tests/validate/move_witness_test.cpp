@@ -6,18 +6,18 @@
 
 #include "support/random.hpp"
 
-namespace jounce {
+namespace jounce::move_witness_test {
 namespace {
 
 // The long-double checker of tests/profiles/proof sees every random move; a sample of them is
 // integrated here by an ODE solver, which knows nothing of phases and their formulas.
 
-MotionState random_state(testing::Random& random) {
+MotionState random_state(test::Random& random) {
   return {random.uniform(-4, 4), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
 TEST(MoveWitness, IntegratesASampleOfRandomMovesToTheirTargets) {
-  testing::Random random(77);
+  test::Random random(77);
   int integrated = 0;
   for (int i = 0; i < 300; ++i) {
     const MotionState from = random_state(random);
@@ -41,4 +41,4 @@ TEST(MoveWitness, IntegratesASampleOfRandomMovesToTheirTargets) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::move_witness_test

@@ -12,7 +12,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::periodic_test {
 namespace {
 
 Drive strong() {
@@ -185,4 +185,4 @@ TEST(PeriodicDrive, RefusesWhatHasNoKnownSteadyState) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::periodic_test

@@ -12,7 +12,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::saturation_test {
 namespace {
 
 /// The default drive with a torque limit that the moves of these tests meet.
@@ -257,4 +257,4 @@ TEST(Saturation, MirroredReferenceSaturatesOnTheOtherSide) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::saturation_test

@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce {
+namespace jounce::sensitivity_test {
 namespace {
 
 using detail::Ode;
@@ -178,7 +178,7 @@ class Driven {
   using Vector = Eigen::Matrix<double, states, 1>;
 
   explicit Driven(int intervals) : n(intervals), knots(static_cast<std::size_t>(n) + 1) {
-    testing::Random random(7);
+    test::Random random(7);
     for (double& u : knots) u = random.uniform(-1, 1);
     constexpr double kp = 40, kv = 210, c = 1.25e6, d = 125, share = 0.2;
     a.setZero();
@@ -314,4 +314,4 @@ TEST(Sensitivity, OfFiftyKnotsIsThatOfMatrixExponentials) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::sensitivity_test

@@ -14,7 +14,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::tolerances_test {
 namespace {
 
 Drive strong() {
@@ -207,4 +207,4 @@ TEST(Tolerances, IntegrateTheCasesThatMeetTheTorqueLimit) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::tolerances_test

@@ -19,7 +19,7 @@
 
 #include "validate/references.hpp"
 
-namespace jounce {
+namespace jounce::witness_test {
 namespace {
 
 using test::MadeUp;
@@ -276,4 +276,4 @@ TEST(Witness, RefusesBadOptionsAndBreaks) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::witness_test

@@ -10,10 +10,6 @@ namespace {
 constexpr std::size_t small_each = 16;
 constexpr std::size_t large_each = 512;
 
-bool is_fifo(int fifo) {
-  return fifo == 0 || fifo == 1;
-}
-
 }  // namespace
 
 FollowFifos::FollowFifos(std::size_t most)

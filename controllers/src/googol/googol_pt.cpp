@@ -38,10 +38,6 @@ namespace {
 
 constexpr std::size_t large = 1024;
 
-bool is_fifo(int fifo) {
-  return fifo == 0 || fifo == 1;
-}
-
 }  // namespace
 
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point) {

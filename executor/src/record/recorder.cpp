@@ -12,12 +12,12 @@
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/lcm_log.hpp"
+#include "executor/src/record/record_wire.hpp"
 
 namespace jounce {
 namespace {
 
 constexpr std::size_t buffered = std::size_t{1} << 20U;  // bytes
-constexpr std::size_t knots_an_event = 200;
 
 bool regular_or_new(const std::filesystem::path& path) {
   std::error_code none;

@@ -17,7 +17,7 @@ namespace jounce::detail {
 namespace {
 
 const std::vector<std::string> controllers{"googol", "pmc600"};
-const std::vector<std::string> types{"normal", "even", "stop", "continue"};
+const std::vector<std::string> point_types{"normal", "even", "stop", "continue"};
 const std::vector<std::string> quantities{"position", "velocity", "acceleration"};
 const std::vector<std::string> position_rules{"cubic", "linear"};
 
@@ -59,7 +59,7 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
   if (loops < 0)
     pt.fail("loops", std::to_string(loops), "must be at least 1, or 0 for an endless table");
   spec.loops = static_cast<std::size_t>(loops);
-  std::span<const std::string> permitted = types;
+  std::span<const std::string> permitted = point_types;
   if (googol) {
     permitted = permitted.first(3);
   } else {

@@ -8,7 +8,7 @@
 
 namespace jounce::proof {
 
-using testing::Random;
+using test::Random;
 
 /// A kind of random problem for one axis. Every target drawn can be reached; starts may lie outside
 /// the bounds.

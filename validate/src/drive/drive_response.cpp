@@ -49,9 +49,9 @@ struct Switched {
   Switched& operator=(const Switched&) = delete;
 };
 
-class Run {
+class ResponseRun {
  public:
-  Run(const SignalView& reference, const ResponseSpec& spec)
+  ResponseRun(const SignalView& reference, const ResponseSpec& spec)
       : spec_(spec),
         origin_(reference.start()),
         closest_(shortest_time(origin_, std::max(reference.end(), spec.times.back()))),
@@ -310,7 +310,7 @@ Drive with_numbers(const Drive& start, std::span<const std::string> keys,
 }
 
 DriveResponse respond(const SignalView& reference, const ResponseSpec& spec) {
-  return Run(reference, spec).result();
+  return ResponseRun(reference, spec).result();
 }
 
 }  // namespace jounce::detail

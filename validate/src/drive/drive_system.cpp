@@ -27,7 +27,7 @@
 namespace jounce::detail {
 namespace {
 
-struct Body {
+struct LinkedBody {
   double inertia = 0;
   double friction = 0;
   double load = 0;
@@ -35,18 +35,18 @@ struct Body {
   double damping = 0;
 };
 
-struct Chain {
-  std::vector<Body> bodies;
+struct DriveChain {
+  std::vector<LinkedBody> bodies;
   std::size_t load = 0;  // the body that the last mass belongs to
 };
 
-Chain chain_of(const Drive& drive) {
-  Chain chain;
+DriveChain chain_of(const Drive& drive) {
+  DriveChain chain;
   chain.bodies.push_back({drive.motor.inertia, drive.motor.friction.viscous, 0, 0, 0});
   double last = drive.motor.inertia;
   for (const Mass& m : drive.train) {
     if (m.stiffness > 0) chain.bodies.push_back({0, 0, 0, m.stiffness, m.damping});
-    Body& body = chain.bodies.back();
+    LinkedBody& body = chain.bodies.back();
     body.inertia += m.inertia;
     body.friction += m.friction.viscous;
     body.load += m.load_torque;
@@ -74,10 +74,10 @@ struct Form {
 
 /// The bodies alone, driven by `torque`: (5), (6). The states are angles, then speeds, then others
 /// up to `states`.
-void add_bodies(LinearSystem& s, const Chain& chain, const Form& torque, double radians) {
+void add_bodies(LinearSystem& s, const DriveChain& chain, const Form& torque, double radians) {
   const auto n = static_cast<Index>(chain.bodies.size());
   for (Index i = 0; i < n; ++i) {
-    const Body& body = chain.bodies[static_cast<std::size_t>(i)];
+    const LinkedBody& body = chain.bodies[static_cast<std::size_t>(i)];
     s.a(i, n + i) = 1;
     s.a(n + i, n + i) -= body.friction / body.inertia;
     s.b(n + i, LinearSystem::one) = -body.load / body.inertia;
@@ -111,7 +111,7 @@ LinearSystem empty(Index states) {
   return s;
 }
 
-void add_outputs(LinearSystem& s, const Chain& chain, const Form& torque, double radians) {
+void add_outputs(LinearSystem& s, const DriveChain& chain, const Form& torque, double radians) {
   s.c.row(torque_row) = torque.x;
   s.d.row(torque_row) = torque.w;
   s.c(motor_row, 0) = 1;
@@ -159,7 +159,7 @@ double total_friction(const Drive& drive) {
 
 LinearSystem drive_system(const Drive& drive) {
   const Controller& k = drive.controller;
-  const Chain chain = chain_of(drive);
+  const DriveChain chain = chain_of(drive);
   const auto n = static_cast<Index>(chain.bodies.size());
   const bool integral = k.integral_time > 0;
   const bool delayed = k.delay > 0;
@@ -198,7 +198,7 @@ double torque_slope(const Motor& m) {
 
 LinearSystem watched_drive(const Drive& drive) {
   LinearSystem s = drive_system(drive);
-  const Chain chain = chain_of(drive);
+  const DriveChain chain = chain_of(drive);
   const auto load = static_cast<Index>(chain.load);
   const Index last = s.states() - 1;
   s.c.conservativeResize(watched_rows, Eigen::NoChange);
@@ -229,9 +229,9 @@ Eigen::VectorXd equilibrium(const LinearSystem& system) {
 }
 
 OpenRest open_rest(const Drive& drive) {
-  const Chain chain = chain_of(drive);
+  const DriveChain chain = chain_of(drive);
   OpenRest rest;
-  for (const Body& body : chain.bodies) rest.torque += body.load;
+  for (const LinkedBody& body : chain.bodies) rest.torque += body.load;
   double torque = rest.torque;
   const Controller& k = drive.controller;
   double angle = k.integral_time > 0 ? 0 : -torque / (k.velocity_gain * k.position_gain);
@@ -245,7 +245,7 @@ OpenRest open_rest(const Drive& drive) {
 }
 
 LinearSystem open_drive(const Drive& drive) {
-  const Chain chain = chain_of(drive);
+  const DriveChain chain = chain_of(drive);
   const auto n = static_cast<Index>(chain.bodies.size());
   const bool lag = drive.motor.current_lag > 0;
   const Index states = 2 * n + (lag ? 2 : 1);

@@ -35,6 +35,11 @@ const char* explain(Refusal refusal);
 
 enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };  ///< PT_MODE_STATIC, PT_MODE_DYNAMIC
 
+/// True for the number of a FIFO: 0 or 1.
+constexpr bool is_fifo(int fifo) {
+  return fifo == 0 || fifo == 1;
+}
+
 /// Pushes a point by its type: a NORMAL one is first, and begins at rest, in an empty table or
 /// stream. The second: why it was not taken, in the manual's words.
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
