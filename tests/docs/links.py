@@ -4,7 +4,7 @@
 
 Reports file:line of each relative link whose file or anchor does not exist, of each page under docs/ that no chain of
 links from README.md reaches, of each page with another number of first-level headings than one, and of each source file in
-backticks that does not exist."""
+backticks that does not exist, and of each example and script that its folder's README.md does not name."""
 import pathlib
 import re
 import sys
@@ -72,6 +72,13 @@ for name, text in pages.items():
             known = known or any(f.endswith("/" + path) for f in files)
         if "/" in path and (first in modules or path.endswith((".hpp", ".cpp"))) and not placeholder and not known:
             errors.append(f"{name}:{prose.count(chr(10), 0, m.start()) + 1}: `{path}` does not exist")
+
+for index in ("examples/README.md", "scripts/README.md"):  # they name all that is beside them
+    if index in pages:
+        folder = index.partition("/")[0]
+        for entry in sorted({pathlib.PurePath(f).parts[1] for f in files if f.startswith(folder + "/")} - {"README.md"}):
+            if f"({entry})" not in pages[index]:
+                errors.append(f"{index}:1: {entry} is not in the index")
 
 reached, todo = set(), ["README.md"]
 while todo:
