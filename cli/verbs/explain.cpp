@@ -11,6 +11,7 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/controllers/controller_errors.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/report/rules.hpp"
 #include "jounce/stream/message/refusals.hpp"
 
 #include "cli/common/verb.hpp"
@@ -53,6 +54,8 @@ std::vector<Message> all_messages() {
     if (one.refusal != wire::Refusal::none)
       all.push_back({"Refusals of the stream", std::to_string(static_cast<int>(one.refusal)),
                      one.name, one.meaning, one.remedy});
+  for (const RuleInfo& one : all_rules())
+    all.push_back({"Findings of a check", "", one.rule, one.meaning, one.remedy});
   for (const ControllerError& one : controller_errors()) {
     const std::string here = one.here == std::string("none") ? "does not occur" : one.here;
     all.push_back({std::string("Errors of ") + one.controller + " for a cam", code_text(one), "",
@@ -92,7 +95,8 @@ void print_markdown(const std::vector<Message>& all) {
                group);
     for (const Message& one : own)
       if (one.group == group)
-        fmt::print("| {} | {} | {} | {} |\n", one.code, one.name, cell(one.meaning),
+        fmt::print("| {} | {} | {} | {} |\n", one.code,
+                   one.code.empty() ? "`" + one.name + "`" : one.name, cell(one.meaning),
                    cell(one.remedy));
   }
 }
@@ -108,10 +112,15 @@ void print_json(const std::vector<Message>& all) {
   fmt::print("{}\n", document.dump(1));
 }
 
+/// Number and name, those that it has.
+std::string title_of(const Message& one) {
+  return one.code + (one.code.empty() || one.name.empty() ? "" : " ") + one.name;
+}
+
 void print_text(const std::vector<Message>& all) {
   for (const Message& one : all)
-    fmt::print("{}{} ({})\n  {}\n  {}: {}\n", one.code, one.name.empty() ? "" : " " + one.name,
-               one.group, one.meaning, one.is_foreign ? "In Jounce" : "What to do", one.remedy);
+    fmt::print("{} ({})\n  {}\n  {}: {}\n", title_of(one), one.group, one.meaning,
+               one.is_foreign ? "In Jounce" : "What to do", one.remedy);
 }
 
 void print_list(const std::vector<Message>& all) {
@@ -125,8 +134,10 @@ void print_list(const std::vector<Message>& all) {
 /// Those with this number or name.
 std::vector<Message> matching(const std::vector<Message>& all, const std::string& code) {
   std::vector<Message> found;
+  const RuleInfo* const rule = rule_info(code);
+  const std::string name = rule != nullptr ? rule->rule : code;
   for (const Message& one : all)
-    if (one.code == code || one.name == code) found.push_back(one);
+    if (one.code == code || one.name == name) found.push_back(one);
   if (!found.empty()) return found;
   std::vector<std::string> names;
   for (const Message& one : all) names.push_back(one.name);
@@ -155,9 +166,11 @@ int run_explain(const ExplainArguments& options) {
 
 void add_explain(CommandLine& line) {
   const auto options = std::make_shared<ExplainArguments>();
-  const Verb verb = line.verb("explain", "Explain a fault, a refusal, or an error of a controller",
-                              "jounce explain following_error");
-  verb.option("CODE", options->code, "Number or name, as in a message, a log or a status");
+  const Verb verb =
+      line.verb("explain", "Explain a fault, a refusal, a finding, or an error of a controller",
+                "jounce explain following_error");
+  verb.option("CODE", options->code,
+              "Number or name, as in a message, a log or a status; or the rule of a finding");
   verb.flag("--markdown", options->markdown, "All as a page (docs/reference/messages.md)");
   verb.flag("--json", options->json, "As JSON");
   verb.work([options] { return run_explain(*options); });

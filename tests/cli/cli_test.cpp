@@ -112,6 +112,9 @@ TEST_F(Cli, ExplainNamesMeaningAndRemedy) {
   EXPECT_THAT(number.out, HasSubstr(name.out)) << "the same fault";
   EXPECT_THAT(number.out, HasSubstr("6 out_of_memory (Refusals of the stream)"));
   EXPECT_THAT(run("explain 0x1392").out, HasSubstr("Errors of HMPL for a cam"));
+  const Result finding = run("explain limit/geo_jerk");  // of the family limit/*
+  EXPECT_EQ(finding.status, 0);
+  EXPECT_THAT(finding.out, HasSubstr("limit/* (Findings of a check)\n  The exact extremum of "));
   const Result wrong = run("explain folowing_error");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.err,

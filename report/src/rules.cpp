@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/report/rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace jounce {
+namespace {
+
+constexpr std::array rules{
+    RuleInfo{"limit/position_min", "The position goes below its lowest permitted value.",
+             "Shift or shorten the motion, or lower position_min if the machine permits it."},
+    RuleInfo{"limit/position_max", "The position goes above its highest permitted value.",
+             "Shift or shorten the motion, or raise position_max if the machine permits it."},
+    RuleInfo{"limit/position", "The position leaves its permitted range.",
+             "Shift or shorten the motion, or widen the range if the machine permits it."},
+    RuleInfo{"limit/master_velocity",
+             "At this velocity of the master the slave reaches one of its limits.",
+             "Slow the master down, or give the cam more master travel at the named place."},
+    RuleInfo{"limit/master_acceleration",
+             "The ramps of the master take the slave above one of its limits.",
+             "Lower the acceleration of the master, or its velocity."},
+    RuleInfo{"limit/load_torque", "The peak torque at the load is above its limit.",
+             "Lower the acceleration, or the inertia of the load."},
+    RuleInfo{"limit/load_rms_torque", "The rms torque at the load is above its limit.",
+             "Lower the acceleration, or add standstill to the cycle."},
+    RuleInfo{"limit/*", "The exact extremum of the named derivative is above its limit.",
+             "Give the segment more time or master travel, choose another law (`jounce laws`), or "
+             "let `jounce optimize` choose."},
+    RuleInfo{"unlimited/*", "The named quantity has no limit; the finding states how far it goes.",
+             "Give a limit if the machine has one."},
+    RuleInfo{"continuity/*", "The named derivative steps at a joint of two segments.",
+             "Make the values at the joint equal, or lower the required order with --continuity."},
+    RuleInfo{"table/position", "The table differs from the exact curve by more than its tolerance.",
+             "Add knots: a larger number, or [table] tolerance."},
+    RuleInfo{"joint/*",
+             "The named derivative steps at a joint: permitted, but the machine feels it.",
+             "Choose a law whose ends match, or give the knot a velocity and an acceleration."},
+    RuleInfo{"kept/geo_jerk", "The result keeps a step of the jerk that the given cam has.",
+             "No action; ends = { jerk = 0 } removes it."},
+    RuleInfo{"polydyne/geo_acceleration",
+             "The acceleration of the load steps, so the cam itself would have to jump.",
+             "Use a law with a continuous fourth derivative for the load."},
+
+    RuleInfo{"warning/overshoot", "The segment leaves the range between its end values.",
+             "Move the knots, or lower the velocities at them."},
+    RuleInfo{"warning/velocity_overshoot",
+             "The velocity passes the value at which the segment ends.",
+             "Change the velocity at one end, or the length of the segment."},
+    RuleInfo{"warning/reversal", "The segment reverses on its way.",
+             "Change the velocities at its ends, or its length."},
+    RuleInfo{"warning/ripple", "The acceleration is against the ends of its segment.",
+             "Make velocities and accelerations the derivatives of the positions."},
+
+    RuleInfo{"bound/*",
+             "The figure is compared with the least value that any such motion can have.",
+             "No action: the margin is what another law could still gain."},
+    RuleInfo{"identity/*", "An integral of the curve differs from its exact value.",
+             "Report it with the spec: the program has a defect."},
+
+    RuleInfo{"coupling/begin", "The cam begins with a velocity, and the slave waits at rest.",
+             "Let the cam begin at rest, or start with a ramp."},
+    RuleInfo{"coupling/end", "The cam ends with a velocity, so the slave brakes after its end.",
+             "Let the cam end at rest, repeat it, or stream it with --keep-velocity."},
+    RuleInfo{"coupling/enter",
+             "The cam moves where the master enters it, and the slave is at rest.",
+             "Let the cam begin at rest."},
+    RuleInfo{"coupling/period", "The slave jumps at the end of each period.",
+             "Use slave_absolute = false, or end the cam where it begins."},
+    RuleInfo{"coupling/ramp", "This is the largest value of the ramp that takes the slave in.",
+             "No action; a longer ramp is gentler."},
+    RuleInfo{"coupling/start", "The slave jumps when the coupling starts.",
+             "Use start = \"ramp_in\", or place the slave on the cam first."},
+    RuleInfo{"coupling/*", "The coupling cannot start from this position of the master.",
+             "Follow the advice of the finding."},
+
+    RuleInfo{"compare/latency", "The outputs fire this far behind their positions.",
+             "Compensate the delay, or pass the points slower."},
+    RuleInfo{"compare/merged", "Two pulses are closer than one pulse is long.",
+             "Shorten the pulse, spread the points, or pass them slower."},
+    RuleInfo{"compare/missed", "Some points of the comparison never fire.",
+             "Give points that the motion passes, in its direction."},
+    RuleInfo{"compare/speed", "The axis passes the points faster than the device can compare.",
+             "Pass them slower, or spread the points."},
+
+    RuleInfo{"disc/pressure_angle", "The pressure angle of the plate is above its limit.",
+             "Enlarge the base circle, or give the rise more angle."},
+    RuleInfo{"disc/profile_radius", "The convex profile is too sharp, or is undercut.",
+             "Enlarge the base circle, or use a smaller roller."},
+    RuleInfo{"disc/cutter_radius", "The hollow profile is sharper than the cutter.",
+             "Use a smaller cutter, or a gentler law."},
+    RuleInfo{"disc/interference", "The cutter or the roller cuts into another part of the profile.",
+             "Use a smaller cutter or roller, or enlarge the base circle."},
+    RuleInfo{"disc/corner", "The profile has a corner that no roller can follow.",
+             "Make the velocity of the cam continuous there."},
+
+    RuleInfo{"drive/torque", "The peak torque of the motor is above its limit.",
+             "Use a gentler motion, or a stronger motor."},
+    RuleInfo{"drive/rms_torque", "The rms torque of the motor is above its limit.",
+             "Add standstill to the cycle, or use a gentler motion."},
+    RuleInfo{"drive/rated_torque", "The rms torque is above the rated torque: the motor overheats.",
+             "Add standstill to the cycle, or use a larger motor."},
+    RuleInfo{"drive/current", "The peak current is above its limit.", "Use a gentler motion."},
+    RuleInfo{"drive/velocity", "The motor is faster than its limit.",
+             "Slow the motion down, or change the gear ratio."},
+    RuleInfo{"drive/max_velocity", "The motor is faster than it can turn.",
+             "Slow the motion down, or change the gear ratio."},
+    RuleInfo{"drive/following_error", "The peak following error is above its limit.",
+             "Use feed-forward, a stiffer loop, or a gentler motion."},
+    RuleInfo{"drive/end_following_error", "The following error at the end is above its limit.",
+             "Use feed-forward, a stiffer loop, or a law with a gentler end."},
+    RuleInfo{"drive/sync_following_error",
+             "The following error while the slave is in step is above its limit.",
+             "Use feed-forward, a stiffer loop, or a longer approach."},
+    RuleInfo{"drive/residual", "The load vibrates after the motion by more than its limit.",
+             "Let `jounce optimize` choose a shape for this frequency, or use a shaper."},
+    RuleInfo{"drive/settling_time", "The axis needs longer to settle than permitted.",
+             "Use a stiffer loop, or a law with a gentler end."},
+    RuleInfo{"drive/saturation", "The drive is at its torque limit and cannot follow.",
+             "Lower the acceleration or the inertia."},
+    RuleInfo{"drive/stability", "The control loop is unstable.",
+             "Lower the gains: the finding states the poles and the margins."},
+    RuleInfo{"drive/periodic", "The periodic run does not repeat itself.",
+             "Report it with the spec, unless the loop is unstable."},
+    RuleInfo{"drive/integration", "The integration of the drive ended before the motion.",
+             "Follow the reason of the finding; an unstable loop is the commonest."},
+    RuleInfo{"drive/exact", "Integration and exact solution of the drive differ.",
+             "Report it with the spec: one of the two has a defect."},
+
+    RuleInfo{"feasible/*",
+             "At the highest velocity of the master the slave exceeds the named limit.",
+             "Slow the master down to the stated velocity, or engage over a longer distance."},
+
+    RuleInfo{"fill/monotone", "The velocities let the axis reverse between two points.",
+             "Add a knot in this piece, or fill it in with the monotone rule."},
+    RuleInfo{"fill/convex", "The velocities do not keep the bend of the data.",
+             "Add a knot in this piece."},
+    RuleInfo{"fill/limits", "A piece needs more time than the table gives to keep its limits.",
+             "Stretch the piece to the stated time."},
+
+    RuleInfo{"follow/begin", "The master never passes the position at which the slave starts.",
+             "Correct the start position: it is absolute, not a distance."},
+    RuleInfo{"follow/end", "The sums of the table differ from its check sums.",
+             "Compare the segments with their source: a number is probably wrong."},
+    RuleInfo{"follow/open_end", "The table ends with a ratio, so the slave stops abruptly.",
+             "End with a stop segment, repeat the table, or add another table."},
+    RuleInfo{"follow/ratio_step", "The ratio of the slave steps between two segments.",
+             "Change the travel of the segment, or make its type normal."},
+    RuleInfo{"follow/switch_step", "The ratio steps where one table replaces another.",
+             "Begin the second table with a continue segment."},
+    RuleInfo{"follow/wrap_step", "The ratio steps where the table repeats.",
+             "Make the ratios at both ends equal."},
+    RuleInfo{"follow/wrap_ratio", "The ratio at the end differs from pass to pass.",
+             "End the table with the ratio that it begins with."},
+    RuleInfo{"follow/reversal", "The slave reverses within a segment.",
+             "Change the travel of the segment, or the ratio before it."},
+    RuleInfo{"follow/backwards", "The slave moves backwards in the named piece.",
+             "Change the ends of the piece, if this is not intended."},
+    RuleInfo{"follow/whole_master", "A master position is not a whole number of counts.",
+             "Round it: the controller takes whole counts."},
+
+    RuleInfo{"follower/contact", "The spring does not hold the follower on the cam.",
+             "Use a stiffer spring or more preload, or run slower."},
+    RuleInfo{"follower/force", "The contact force is above its limit.",
+             "Use a softer spring, a lighter follower, or a gentler cam."},
+    RuleInfo{"follower/impact", "The follower lands with more than the permitted speed.",
+             "Keep it in contact: see follower/contact."},
+    RuleInfo{"follower/residual", "The follower vibrates in the dwell by more than its limit.",
+             "Use a gentler law, or run slower."},
+    RuleInfo{"follower/integration", "The integration of the follower ended early.",
+             "Follow the reason of the finding."},
+
+    RuleInfo{"gear/ratio_step", "The ratio steps where the slave engages.",
+             "Engage over a distance above 0, or give from_ratio if the slave is in step."},
+    RuleInfo{"gear/reversal", "The slave reverses while it engages.",
+             "Choose slave_start in the range that the finding states."},
+    RuleInfo{"knife/contact", "The blade touches the web before it is in step.",
+             "Enlarge sync_angle to the stated angle."},
+    RuleInfo{"knife/reversal", "The knife reverses between two cuts: the pieces are long.",
+             "Set dwell = true, so that the knife stops between the cuts."},
+    RuleInfo{"knife/slip", "Along the web the blade is slower than the web while it cuts.",
+             "Use matching = \"horizontal\", which leaves no slip."},
+    RuleInfo{"shear/sync", "The carriage is in step for hardly any time.",
+             "Lengthen the stroke, cut longer pieces, or slow the line down."},
+
+    RuleInfo{"inverse/dwell", "The slave stands still there, so the inverse would jump.",
+             "Invert the pieces beside the dwell."},
+    RuleInfo{"inverse/jump", "The slave jumps there, so no master belongs to the values between.",
+             "Make the cam continuous."},
+    RuleInfo{"inverse/reversal", "The slave passes the same value twice.",
+             "Choose a branch of the cam."},
+
+    RuleInfo{"pt/velocity_step", "The velocity steps at a point of the table.",
+             "Use a rule with a continuous velocity, or change the point."},
+    RuleInfo{"pt/end_velocity", "The table ends with a velocity.",
+             "End with a stop segment, or stream another table."},
+    RuleInfo{"pt/oscillation", "The velocity alternates from point to point.",
+             "Smooth the points, or use another rule."},
+    RuleInfo{"pt/wrap", "The table does not end where it begins, so its repetition steps.",
+             "Make the ends equal, or play it once."},
+
+    RuleInfo{"tolerance/stability", "The loop is unstable in some of the drawn cases.",
+             "Lower the gains, or narrow the tolerances."},
+    RuleInfo{"tolerance/integration", "Some of the drawn cases were not integrated to their end.",
+             "The figures exclude them: see the reason of the finding."},
+    RuleInfo{"tolerance/*", "With its tolerances the named figure is above its limit.",
+             "Narrow the tolerance that the finding names, or use a gentler motion."},
+
+    RuleInfo{"witness/*", "The integration with SUNDIALS differs from the exact curve.",
+             "Report it with the spec: one of the two has a defect."},
+    RuleInfo{"played/gap", "Ticks are missing in the log.",
+             "Keep the whole log; a suspended executor leaves ticks out, too."},
+    RuleInfo{"played/complete", "The log ends before the motion does.",
+             "Stream the table again, and wait for its end."},
+    RuleInfo{"played/*", "The log of the executor differs from the table.",
+             "Look for a late cycle or an override in the log; otherwise report it."},
+};
+
+}  // namespace
+
+std::span<const RuleInfo> all_rules() {
+  return rules;
+}
+
+const RuleInfo* rule_info(std::string_view rule) {
+  const auto named = [](std::string_view name) {
+    return [name](const RuleInfo& one) { return one.rule == name; };
+  };
+  const auto own = std::find_if(rules.begin(), rules.end(), named(rule));
+  if (own != rules.end()) return &*own;
+  const std::string family = std::string(rule.substr(0, rule.find('/'))) + "/*";
+  const auto whole = std::find_if(rules.begin(), rules.end(), named(family));
+  return whole != rules.end() ? &*whole : nullptr;
+}
+
+}  // namespace jounce
