@@ -25,12 +25,12 @@ void send(int to, const std::string& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
 
-/// Asks and sleeps: MPI's own waiting would take a whole core from those that work.
+/// Asks and sleeps: MPI's own waiting would take a whole core from those that work. Workers have orders for longer than a nap.
 int receive(std::string& bytes) {
   MPI_Status status;
   int there = 0;
-  for (auto nap = std::chrono::microseconds(10);;
-       nap = std::min(2 * nap, std::chrono::microseconds(500))) {
+  for (auto nap = std::chrono::microseconds(50);;
+       nap = std::min(2 * nap, std::chrono::microseconds(1000))) {
     MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &there, &status);
     if (there != 0) break;
     std::this_thread::sleep_for(nap);

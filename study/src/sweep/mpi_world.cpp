@@ -22,6 +22,7 @@ namespace jounce {
 namespace {
 
 using detail::MpiCalls;
+using namespace std::chrono_literals;
 
 /// The module stays loaded: MPI leaves handlers behind that run at the program's exit.
 const MpiCalls* load() {
@@ -121,16 +122,18 @@ class Handing {
   }
 
   void serve(const std::string& identity) {
-    std::string line;
+    std::string message;
     for (std::size_t left = workers_.size() - 1; left > 0;) {
-      const int rank = calls_.receive(line);
+      const int rank = calls_.receive(message);
       Worker& worker = workers_[to_size(rank)];
       if (worker.greeted) {
-        const std::size_t number = worker.holds.front();
-        worker.holds.pop_front();
-        worker.ahead.made_one();
-        taken(number, line);
-      } else if (line != identity) {
+        std::istringstream lines(message);
+        for (std::string line; std::getline(lines, line);) {
+          taken(worker.holds.front(), line);
+          worker.holds.pop_front();
+          worker.ahead.made_one();
+        }
+      } else if (message != identity) {
         throw InputError("mpirun", "",
                          "rank " + std::to_string(rank) +
                              " reads another sweep, spec or version of Jounce than rank 0");
@@ -163,14 +166,24 @@ class Handing {
   std::exception_ptr trouble_;
 };
 
-/// Another rank: makes what it is ordered to, and sends each line as soon as it is made.
+/// Another rank: makes what it is ordered to, and sends the lines of 5 ms together, each ended by '\n'.
 void work(const MpiCalls& calls, const std::string& identity, const MakeLine& make) {
   calls.send(0, identity);
   for (std::string order;;) {
     calls.receive(order);
     if (order.empty()) return;
     std::istringstream numbers(order);
-    for (std::size_t number = 0; numbers >> number;) calls.send(0, make(number));
+    std::string lines;
+    auto sent = std::chrono::steady_clock::now();
+    for (std::size_t number = 0; numbers >> number;) {
+      lines += make(number) + '\n';
+      if (const auto now = std::chrono::steady_clock::now(); now - sent > 5ms) {
+        calls.send(0, lines);
+        lines.clear();
+        sent = now;
+      }
+    }
+    if (!lines.empty()) calls.send(0, lines);
   }
 }
 
