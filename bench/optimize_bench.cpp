@@ -12,8 +12,8 @@
 namespace jounce {
 namespace {
 
-using testing_optimize::rest_to_rest_shape;
-using testing_optimize::within;
+using test_optimize::rest_to_rest_shape;
+using test_optimize::within;
 
 ShapeProblem peak_problem(std::size_t coefficients, int order) {
   ShapeProblem p = rest_to_rest_shape(3);
@@ -49,7 +49,7 @@ BENCHMARK(LeastPeakAcceleration)->Arg(50)->Arg(200)->Arg(500)->Unit(benchmark::k
 void ClpOnAGrid(benchmark::State& state) {
   double least = 0;
   const auto order = static_cast<int>(state.range(0));
-  for (auto _ : state) least = testing_optimize::clp_least_peak(195, order, 4);
+  for (auto _ : state) least = test_optimize::clp_least_peak(195, order, 4);
   state.counters["reached"] = least;
 }
 BENCHMARK(ClpOnAGrid)->Arg(3)->Arg(2)->Unit(benchmark::kMillisecond);
