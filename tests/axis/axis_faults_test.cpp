@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/axis/fifo_movement.hpp"
+#include "jounce/axis/job.hpp"
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
@@ -72,6 +75,47 @@ TEST(AxisFaults, ALimitSwitchStopsAndBlocksItsDirection) {
   EXPECT_EQ(refusal(bench.step({.kind = Kind::move_velocity, .position = 1}, on)),
             Cause::direction_blocked);
   EXPECT_EQ(move(-1), Cause::none);
+}
+
+// A path that leads outwards from an active switch is refused where it starts; it would fault in its second tick.
+TEST(AxisFaults, NoPathStartsOntoAnActiveLimitSwitch) {
+  const auto rows = [](double distance) {
+    auto path = std::make_unique<FifoPath>(2, FifoSpec{.each = 8, .range = {-20, 20}});
+    path->fifos().push(0, {.x_end = 1, .p_end = 0, .v_start = 0, .v_end = 0, .degree = 3});
+    path->fifos().push(
+        0, {.x_end = 2, .p_end = distance, .v_start = 0, .v_end = 0, .degree = 3, .last = true});
+    return path;
+  };
+  const auto dwell_first = [](double distance) {
+    return std::make_unique<Job>(
+        1, table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                 {{0, 1, 2, 3}, {0, 0, distance, 0}, {0, 0, 0, 0}, {}}));
+  };
+  for (const double way : {1.0, -1.0})
+    for (const bool outwards : {true, false})
+      for (const bool pushed : {true, false}) {
+        SCOPED_TRACE(testing::Message() << way << (outwards ? " outwards" : " inwards")
+                                        << (pushed ? ", rows" : ", a table"));
+        Bench bench(ranged(-500, 500));
+        bench.tell(Kind::enable);
+        Inputs on;
+        (way > 0 ? on.positive_switch : on.negative_switch) = true;
+        const double distance = outwards ? 10 * way : -10 * way;
+        const std::unique_ptr<Movement> path =
+            pushed ? std::unique_ptr<Movement>(rows(distance)) : dwell_first(distance);
+        EXPECT_EQ(refusal(bench.step({.kind = Kind::arm, .movement = path.get()}, on)),
+                  Cause::none);
+        const Tick tick = bench.step({.kind = Kind::start}, on);
+        EXPECT_EQ(refusal(tick), outwards ? Cause::direction_blocked : Cause::none);
+        EXPECT_EQ(tick.state, outwards ? State::standstill : State::discrete_motion);
+        // The switch goes on between the acceptance of a start and the start.
+        if (!outwards) continue;
+        bench.step({.kind = Kind::start, .at = bench.tick + 5});
+        for (int i = 0; i < 3; ++i) bench.step();
+        const Tick late = bench.step({}, on);
+        ASSERT_TRUE(late.dropped.has_value());
+        EXPECT_EQ(late.dropped->cause, Cause::direction_blocked);
+      }
 }
 
 TEST(AxisFaults, TheFollowingErrorHasAWindowOfTime) {

@@ -69,6 +69,7 @@ void MotionAxis::start(const Command& command) {
     const Cause no = pending_->begin(last(), moment(0));
     if (no != Cause::none && !now_.refused) now_.refused = begin_refusal(no, last());
     if (no != Cause::none) now_.refused->cause = no;
+    if (!now_.refused) now_.refused = against_switch(*pending_);
     if (now_.refused) return;
   }
   waiting_ = true;
@@ -176,6 +177,14 @@ Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
           .limit = placed ? state.position : 0};
 }
 
+/// The refusal of a path that leads outwards from an active limit switch.
+std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
+  const int way = path.direction();
+  const bool blocked = (way > 0 && inputs_.positive_switch) || (way < 0 && inputs_.negative_switch);
+  return blocked ? std::optional(Refusal{Cause::direction_blocked, now_.position, 0})
+                 : std::nullopt;
+}
+
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   const bool live = pending_->course() == Course::live;
@@ -185,6 +194,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   if (!state) return drop({.cause = no});
   if (const auto refusal = live ? pending_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
+  if (const auto refusal = against_switch(*pending_)) return drop(*refusal);
   const Moment begin = live && start_at_ != StartAt::tick ? at : moment(0);
   no = pending_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));

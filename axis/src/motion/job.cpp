@@ -103,6 +103,17 @@ Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
   return largest;
 }
 
+/// The sign of the velocity half a tick into the first interval that moves; 0: none does.
+template <Signal S>
+int first_direction(const S& f, double tick) {
+  for (std::size_t i = 0; i + 1 < f.breaks().size(); ++i) {
+    const double a = f.breaks()[i];
+    const double v = f.jet(a + std::min(tick, f.breaks()[i + 1] - a) / 2)[1];
+    if (v != 0) return v > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
 /// By how much the master, scaled, leaves a cam that refuses it; rounding is forgiven.
 Extremum excess(const Table& cam, const Placement& placement, const Range& master) {
   if (cam.outside() != Extrapolation::refuse) return {};
@@ -166,6 +177,7 @@ void Job::couple(const CouplingSpec& spec, double position, double tick) {
 template <Signal S>
 void Job::survey_steps(const S& slave, double tick) {
   for (std::size_t k = 0; k < 3; ++k) steps_[k] = largest_step(slave, k, repeats(), tick);
+  direction_ = first_direction(slave, tick);
 }
 
 /// What the time table says at local time t; after its end it rests there.

@@ -160,6 +160,17 @@ std::size_t SegmentFifos::visible(int fifo) const {
   return n;
 }
 
+int SegmentFifos::direction(int fifo) const {
+  const std::size_t rows = std::min<std::size_t>(visible(fifo), 64);
+  double from = layout_.stream ? layout_.base.position : 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double to = fifos_[index(fifo)].slots[i].row.p_end;
+    if (to != from) return to > from ? 1 : -1;
+    from = to;
+  }
+  return 0;
+}
+
 bool SegmentFifos::switch_seen() const {
   return queued_.load() && queued_at_.load() <= sight_ && visible(1 - active()) > 0;
 }

@@ -188,6 +188,7 @@ class MotionAxis {
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
   [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
+  [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
   void begin_pending(const Moment& at);
   [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
   [[nodiscard]] std::optional<MotionState> expected_end() const;

@@ -74,6 +74,7 @@ class FifoPath final : public Movement {
   [[nodiscard]] double known() const noexcept override;
   [[nodiscard]] bool growing() const noexcept override { return fifos_.growing(); }
   [[nodiscard]] Peaks peaks() const noexcept override;
+  [[nodiscard]] int direction() const noexcept override { return fifos_.direction(first_.load()); }
   [[nodiscard]] bool bounded() const noexcept override { return bounded_; }
 
  private:

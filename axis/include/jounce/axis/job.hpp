@@ -46,6 +46,7 @@ class Job final : public Movement {
   [[nodiscard]] double known() const noexcept override;
   [[nodiscard]] double pass() const noexcept override { return duration(); }
   [[nodiscard]] Peaks peaks() const noexcept override;
+  [[nodiscard]] int direction() const noexcept override { return direction_; }
   [[nodiscard]] std::optional<MotionState> end() const noexcept override;
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& from) const noexcept override;
@@ -103,6 +104,7 @@ class Job final : public Movement {
   Setpoint last_;
   Ranges ranges_{};
   std::array<Jump, 3> steps_{};
+  int direction_ = 0;
   Extremum master_excess_;
   Progress progress_ = Progress::running;
 };

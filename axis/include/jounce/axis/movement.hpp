@@ -96,6 +96,8 @@ class Movement {
   /// what it adds now to what its master does, while it engages.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
+  /// For a path: the sign of its first motion; 0: it does not move, or is not known.
+  [[nodiscard]] virtual int direction() const noexcept { return 0; }
   /// For a path: more of it will arrive. The axis stops on it, with the fault `underrun`, before less
   /// is known than the stop takes: the same as `starving`, but the axis works it out.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }

@@ -134,6 +134,8 @@ class SegmentFifos {
   void see(std::uint64_t number) { sight_ = number; }
   /// Rows of a FIFO that are.
   [[nodiscard]] std::size_t visible(int fifo) const;
+  /// The sign of the first displacement of a FIFO's first 64 rows; 0: none of them moves.
+  [[nodiscard]] int direction(int fifo) const;
   /// Chooses what will be started: false where it is empty, in use, being cleared, or a stream that
   /// has ended. give_back() takes the choice back, or a start after which nothing was played.
   bool take(int fifo);
